@@ -1,0 +1,112 @@
+//! The one error type of the library.
+//!
+//! An error names the culprit (file, line, option, key), says what is wrong and how to mend it. Refusals and overflows of
+//! a strategy are not errors: they are outcomes of a frame (see [`crate::strategies::Refusal`] and
+//! [`crate::compare::Outcome`]).
+
+use std::path::{Path, PathBuf};
+
+/// What can go wrong between a file name and a picture.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file that cannot be read as what it claims to be.
+    #[error("{}{}: {what}\n  mend: {mend}", path.display(), line.map(|n| format!(":{n}")).unwrap_or_default())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Line in the file, counted from 1, where one is known.
+        line: Option<usize>,
+        /// What is wrong.
+        what: String,
+        /// What the user can do about it.
+        mend: String,
+    },
+    /// An option, a key or a value that makes no sense.
+    #[error("{culprit}: {what}\n  mend: {mend}")]
+    Input {
+        /// The option, key or value, as the user wrote it.
+        culprit: String,
+        /// What is wrong.
+        what: String,
+        /// What the user can do about it.
+        mend: String,
+    },
+    /// No adapter, or one that lacks what a plan needs.
+    #[error("{what}\n  mend: {mend}")]
+    Adapter {
+        /// What is missing.
+        what: String,
+        /// What the user can do about it.
+        mend: String,
+    },
+    /// A shader that does not compose or validate: a fault of this crate, never of its input.
+    #[error("shader {name}: {what}")]
+    Shader {
+        /// Path of the shader in the tree.
+        name: String,
+        /// The report of naga or naga_oil.
+        what: String,
+    },
+    /// A plan that breaks its own rules or the limits of WebGPU.
+    #[error("plan: {0}")]
+    Plan(String),
+}
+
+/// Result of the library.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+impl Error {
+    /// A file that cannot be used.
+    pub fn file(path: &Path, what: impl Into<String>, mend: impl Into<String>) -> Self {
+        Self::File {
+            path: path.to_owned(),
+            line: None,
+            what: what.into(),
+            mend: mend.into(),
+        }
+    }
+
+    /// A file that cannot be used, with the line at fault.
+    pub fn file_line(
+        path: &Path,
+        line: usize,
+        what: impl Into<String>,
+        mend: impl Into<String>,
+    ) -> Self {
+        Self::File {
+            path: path.to_owned(),
+            line: Some(line),
+            what: what.into(),
+            mend: mend.into(),
+        }
+    }
+
+    /// An option, key or value that makes no sense.
+    pub fn input(
+        culprit: impl Into<String>,
+        what: impl Into<String>,
+        mend: impl Into<String>,
+    ) -> Self {
+        Self::Input {
+            culprit: culprit.into(),
+            what: what.into(),
+            mend: mend.into(),
+        }
+    }
+}
+
+/// The closest of `known` to a misspelt `word`, as the text of a mend.
+pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.into_iter().collect();
+    let best = known
+        .iter()
+        .map(|k| (strsim::jaro_winkler(word, k), *k))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    match best {
+        Some((score, k)) if score > 0.75 => {
+            format!("did you mean `{k}`? Known: {}", known.join(", "))
+        }
+        _ => format!("use one of: {}", known.join(", ")),
+    }
+}

@@ -1,0 +1,74 @@
+//! Layers: what a frame is before shading, and the only thing strategies are judged by.
+//!
+//! One entry per pixel, rows from the top, at pixel centres. Every strategy and the exact reference end in this type, so
+//! that correctness is compared on decisions (which part, which clip-surface, at which depth) and never on colours.
+
+use glam::Vec3;
+
+/// What a pixel shows (design, section 3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[repr(u8)]
+pub enum Kind {
+    /// No solid along the ray.
+    #[default]
+    Background = 0,
+    /// The ray enters a solid by crossing its mesh.
+    Surface = 1,
+    /// The ray enters a solid by leaving the removed region inside it.
+    Cap = 2,
+}
+
+/// Clip-surface number of a cap that the near plane makes where the camera stands inside a solid.
+pub const NEAR_PLANE: u8 = 0xff;
+
+/// One pixel of [`Layers`].
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Layer {
+    /// What the pixel shows.
+    pub kind: Kind,
+    /// Index of the part in the scene; 0 for background.
+    pub part: u16,
+    /// Index of the clip-surface that made the cap (all cuts' surfaces in order), [`NEAR_PLANE`], or 0 when not a cap.
+    pub clip_surface: u8,
+    /// The mesh shows its inner side: the triangle hit faces away from the camera.
+    pub back_face: bool,
+    /// The strategy cannot vouch for this pixel: odd crossing count, or a buffer that overflowed.
+    pub unreliable: bool,
+    /// Distance from the eye along the viewing direction, in scene units; infinite for background.
+    pub depth: f64,
+    /// Unit normal in scene space, facing the camera's side; zero for background.
+    pub normal: Vec3,
+}
+
+/// A frame of [`Layer`]s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layers {
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+    /// `width * height` pixels, rows from the top.
+    pub pixels: Vec<Layer>,
+}
+
+impl Layers {
+    /// A frame of background.
+    pub fn background(size_px: [u32; 2]) -> Self {
+        let pixel = Layer {
+            depth: f64::INFINITY,
+            ..Layer::default()
+        };
+        Self {
+            size_px,
+            pixels: vec![pixel; size_px[0] as usize * size_px[1] as usize],
+        }
+    }
+
+    /// How many pixels are of a kind.
+    pub fn count(&self, kind: Kind) -> usize {
+        self.pixels.iter().filter(|p| p.kind == kind).count()
+    }
+
+    /// The pixel in column `x` and row `y`.
+    pub fn at(&self, x: u32, y: u32) -> &Layer {
+        &self.pixels[(y * self.size_px[0] + x) as usize]
+    }
+}

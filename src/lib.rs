@@ -1,0 +1,20 @@
+//! `cutaway` cuts solid triangle meshes with planes and 2.5D relief clip-surfaces, draws the caps that make the cut look
+//! solid, and measures every way to do so against one exact reference.
+//!
+//! # Map
+//!
+//! ```text
+//! data     scene -> plan -> passes -> layers -> image / comparison -> report
+//! imports  scene <- exact
+//!          scene <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
+//! ```
+//!
+//! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
+//! but [`scene`] and the [`layers`]. A test holds this map against the source.
+
+pub mod error;
+pub mod exact;
+pub mod layers;
+pub mod scene;
+
+pub use error::{Error, Result};

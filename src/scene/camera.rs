@@ -1,0 +1,391 @@
+//! The camera as the user states it, and the [`View`] it resolves to in scene space.
+//!
+//! A [`View`] answers for both sides what the ray of a pixel is and what its depth means. *Depth* is the distance from the
+//! eye along the viewing direction, so a ray's direction has length 1 along `forward` and its parameter is the depth.
+//! The depth buffer is reversed (near = 1) with an infinite far plane: `z = near / depth` in perspective, where f32 keeps
+//! a relative precision of 2^-24 at every distance; linear in orthographic views, with the far plane behind everything.
+
+use glam::{DMat4, DVec2, DVec3, DVec4};
+
+use super::Bounds;
+
+/// How depth narrows the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Vertical field of view in degrees.
+    Perspective {
+        /// Between the lower and the upper border of the picture.
+        fov_y_deg: f64,
+    },
+    /// Parallel rays; the height of the picture in world units, or what shows everything.
+    Orthographic {
+        /// World units from the lower to the upper border.
+        height: Option<f64>,
+    },
+}
+
+/// Which axis of the world points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Up {
+    /// The habit of graphics.
+    #[default]
+    PlusY,
+    /// The habit of CAD and printing.
+    PlusZ,
+}
+
+impl Up {
+    /// As a direction.
+    pub fn axis(self) -> DVec3 {
+        match self {
+            Self::PlusY => DVec3::Y,
+            Self::PlusZ => DVec3::Z,
+        }
+    }
+}
+
+/// Where the eye is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pose {
+    /// On a sphere around the model, far enough to show all of it.
+    Orbit {
+        /// Turn about the up axis, from the front.
+        azimuth_deg: f64,
+        /// Height above the horizon.
+        elevation_deg: f64,
+    },
+    /// Given outright, in world space.
+    Explicit {
+        /// The eye.
+        position: DVec3,
+        /// The point in the middle of the picture.
+        focal_point: DVec3,
+        /// Direction that points up in the picture; `None` is the up axis.
+        view_up: Option<DVec3>,
+    },
+}
+
+/// The camera in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the eye is.
+    pub pose: Pose,
+    /// How depth narrows the picture.
+    pub projection: Projection,
+    /// Which axis is up.
+    pub up: Up,
+    /// Distance of the near plane in world units; `None` picks one just before the model.
+    pub near: Option<f64>,
+    /// Draw a cap where the near plane cuts a solid. Without it the solid's inside shows, as the definition says.
+    pub near_cap: bool,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            pose: Pose::Orbit {
+                azimuth_deg: 35.0,
+                elevation_deg: 25.0,
+            },
+            projection: Projection::Perspective { fov_y_deg: 30.0 },
+            up: Up::PlusY,
+            near: None,
+            near_cap: true,
+        }
+    }
+}
+
+/// A camera resolved for one scene and one resolution, in scene space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+    /// The eye.
+    pub eye: DVec3,
+    /// Unit vector to the right border.
+    pub right: DVec3,
+    /// Unit vector to the upper border.
+    pub up: DVec3,
+    /// Unit vector into the picture.
+    pub forward: DVec3,
+    /// Perspective: the picture's half height at depth 1. Orthographic: the picture's half height.
+    pub half_height: f64,
+    /// Parallel rays.
+    pub orthographic: bool,
+    /// Depth of the near plane.
+    pub near: f64,
+    /// Depth behind everything; only orthographic views use it.
+    pub far: f64,
+    /// Whether the near plane makes caps.
+    pub near_cap: bool,
+}
+
+/// Smallest near distance, as a share of the scene's radius: nearer points are not drawn.
+const NEAR_SHARE: f64 = 1e-3;
+
+impl Camera {
+    /// The view of a scene. `scene_from_world` takes world points to scene space; `bounds` are those of the scene there.
+    pub fn view(
+        &self,
+        scene_from_world: impl Fn(DVec3) -> DVec3,
+        scale: f64,
+        bounds: Bounds,
+        size_px: [u32; 2],
+    ) -> View {
+        let radius = bounds.radius().max(1e-9);
+        let centre = bounds.centre();
+        let up_axis = self.up.axis();
+        let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
+        // The ball around the bounds, with a little air, must fit the narrower side.
+        let fit = 1.02 * radius / aspect.min(1.0);
+        let orthographic = matches!(self.projection, Projection::Orthographic { .. });
+        let mut half_height = match self.projection {
+            Projection::Perspective { fov_y_deg } => (fov_y_deg.to_radians() * 0.5).tan(),
+            Projection::Orthographic { height } => height.map_or(fit, |h| h * scale * 0.5),
+        };
+        let (eye, forward, up_hint) = match self.pose {
+            Pose::Orbit {
+                azimuth_deg,
+                elevation_deg,
+            } => {
+                let direction = orbit_direction(self.up, azimuth_deg, elevation_deg);
+                let distance = if orthographic {
+                    radius * 2.0
+                } else {
+                    let half_angle = (half_height * aspect.min(1.0)).atan();
+                    1.02 * radius / half_angle.sin()
+                };
+                (centre + direction * distance, -direction, up_axis)
+            }
+            Pose::Explicit {
+                position,
+                focal_point,
+                view_up,
+            } => {
+                let (eye, focus) = (scene_from_world(position), scene_from_world(focal_point));
+                (
+                    eye,
+                    (focus - eye).normalize_or(-DVec3::Z),
+                    view_up.unwrap_or(up_axis),
+                )
+            }
+        };
+        if half_height <= 0.0 {
+            half_height = fit;
+        }
+        let right = forward
+            .cross(up_hint)
+            .try_normalize()
+            .unwrap_or_else(|| forward.any_orthonormal_vector());
+        let depths = bounds.corners().map(|c| (c - eye).dot(forward));
+        let nearest = depths.iter().copied().fold(f64::INFINITY, f64::min);
+        let farthest = depths.iter().copied().fold(NEAR_SHARE * radius, f64::max);
+        let near = match self.near {
+            Some(near) => near * scale,
+            None => (nearest * 0.99).max(NEAR_SHARE * radius),
+        };
+        View {
+            size_px,
+            eye,
+            right,
+            up: right.cross(forward),
+            forward,
+            half_height,
+            orthographic,
+            near,
+            far: near + 2.0 * (farthest - near).max(radius),
+            near_cap: self.near_cap,
+        }
+    }
+}
+
+fn orbit_direction(up: Up, azimuth_deg: f64, elevation_deg: f64) -> DVec3 {
+    let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
+    let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
+    match up {
+        Up::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
+        Up::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
+    }
+}
+
+impl View {
+    /// Origin and direction of the ray through a point of the picture, in pixels from the upper left corner (pixel centres
+    /// are at halves). The ray's parameter is the depth.
+    pub fn ray(&self, at_px: DVec2) -> (DVec3, DVec3) {
+        let plane = self.right * self.plane_x(at_px.x) + self.up * self.plane_y(at_px.y);
+        if self.orthographic {
+            (self.eye + plane, self.forward)
+        } else {
+            (self.eye, self.forward + plane)
+        }
+    }
+
+    fn plane_x(&self, x_px: f64) -> f64 {
+        let [w, h] = self.size_px.map(f64::from);
+        (2.0 * x_px / w - 1.0) * self.half_height * w / h
+    }
+
+    fn plane_y(&self, y_px: f64) -> f64 {
+        (1.0 - 2.0 * y_px / f64::from(self.size_px[1])) * self.half_height
+    }
+
+    /// Where a point lands in the picture, in pixels, and its depth. Points at depth 0 land nowhere sensible in perspective.
+    pub fn project(&self, point: DVec3) -> (DVec2, f64) {
+        let [w, h] = self.size_px.map(f64::from);
+        let d = point - self.eye;
+        let depth = d.dot(self.forward);
+        let k = h * 0.5 / (self.half_height * if self.orthographic { 1.0 } else { depth });
+        (
+            DVec2::new(
+                w * 0.5 + d.dot(self.right) * k,
+                h * 0.5 - d.dot(self.up) * k,
+            ),
+            depth,
+        )
+    }
+
+    /// Edge length of a pixel at a depth, in scene units.
+    pub fn pixel_size(&self, depth: f64) -> f64 {
+        2.0 * self.half_height / f64::from(self.size_px[1])
+            * if self.orthographic { 1.0 } else { depth }
+    }
+
+    /// Value of the reversed depth buffer at a depth.
+    pub fn buffer_from_depth(&self, depth: f64) -> f64 {
+        if self.orthographic {
+            (self.far - depth) / (self.far - self.near)
+        } else {
+            self.near / depth
+        }
+    }
+
+    /// Depth of a value of the reversed depth buffer.
+    pub fn depth_from_buffer(&self, z: f64) -> f64 {
+        if self.orthographic {
+            self.far - z * (self.far - self.near)
+        } else {
+            self.near / z
+        }
+    }
+
+    /// The matrix to clip space: reversed depth, infinite far plane in perspective.
+    pub fn clip_from_scene(&self) -> DMat4 {
+        let aspect = f64::from(self.size_px[0]) / f64::from(self.size_px[1]);
+        let (sx, sy) = (1.0 / (self.half_height * aspect), 1.0 / self.half_height);
+        let view_from_scene = DMat4::from_cols(
+            DVec4::new(self.right.x, self.up.x, self.forward.x, 0.0),
+            DVec4::new(self.right.y, self.up.y, self.forward.y, 0.0),
+            DVec4::new(self.right.z, self.up.z, self.forward.z, 0.0),
+            DVec4::new(
+                -self.right.dot(self.eye),
+                -self.up.dot(self.eye),
+                -self.forward.dot(self.eye),
+                1.0,
+            ),
+        );
+        let span = self.far - self.near;
+        let clip_from_view = if self.orthographic {
+            DMat4::from_cols(
+                DVec4::new(sx, 0.0, 0.0, 0.0),
+                DVec4::new(0.0, sy, 0.0, 0.0),
+                DVec4::new(0.0, 0.0, -1.0 / span, 0.0),
+                DVec4::new(0.0, 0.0, self.far / span, 1.0),
+            )
+        } else {
+            DMat4::from_cols(
+                DVec4::new(sx, 0.0, 0.0, 0.0),
+                DVec4::new(0.0, sy, 0.0, 0.0),
+                DVec4::new(0.0, 0.0, 0.0, 1.0),
+                DVec4::new(0.0, 0.0, self.near, 0.0),
+            )
+        };
+        clip_from_view * view_from_scene
+    }
+
+    /// Whether the near plane meets a box: then a solid in it may be cut by the near plane.
+    pub fn near_plane_meets(&self, bounds: &Bounds) -> bool {
+        let depths = bounds.corners().map(|c| (c - self.eye).dot(self.forward));
+        depths.iter().any(|d| *d < self.near) && depths.iter().any(|d| *d > self.near)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn views() -> Vec<View> {
+        let bounds = Bounds {
+            min: DVec3::splat(-0.5),
+            max: DVec3::splat(0.5),
+        };
+        [
+            Projection::Perspective { fov_y_deg: 40.0 },
+            Projection::Orthographic { height: None },
+        ]
+        .map(|projection| {
+            Camera {
+                projection,
+                ..Camera::default()
+            }
+            .view(|p| p, 1.0, bounds, [320, 200])
+        })
+        .to_vec()
+    }
+
+    #[test]
+    fn ray_project_and_matrix_agree() {
+        for view in views() {
+            for at in [
+                DVec2::new(0.5, 0.5),
+                DVec2::new(160.0, 100.0),
+                DVec2::new(300.25, 17.0),
+            ] {
+                let (origin, direction) = view.ray(at);
+                let depth = view.near * 1.7;
+                let point = origin + direction * depth;
+                let (landed, landed_depth) = view.project(point);
+                assert!((landed - at).length() < 1e-9, "{landed} is not {at}");
+                assert!(
+                    (landed_depth - depth).abs() < 1e-12,
+                    "{landed_depth} is not {depth}"
+                );
+                let clip = view.clip_from_scene() * point.extend(1.0);
+                let ndc = clip / clip.w;
+                assert!(
+                    (ndc.x - (2.0 * at.x / 320.0 - 1.0)).abs() < 1e-9,
+                    "x of {ndc}"
+                );
+                assert!(
+                    (ndc.y - (1.0 - 2.0 * at.y / 200.0)).abs() < 1e-9,
+                    "y of {ndc}"
+                );
+                assert!(
+                    (ndc.z - view.buffer_from_depth(depth)).abs() < 1e-12,
+                    "z of {ndc}"
+                );
+                assert!(
+                    (view.depth_from_buffer(ndc.z) - depth).abs() < 1e-9,
+                    "depth of {ndc}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn all_of_the_model_is_in_the_picture() {
+        for view in views() {
+            let bounds = Bounds {
+                min: DVec3::splat(-0.5),
+                max: DVec3::splat(0.5),
+            };
+            for corner in bounds.corners() {
+                let (at, depth) = view.project(corner);
+                assert!(
+                    at.cmpge(DVec2::ZERO).all() && at.cmple(DVec2::new(320.0, 200.0)).all(),
+                    "{corner} lands at {at}"
+                );
+                assert!(depth > view.near, "{corner} is before the near plane");
+            }
+        }
+    }
+}

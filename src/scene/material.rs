@@ -1,0 +1,43 @@
+//! How a part looks; nothing here changes what is visible.
+
+use glam::Vec3;
+
+/// Colours of a part, as sRGB in 0..=1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Colour of the mesh.
+    pub color: Vec3,
+    /// Colour of the cap; `None` derives a warm, lighter tone from `color`.
+    pub cap_color: Option<Vec3>,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            color: Vec3::new(0.56, 0.62, 0.70),
+            cap_color: None,
+        }
+    }
+}
+
+impl Material {
+    /// Colour of the cap, given or derived, as sRGB in 0..=1.
+    pub fn cap_color(&self) -> Vec3 {
+        self.cap_color
+            .unwrap_or_else(|| self.color * 0.35 + Vec3::new(0.60, 0.32, 0.20) * 0.75)
+    }
+
+    /// The colour given to the `index`-th part of a file that names no materials: steps of the golden angle around the
+    /// hue circle, so that neighbours differ however many parts there are.
+    pub fn of_index(index: usize) -> Self {
+        if index == 0 {
+            return Self::default();
+        }
+        let hue = (index as f32 * 0.381_966 + 0.58).fract() * std::f32::consts::TAU;
+        let tone = |shift: f32| 0.60 + 0.22 * (hue + shift).cos();
+        Self {
+            color: Vec3::new(tone(0.0), tone(-2.094), tone(2.094)),
+            cap_color: None,
+        }
+    }
+}

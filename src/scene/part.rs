@@ -1,0 +1,58 @@
+//! A part: a named mesh placed in the world.
+
+use std::sync::Arc;
+
+use glam::DAffine3;
+
+use super::{Bounds, Material, Mesh};
+
+/// What a cut does to a part (Diepstraten et al. 2003, rule R1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Role {
+    /// Cut by the cuts that apply to it.
+    #[default]
+    Exterior,
+    /// Never cut.
+    Interior,
+}
+
+/// A named mesh with a place, a look and a rank.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Name, matched by the globs of cuts.
+    pub name: String,
+    /// The solid's boundary; shared between instances.
+    pub mesh: Arc<Mesh>,
+    /// Placement.
+    pub world_from_part: DAffine3,
+    /// Look.
+    pub material: Material,
+    /// Whether it is cut.
+    pub role: Role,
+    /// Who wins where solids share a point: higher first; parts without one follow, the smaller solid first.
+    pub priority: Option<i32>,
+}
+
+impl Part {
+    /// A part at the origin with the default look.
+    pub fn new(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Self {
+        Self {
+            name: name.into(),
+            mesh: mesh.into(),
+            world_from_part: DAffine3::IDENTITY,
+            material: Material::default(),
+            role: Role::Exterior,
+            priority: None,
+        }
+    }
+
+    /// Bounds of the placed mesh.
+    pub fn bounds_in_world(&self) -> Bounds {
+        Bounds::of(
+            self.mesh
+                .positions
+                .iter()
+                .map(|p| self.world_from_part.transform_point3(*p)),
+        )
+    }
+}

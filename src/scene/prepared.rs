@@ -1,0 +1,277 @@
+//! A scene ready to be drawn or evaluated: flattened, recentred, ranked.
+//!
+//! World space may be far from the origin, tiny or huge; f32 would lose the model. Scene space is world space moved by the
+//! bounds' centre and scaled by a power of two, so that the model has a radius between 1/2 and 1. A power of two and an
+//! offset with few bits keep simple coordinates exact: a plane through a face still goes through it. Vertices and the
+//! origins of clip-surfaces are rounded to f32 once, here, and everybody takes them from here.
+//!
+//! Parts are ranked by who wins where solids share a point: higher priority first, then the smaller solid. `parts[0]` wins
+//! over all; layers name parts by their index in [`Scene::parts`], kept in [`PreparedPart::part`].
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::{Bounds, Camera, Material, OffsetMap, Scene, SurfaceFrame, View, Wrap};
+
+/// A part in scene space.
+#[derive(Clone, Debug)]
+pub struct PreparedPart {
+    /// Index in [`Scene::parts`].
+    pub part: usize,
+    /// Name of the part.
+    pub name: String,
+    /// Vertices in scene space, rounded to f32.
+    pub positions: Vec<Vec3>,
+    /// Counter-clockwise from outside, indices into `positions`.
+    pub triangles: Vec<[u32; 3]>,
+    /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
+    pub corner_normals: Option<Vec<[Vec3; 3]>>,
+    /// Bounds of `positions`.
+    pub bounds: Bounds,
+    /// Look.
+    pub material: Material,
+    /// Indices into [`Prepared::cuts`] of the cuts that apply.
+    pub cuts: Vec<usize>,
+}
+
+/// A clip-surface in scene space. `T = map_from_scene * (P - origin)`, kept height `(P - origin).N + f(T).height_scale`.
+#[derive(Clone, Debug)]
+pub struct PreparedSurface {
+    /// `O`, rounded to f32.
+    pub origin: DVec3,
+    /// `Û`, `V̂`, `N`.
+    pub frame: SurfaceFrame,
+    /// Texture coordinates per scene unit along `Û` and `V̂`: `Sx / |U|` and `Sy / |V|`.
+    pub map_per_unit: [f64; 2],
+    /// `Sz` in scene units.
+    pub height_scale: f64,
+    /// Offset map, for a relief.
+    pub relief: Option<Arc<OffsetMap>>,
+    /// How the map goes on outside 0..1.
+    pub wrap: Wrap,
+    /// Index into [`Prepared::cuts`].
+    pub cut: usize,
+}
+
+/// A cut by the numbers of its clip-surfaces.
+#[derive(Clone, Debug)]
+pub struct PreparedCut {
+    /// Name of the cut.
+    pub name: String,
+    /// Indices into [`Prepared::surfaces`]; all removed sides together make the removed region.
+    pub surfaces: Vec<usize>,
+}
+
+/// A scene in scene space.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// Name of the scene.
+    pub name: String,
+    /// Parts by rank: the first wins where solids share a point.
+    pub parts: Vec<PreparedPart>,
+    /// Clip-surfaces of all cuts in order.
+    pub surfaces: Vec<PreparedSurface>,
+    /// Cuts in order.
+    pub cuts: Vec<PreparedCut>,
+    /// Bounds of all parts.
+    pub bounds: Bounds,
+    /// Centre of scene space in world space.
+    pub centre_in_world: DVec3,
+    /// Scene units per world unit, a power of two.
+    pub scale: f64,
+    camera: Camera,
+}
+
+impl Prepared {
+    /// Flattens, recentres and ranks a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let world = scene.bounds();
+        let radius = world.radius();
+        let scale = if radius > 0.0 && radius.is_finite() {
+            (-radius.log2().ceil()).exp2()
+        } else {
+            1.0
+        };
+        // 2^-10 of the radius: few enough bits that moving by it is exact for coordinates that have few bits themselves.
+        let grid = 1.0 / (scale * 1024.0);
+        let centre_in_world = (world.centre() / grid).round() * grid;
+        let to_scene = |p: DVec3| (p - centre_in_world) * scale;
+
+        let mut parts: Vec<PreparedPart> = scene
+            .parts
+            .par_iter()
+            .enumerate()
+            .map(|(index, part)| {
+                let m = part.world_from_part;
+                let positions: Vec<Vec3> = part
+                    .mesh
+                    .positions
+                    .iter()
+                    .map(|p| to_scene(m.transform_point3(*p)).as_vec3())
+                    .collect();
+                let mirrored = m.matrix3.determinant() < 0.0;
+                let turn = |t: &[u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { *t };
+                let normal_from_part = normal_matrix(m.matrix3);
+                PreparedPart {
+                    part: index,
+                    name: part.name.clone(),
+                    bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+                    positions,
+                    triangles: part.mesh.triangles.iter().map(turn).collect(),
+                    corner_normals: part.mesh.corner_normals.as_ref().map(|all| {
+                        all.iter()
+                            .map(|n| {
+                                let n = n.map(|n| {
+                                    (normal_from_part * n.as_dvec3())
+                                        .normalize_or_zero()
+                                        .as_vec3()
+                                });
+                                if mirrored { [n[0], n[2], n[1]] } else { n }
+                            })
+                            .collect()
+                    }),
+                    material: part.material,
+                    cuts: scene
+                        .cuts
+                        .iter()
+                        .enumerate()
+                        .filter(|(_, c)| c.applies_to(part))
+                        .map(|(i, _)| i)
+                        .collect(),
+                }
+            })
+            .collect();
+        let volume = |p: &PreparedPart| {
+            let part = &scene.parts[p.part];
+            part.mesh.volume().abs() * part.world_from_part.matrix3.determinant().abs()
+        };
+        let mut ranked: Vec<(i64, f64)> = Vec::with_capacity(parts.len());
+        for p in &parts {
+            ranked.push((
+                scene.parts[p.part].priority.map_or(i64::MIN, i64::from),
+                volume(p),
+            ));
+        }
+        parts.sort_by(|a, b| {
+            let ((pa, va), (pb, vb)) = (ranked[a.part], ranked[b.part]);
+            pb.cmp(&pa)
+                .then(va.total_cmp(&vb))
+                .then(a.part.cmp(&b.part))
+        });
+
+        let mut surfaces = Vec::new();
+        let mut cuts = Vec::new();
+        for cut in &scene.cuts {
+            let first = surfaces.len();
+            surfaces.extend(cut.surfaces.iter().map(|s| PreparedSurface {
+                origin: to_scene(s.origin).as_vec3().as_dvec3(),
+                frame: s.frame(),
+                map_per_unit: [
+                    s.scale.x / (s.u.length() * scale),
+                    s.scale.y / (s.v.length() * scale),
+                ],
+                height_scale: s.scale.z * scale,
+                relief: s.relief.clone(),
+                wrap: s.wrap,
+                cut: cuts.len(),
+            }));
+            cuts.push(PreparedCut {
+                name: cut.name.clone(),
+                surfaces: (first..surfaces.len()).collect(),
+            });
+        }
+        Self {
+            name: scene.name.clone(),
+            bounds: parts
+                .iter()
+                .map(|p| p.bounds)
+                .fold(Bounds::EMPTY, Bounds::union),
+            parts,
+            surfaces,
+            cuts,
+            centre_in_world,
+            scale,
+            camera: scene.camera,
+        }
+    }
+
+    /// The view of the scene's camera.
+    pub fn view(&self, size_px: [u32; 2]) -> View {
+        self.view_of(&self.camera, size_px)
+    }
+
+    /// The view of another camera.
+    pub fn view_of(&self, camera: &Camera, size_px: [u32; 2]) -> View {
+        camera.view(
+            |p| (p - self.centre_in_world) * self.scale,
+            self.scale,
+            self.bounds,
+            size_px,
+        )
+    }
+
+    /// How many triangles all parts have.
+    pub fn triangle_count(&self) -> usize {
+        self.parts.iter().map(|p| p.triangles.len()).sum()
+    }
+}
+
+fn normal_matrix(m: DMat3) -> DMat3 {
+    if m.determinant() == 0.0 {
+        m
+    } else {
+        m.inverse().transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Mesh, Part};
+
+    fn triangle_at(offset: DVec3, size: f64) -> Scene {
+        let positions = [DVec3::ZERO, DVec3::X, DVec3::Y]
+            .map(|p| p * size + offset)
+            .to_vec();
+        let mesh = Mesh {
+            positions,
+            triangles: vec![[0, 1, 2]],
+            corner_normals: None,
+        };
+        Scene {
+            parts: vec![Part::new("t", mesh)],
+            ..Scene::default()
+        }
+    }
+
+    #[test]
+    fn far_tiny_and_huge_scenes_become_alike() {
+        for (offset, size) in [(0.0, 1.0), (1e6, 1.0), (0.0, 1e6), (0.0, 1e-6), (1e3, 1e-6)] {
+            let prepared = Prepared::of(&triangle_at(DVec3::splat(offset), size));
+            let radius = prepared.bounds.radius();
+            assert!(
+                (0.4..=1.001).contains(&radius),
+                "radius {radius} for offset {offset}, size {size}"
+            );
+            assert!(
+                prepared.bounds.centre().length() < 2e-3,
+                "centre {}",
+                prepared.bounds.centre()
+            );
+        }
+    }
+
+    #[test]
+    fn simple_coordinates_stay_exact() {
+        let prepared = Prepared::of(&triangle_at(DVec3::splat(0.25), 0.5));
+        let back =
+            prepared.parts[0].positions[1].as_dvec3() / prepared.scale + prepared.centre_in_world;
+        assert_eq!(
+            back,
+            DVec3::new(0.75, 0.25, 0.25),
+            "the round trip moved a vertex"
+        );
+    }
+}
