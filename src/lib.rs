@@ -14,7 +14,13 @@
 
 pub mod error;
 pub mod exact;
+pub mod gpu;
 pub mod layers;
+pub mod passes;
+pub mod plan;
 pub mod scene;
+pub mod session;
+pub mod shader;
+pub mod strategies;
 
 pub use error::{Error, Result};

@@ -1,0 +1,77 @@
+// The cuts: which sides of which clip-surfaces are removed from which part. Bound as @group(0) @binding(1) and (2).
+//
+// A point's *sides* are one bit per clip-surface, set where the point lies on the removed side. A cut removes the points
+// that are on the removed side of all its clip-surfaces; a part loses what any of its cuts removes.
+
+#define_import_path cutaway::cuts
+
+const MAX_SURFACES: u32 = 32u;
+
+struct ClipSurface {
+    // Rows that take a point (x, y, z, 1) of scene space to its height over the plane and to texels of the offset map, of
+    // which the centres are at integers.
+    height_row: vec4<f32>,
+    texel_x_row: vec4<f32>,
+    texel_y_row: vec4<f32>,
+    // Directions of scene space: what a step along a texel axis means, and the normal, kept side first.
+    u_hat: vec4<f32>,
+    v_hat: vec4<f32>,
+    normal: vec4<f32>,
+    // Texels per scene unit along u_hat and v_hat, height of a texel of value 1, unused.
+    scale: vec4<f32>,
+    // Least and greatest height of the relief over the plane, in scene units.
+    slab: vec2<f32>,
+    // First texel in the heights buffer, or NO_RELIEF.
+    first_texel: u32,
+    wrap: u32,
+    map_size: vec2<u32>,
+    // A ray crosses no more cells of the map than this inside the box.
+    cell_limit: u32,
+    // Number of the clip-surface in the scene.
+    surface: u32,
+}
+
+const NO_RELIEF: u32 = 0xffffffffu;
+
+struct CutTable {
+    surface_count: u32,
+    cut_count: u32,
+    padding: vec2<u32>,
+    // Bits of the clip-surfaces of cut 4 i + j in [i][j].
+    surfaces_of_cut: array<vec4<u32>, 8>,
+    surfaces: array<ClipSurface, 32>,
+}
+
+struct Part {
+    // Bits of the cuts that apply.
+    cuts: u32,
+    // Where this part's bits are in the inside mask: word and shift.
+    lane_word: u32,
+    lane_shift: u32,
+    // Index of the part in the scene.
+    part: u32,
+    // sRGB.
+    color: vec4<f32>,
+    cap_color: vec4<f32>,
+}
+
+@group(0) @binding(1) var<uniform> cut_table: CutTable;
+@group(0) @binding(2) var<storage, read> parts: array<Part>;
+
+fn surfaces_of_cut(cut: u32) -> u32 {
+    return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];
+}
+
+// Whether a point with these sides is removed from a part that these cuts apply to.
+fn is_removed(sides: u32, cuts: u32) -> bool {
+    var rest = cuts;
+    for (var i = 0u; i < 32u && rest != 0u; i++) {
+        let cut = firstTrailingBit(rest);
+        rest &= rest - 1u;
+        let surfaces = surfaces_of_cut(cut);
+        if (sides & surfaces) == surfaces {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,21 @@
+// The inside mask while it is written: one lane of bits per part, packed in words. Bound as @group(1) @binding(4).
+
+#define_import_path cutaway::mask
+
+#import cutaway::frame::pixel_count
+
+@group(1) @binding(4) var<storage, read_write> mask: array<atomic<u32>>;
+
+fn clear(pixel: u32, words: u32) {
+    for (var w = 0u; w < words; w++) {
+        atomicStore(&mask[w * pixel_count() + pixel], 0u);
+    }
+}
+
+// One fragment with `behind` crossings in front of it is behind each of them: the thermometer of the lane, and its top bit,
+// which ends as the parity of all fragments.
+fn add_fragment(pixel: u32, word: u32, shift: u32, lane_bits: u32, behind: u32) {
+    let thermometer = (1u << behind) - 1u;
+    let total = 1u << (lane_bits - 1u);
+    atomicXor(&mask[word * pixel_count() + pixel], (thermometer | total) << shift);
+}

@@ -1,0 +1,22 @@
+// The mesh as vertices: a position in scene space and an octahedral normal. Both sides of every triangle are drawn.
+
+#define_import_path cutaway::mesh
+
+#import cutaway::frame::frame
+
+struct Vertex {
+    @location(0) position: vec3<f32>,
+    @location(1) normal: u32,
+    // Rank of the part.
+    @builtin(instance_index) rank: u32,
+}
+
+// One transform for every pass: the same input gives the same bits, and neighbours share their edges.
+fn clip_position(position: vec3<f32>) -> vec4<f32> {
+    return frame.clip_from_scene * vec4<f32>(position, 1.0);
+}
+
+// Normal of what is seen: turned over where the triangle shows its back.
+fn facing(normal: vec3<f32>, front: bool) -> vec3<f32> {
+    return select(-normal, normal, front);
+}

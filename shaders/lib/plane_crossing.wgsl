@@ -1,0 +1,26 @@
+// Where a ray crosses a plane.
+
+#define_import_path cutaway::plane_crossing
+
+#import cutaway::crossing_list::{List, add}
+#import cutaway::frame::buffer_from_depth
+#import cutaway::rays::{ray_table, along_ray}
+
+// Adds the crossing of a plane inside the interval of depths, and the side on which the interval begins. The side follows
+// from the crossing and its direction, never from a second evaluation: the two cannot disagree.
+fn cross_plane(list: ptr<function, List>, capacity: u32, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
+    let height = along_ray(ray_table.surfaces[surface].height, at_px);
+    let rises = height.y > 0.0;
+    var begins_removed = height.x < 0.0;
+    if height.y != 0.0 {
+        let depth = -height.x / height.y;
+        let ahead = depth > interval.x;
+        begins_removed = rises == ahead;
+        if ahead && depth < interval.y {
+            add(list, capacity, buffer_from_depth(depth), surface, rises);
+        }
+    }
+    if begins_removed {
+        (*list).sides |= 1u << surface;
+    }
+}

@@ -1,0 +1,31 @@
+// The clip-surfaces as a ray sees them. Bound as @group(0) @binding(4).
+//
+// Height over the plane and texel coordinates are linear in the pixel and in the depth: value = origin(x, y) + depth
+// direction(x, y). The coefficients come from the CPU in f64, so that the cancellation between eye and plane happens there.
+
+#define_import_path cutaway::rays
+
+struct RayRow {
+    origin: vec4<f32>,
+    direction: vec4<f32>,
+}
+
+struct RaySurface {
+    height: RayRow,
+    texel_x: RayRow,
+    texel_y: RayRow,
+}
+
+struct RayTable {
+    surfaces: array<RaySurface, 32>,
+}
+
+@group(0) @binding(4) var<uniform> ray_table: RayTable;
+
+// A value along one ray: x + depth * y.
+fn along_ray(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(
+        row.origin.x + at_px.x * row.origin.y + at_px.y * row.origin.z,
+        row.direction.x + at_px.x * row.direction.y + at_px.y * row.direction.z,
+    );
+}

@@ -1,0 +1,97 @@
+// Reliefs: heights of offset maps, bilinear between texel centres, from four texels. Bound as @group(0) @binding(3).
+//
+// All offset maps lie one after the other in one buffer. Texel coordinates have their centres at integers, so the cell
+// (i, j) lies between the centres i, i + 1 and j, j + 1; cells are counted by integers and wrap by integers.
+
+#define_import_path cutaway::relief
+
+#import cutaway::cuts::{cut_table, NO_RELIEF}
+
+@group(0) @binding(3) var<storage, read> heights: array<f32>;
+
+const REPEAT: u32 = 0u;
+const MIRROR: u32 = 1u;
+
+fn wrapped(address: i32, size: u32, wrap: u32) -> u32 {
+    let n = i32(size);
+    if wrap == REPEAT {
+        let m = address % n;
+        return u32(select(m, m + n, m < 0));
+    }
+    if wrap == MIRROR {
+        let m = address % (2 * n);
+        let p = select(m, m + 2 * n, m < 0);
+        return u32(select(p, 2 * n - 1 - p, p >= n));
+    }
+    return u32(clamp(address, 0, n - 1));
+}
+
+// The bilinear form of a cell: h + x * along.x + y * along.y + x y twist, x and y in 0..1.
+struct Cell {
+    base: f32,
+    along: vec2<f32>,
+    twist: f32,
+}
+
+fn cell_at(surface: u32, cell: vec2<i32>) -> Cell {
+    let first = cut_table.surfaces[surface].first_texel;
+    let size = cut_table.surfaces[surface].map_size;
+    let wrap = cut_table.surfaces[surface].wrap;
+    let x0 = wrapped(cell.x, size.x, wrap);
+    let x1 = wrapped(cell.x + 1, size.x, wrap);
+    let y0 = first + wrapped(cell.y, size.y, wrap) * size.x;
+    let y1 = first + wrapped(cell.y + 1, size.y, wrap) * size.x;
+    let h00 = heights[y0 + x0];
+    let h10 = heights[y0 + x1];
+    let h01 = heights[y1 + x0];
+    let h11 = heights[y1 + x1];
+    return Cell(h00, vec2<f32>(h10 - h00, h01 - h00), (h11 - h10) - (h01 - h00));
+}
+
+fn height_in(cell: Cell, at: vec2<f32>) -> f32 {
+    return cell.base + cell.along.x * at.x + cell.along.y * at.y + cell.twist * at.x * at.y;
+}
+
+// Height of the map at texel coordinates.
+fn height_at(surface: u32, texel: vec2<f32>) -> f32 {
+    let corner = floor(texel);
+    return height_in(cell_at(surface, vec2<i32>(corner)), texel - corner);
+}
+
+// By how much a point is on the kept side: height over the plane plus the relief's; negative where removed.
+fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
+    let p = vec4<f32>(point, 1.0);
+    let over_plane = dot(cut_table.surfaces[surface].height_row, p);
+    if cut_table.surfaces[surface].first_texel == NO_RELIEF {
+        return over_plane;
+    }
+    let texel = vec2<f32>(dot(cut_table.surfaces[surface].texel_x_row, p), dot(cut_table.surfaces[surface].texel_y_row, p));
+    return over_plane + height_at(surface, texel) * cut_table.surfaces[surface].scale.z;
+}
+
+// Unit normal of the clip-surface at a point on it, toward the removed side: the outside of a cap.
+fn cap_normal(surface: u32, point: vec3<f32>) -> vec3<f32> {
+    let normal = cut_table.surfaces[surface].normal.xyz;
+    if cut_table.surfaces[surface].first_texel == NO_RELIEF {
+        return -normal;
+    }
+    let p = vec4<f32>(point, 1.0);
+    let texel = vec2<f32>(dot(cut_table.surfaces[surface].texel_x_row, p), dot(cut_table.surfaces[surface].texel_y_row, p));
+    let corner = floor(texel);
+    let cell = cell_at(surface, vec2<i32>(corner));
+    let at = texel - corner;
+    let scale = cut_table.surfaces[surface].scale;
+    let slope = vec2<f32>(cell.along.x + cell.twist * at.y, cell.along.y + cell.twist * at.x) * scale.xy * scale.z;
+    return -normalize(normal + slope.x * cut_table.surfaces[surface].u_hat.xyz + slope.y * cut_table.surfaces[surface].v_hat.xyz);
+}
+
+// Sides of a point with respect to all clip-surfaces.
+fn sides_of(point: vec3<f32>) -> u32 {
+    var sides = 0u;
+    for (var s = 0u; s < cut_table.surface_count; s++) {
+        if kept_height(s, point) < 0.0 {
+            sides |= 1u << s;
+        }
+    }
+    return sides;
+}

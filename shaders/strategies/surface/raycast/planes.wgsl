@@ -1,0 +1,28 @@
+// One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march.
+
+#import cutaway::crossing_list::{List, store}
+#import cutaway::cuts::cut_table
+#import cutaway::frame::{frame, box_interval, centre_of, pixel_index, pixel_count, ray_through}
+#import cutaway::plane_crossing::cross_plane
+#import cutaway::mask::clear
+
+override capacity: u32 = 1u;
+override mask_words: u32 = 1u;
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    clear(pixel, mask_words);
+    var list: List;
+    let at = centre_of(id.xy);
+    let interval = box_interval(ray_through(at));
+    if interval.x < interval.y {
+        for (var s = 0u; s < cut_table.surface_count; s++) {
+            cross_plane(&list, capacity, s, at, interval);
+        }
+    }
+    store(&list, capacity, pixel);
+}

@@ -1,0 +1,211 @@
+//! The device: which adapter, what it can do, and what it complained of.
+//!
+//! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use crate::plan::{Contents, Limits};
+use crate::{Error, Result};
+
+/// Which adapter to use.
+#[derive(Clone, Debug, Default)]
+pub struct GpuOptions {
+    /// Part of the adapter's name, in any case; `None` takes the fastest.
+    pub adapter: Option<String>,
+    /// Prefer a software adapter: the same everywhere, so tests ask for it.
+    pub prefer_software: bool,
+}
+
+/// What is known of an adapter, for reports.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct AdapterReport {
+    /// Name of the device.
+    pub name: String,
+    /// Graphics interface.
+    pub backend: String,
+    /// Driver and its version.
+    pub driver: String,
+    /// Runs on the CPU.
+    pub software: bool,
+}
+
+/// An open device.
+pub struct Gpu {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    report: AdapterReport,
+    limits: Limits,
+    timestamps: bool,
+    complaint: Arc<Mutex<Option<String>>>,
+    /// Large contents that several programs share, by identity.
+    shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
+}
+
+/// Contents of at least this many bytes are kept once for all programs.
+const SHARED_FROM_BYTES: usize = 1 << 16;
+
+impl Gpu {
+    /// Opens a device.
+    pub fn open(options: &GpuOptions) -> Result<Self> {
+        pollster::block_on(Self::open_async(options))
+    }
+
+    async fn open_async(options: &GpuOptions) -> Result<Self> {
+        let instance =
+            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let mut adapters = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let names: Vec<String> = adapters.iter().map(|a| a.get_info().name).collect();
+        if let Some(wanted) = &options.adapter {
+            adapters.retain(|a| {
+                a.get_info()
+                    .name
+                    .to_lowercase()
+                    .contains(&wanted.to_lowercase())
+            });
+            if adapters.is_empty() && !names.is_empty() {
+                return Err(Error::input(
+                    format!("--adapter {wanted}"),
+                    "no adapter has that in its name",
+                    format!("use part of one of: {}", names.join(", ")),
+                ));
+            }
+        }
+        let rank = |a: &wgpu::Adapter| match a.get_info().device_type {
+            wgpu::DeviceType::Cpu => u8::from(!options.prefer_software) * 4,
+            wgpu::DeviceType::DiscreteGpu => 1,
+            wgpu::DeviceType::IntegratedGpu => 2,
+            _ => 3,
+        };
+        let Some(adapter) = adapters.into_iter().min_by_key(rank) else {
+            return Err(Error::Adapter {
+                what: "there is no graphics adapter, not even a software one".to_owned(),
+                mend: "install a Vulkan driver; the software one is the package mesa-vulkan-drivers (Debian, Ubuntu, \
+                       Fedora) or vulkan-swrast (Arch)"
+                    .to_owned(),
+            });
+        };
+        let info = adapter.get_info();
+        let timestamps = adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let have = adapter.limits();
+        // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
+        let limits = wgpu::Limits {
+            max_storage_buffer_binding_size: have.max_storage_buffer_binding_size,
+            max_buffer_size: have.max_buffer_size,
+            max_texture_dimension_2d: have.max_texture_dimension_2d,
+            ..wgpu::Limits::default()
+        };
+        let (device, queue) = adapter
+            .request_device(&wgpu::DeviceDescriptor {
+                label: Some("cutaway"),
+                required_features: if timestamps {
+                    wgpu::Features::TIMESTAMP_QUERY
+                } else {
+                    wgpu::Features::empty()
+                },
+                required_limits: limits,
+                ..wgpu::DeviceDescriptor::default()
+            })
+            .await
+            .map_err(|e| Error::Adapter {
+                what: format!(
+                    "{} offers no device that can run core WebGPU: {e}",
+                    info.name
+                ),
+                mend: format!(
+                    "choose another with --adapter; there are: {}",
+                    names.join(", ")
+                ),
+            })?;
+        let complaint = Arc::new(Mutex::new(None));
+        let listener = complaint.clone();
+        device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
+            lock(&listener).get_or_insert(e.to_string());
+        }));
+        let software = info.device_type == wgpu::DeviceType::Cpu;
+        Ok(Self {
+            limits: Limits {
+                storage_binding_bytes: have.max_storage_buffer_binding_size,
+                buffer_bytes: have.max_buffer_size,
+                texture_size: have.max_texture_dimension_2d,
+                ..Limits::CORE
+            },
+            device,
+            queue,
+            report: AdapterReport {
+                name: info.name,
+                backend: info.backend.to_string(),
+                driver: format!("{} {}", info.driver, info.driver_info)
+                    .trim()
+                    .to_owned(),
+                software,
+            },
+            timestamps,
+            complaint,
+            shared: Mutex::new(Vec::new()),
+        })
+    }
+
+    /// What is known of the adapter.
+    pub fn report(&self) -> &AdapterReport {
+        &self.report
+    }
+
+    /// What plans are held to on this adapter.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// Whether passes can be timed on the device.
+    pub fn has_timestamps(&self) -> bool {
+        self.timestamps
+    }
+
+    /// The first complaint of the device since the last question, as an error.
+    pub(super) fn complaint(&self) -> Result<()> {
+        match lock(&self.complaint).take() {
+            None => Ok(()),
+            Some(what) => Err(Error::Adapter {
+                what: format!("the adapter {} refused work: {what}", self.report.name),
+                mend: "lower --resolution, or choose another adapter with --adapter".to_owned(),
+            }),
+        }
+    }
+
+    /// A buffer with contents; large ones are shared between programs.
+    pub(super) fn buffer_with(
+        &self,
+        label: &str,
+        contents: &Contents,
+        usage: wgpu::BufferUsages,
+    ) -> wgpu::Buffer {
+        let bytes: &[u8] = &contents.0;
+        let sharable = bytes.len() >= SHARED_FROM_BYTES;
+        let mut shared = lock(&self.shared);
+        if sharable {
+            // Contents that no plan holds any more are let go.
+            shared.retain(|(c, _, _)| Arc::strong_count(&c.0) > 1);
+            let known = shared
+                .iter()
+                .find(|(c, u, _)| Arc::ptr_eq(&c.0, &contents.0) && *u == usage);
+            if let Some((_, _, buffer)) = known {
+                return buffer.clone();
+            }
+        }
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: (bytes.len() as u64).next_multiple_of(4),
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        self.queue.write_buffer(&buffer, 0, bytes);
+        if sharable {
+            shared.push((contents.clone(), usage, buffer.clone()));
+        }
+        buffer
+    }
+}
+
+/// A poisoned lock only means that another thread panicked while it held plain data.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

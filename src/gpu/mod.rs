@@ -1,0 +1,12 @@
+//! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
+
+mod device;
+mod draw;
+mod program;
+mod readback;
+mod timing;
+
+pub use device::{AdapterReport, Gpu, GpuOptions};
+pub use program::Program;
+pub(crate) use program::words_from_layers;
+pub use timing::{ClockSet, PassTime, RunTimes};

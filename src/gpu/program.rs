@@ -1,0 +1,305 @@
+//! A plan made real: its resources, pipelines and bind groups, kept as long as the plan keeps its structure.
+//!
+//! Loading a plan compares it with the one before. Resources of the same name and shape stay, contents that are equal are
+//! not uploaded again, and the clocks whose inputs or passes changed are reported, so that only those run. A frame of an
+//! unchanged plan allocates nothing.
+
+use std::collections::BTreeMap;
+
+use super::Gpu;
+use super::draw::{Pipelines, Step};
+use super::timing::{ClockSet, RunTimes, Stopwatch};
+use crate::layers::{Kind, Layer, Layers};
+use crate::plan::pack::unpack_normal;
+use crate::plan::{Clock, Format, Plan, Resource, ResourceId, Role, Shape, Work};
+use crate::{Error, Result};
+
+/// A resource on the device.
+pub(super) enum Real {
+    /// A buffer.
+    Buffer(wgpu::Buffer),
+    /// A texture.
+    Texture(wgpu::Texture),
+}
+
+/// A loaded plan.
+#[derive(Default)]
+pub struct Program {
+    plan: Plan,
+    real: BTreeMap<String, (Shape, Real)>,
+    pipelines: Pipelines,
+    steps: Vec<Step>,
+    stopwatch: Option<Stopwatch>,
+}
+
+impl Program {
+    /// Loads a plan; returns the clocks that must run before the next frame is right.
+    pub fn load(&mut self, gpu: &Gpu, plan: Plan) -> Result<ClockSet> {
+        let mut dirty = ClockSet::FRAME;
+        let mut rebind = self.steps.is_empty() || plan.passes != self.plan.passes;
+        for resource in &plan.resources {
+            let before = self.plan.resources.iter().find(|r| r.name == resource.name);
+            let kept = self
+                .real
+                .get(&resource.name)
+                .is_some_and(|(shape, _)| *shape == resource.shape);
+            let same_contents = before.is_some_and(|b| b.contents == resource.contents);
+            if kept && same_contents {
+                continue;
+            }
+            dirty = dirty.with(resource.clock);
+            let in_place = match (&resource.contents, self.real.get(&resource.name)) {
+                // Shared contents must not be overwritten: other programs read them.
+                (Some(c), Some((_, Real::Buffer(b)))) if kept && c.0.len() < 1 << 16 => {
+                    gpu.queue.write_buffer(b, 0, &c.0);
+                    true
+                }
+                _ => false,
+            };
+            if !in_place {
+                self.real
+                    .insert(resource.name.clone(), (resource.shape, make(gpu, resource)));
+                rebind = true;
+            }
+        }
+        for clock in Clock::ALL {
+            let of = |p: &Plan| {
+                p.passes
+                    .iter()
+                    .filter(|p| p.clock == clock)
+                    .cloned()
+                    .collect::<Vec<_>>()
+            };
+            if of(&plan) != of(&self.plan) {
+                dirty = dirty.with(clock);
+            }
+        }
+        self.real
+            .retain(|name, _| plan.resource_named(name).is_some());
+        self.plan = plan;
+        if rebind {
+            plan_fits(&self.plan, gpu)?;
+            self.steps.clear();
+            for pass in &self.plan.passes {
+                let step = Step::new(gpu, &mut self.pipelines, &self.plan, pass, &self.real)?;
+                self.steps.push(step);
+            }
+            self.stopwatch = Stopwatch::new(gpu, self.plan.passes.len());
+            gpu.complaint()?;
+        }
+        Ok(dirty)
+    }
+
+    /// The loaded plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Runs the passes of some clocks and waits for them.
+    pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        let started = Stopwatch::now();
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor {
+                label: Some("frame"),
+            });
+        let mut ran = Vec::with_capacity(self.steps.len());
+        for (index, (pass, step)) in self.plan.passes.iter().zip(&self.steps).enumerate() {
+            if clocks.contains(pass.clock) {
+                step.encode(&mut encoder, self.stopwatch.as_ref(), index);
+                ran.push((index, pass.name.as_str(), pass.clock));
+            }
+        }
+        if let Some(stopwatch) = &self.stopwatch {
+            stopwatch.finish(&mut encoder);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        match &self.stopwatch {
+            Some(stopwatch) => Ok(Stopwatch::times(
+                gpu,
+                &gpu.map::<u64>(&stopwatch.copied)?,
+                &ran,
+            )),
+            None => {
+                gpu.wait()?;
+                let wall_ms = started.elapsed().as_secs_f64() * 1e3;
+                Ok(RunTimes {
+                    passes: Vec::new(),
+                    clocks_ms: [None, None, Some(wall_ms)],
+                })
+            }
+        }
+    }
+
+    /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].
+    pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
+        let Some(id) = self.plan.need else {
+            return Ok(Vec::new());
+        };
+        let words = gpu.read::<u32>(self.buffer(id)?)?;
+        Ok(self
+            .plan
+            .bounded
+            .iter()
+            .map(|b| words.get(b.slot as usize).copied().unwrap_or(0))
+            .collect())
+    }
+
+    /// Sets the words that bounded buffers of the frame report in back to zero; those of a solid are reset by its own pass.
+    pub fn clear_needs_of_frame(&self, gpu: &Gpu) -> Result<()> {
+        let Some(id) = self.plan.need else {
+            return Ok(());
+        };
+        let buffer = self.buffer(id)?;
+        for bounded in self.plan.bounded.iter().filter(|b| !b.exact) {
+            gpu.queue
+                .write_buffer(buffer, u64::from(bounded.slot) * 4, &[0; 4]);
+        }
+        Ok(())
+    }
+
+    /// The layers of the last frame.
+    pub fn layers(&self, gpu: &Gpu, size_px: [u32; 2]) -> Result<Layers> {
+        let id = self
+            .plan
+            .layers
+            .ok_or_else(|| Error::Plan("the plan makes no layers".to_owned()))?;
+        let words = gpu.read::<u32>(self.buffer(id)?)?;
+        let pixels = words
+            .as_chunks::<3>()
+            .0
+            .iter()
+            .map(layer_from_words)
+            .collect();
+        Ok(Layers { size_px, pixels })
+    }
+
+    /// The picture of the last frame: RGBA8, rows from the top.
+    pub fn picture(&self, gpu: &Gpu) -> Result<Vec<u8>> {
+        let id = self
+            .plan
+            .picture
+            .ok_or_else(|| Error::Plan("the plan makes no picture".to_owned()))?;
+        gpu.read::<u8>(self.buffer(id)?)
+    }
+
+    /// The words of a buffer, by name: for tests.
+    pub fn words(&self, gpu: &Gpu, name: &str) -> Result<Vec<u32>> {
+        let id = self
+            .plan
+            .resource_named(name)
+            .ok_or_else(|| Error::Plan(format!("there is no resource `{name}`")))?;
+        gpu.read::<u32>(self.buffer(id)?)
+    }
+
+    fn buffer(&self, id: ResourceId) -> Result<&wgpu::Buffer> {
+        let name = &self.plan.resource(id).name;
+        match self.real.get(name) {
+            Some((_, Real::Buffer(buffer))) => Ok(buffer),
+            _ => Err(Error::Plan(format!("{name} is not a buffer"))),
+        }
+    }
+}
+
+fn plan_fits(plan: &Plan, gpu: &Gpu) -> Result<()> {
+    plan.check(gpu.limits())
+}
+
+/// The words of one pixel as [`Layer`]; the other direction is `shaders/lib/layers.wgsl`.
+fn layer_from_words(words: &[u32; 3]) -> Layer {
+    let [word, normal, depth] = *words;
+    let kind = match word & 3 {
+        1 => Kind::Surface,
+        2 => Kind::Cap,
+        _ => Kind::Background,
+    };
+    if kind == Kind::Background {
+        return Layer {
+            depth: f64::INFINITY,
+            unreliable: word & 8 != 0,
+            ..Layer::default()
+        };
+    }
+    Layer {
+        kind,
+        part: (word >> 16) as u16,
+        clip_surface: if kind == Kind::Cap {
+            (word >> 8) as u8
+        } else {
+            0
+        },
+        back_face: word & 4 != 0,
+        unreliable: word & 8 != 0,
+        depth: f64::from(f32::from_bits(depth)),
+        normal: unpack_normal(normal),
+    }
+}
+
+/// The words of layers, to be shaded by the same pass as a strategy's.
+pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
+    let words = layers.pixels.iter().map(|p| {
+        let flags = u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3;
+        let what = p.kind as u32 | flags | u32::from(p.clip_surface) << 8 | u32::from(p.part) << 16;
+        [
+            what,
+            crate::plan::pack::pack_normal(p.normal),
+            (p.depth as f32).to_bits(),
+        ]
+    });
+    words.flatten().collect()
+}
+
+fn make(gpu: &Gpu, resource: &Resource) -> Real {
+    let usage = |role| match role {
+        Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        Role::Uniform => wgpu::BufferUsages::UNIFORM,
+        Role::Vertex => wgpu::BufferUsages::VERTEX,
+        Role::Index => wgpu::BufferUsages::INDEX,
+    };
+    match (resource.shape, &resource.contents) {
+        (Shape::Buffer { role, .. }, Some(contents)) => {
+            Real::Buffer(gpu.buffer_with(&resource.name, contents, usage(role)))
+        }
+        (Shape::Buffer { bytes, role }, None) => {
+            Real::Buffer(gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(&resource.name),
+                size: bytes,
+                usage: usage(role) | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }))
+        }
+        (
+            Shape::Texture {
+                size,
+                layers,
+                format,
+            },
+            _,
+        ) => Real::Texture(gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(&resource.name),
+            size: wgpu::Extent3d {
+                width: size[0],
+                height: size[1],
+                depth_or_array_layers: layers,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: texel_format(format),
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        })),
+    }
+}
+
+pub(super) fn texel_format(format: Format) -> wgpu::TextureFormat {
+    match format {
+        Format::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
+        Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
+    }
+}
+
+/// Whether a pass draws.
+pub(super) fn is_draw(work: &Work) -> bool {
+    matches!(work, Work::Draw { .. })
+}

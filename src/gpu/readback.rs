@@ -1,0 +1,56 @@
+//! Reading buffers back, after the frame and never inside it.
+
+use super::Gpu;
+use crate::{Error, Result};
+
+impl Gpu {
+    /// A buffer to copy into and map.
+    pub(super) fn staging(&self, bytes: u64) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("staging"),
+            size: bytes,
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// Waits for the device, then maps a staging buffer and returns its values.
+    pub(super) fn map<T: bytemuck::Pod>(&self, staging: &wgpu::Buffer) -> Result<Vec<T>> {
+        staging.map_async(wgpu::MapMode::Read, .., |_| {});
+        self.wait()?;
+        let lost = |what: String| Error::Adapter {
+            what,
+            mend: "the device was lost; run again".to_owned(),
+        };
+        let values = {
+            let view = staging
+                .get_mapped_range(..)
+                .map_err(|e| lost(format!("reading back failed: {e}")))?;
+            bytemuck::pod_collect_to_vec(&view)
+        };
+        staging.unmap();
+        Ok(values)
+    }
+
+    /// The values of a buffer on the device.
+    pub(super) fn read<T: bytemuck::Pod>(&self, buffer: &wgpu::Buffer) -> Result<Vec<T>> {
+        let staging = self.staging(buffer.size());
+        let mut encoder = self
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
+        self.queue.submit([encoder.finish()]);
+        self.map(&staging)
+    }
+
+    /// Waits until the device has done everything submitted.
+    pub(super) fn wait(&self) -> Result<()> {
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|e| Error::Adapter {
+                what: format!("waiting failed: {e}"),
+                mend: "run again".to_owned(),
+            })?;
+        self.complaint()
+    }
+}

@@ -1,0 +1,139 @@
+//! Time per pass and per clock: timestamps of the device, or wall time where there are none.
+
+use std::time::Instant;
+
+use super::Gpu;
+use crate::plan::Clock;
+
+/// A set of clocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct ClockSet(u8);
+
+impl ClockSet {
+    /// No clock.
+    pub const NONE: Self = Self(0);
+    /// Every clock.
+    pub const ALL: Self = Self(7);
+    /// The clock of a frame.
+    pub const FRAME: Self = Self(4);
+
+    /// With one more clock.
+    #[must_use]
+    pub fn with(self, clock: Clock) -> Self {
+        Self(self.0 | 1 << clock as u8)
+    }
+
+    /// The clocks of both sets.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether a clock is in the set.
+    pub fn contains(self, clock: Clock) -> bool {
+        self.0 >> clock as u8 & 1 == 1
+    }
+}
+
+/// Time of one pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassTime {
+    /// Name of the pass.
+    pub name: String,
+    /// Its clock.
+    pub clock: Clock,
+    /// Milliseconds on the device.
+    pub time_ms: f64,
+}
+
+/// Times of one run of a program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RunTimes {
+    /// Per pass that ran; empty without timestamps.
+    pub passes: Vec<PassTime>,
+    /// From the begin of the first pass of a clock to the end of its last; `None` for clocks that did not run. Without
+    /// timestamps, the wall time of the whole run stands at the frame.
+    pub clocks_ms: [Option<f64>; 3],
+}
+
+impl RunTimes {
+    /// Time of a clock, 0 if it did not run.
+    pub fn clock_ms(&self, clock: Clock) -> f64 {
+        self.clocks_ms[clock as usize].unwrap_or(0.0)
+    }
+}
+
+/// Two timestamps per pass, resolved after the last.
+pub(super) struct Stopwatch {
+    pub(super) queries: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    pub(super) copied: wgpu::Buffer,
+    count: u32,
+}
+
+impl Stopwatch {
+    pub(super) fn new(gpu: &Gpu, passes: usize) -> Option<Self> {
+        let count = u32::try_from(passes * 2)
+            .ok()
+            .filter(|c| gpu.has_timestamps() && *c > 0 && *c <= 4096)?;
+        let buffer = |usage| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("timestamps"),
+                size: u64::from(count) * 8,
+                usage,
+                mapped_at_creation: false,
+            })
+        };
+        Some(Self {
+            queries: gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("timestamps"),
+                ty: wgpu::QueryType::Timestamp,
+                count,
+            }),
+            resolved: buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
+            copied: buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ),
+            count,
+        })
+    }
+
+    pub(super) fn finish(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.resolve_query_set(&self.queries, 0..self.count, &self.resolved, 0);
+        encoder.copy_buffer_to_buffer(
+            &self.resolved,
+            0,
+            &self.copied,
+            0,
+            u64::from(self.count) * 8,
+        );
+    }
+
+    /// Times from the raw ticks of the passes that ran, by index of the pass.
+    pub(super) fn times(gpu: &Gpu, ticks: &[u64], ran: &[(usize, &str, Clock)]) -> RunTimes {
+        let ms_per_tick = f64::from(gpu.queue.get_timestamp_period()) * 1e-6;
+        let mut spans: [Option<(u64, u64)>; 3] = [None; 3];
+        let mut passes = Vec::with_capacity(ran.len());
+        for (index, name, clock) in ran {
+            let (begin, end) = (ticks[index * 2], ticks[index * 2 + 1].max(ticks[index * 2]));
+            passes.push(PassTime {
+                name: (*name).to_owned(),
+                clock: *clock,
+                time_ms: (end - begin) as f64 * ms_per_tick,
+            });
+            let span = &mut spans[*clock as usize];
+            *span = Some(span.map_or((begin, end), |(b, e)| (b.min(begin), e.max(end))));
+        }
+        RunTimes {
+            passes,
+            clocks_ms: spans.map(|s| s.map(|(b, e)| (e - b) as f64 * ms_per_tick)),
+        }
+    }
+
+    /// The moment, for adapters without timestamps.
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "this module is where time is read"
+    )]
+    pub(super) fn now() -> Instant {
+        Instant::now()
+    }
+}

@@ -1,0 +1,398 @@
+//! Recording a plan: the resources that several passes share are created at first mention, so that what nobody mentions
+//! does not exist.
+
+use super::{Model, Relevance};
+use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
+use crate::plan::{
+    Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
+    Resource, ResourceId, Role, Vertices, Work, groups_over,
+};
+use crate::scene::View;
+
+/// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
+const UNRANKED: f64 = 254.0;
+
+/// What the mesh is drawn into.
+#[derive(Clone, Copy, Debug)]
+pub struct Targets {
+    /// Two words per pixel.
+    pub words: ResourceId,
+    /// Reversed depth.
+    pub depth: ResourceId,
+}
+
+/// A plan while it is recorded.
+pub struct Recorder<'a> {
+    /// What has been recorded.
+    pub plan: Plan,
+    /// The scene.
+    pub model: &'a Model,
+    /// The view.
+    pub view: &'a View,
+    /// What of the cuts matters.
+    pub relevance: Relevance,
+    /// Bits of a lane of the inside mask, where a strategy uses one.
+    pub lane_bits: u32,
+    drawn: bool,
+}
+
+impl<'a> Recorder<'a> {
+    /// An empty plan; the reason where the scene is too much.
+    pub fn new(model: &'a Model, view: &'a View) -> Result<Self, String> {
+        let relevance = Relevance::of(&model.prepared, view)?;
+        Ok(Self {
+            plan: Plan::default(),
+            model,
+            view,
+            relevance,
+            lane_bits: 32,
+            drawn: false,
+        })
+    }
+
+    /// The resource with a name, made at first mention.
+    pub fn once(&mut self, name: &str, make: impl FnOnce(&Self) -> Resource) -> ResourceId {
+        match self.plan.resource_named(name) {
+            Some(id) => id,
+            None => {
+                let resource = make(self);
+                self.plan.add_resource(resource)
+            }
+        }
+    }
+
+    fn uploaded(
+        &mut self,
+        name: &'static str,
+        role: Role,
+        clock: Clock,
+        make: impl FnOnce(&Self) -> Contents,
+    ) -> Binding {
+        let id = self.once(name, |r| Resource::upload(name, role, make(r), clock));
+        Binding::read(name, id)
+    }
+
+    /// The view.
+    pub fn frame(&mut self) -> Binding {
+        self.uploaded("frame", Role::Uniform, Clock::Frame, |r| {
+            Contents::of(&[pack::frame(r.view, &r.relevance.cut_box)])
+        })
+    }
+
+    /// The cuts and clip-surfaces that matter.
+    pub fn cut_table(&mut self) -> Binding {
+        self.uploaded("cut_table", Role::Uniform, Clock::Cut, |r| {
+            let mut table: CutTable = bytemuck::Zeroable::zeroed();
+            table.surface_count = r.relevance.surfaces.len() as u32;
+            table.cut_count = r.relevance.cuts.len() as u32;
+            for (i, bits) in r.relevance.cuts.iter().enumerate() {
+                table.surfaces_of_cut[i / 4][i % 4] = *bits;
+            }
+            let reach = r.relevance.cut_box.size().length();
+            for (slot, number) in table.surfaces.iter_mut().zip(&r.relevance.surfaces) {
+                let surface = &r.model.prepared.surfaces[*number];
+                *slot = pack::clip_surface(surface, *number, r.model.first_texel[*number], reach);
+            }
+            Contents::of(&[table])
+        })
+    }
+
+    /// The parts that are drawn, in table order.
+    pub fn parts(&mut self) -> Binding {
+        self.uploaded("parts", Role::Storage, Clock::Cut, |r| {
+            let lanes_per_word = 32 / r.lane_bits;
+            let rows: Vec<Part> = r
+                .relevance
+                .order
+                .iter()
+                .enumerate()
+                .map(|(place, rank)| {
+                    let part = &r.model.prepared.parts[*rank];
+                    let place = place as u32;
+                    Part {
+                        cuts: r.relevance.cuts_of(*rank),
+                        lane_word: place / lanes_per_word,
+                        lane_shift: place % lanes_per_word * r.lane_bits,
+                        part: part.part as u32,
+                        color: part.material.color.extend(1.0).to_array(),
+                        cap_color: part.material.cap_color().extend(1.0).to_array(),
+                    }
+                })
+                .collect();
+            Contents::of(&or_one(rows))
+        })
+    }
+
+    /// The heights of all reliefs.
+    pub fn heights(&mut self) -> Binding {
+        self.uploaded("heights", Role::Storage, Clock::Cut, |r| {
+            r.model.heights.clone()
+        })
+    }
+
+    /// The clip-surfaces as rays see them.
+    pub fn ray_table(&mut self) -> Binding {
+        self.uploaded("ray_table", Role::Uniform, Clock::Frame, |r| {
+            let mut table = [<pack::RaySurface as bytemuck::Zeroable>::zeroed(); MAX_SURFACES];
+            for (slot, number) in table.iter_mut().zip(&r.relevance.surfaces) {
+                *slot = pack::ray_surface(&r.model.prepared.surfaces[*number], r.view);
+            }
+            Contents::of(&table)
+        })
+    }
+
+    /// The mesh of all parts: vertices and indices.
+    pub fn mesh(&mut self) -> (Vertices, ResourceId) {
+        let vertices = self.uploaded("vertices", Role::Vertex, Clock::Solid, |r| {
+            r.model.vertices.clone()
+        });
+        let indices = self.uploaded("indices", Role::Index, Clock::Solid, |r| {
+            r.model.indices.clone()
+        });
+        (Vertices::Mesh(vertices.resource), indices.resource)
+    }
+
+    /// What the mesh is drawn into, at the resolution of the view.
+    pub fn targets(&mut self) -> Targets {
+        let texture = |name: &str, format| {
+            let name = name.to_owned();
+            move |r: &Self| Resource::texture(name, r.view.size_px, 1, format, Clock::Frame)
+        };
+        Targets {
+            words: self.once("surface_words", texture("surface_words", Format::Rg32Uint)),
+            depth: self.once(
+                "surface_depth",
+                texture("surface_depth", Format::Depth32Float),
+            ),
+        }
+    }
+
+    /// The draws of some parts, by rank; the instance is the part's place in the table.
+    pub fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
+        ranks
+            .iter()
+            .map(|rank| {
+                let range = &self.model.ranges[*rank];
+                Draw {
+                    indices: range.indices.clone(),
+                    base_vertex: range.base_vertex,
+                    instance: self.relevance.place_of(*rank) as u32,
+                }
+            })
+            .collect()
+    }
+
+    /// A pass that draws into the targets, cleared by whichever pass draws first.
+    pub fn draw(&mut self, pass: DrawPass) {
+        let targets = self.targets();
+        let clear = !std::mem::replace(&mut self.drawn, true);
+        let DrawPass {
+            name,
+            reason,
+            shader,
+            bindings,
+            constants,
+            vertices,
+            indices,
+            draws,
+        } = pass;
+        self.plan.add_pass(Pass {
+            name,
+            clock: Clock::Frame,
+            reason,
+            shader,
+            bindings,
+            constants,
+            work: Work::Draw {
+                color: Some(ColorTarget {
+                    resource: targets.words,
+                    clear,
+                }),
+                depth: DepthTarget {
+                    resource: targets.depth,
+                    layer: 0,
+                    clear,
+                    compare: DepthCompare::Greater,
+                },
+                vertices,
+                indices,
+                draws,
+            },
+        });
+    }
+
+    /// Draws the parts that no cut reaches. `ranked` frames find such a surface's place among crossings later.
+    pub fn draw_plain_parts(&mut self, ranked: bool) {
+        let ranks = self.relevance.plain_parts().to_vec();
+        if ranks.is_empty() && self.drawn {
+            return;
+        }
+        let (vertices, indices) = self.mesh();
+        let bindings = vec![self.frame(), self.parts()];
+        let reason = if self.relevance.lanes == 0 {
+            "no cut reaches any part: the solids as they are".to_owned()
+        } else if ranks.is_empty() {
+            "clears the targets: every part is removed or capped".to_owned()
+        } else {
+            format!(
+                "no cut reaches {} of the parts: they are drawn plainly",
+                ranks.len()
+            )
+        };
+        self.draw(DrawPass {
+            name: "surface".to_owned(),
+            reason,
+            shader: "passes/surface.wgsl",
+            bindings,
+            constants: if ranked {
+                vec![("place", UNRANKED)]
+            } else {
+                Vec::new()
+            },
+            vertices,
+            indices,
+            draws: self.draws_of(&ranks),
+        });
+    }
+
+    /// The layers of the frame: three words per pixel.
+    pub fn layers(&mut self) -> ResourceId {
+        let bytes = pixels(self.view.size_px) * 12;
+        let id = self.once("layers", |_| {
+            Resource::storage("layers", bytes, Clock::Frame)
+        });
+        self.plan.layers = Some(id);
+        id
+    }
+
+    /// Turns what was drawn into layers.
+    pub fn gather(&mut self) {
+        let targets = self.targets();
+        let layers = self.layers();
+        let bindings = vec![
+            self.frame(),
+            Binding::read("surface_words", targets.words),
+            Binding::read("surface_depth", targets.depth),
+            Binding::write("layers", layers),
+        ];
+        self.compute(
+            "gather",
+            Clock::Frame,
+            "layers are what the picture and the comparison read",
+            "passes/gather.wgsl",
+            bindings,
+            Vec::new(),
+            self.view.size_px,
+        );
+    }
+
+    /// Layers that come from elsewhere, as words: what the exact reference found.
+    pub fn given_layers(&mut self, words: &[u32]) {
+        self.once("layers", |_| {
+            Resource::upload("layers", Role::Storage, Contents::of(words), Clock::Frame)
+        });
+    }
+
+    /// Turns layers into a picture.
+    pub fn shade(&mut self) {
+        let layers = self.layers();
+        let rank_of_part = self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
+            let mut places = vec![0_u32; r.model.prepared.parts.len()];
+            for (place, rank) in r.relevance.order.iter().enumerate() {
+                places[r.model.prepared.parts[*rank].part] = place as u32;
+            }
+            Contents::of(&or_one(places))
+        });
+        let bytes = pixels(self.view.size_px) * 4;
+        let picture = self.once("picture", |_| {
+            Resource::storage("picture", bytes, Clock::Frame)
+        });
+        self.plan.picture = Some(picture);
+        let bindings = vec![
+            self.frame(),
+            self.parts(),
+            Binding::read("layers", layers),
+            rank_of_part,
+            Binding::write("picture", picture),
+        ];
+        self.compute(
+            "shade",
+            Clock::Frame,
+            "lit shading turns layers into a picture",
+            "passes/shade.wgsl",
+            bindings,
+            Vec::new(),
+            self.view.size_px,
+        );
+    }
+
+    /// A compute pass with one invocation per pixel (or texel) of a picture.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the sentence form of a pass: each word is one argument"
+    )]
+    pub fn compute(
+        &mut self,
+        name: impl Into<String>,
+        clock: Clock,
+        reason: impl Into<String>,
+        shader: &'static str,
+        bindings: Vec<Binding>,
+        constants: Vec<(&'static str, f64)>,
+        size: [u32; 2],
+    ) {
+        self.plan.add_pass(Pass {
+            name: name.into(),
+            clock,
+            reason: reason.into(),
+            shader,
+            bindings,
+            constants,
+            work: Work::Compute {
+                groups: groups_over(size),
+            },
+        });
+    }
+
+    /// The words that bounded buffers report their need in.
+    pub fn need(&mut self, words: u32) -> ResourceId {
+        let id = self.once("need", |_| {
+            Resource::storage("need", u64::from(words) * 4, Clock::Solid)
+        });
+        self.plan.need = Some(id);
+        id
+    }
+}
+
+/// A draw into the targets, as a sentence.
+pub struct DrawPass {
+    /// Unique name.
+    pub name: String,
+    /// Why it is there.
+    pub reason: String,
+    /// Path of the shader.
+    pub shader: &'static str,
+    /// Resources by name.
+    pub bindings: Vec<Binding>,
+    /// Override constants.
+    pub constants: Vec<(&'static str, f64)>,
+    /// Vertex buffer.
+    pub vertices: Vertices,
+    /// Index buffer.
+    pub indices: ResourceId,
+    /// Draws.
+    pub draws: Vec<Draw>,
+}
+
+/// Pixels of a picture.
+pub fn pixels(size: [u32; 2]) -> u64 {
+    u64::from(size[0]) * u64::from(size[1])
+}
+
+/// WebGPU has no empty bindings: a table with no rows gets one of zeros.
+fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
+    if rows.is_empty() {
+        rows.push(T::zeroed());
+    }
+    rows
+}

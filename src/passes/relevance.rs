@@ -1,0 +1,166 @@
+//! What of the cuts matters to which part: the ground of a minimal plan.
+//!
+//! A part whose box lies wholly on the kept side of some clip-surface of a cut does not notice the cut; one whose box lies
+//! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
+//! called cut though only its box is.
+
+use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
+use crate::scene::{Bounds, Prepared, PreparedSurface, View};
+
+/// How a part is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Treatment {
+    /// No cut reaches it.
+    Plain,
+    /// A cut removes all of it.
+    Removed,
+    /// These cuts may remove some of it (bits of [`Relevance::cuts`]), and it needs an inside test. No bits: only the near
+    /// plane opens it.
+    Cut(u32),
+}
+
+/// What of the cuts matters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relevance {
+    /// Clip-surfaces that matter, by number in the scene.
+    pub surfaces: Vec<usize>,
+    /// Cuts that matter, as bits of `surfaces`.
+    pub cuts: Vec<u32>,
+    /// How each part is drawn, by rank.
+    pub parts: Vec<Treatment>,
+    /// Parts in the order of the part table: those that need an inside test first, each group by rank.
+    pub order: Vec<usize>,
+    /// How many parts need an inside test.
+    pub lanes: usize,
+    /// The near plane meets a part that needs an inside test, and is to be capped.
+    pub near_inside: bool,
+    /// Box around the parts that cuts reach.
+    pub cut_box: Bounds,
+}
+
+/// Where a box lies with respect to a clip-surface.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Kept,
+    Removed,
+    Across,
+}
+
+impl Relevance {
+    /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
+    pub fn of(prepared: &Prepared, view: &View) -> Result<Self, String> {
+        let mut surfaces: Vec<usize> = Vec::new();
+        let mut cuts: Vec<(usize, u32)> = Vec::new();
+        let mut parts = Vec::with_capacity(prepared.parts.len());
+        for part in &prepared.parts {
+            let mut bits = 0_u32;
+            let mut removed = false;
+            for cut in &part.cuts {
+                let numbers = &prepared.cuts[*cut].surfaces;
+                let sides: Vec<Side> = numbers
+                    .iter()
+                    .map(|s| side_of(&prepared.surfaces[*s], &part.bounds))
+                    .collect();
+                if sides.contains(&Side::Kept) {
+                    continue;
+                }
+                if sides.iter().all(|s| *s == Side::Removed) {
+                    removed = true;
+                    continue;
+                }
+                let index = match cuts.iter().position(|(c, _)| c == cut) {
+                    Some(index) => index,
+                    None => {
+                        let first = surfaces.len();
+                        surfaces.extend(numbers);
+                        if surfaces.len() > MAX_SURFACES || cuts.len() == MAX_CUTS {
+                            return Err(format!(
+                                "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
+                            ));
+                        }
+                        cuts.push((*cut, (first..surfaces.len()).fold(0, |b, i| b | 1 << i)));
+                        cuts.len() - 1
+                    }
+                };
+                bits |= 1 << index;
+            }
+            let near = view.near_cap && view.near_plane_meets(&part.bounds);
+            parts.push(match (removed, bits) {
+                (true, _) => Treatment::Removed,
+                (false, 0) if !near => Treatment::Plain,
+                (false, bits) => Treatment::Cut(bits),
+            });
+        }
+        let of_kind = |wanted: fn(&Treatment) -> bool| {
+            parts
+                .iter()
+                .enumerate()
+                .filter(move |(_, t)| wanted(t))
+                .map(|(i, _)| i)
+                .collect::<Vec<_>>()
+        };
+        let mut order = of_kind(|t| matches!(t, Treatment::Cut(_)));
+        let lanes = order.len();
+        order.extend(of_kind(|t| *t == Treatment::Plain));
+        let cut_box = order[..lanes]
+            .iter()
+            .map(|i| prepared.parts[*i].bounds)
+            .fold(Bounds::EMPTY, Bounds::union);
+        let near_inside = view.near_cap
+            && order[..lanes]
+                .iter()
+                .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
+        Ok(Self {
+            surfaces,
+            cuts: cuts.into_iter().map(|(_, bits)| bits).collect(),
+            parts,
+            order,
+            lanes,
+            near_inside,
+            cut_box,
+        })
+    }
+
+    /// Bits of the cuts that reach a part, by rank.
+    pub fn cuts_of(&self, rank: usize) -> u32 {
+        match self.parts[rank] {
+            Treatment::Cut(bits) => bits,
+            Treatment::Plain | Treatment::Removed => 0,
+        }
+    }
+
+    /// Ranks of the parts that need an inside test, in table order.
+    pub fn cut_parts(&self) -> &[usize] {
+        &self.order[..self.lanes]
+    }
+
+    /// Ranks of the parts that are drawn plainly, in table order.
+    pub fn plain_parts(&self) -> &[usize] {
+        &self.order[self.lanes..]
+    }
+
+    /// Place of a part in the part table.
+    pub fn place_of(&self, rank: usize) -> usize {
+        self.order.iter().position(|r| *r == rank).unwrap_or(0)
+    }
+}
+
+fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {
+    let heights = bounds
+        .corners()
+        .map(|c| (c - surface.origin).dot(surface.frame.normal));
+    let relief = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
+        m.range().map(|h| f64::from(h) * surface.height_scale)
+    });
+    let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + relief[0].min(relief[1]);
+    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + relief[0].max(relief[1]);
+    // Touching within rounding counts as across: the list of crossings settles it.
+    let margin = 1e-5;
+    if low > margin {
+        Side::Kept
+    } else if high < -margin {
+        Side::Removed
+    } else {
+        Side::Across
+    }
+}

@@ -1,0 +1,219 @@
+//! The rules of a plan, and the limits of core WebGPU it must keep.
+//!
+//! Rules: names are unique; every binding of a shader has a resource and every resource given has a binding; nothing is
+//! read before it is written or uploaded; nothing is written that nobody reads; passes of slower clocks never read what a
+//! faster clock makes.
+
+use super::{Access, Plan, ResourceId, Role, Shape, Work};
+use crate::shader::{self, BindingKind};
+use crate::{Error, Result};
+
+/// Limits that a plan is held to. The default is what every WebGPU device offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of one storage binding.
+    pub storage_binding_bytes: u64,
+    /// Bytes of one uniform binding.
+    pub uniform_binding_bytes: u64,
+    /// Bytes of one buffer.
+    pub buffer_bytes: u64,
+    /// Storage buffers that one stage sees.
+    pub storage_buffers_per_stage: usize,
+    /// Workgroups per dimension.
+    pub groups_per_dimension: u32,
+    /// Width and height of a texture.
+    pub texture_size: u32,
+    /// Layers of a texture.
+    pub texture_layers: u32,
+}
+
+impl Limits {
+    /// The limits every WebGPU implementation keeps.
+    pub const CORE: Self = Self {
+        storage_binding_bytes: 128 << 20,
+        uniform_binding_bytes: 64 << 10,
+        buffer_bytes: 256 << 20,
+        storage_buffers_per_stage: 8,
+        groups_per_dimension: 65_535,
+        texture_size: 8192,
+        texture_layers: 256,
+    };
+}
+
+impl Plan {
+    /// The first rule or limit that the plan breaks.
+    pub fn check(&self, limits: &Limits) -> Result<()> {
+        self.check_names()?;
+        self.check_sizes(limits)?;
+        self.check_order()?;
+        for pass in &self.passes {
+            self.check_bindings(pass, limits)?;
+        }
+        Ok(())
+    }
+
+    fn check_names(&self) -> Result<()> {
+        let mut names: Vec<&str> = self
+            .resources
+            .iter()
+            .map(|r| r.name.as_str())
+            .chain(self.passes.iter().map(|p| p.name.as_str()))
+            .collect();
+        names.sort_unstable();
+        match names.windows(2).find(|w| w[0] == w[1]) {
+            Some(w) => Err(Error::Plan(format!("the name `{}` is given twice", w[0]))),
+            None => Ok(()),
+        }
+    }
+
+    fn check_sizes(&self, limits: &Limits) -> Result<()> {
+        for r in &self.resources {
+            let (have, most, what) = match r.shape {
+                Shape::Buffer {
+                    bytes,
+                    role: Role::Storage,
+                } => (
+                    bytes,
+                    limits.storage_binding_bytes,
+                    "bytes in a storage binding",
+                ),
+                Shape::Buffer {
+                    bytes,
+                    role: Role::Uniform,
+                } => (
+                    bytes,
+                    limits.uniform_binding_bytes,
+                    "bytes in a uniform binding",
+                ),
+                Shape::Buffer { bytes, .. } => (bytes, limits.buffer_bytes, "bytes in a buffer"),
+                Shape::Texture { size, layers, .. } if layers <= limits.texture_layers => (
+                    u64::from(size[0].max(size[1])),
+                    u64::from(limits.texture_size),
+                    "texels along a texture",
+                ),
+                Shape::Texture { layers, .. } => (
+                    u64::from(layers),
+                    u64::from(limits.texture_layers),
+                    "layers in a texture",
+                ),
+            };
+            if have > most {
+                return Err(Error::Plan(format!(
+                    "{} needs {have} {what}; WebGPU offers {most}",
+                    r.name
+                )));
+            }
+        }
+        for pass in &self.passes {
+            if let Work::Compute { groups } = pass.work
+                && groups.iter().any(|g| *g > limits.groups_per_dimension)
+            {
+                let most = limits.groups_per_dimension;
+                return Err(Error::Plan(format!(
+                    "{} dispatches {groups:?} workgroups; WebGPU offers {most}",
+                    pass.name
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_order(&self) -> Result<()> {
+        let mut written: Vec<bool> = self
+            .resources
+            .iter()
+            .map(|r| r.contents.is_some())
+            .collect();
+        let mut read = vec![false; self.resources.len()];
+        for pass in &self.passes {
+            for id in pass.reads() {
+                let r = self.resource(id);
+                if !written[id.0] {
+                    return Err(Error::Plan(format!(
+                        "{} reads {} before anything wrote it",
+                        pass.name, r.name
+                    )));
+                }
+                if r.clock > pass.clock && r.contents.is_none() {
+                    let (c, rc) = (pass.clock.name(), r.clock.name());
+                    return Err(Error::Plan(format!(
+                        "{} runs per {c} but reads {}, made per {rc}",
+                        pass.name, r.name
+                    )));
+                }
+                read[id.0] = true;
+            }
+            for id in pass.writes() {
+                written[id.0] = true;
+            }
+        }
+        let outputs = [self.layers, self.picture, self.need];
+        let is_output = |id| outputs.contains(&Some(ResourceId(id)));
+        // A depth buffer is read by its own test.
+        let tests_itself = |id: usize| {
+            matches!(
+                self.resources[id].shape,
+                Shape::Texture {
+                    format: super::Format::Depth32Float,
+                    ..
+                }
+            )
+        };
+        match (0..self.resources.len())
+            .find(|id| !read[*id] && !is_output(*id) && !tests_itself(*id))
+        {
+            Some(id) => Err(Error::Plan(format!(
+                "nothing reads {}",
+                self.resources[id].name
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    fn check_bindings(&self, pass: &super::Pass, limits: &Limits) -> Result<()> {
+        let wanted = shader::bindings(&shader::compose(pass.shader)?);
+        for b in &pass.bindings {
+            let Some(w) = wanted.iter().find(|w| w.name == b.name) else {
+                return Err(Error::Plan(format!(
+                    "{}: {} binds no `{}`",
+                    pass.name, pass.shader, b.name
+                )));
+            };
+            if w.kind != BindingKind::StorageReadWrite && b.access != Access::Read {
+                return Err(Error::Plan(format!(
+                    "{}: `{}` is only read by {}",
+                    pass.name, b.name, pass.shader
+                )));
+            }
+        }
+        if let Some(w) = wanted
+            .iter()
+            .find(|w| !pass.bindings.iter().any(|b| b.name == w.name))
+        {
+            return Err(Error::Plan(format!(
+                "{}: `{}` of {} is bound to nothing",
+                pass.name, w.name, pass.shader
+            )));
+        }
+        let is_storage = |w: &&shader::ShaderBinding| {
+            matches!(
+                w.kind,
+                BindingKind::StorageRead | BindingKind::StorageReadWrite
+            )
+        };
+        for stage in 0..3 {
+            let count = wanted
+                .iter()
+                .filter(is_storage)
+                .filter(|w| w.stages[stage])
+                .count();
+            if count > limits.storage_buffers_per_stage {
+                return Err(Error::Plan(format!(
+                    "{} binds {count} storage buffers in one stage",
+                    pass.shader
+                )));
+            }
+        }
+        Ok(())
+    }
+}

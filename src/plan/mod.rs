@@ -1,0 +1,161 @@
+//! The passes of a frame as plain data.
+//!
+//! A strategy records a [`Plan`]: passes in order, each with the resources it reads and writes by name, the clock it runs
+//! on and the reason why it is there. A plan prints ([`Plan::to_text`]), is checked against its own rules and the limits of
+//! core WebGPU with no adapter ([`Plan::check`]), and is run by one module, `gpu`. What is not in the plan does not exist:
+//! no other target, buffer or clear.
+
+mod check;
+pub mod pack;
+mod pass;
+mod resource;
+mod text;
+
+pub use check::Limits;
+pub use pass::{
+    Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, Pass, Vertices, Work,
+    groups_over,
+};
+pub use resource::{Contents, Format, Resource, ResourceId, Role, Shape};
+
+/// When work is done again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Clock {
+    /// The mesh changed.
+    Solid,
+    /// A clip-surface changed.
+    Cut,
+    /// The view changed.
+    Frame,
+}
+
+impl Clock {
+    /// All, slowest first.
+    pub const ALL: [Self; 3] = [Self::Solid, Self::Cut, Self::Frame];
+
+    /// Lower-case name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solid => "solid",
+            Self::Cut => "cut",
+            Self::Frame => "frame",
+        }
+    }
+}
+
+/// A bounded buffer and what the frame must report of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bounded {
+    /// What is bounded, in words: "crossings per pixel".
+    pub what: String,
+    /// Word of the `need` resource that receives the largest need.
+    pub slot: u32,
+    /// How many it holds.
+    pub capacity: u32,
+    /// Which of [`Capacities`] to change when the need differs.
+    pub knob: Knob,
+    /// A need below the capacity also asks for a new plan: the structure is to be as large as the true need, not larger.
+    pub exact: bool,
+}
+
+/// The sizes that a frame's report can ask to change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knob {
+    /// [`Capacities::crossings`].
+    Crossings,
+    /// One of [`Capacities::layers`], by rank of the part.
+    Layers(usize),
+}
+
+/// Sizes of bounded buffers that a plan is recorded for. They grow by what a frame reports.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Capacities {
+    /// Crossings per pixel; at most 31.
+    pub crossings: Option<u32>,
+    /// Layers of each part's sprite, by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
+    pub layers: Vec<u32>,
+}
+
+impl Capacities {
+    /// Layers of a sprite of which nothing is known yet.
+    pub const FIRST_LAYERS: u32 = 2;
+    /// Most crossings that a mask can tell apart.
+    pub const MOST_CROSSINGS: u32 = 31;
+
+    /// Nothing known yet.
+    pub const UNKNOWN: Self = Self {
+        crossings: None,
+        layers: Vec::new(),
+    };
+
+    /// Layers of the sprite of the part with this rank.
+    pub fn layers_of(&self, rank: usize) -> u32 {
+        self.layers.get(rank).copied().unwrap_or(Self::FIRST_LAYERS)
+    }
+
+    /// Sets a size.
+    pub fn set(&mut self, knob: Knob, size: u32) {
+        match knob {
+            Knob::Crossings => self.crossings = Some(size.min(Self::MOST_CROSSINGS)),
+            Knob::Layers(rank) => {
+                if self.layers.len() <= rank {
+                    self.layers.resize(rank + 1, Self::FIRST_LAYERS);
+                }
+                self.layers[rank] = size.max(1);
+            }
+        }
+    }
+}
+
+/// The passes of a frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Plan {
+    /// What a pass can read and write.
+    pub resources: Vec<Resource>,
+    /// In order; passes of slower clocks come first.
+    pub passes: Vec<Pass>,
+    /// The layers of the frame: three words per pixel.
+    pub layers: Option<ResourceId>,
+    /// The picture: one RGBA8 word per pixel.
+    pub picture: Option<ResourceId>,
+    /// Words that bounded buffers report their need in.
+    pub need: Option<ResourceId>,
+    /// Bounded buffers.
+    pub bounded: Vec<Bounded>,
+}
+
+impl Plan {
+    /// Adds a resource.
+    pub fn add_resource(&mut self, resource: Resource) -> ResourceId {
+        self.resources.push(resource);
+        ResourceId(self.resources.len() - 1)
+    }
+
+    /// Adds a pass.
+    pub fn add_pass(&mut self, pass: Pass) {
+        self.passes.push(pass);
+    }
+
+    /// The resource behind a handle.
+    pub fn resource(&self, id: ResourceId) -> &Resource {
+        &self.resources[id.0]
+    }
+
+    /// The resource with a name.
+    pub fn resource_named(&self, name: &str) -> Option<ResourceId> {
+        self.resources
+            .iter()
+            .position(|r| r.name == name)
+            .map(ResourceId)
+    }
+
+    /// Bytes of what the passes of a clock produce: resources of that clock, without uploads of the scene itself.
+    pub fn bytes_on(&self, clock: Clock) -> u64 {
+        self.resources
+            .iter()
+            .filter(|r| r.clock == clock && !r.is_scene)
+            .map(|r| r.shape.bytes())
+            .sum()
+    }
+}

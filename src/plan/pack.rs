@@ -1,0 +1,365 @@
+//! The structs that the CPU and the shaders share, laid out as WGSL lays them out.
+//!
+//! Each is declared once by a macro that also lists its fields, so that a test can hold names, offsets and sizes against
+//! what naga says of the composed shaders. No `vec3`: rows of four.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat4, DVec2, DVec3, Mat4, Vec3, Vec4};
+
+use crate::scene::{Bounds, PreparedSurface, View};
+
+/// A shared struct's fields, for the layout test: name, offset, size.
+pub trait Layout: Pod {
+    /// Name of the struct in WGSL.
+    const NAME: &'static str;
+    /// Name, offset and size in bytes of each field.
+    fn fields() -> Vec<(&'static str, usize, usize)>;
+}
+
+macro_rules! shared {
+    ($(#[$doc:meta])* $name:ident { $($(#[$fdoc:meta])* $field:ident: $ty:ty),* $(,)? }) => {
+        $(#[$doc])*
+        #[repr(C)]
+        #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+        pub struct $name { $($(#[$fdoc])* pub $field: $ty),* }
+
+        impl Layout for $name {
+            const NAME: &'static str = stringify!($name);
+            fn fields() -> Vec<(&'static str, usize, usize)> {
+                vec![$((stringify!($field), std::mem::offset_of!($name, $field), size_of::<$ty>())),*]
+            }
+        }
+    };
+}
+
+shared! {
+    /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
+    Frame {
+        /// To clip space.
+        clip_from_scene: [f32; 16],
+        /// Ray origin at (0, 0), per pixel right, per pixel down.
+        ray_origin: [[f32; 4]; 3],
+        /// Ray direction, likewise.
+        ray_direction: [[f32; 4]; 3],
+        /// What a pixel right and a pixel down mean in scene space.
+        ray_step: [[f32; 4]; 2],
+        /// Viewing direction.
+        forward: [f32; 4],
+        /// Box around the cut solids.
+        box_min: [f32; 4],
+        /// Box around the cut solids.
+        box_max: [f32; 4],
+        /// Picture.
+        size_px: [u32; 2],
+        /// Depth of the near plane.
+        near: f32,
+        /// Depth behind everything.
+        far: f32,
+        /// 1 for parallel rays.
+        orthographic: u32,
+        /// 1 where the near plane makes caps.
+        near_cap: u32,
+        /// Tie shift of a crossing: relative, absolute.
+        tie: [f32; 2],
+    }
+}
+
+shared! {
+    /// A clip-surface as functions of a point: `shaders/lib/cuts.wgsl`.
+    ClipSurface {
+        /// Height over the plane.
+        height_row: [f32; 4],
+        /// Texel coordinate.
+        texel_x_row: [f32; 4],
+        /// Texel coordinate.
+        texel_y_row: [f32; 4],
+        /// Direction of `U`.
+        u_hat: [f32; 4],
+        /// Direction of `V`.
+        v_hat: [f32; 4],
+        /// Toward the kept side.
+        normal: [f32; 4],
+        /// Texels per scene unit in u and v, height of a texel of value 1.
+        scale: [f32; 4],
+        /// Least and greatest height of the relief.
+        slab: [f32; 2],
+        /// First texel in the heights buffer.
+        first_texel: u32,
+        /// Wrap mode.
+        wrap: u32,
+        /// Width and height of the map.
+        map_size: [u32; 2],
+        /// Most cells that a ray crosses.
+        cell_limit: u32,
+        /// Number of the clip-surface in the scene.
+        surface: u32,
+    }
+}
+
+shared! {
+    /// All cuts: `shaders/lib/cuts.wgsl`.
+    CutTable {
+        /// How many clip-surfaces.
+        surface_count: u32,
+        /// How many cuts.
+        cut_count: u32,
+        /// Unused.
+        padding: [u32; 2],
+        /// Bits of the clip-surfaces of each cut.
+        surfaces_of_cut: [[u32; 4]; 8],
+        /// The clip-surfaces.
+        surfaces: [ClipSurface; MAX_SURFACES],
+    }
+}
+
+shared! {
+    /// A part: `shaders/lib/cuts.wgsl`.
+    Part {
+        /// Bits of the cuts that apply.
+        cuts: u32,
+        /// Word of the inside mask.
+        lane_word: u32,
+        /// First bit in that word.
+        lane_shift: u32,
+        /// Index in the scene.
+        part: u32,
+        /// sRGB.
+        color: [f32; 4],
+        /// sRGB.
+        cap_color: [f32; 4],
+    }
+}
+
+shared! {
+    /// A value linear in pixel and depth: `shaders/lib/rays.wgsl`.
+    RayRow {
+        /// At depth 0: constant, per pixel right, per pixel down.
+        origin: [f32; 4],
+        /// Per unit of depth, likewise.
+        direction: [f32; 4],
+    }
+}
+
+shared! {
+    /// A clip-surface as a ray sees it: `shaders/lib/rays.wgsl`.
+    RaySurface {
+        /// Height over the plane.
+        height: RayRow,
+        /// Texel coordinate.
+        texel_x: RayRow,
+        /// Texel coordinate.
+        texel_y: RayRow,
+    }
+}
+
+shared! {
+    /// The volumetric depth sprite of a part: `shaders/lib/vds.wgsl`.
+    Sprite {
+        /// First texture coordinate.
+        s_row: [f32; 4],
+        /// Second texture coordinate.
+        t_row: [f32; 4],
+        /// Depth, 0 to 1.
+        depth_row: [f32; 4],
+        /// Texels along a side.
+        resolution: u32,
+        /// Layers.
+        layers: u32,
+        /// Word of the need buffer.
+        slot: u32,
+        /// Unused.
+        padding: u32,
+    }
+}
+
+shared! {
+    /// A quad that becomes a cap grid: `shaders/strategies/surface/grid/cap.wgsl`.
+    Quad {
+        /// First corner.
+        corner: [f32; 4],
+        /// One cell along `U`.
+        step_u: [f32; 4],
+        /// One cell along `V`.
+        step_v: [f32; 4],
+    }
+}
+
+/// Most clip-surfaces in a scene: one bit each.
+pub const MAX_SURFACES: usize = 32;
+/// Most cuts in a scene: one bit each.
+pub const MAX_CUTS: usize = 32;
+/// `first_texel` of a plane.
+pub const NO_RELIEF: u32 = u32::MAX;
+
+/// A relative shift of this much, in units of the depth-buffer value, outweighs the rounding of rasterised depths: eight
+/// units in the last place of f32, while interpolation on the adapters tried stays under four.
+const TIE_RELATIVE: f64 = 1.0 / (1 << 20) as f64;
+
+/// The frame of a view; `cut_box` is the box around the solids that are cut.
+pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
+    let (o0, d0) = view.ray(DVec2::ZERO);
+    let (ox, dx) = view.ray(DVec2::X);
+    let (oy, dy) = view.ray(DVec2::Y);
+    // In orthographic views origins move with the pixel, in perspective directions do.
+    let step = if view.orthographic {
+        [ox - o0, oy - o0]
+    } else {
+        [dx - d0, dy - d0]
+    };
+    let margin = DVec3::splat(1e-4);
+    let depth_span = view.far - view.near;
+    Frame {
+        clip_from_scene: matrix(view.clip_from_scene()),
+        ray_origin: [row(o0), row(ox - o0), row(oy - o0)],
+        ray_direction: [row(d0), row(dx - d0), row(dy - d0)],
+        ray_step: step.map(row),
+        forward: row(view.forward),
+        box_min: row(cut_box.min - margin),
+        box_max: row(cut_box.max + margin),
+        size_px: view.size_px,
+        near: view.near as f32,
+        far: view.far as f32,
+        orthographic: u32::from(view.orthographic),
+        near_cap: u32::from(view.near_cap),
+        tie: if view.orthographic {
+            // The buffer is linear: the same shift everywhere, 2^-20 of a scene of radius 1.
+            [0.0, (TIE_RELATIVE / depth_span) as f32]
+        } else {
+            [TIE_RELATIVE as f32, 0.0]
+        },
+    }
+}
+
+/// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest way through the
+/// box of the cut solids.
+pub fn clip_surface(
+    surface: &PreparedSurface,
+    number: usize,
+    first_texel: u32,
+    reach: f64,
+) -> ClipSurface {
+    let lift = if first_texel == NO_RELIEF {
+        flat_height(surface).unwrap_or(0.0)
+    } else {
+        0.0
+    };
+    let texels = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    let texels_per_unit = texels_per_unit(surface);
+    let range = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
+        m.range().map(|h| f64::from(h) * surface.height_scale)
+    });
+    let affine = |direction: DVec3, factor: f64, offset: f64| -> [f32; 4] {
+        let d = direction * factor;
+        let w = offset - d.dot(surface.origin);
+        Vec4::new(d.x as f32, d.y as f32, d.z as f32, w as f32).to_array()
+    };
+    let cells = (texels_per_unit[0].abs() + texels_per_unit[1].abs()) * reach;
+    ClipSurface {
+        height_row: affine(surface.frame.normal, 1.0, lift),
+        texel_x_row: affine(surface.frame.u_hat, texels_per_unit[0], -0.5),
+        texel_y_row: affine(surface.frame.v_hat, texels_per_unit[1], -0.5),
+        u_hat: row(surface.frame.u_hat),
+        v_hat: row(surface.frame.v_hat),
+        normal: row(surface.frame.normal),
+        scale: [
+            texels_per_unit[0] as f32,
+            texels_per_unit[1] as f32,
+            surface.height_scale as f32,
+            0.0,
+        ],
+        slab: [range[0].min(range[1]) as f32, range[0].max(range[1]) as f32],
+        first_texel,
+        wrap: surface.wrap.code(),
+        map_size: texels,
+        cell_limit: (cells.min(65_536.0) as u32) + 4,
+        surface: u32::try_from(number).unwrap_or(u32::MAX),
+    }
+}
+
+/// A clip-surface as the rays of a view see it, with the cancellation between eye and plane done in f64.
+pub fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
+    let (o0, d0) = view.ray(DVec2::ZERO);
+    let (ox, dx) = view.ray(DVec2::X);
+    let (oy, dy) = view.ray(DVec2::Y);
+    let linear = |direction: DVec3, factor: f64, offset: f64| {
+        let n = direction * factor;
+        RayRow {
+            origin: [
+                (o0 - surface.origin).dot(n) + offset,
+                (ox - o0).dot(n),
+                (oy - o0).dot(n),
+                0.0,
+            ]
+            .map(|c| c as f32),
+            direction: [d0.dot(n), (dx - d0).dot(n), (dy - d0).dot(n), 0.0].map(|c| c as f32),
+        }
+    };
+    let t = texels_per_unit(surface);
+    RaySurface {
+        height: linear(
+            surface.frame.normal,
+            1.0,
+            flat_height(surface).unwrap_or(0.0),
+        ),
+        texel_x: linear(surface.frame.u_hat, t[0], -0.5),
+        texel_y: linear(surface.frame.v_hat, t[1], -0.5),
+    }
+}
+
+/// The height of a relief that is flat, which makes it a plane; `None` for a true relief and 0 for a plane.
+pub fn flat_height(surface: &PreparedSurface) -> Option<f64> {
+    let Some(map) = &surface.relief else {
+        return Some(0.0);
+    };
+    let [low, high] = map.range();
+    (low == high || surface.height_scale == 0.0).then(|| f64::from(low) * surface.height_scale)
+}
+
+fn texels_per_unit(surface: &PreparedSurface) -> [f64; 2] {
+    let size = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    [
+        surface.map_per_unit[0] * f64::from(size[0]),
+        surface.map_per_unit[1] * f64::from(size[1]),
+    ]
+}
+
+fn row(v: DVec3) -> [f32; 4] {
+    v.as_vec3().extend(0.0).to_array()
+}
+
+fn matrix(m: DMat4) -> [f32; 16] {
+    Mat4::to_cols_array(&m.as_mat4())
+}
+
+/// A unit vector as two 16-bit signed fractions, octahedral: the twin of `pack_normal` in `shaders/lib/layers.wgsl`, which a
+/// test compares word by word.
+pub fn pack_normal(n: Vec3) -> u32 {
+    let sum = n.x.abs() + n.y.abs() + n.z.abs();
+    let (mut x, mut y) = if sum > 0.0 {
+        (n.x / sum, n.y / sum)
+    } else {
+        (0.0, 0.0)
+    };
+    if n.z < 0.0 {
+        let sign = |c: f32| if c >= 0.0 { 1.0 } else { -1.0 };
+        (x, y) = ((1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y));
+    }
+    let snorm =
+        |c: f32| u32::from(((c.clamp(-1.0, 1.0) * 32_767.0).round() as i16).cast_unsigned());
+    snorm(x) | (snorm(y) << 16)
+}
+
+/// The unit vector of [`pack_normal`].
+pub fn unpack_normal(word: u32) -> Vec3 {
+    let part =
+        |shift: u32| (f32::from(((word >> shift) & 0xffff) as u16 as i16) / 32_767.0).max(-1.0);
+    let (x, y) = (part(0), part(16));
+    let z = 1.0 - x.abs() - y.abs();
+    let sign = |c: f32| if c >= 0.0 { 1.0 } else { -1.0 };
+    let (x, y) = if z < 0.0 {
+        ((1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y))
+    } else {
+        (x, y)
+    };
+    Vec3::new(x, y, z).normalize_or_zero()
+}

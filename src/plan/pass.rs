@@ -1,0 +1,214 @@
+//! One step of a plan.
+
+use std::ops::Range;
+
+use super::{Clock, ResourceId};
+
+/// How a pass uses a resource.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Access {
+    /// Only reads it.
+    Read,
+    /// Writes all of it that later passes read.
+    Write,
+    /// Reads what is there and changes it.
+    ReadWrite,
+}
+
+/// A resource under the name that the shader gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Binding {
+    /// Name of the variable in WGSL.
+    pub name: &'static str,
+    /// What it is bound to.
+    pub resource: ResourceId,
+    /// Layer of a texture that the shader sees as a plain 2D texture.
+    pub layer: Option<u32>,
+    /// How it is used.
+    pub access: Access,
+}
+
+impl Binding {
+    /// A binding that is read.
+    pub fn read(name: &'static str, resource: ResourceId) -> Self {
+        Self {
+            name,
+            resource,
+            layer: None,
+            access: Access::Read,
+        }
+    }
+
+    /// A binding that is written.
+    pub fn write(name: &'static str, resource: ResourceId) -> Self {
+        Self {
+            name,
+            resource,
+            layer: None,
+            access: Access::Write,
+        }
+    }
+
+    /// A binding that is read and written.
+    pub fn update(name: &'static str, resource: ResourceId) -> Self {
+        Self {
+            name,
+            resource,
+            layer: None,
+            access: Access::ReadWrite,
+        }
+    }
+
+    /// One layer of a texture, read.
+    pub fn read_layer(name: &'static str, resource: ResourceId, layer: u32) -> Self {
+        Self {
+            name,
+            resource,
+            layer: Some(layer),
+            access: Access::Read,
+        }
+    }
+}
+
+/// A colour attachment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColorTarget {
+    /// A texture.
+    pub resource: ResourceId,
+    /// Set to zero before the first draw.
+    pub clear: bool,
+}
+
+/// Which fragments pass the depth test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthCompare {
+    /// Nearest first in a reversed buffer, cleared to 0.
+    Greater,
+    /// Nearest first in a plain buffer, cleared to 1.
+    Less,
+    /// All, and nothing is written: a pass must have an attachment even where only its side effects count.
+    Always,
+}
+
+/// The depth attachment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthTarget {
+    /// A depth texture.
+    pub resource: ResourceId,
+    /// Layer to draw into.
+    pub layer: u32,
+    /// Set to the far value before the first draw.
+    pub clear: bool,
+    /// The test.
+    pub compare: DepthCompare,
+}
+
+/// Which vertex buffer a draw reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Vertices {
+    /// Position (3 x f32) and octahedral normal (u32), 16 bytes a vertex.
+    Mesh(ResourceId),
+    /// None: the shader works from the index alone.
+    None,
+}
+
+/// One indexed draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draw {
+    /// Range of the index buffer.
+    pub indices: Range<u32>,
+    /// Added to every index.
+    pub base_vertex: i32,
+    /// What the shader gets as instance index.
+    pub instance: u32,
+}
+
+/// What a pass does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Work {
+    /// A dispatch of workgroups.
+    Compute {
+        /// Workgroups in x, y, z.
+        groups: [u32; 3],
+    },
+    /// Indexed triangles, both sides drawn.
+    Draw {
+        /// Colour attachment.
+        color: Option<ColorTarget>,
+        /// Depth attachment.
+        depth: DepthTarget,
+        /// Vertex buffer.
+        vertices: Vertices,
+        /// Index buffer.
+        indices: ResourceId,
+        /// In order.
+        draws: Vec<Draw>,
+    },
+}
+
+/// One step of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pass {
+    /// Unique name.
+    pub name: String,
+    /// When it runs.
+    pub clock: Clock,
+    /// Why it is there, for the reader of `cutaway plan`.
+    pub reason: String,
+    /// Path of the shader in the tree.
+    pub shader: &'static str,
+    /// Resources by the names of the shader.
+    pub bindings: Vec<Binding>,
+    /// Values of the shader's `override` constants.
+    pub constants: Vec<(&'static str, f64)>,
+    /// What it does.
+    pub work: Work,
+}
+
+impl Pass {
+    /// Resources the pass reads, in order of first mention.
+    pub fn reads(&self) -> Vec<ResourceId> {
+        let bound = self
+            .bindings
+            .iter()
+            .filter(|b| b.access != Access::Write)
+            .map(|b| b.resource);
+        let mut all: Vec<ResourceId> = bound.collect();
+        if let Work::Draw {
+            color,
+            depth,
+            vertices,
+            indices,
+            ..
+        } = &self.work
+        {
+            if let Vertices::Mesh(id) = vertices {
+                all.push(*id);
+            }
+            all.push(*indices);
+            all.extend(color.filter(|c| !c.clear).map(|c| c.resource));
+            all.extend((!depth.clear).then_some(depth.resource));
+        }
+        all
+    }
+
+    /// Resources the pass writes.
+    pub fn writes(&self) -> Vec<ResourceId> {
+        let bound = self
+            .bindings
+            .iter()
+            .filter(|b| b.access != Access::Read)
+            .map(|b| b.resource);
+        let mut all: Vec<ResourceId> = bound.collect();
+        if let Work::Draw { color, depth, .. } = &self.work {
+            all.extend(color.map(|c| c.resource));
+            all.extend((depth.compare != DepthCompare::Always).then_some(depth.resource));
+        }
+        all
+    }
+}
+
+/// Workgroups of 16 x 16 that cover a picture.
+pub fn groups_over(size: [u32; 2]) -> [u32; 3] {
+    [size[0].div_ceil(16), size[1].div_ceil(16), 1]
+}

@@ -1,0 +1,92 @@
+//! The plan as text and as JSON: what `cutaway plan` prints.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::{Clock, Pass, Plan, ResourceId, Work};
+
+impl Plan {
+    /// One paragraph per pass, by clock, and the bytes of each clock.
+    pub fn to_text(&self) -> String {
+        let mut text = String::new();
+        for clock in Clock::ALL {
+            let passes: Vec<&Pass> = self.passes.iter().filter(|p| p.clock == clock).collect();
+            let bytes = self.bytes_on(clock);
+            if passes.is_empty() && bytes == 0 {
+                continue;
+            }
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "per {}: {} passes, {}",
+                clock.name(),
+                passes.len(),
+                human_bytes(bytes)
+            );
+            for p in passes {
+                let _ = writeln!(text, "  {}  [{}]", p.name, describe(&p.work));
+                let _ = writeln!(text, "    why     {}", p.reason);
+                let _ = writeln!(text, "    reads   {}", self.names(&p.reads()));
+                let _ = writeln!(text, "    writes  {}", self.names(&p.writes()));
+            }
+        }
+        text
+    }
+
+    /// The passes with `name`, `clock`, `reads`, `writes`, `reason`.
+    pub fn to_json(&self) -> Value {
+        let list = |ids: Vec<ResourceId>| -> Vec<&str> {
+            ids.iter()
+                .map(|id| self.resource(*id).name.as_str())
+                .collect()
+        };
+        let passes: Vec<Value> = self
+            .passes
+            .iter()
+            .map(|p| {
+                json!({ "name": p.name, "clock": p.clock, "shader": p.shader, "work": describe(&p.work),
+                    "reads": list(p.reads()), "writes": list(p.writes()), "reason": p.reason })
+            })
+            .collect();
+        let resources: Vec<Value> = self
+            .resources
+            .iter()
+            .map(|r| json!({ "name": r.name, "clock": r.clock, "bytes": r.shape.bytes(), "scene": r.is_scene }))
+            .collect();
+        let [solid, cut, frame] = Clock::ALL.map(|c| self.bytes_on(c));
+        json!({ "passes": passes, "resources": resources, "bytes": { "solid": solid, "cut": cut, "frame": frame } })
+    }
+
+    fn names(&self, ids: &[ResourceId]) -> String {
+        if ids.is_empty() {
+            return "nothing".to_owned();
+        }
+        ids.iter()
+            .map(|id| self.resource(*id).name.as_str())
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+}
+
+fn describe(work: &Work) -> String {
+    match work {
+        Work::Compute { groups: [x, y, z] } => format!("compute {x} x {y} x {z} groups"),
+        Work::Draw { draws, .. } => {
+            let triangles: u64 = draws
+                .iter()
+                .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
+                .sum();
+            format!("draw {triangles} triangles in {} draws", draws.len())
+        }
+    }
+}
+
+/// A byte count with a unit.
+pub(crate) fn human_bytes(bytes: u64) -> String {
+    match bytes {
+        0..1024 => format!("{bytes} B"),
+        1024..1_048_576 => format!("{:.1} KiB", bytes as f64 / 1024.0),
+        _ => format!("{:.1} MiB", bytes as f64 / 1_048_576.0),
+    }
+}

@@ -1,0 +1,191 @@
+//! A device with the programs of some strategies: draws scenes and redraws only what changed.
+//!
+//! Each strategy keeps its own program, so that several can be measured in turns without a rebuild between them; large
+//! uploads are shared. A frame whose bounded buffers were too small is drawn again with the sizes it reported, up to
+//! [`MOST_TRIES`] times; what still overflows is the outcome of the frame.
+
+use std::collections::BTreeMap;
+
+use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
+use crate::layers::Layers;
+use crate::passes::{Model, Recorder};
+use crate::plan::{Capacities, Plan};
+use crate::scene::View;
+use crate::strategies::{self, Strategy};
+use crate::{Error, Result};
+
+/// How often a frame is drawn until its buffers are large enough.
+pub const MOST_TRIES: usize = 4;
+
+/// How a frame ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// All of it was drawn.
+    Complete,
+    /// A bounded buffer was too small; the pixels concerned are marked.
+    Overflowed(String),
+    /// The strategy does not draw such a scene.
+    Refused(String),
+}
+
+impl Outcome {
+    /// `complete`, `overflowed` or `refused`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Complete => "complete",
+            Self::Overflowed(_) => "overflowed",
+            Self::Refused(_) => "refused",
+        }
+    }
+
+    /// Why, where it is not complete.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Complete => None,
+            Self::Overflowed(reason) | Self::Refused(reason) => Some(reason),
+        }
+    }
+}
+
+/// A frame that was drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// The clocks that ran in the last try.
+    pub clocks: ClockSet,
+    /// Their times.
+    pub times: RunTimes,
+}
+
+#[derive(Default)]
+struct Slot {
+    program: Program,
+    capacities: Option<Capacities>,
+    size_px: [u32; 2],
+}
+
+/// A device and the programs on it.
+pub struct Session {
+    gpu: Gpu,
+    slots: BTreeMap<String, Slot>,
+}
+
+impl Session {
+    /// A session on a device.
+    pub fn new(gpu: Gpu) -> Self {
+        Self {
+            gpu,
+            slots: BTreeMap::new(),
+        }
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
+    pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
+        let slot = self.slots.entry(strategy.to_string()).or_default();
+        slot.size_px = view.size_px;
+        let mut overflow = String::new();
+        let mut last = None;
+        let mut owed = ClockSet::NONE;
+        for _ in 0..MOST_TRIES {
+            let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
+            let plan = match strategies::record(model, view, strategy, capacities) {
+                Ok(plan) => plan,
+                Err(refusal) => {
+                    let outcome = Outcome::Refused(refusal.reason);
+                    return Ok(Drawn {
+                        outcome,
+                        clocks: ClockSet::NONE,
+                        times: RunTimes::default(),
+                    });
+                }
+            };
+            if let Err(Error::Plan(reason)) = plan.check(self.gpu.limits()) {
+                let outcome = Outcome::Refused(reason);
+                return Ok(Drawn {
+                    outcome,
+                    clocks: ClockSet::NONE,
+                    times: RunTimes::default(),
+                });
+            }
+            let clocks = slot.program.load(&self.gpu, plan)?.union(owed);
+            slot.program.clear_needs_of_frame(&self.gpu)?;
+            let times = slot.program.run(&self.gpu, clocks)?;
+            let needs = slot.program.needs(&self.gpu)?;
+            let mut grown = false;
+            overflow.clear();
+            for (bounded, need) in slot.program.plan().bounded.iter().zip(needs) {
+                if need > bounded.capacity || (bounded.exact && need != bounded.capacity) {
+                    let before = capacities.clone();
+                    capacities.set(bounded.knob, need);
+                    grown |= *capacities != before;
+                }
+                if need > bounded.capacity {
+                    overflow = format!(
+                        "{} need {need}, there are {}",
+                        bounded.what, bounded.capacity
+                    );
+                }
+            }
+            last = Some(Drawn {
+                outcome: Outcome::Complete,
+                clocks,
+                times,
+            });
+            if !grown {
+                break;
+            }
+            owed = clocks;
+        }
+        let mut drawn = last.ok_or_else(|| Error::Plan("no frame was drawn".to_owned()))?;
+        if !overflow.is_empty() {
+            drawn.outcome = Outcome::Overflowed(overflow);
+        }
+        Ok(drawn)
+    }
+
+    /// Runs the last frame of a strategy again on some clocks, for its times.
+    pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
+        self.slot(&strategy.to_string())?
+            .program
+            .run(&self.gpu, clocks)
+    }
+
+    /// The layers of the last frame of a strategy.
+    pub fn layers(&self, strategy: &Strategy) -> Result<Layers> {
+        let slot = self.slot(&strategy.to_string())?;
+        slot.program.layers(&self.gpu, slot.size_px)
+    }
+
+    /// The picture of the last frame of a strategy: RGBA8, rows from the top.
+    pub fn picture(&self, strategy: &Strategy) -> Result<Vec<u8>> {
+        self.slot(&strategy.to_string())?.program.picture(&self.gpu)
+    }
+
+    /// The plan of the last frame of a strategy.
+    pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
+        Ok(self.slot(&strategy.to_string())?.program.plan())
+    }
+
+    /// Shades layers that come from elsewhere, by the same pass as a strategy's.
+    pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
+        let mut recorder = Recorder::new(model, view).map_err(Error::Plan)?;
+        recorder.given_layers(&crate::gpu::words_from_layers(layers));
+        recorder.shade();
+        let mut program = Program::default();
+        program.load(&self.gpu, recorder.plan)?;
+        program.run(&self.gpu, ClockSet::ALL)?;
+        program.picture(&self.gpu)
+    }
+
+    fn slot(&self, name: &str) -> Result<&Slot> {
+        self.slots
+            .get(name)
+            .ok_or_else(|| Error::Plan(format!("{name} has drawn nothing yet")))
+    }
+}

@@ -1,0 +1,12 @@
+//! The WGSL tree as data: which files there are, what they compose to, what they bind.
+//!
+//! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. naga_oil composes, naga
+//! validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
+
+mod compose;
+mod reflect;
+mod tree;
+
+pub use compose::{compose, compose_text};
+pub use reflect::{BindingKind, ShaderBinding, bindings, struct_layout};
+pub use tree::{FILES, LIBRARY, SHADERS, source};

@@ -1,0 +1,104 @@
+//! What a composed module binds and how its structs are laid out, as naga sees it.
+
+use naga::{AddressSpace, Module, StorageAccess, TypeInner};
+
+/// What kind of resource a binding takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BindingKind {
+    /// `var<uniform>`.
+    Uniform,
+    /// `var<storage, read>`.
+    StorageRead,
+    /// `var<storage, read_write>`.
+    StorageReadWrite,
+    /// A texture to load from.
+    Texture,
+    /// A texture with layers to load from.
+    TextureArray,
+}
+
+/// One `@group @binding` variable that an entry point uses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ShaderBinding {
+    /// Name of the variable, without naga_oil's decoration.
+    pub name: String,
+    /// `@group`.
+    pub group: u32,
+    /// `@binding`.
+    pub binding: u32,
+    /// What it takes.
+    pub kind: BindingKind,
+    /// Visible to the vertex, fragment and compute stage.
+    pub stages: [bool; 3],
+}
+
+/// The bindings that the entry points of a module use, by group and number.
+pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
+    let info = naga::valid::Validator::new(
+        naga::valid::ValidationFlags::all(),
+        naga::valid::Capabilities::default(),
+    )
+    .validate(module);
+    let mut found: Vec<ShaderBinding> = module
+        .global_variables
+        .iter()
+        .filter_map(|(handle, variable)| {
+            let at = variable.binding.as_ref()?;
+            let kind = match variable.space {
+                AddressSpace::Uniform => BindingKind::Uniform,
+                AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => {
+                    BindingKind::StorageReadWrite
+                }
+                AddressSpace::Storage { .. } => BindingKind::StorageRead,
+                _ => match module.types[variable.ty].inner {
+                    TypeInner::Image { arrayed: true, .. } => BindingKind::TextureArray,
+                    _ => BindingKind::Texture,
+                },
+            };
+            let mut stages = [false; 3];
+            for (index, entry) in module.entry_points.iter().enumerate() {
+                let used = info
+                    .as_ref()
+                    .map_or(true, |info| !info.get_entry_point(index)[handle].is_empty());
+                let stage = match entry.stage {
+                    naga::ShaderStage::Vertex => 0,
+                    naga::ShaderStage::Fragment => 1,
+                    _ => 2,
+                };
+                stages[stage] |= used;
+            }
+            let name = undecorated(variable.name.as_deref().unwrap_or_default());
+            let binding = ShaderBinding {
+                name,
+                group: at.group,
+                binding: at.binding,
+                kind,
+                stages,
+            };
+            binding.stages.contains(&true).then_some(binding)
+        })
+        .collect();
+    found.sort_by_key(|b| (b.group, b.binding));
+    found
+}
+
+/// Fields of a struct as (name, offset in bytes, size in bytes), and the size of the struct.
+pub fn struct_layout(module: &Module, name: &str) -> Option<(Vec<(String, u32, u32)>, u32)> {
+    module.types.iter().find_map(|(_, ty)| match &ty.inner {
+        TypeInner::Struct { members, span }
+            if ty.name.as_deref().is_some_and(|n| undecorated(n) == name) =>
+        {
+            let fields = members.iter().map(|m| {
+                let size = module.types[m.ty].inner.size(module.to_ctx());
+                (m.name.clone().unwrap_or_default(), m.offset, size)
+            });
+            Some((fields.collect(), *span))
+        }
+        _ => None,
+    })
+}
+
+/// naga_oil appends its module to every imported name.
+fn undecorated(name: &str) -> String {
+    name.split("X_naga_oil_").next().unwrap_or(name).to_owned()
+}

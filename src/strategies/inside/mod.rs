@@ -1,0 +1,4 @@
+//! Inside tests.
+
+pub mod mask;
+pub mod vds;

@@ -1,0 +1,191 @@
+//! `vds:RES`: the volumetric depth sprite of Trapp & Döllner 2013 (after their *Real-time volumetric tests using layered depth
+//! images*, 2008): a layered depth image of one part, built once by depth peeling, and a parity test on it.
+//!
+//! The sprite looks along one axis of scene space, the shortest of the part's box, orthographically and with linear depth
+//! in 0..1. As many layers as the depth complexity at the resolution used: it is counted first, since grazing silhouettes
+//! make it grow with the resolution. The test loads texels without filtering, for filtering would blend different surfaces.
+//!
+//! Per solid: one counting pass and d peeling passes; 4 d RES² bytes a part, and 4 RES² to count. Per frame: d loads per cap
+//! fragment. Error: a point is tested up to half a texel beside where it is, so wrong pixels line the silhouettes in
+//! proportion to 1/RES. Cannot: follow a moving mesh without a rebuild; keep coincident faces apart (peeling loses ties).
+//!
+//! Slips of the paper mended here: its listing 2 samples slices at their boundary, where filtering blends two layers; its
+//! VPT formula is true in gaps outside the solid as well, its listing's parity is right.
+
+use glam::DVec3;
+
+use crate::passes::{Recorder, pixels};
+use crate::plan::pack::Sprite;
+use crate::plan::{
+    Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass,
+    Resource, Role, Work,
+};
+use crate::scene::Bounds;
+
+/// Layers beyond which a sprite is not built: a texture has no more.
+pub const MOST_LAYERS: u32 = 256;
+
+/// Records the sprite of a part, by rank; returns the bindings `sprite` and `depth_layers`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    rank: usize,
+    resolution: u32,
+    capacities: &Capacities,
+) -> [Binding; 2] {
+    let place = recorder.relevance.place_of(rank) as u32;
+    let name = recorder.model.prepared.parts[rank].name.clone();
+    let layers = capacities.layers_of(rank).clamp(1, MOST_LAYERS);
+    let bounds = recorder.model.prepared.parts[rank].bounds;
+    let contents = Contents::of(&[sprite(&bounds, resolution, layers, place)]);
+    let size = [resolution; 2];
+    let table = recorder.once(&format!("sprite {place}"), |_| {
+        Resource::upload(
+            format!("sprite {place}"),
+            Role::Uniform,
+            contents,
+            Clock::Solid,
+        )
+    });
+    // All parts count in the same buffer, one after the other.
+    let counts = recorder.once("sprite counts", |_| {
+        Resource::storage("sprite counts", pixels(size) * 4, Clock::Solid)
+    });
+    let depth = recorder.once(&format!("sprite layers {place}"), |_| {
+        Resource::texture(
+            format!("sprite layers {place}"),
+            size,
+            layers,
+            Format::Depth32Float,
+            Clock::Solid,
+        )
+    });
+    let need = recorder.need(recorder.relevance.lanes as u32);
+    let sprite = Binding::read("sprite", table);
+
+    recorder.compute(
+        format!("sprite clear {place}"),
+        Clock::Solid,
+        format!("`{name}` is counted from zero"),
+        "strategies/inside/vds/clear.wgsl",
+        vec![
+            sprite.clone(),
+            Binding::write("counts", counts),
+            Binding::write("need", need),
+        ],
+        Vec::new(),
+        size,
+    );
+    let bindings = vec![
+        sprite.clone(),
+        Binding::update("counts", counts),
+        Binding::update("need", need),
+    ];
+    draw(
+        recorder,
+        rank,
+        format!("sprite count {place}"),
+        "the sprite needs as many layers as the depth complexity at this resolution".to_owned(),
+        "strategies/inside/vds/count.wgsl",
+        bindings,
+        DepthTarget {
+            resource: depth,
+            layer: 0,
+            clear: true,
+            compare: DepthCompare::Always,
+        },
+    );
+    for layer in 0..layers {
+        let (shader, mut bindings) = (
+            "strategies/inside/vds/peel_first.wgsl",
+            vec![sprite.clone()],
+        );
+        let shader = if layer == 0 {
+            shader
+        } else {
+            bindings.push(Binding::read_layer("previous", depth, layer - 1));
+            "strategies/inside/vds/peel_next.wgsl"
+        };
+        let reason = format!("layer {layer} of `{name}`, behind the layer before");
+        draw(
+            recorder,
+            rank,
+            format!("sprite peel {place}.{layer}"),
+            reason,
+            shader,
+            bindings,
+            DepthTarget {
+                resource: depth,
+                layer,
+                clear: true,
+                compare: DepthCompare::Less,
+            },
+        );
+    }
+    recorder.plan.bounded.push(Bounded {
+        what: format!("layers of the sprite of `{name}`"),
+        slot: place,
+        capacity: layers,
+        knob: Knob::Layers(rank),
+        exact: true,
+    });
+    [sprite, Binding::read("depth_layers", depth)]
+}
+
+#[allow(
+    clippy::too_many_arguments,
+    reason = "the sentence form of a pass: each word is one argument"
+)]
+fn draw(
+    recorder: &mut Recorder<'_>,
+    rank: usize,
+    name: String,
+    reason: String,
+    shader: &'static str,
+    bindings: Vec<Binding>,
+    depth: DepthTarget,
+) {
+    let (vertices, indices) = recorder.mesh();
+    let draws = recorder.draws_of(&[rank]);
+    let work = Work::Draw {
+        color: None,
+        depth,
+        vertices,
+        indices,
+        draws,
+    };
+    recorder.plan.add_pass(Pass {
+        name,
+        clock: Clock::Solid,
+        reason,
+        shader,
+        bindings,
+        constants: Vec::new(),
+        work,
+    });
+}
+
+/// Rows from scene space to the sprite: the box, with a margin of two texels, scaled uniformly into the unit cube.
+fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -> Sprite {
+    let size = bounds.size();
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    let depth_axis = (0..3)
+        .min_by(|a, b| size[*a].total_cmp(&size[*b]))
+        .unwrap_or(2);
+    let (s_axis, t_axis) = ((depth_axis + 1) % 3, (depth_axis + 2) % 3);
+    let margin = 4.0 / f64::from(resolution);
+    let per_unit = (1.0 - margin) / size.max_element().max(1e-12);
+    let row = |axis: usize| {
+        let n = axes[axis] * per_unit;
+        let w = 0.5 - n.dot(bounds.centre());
+        [n.x as f32, n.y as f32, n.z as f32, w as f32]
+    };
+    Sprite {
+        s_row: row(s_axis),
+        t_row: row(t_axis),
+        depth_row: row(depth_axis),
+        resolution,
+        layers,
+        slot,
+        padding: 0,
+    }
+}

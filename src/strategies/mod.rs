@@ -1,0 +1,62 @@
+//! Strategies: a cap surface and an inside test, and the plan they record together.
+//!
+//! A strategy never touches the GPU. Adding one means a file under `surface/` or `inside/`, a folder of shaders and an arm in
+//! [`record`].
+
+pub mod inside;
+pub mod surface;
+
+mod name;
+
+pub use name::{CapSurface, InsideTest, Strategy};
+
+use crate::passes::{Model, Recorder};
+use crate::plan::{Capacities, Plan};
+use crate::scene::View;
+
+/// Why a strategy does not draw a scene: data, which an experiment can expect.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{strategy} refuses: {reason}")]
+pub struct Refusal {
+    /// Name of the strategy.
+    pub strategy: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// The plan of a frame by a strategy.
+///
+/// The plan is the minimum for the scene and the view: where nothing is cut, it is the same for every strategy.
+pub fn record(
+    model: &Model,
+    view: &View,
+    strategy: &Strategy,
+    capacities: &Capacities,
+) -> Result<Plan, Refusal> {
+    let refuse = |reason: String| Refusal {
+        strategy: strategy.to_string(),
+        reason,
+    };
+    let mut recorder = Recorder::new(model, view).map_err(refuse)?;
+    if recorder.relevance.lanes == 0 {
+        recorder.draw_plain_parts(false);
+        recorder.gather();
+    } else {
+        match (strategy.surface, strategy.inside) {
+            (CapSurface::Raycast, InsideTest::Mask) => {
+                inside::mask::record(&mut recorder, capacities).map_err(refuse)?
+            }
+            (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
+                surface::grid::record(&mut recorder, cells, resolution, capacities)
+                    .map_err(refuse)?;
+            }
+            (surface, inside) => {
+                return Err(refuse(format!(
+                    "{surface} with {inside} is not a combination that is built"
+                )));
+            }
+        }
+    }
+    recorder.shade();
+    Ok(recorder.plan)
+}

@@ -1,0 +1,161 @@
+//! `grid:N`: the paper's cap surface, a quad refined N x N and displaced by the offset map in the vertex shader.
+//!
+//! As in the paper, the mesh is clipped by chi at every fragment and the grid is drawn into the same depth buffer, each
+//! fragment tested against the depth sprite of its part. Two approximations of one surface meet at the rim: between grid
+//! vertices the cap runs straight where the clip test bends, and the *gap* shows what lies behind. No finite N closes it where
+//! a solid meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
+//!
+//! Per cut: a quad of 48 bytes and N² x 24 bytes of indices. Per frame: the mesh once, (N + 1)² vertices for each part and
+//! clip-surface, d loads for each cap fragment. Cannot: cap at the near plane.
+
+use glam::DVec3;
+
+use crate::passes::{DrawPass, Recorder};
+use crate::plan::pack::Quad;
+use crate::plan::{
+    Binding, Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices,
+};
+use crate::scene::{Bounds, PreparedSurface};
+use crate::strategies::inside::vds;
+
+/// Records the frame of `grid:N+vds:RES`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    cells: u32,
+    resolution: u32,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
+    // Parts that only the near plane opens have no clip-surface to draw a grid on.
+    let capped: Vec<usize> = ranks
+        .iter()
+        .copied()
+        .filter(|r| recorder.relevance.cuts_of(*r) != 0)
+        .collect();
+    let sprites: Vec<[Binding; 2]> = capped
+        .iter()
+        .map(|rank| vds::record(recorder, *rank, resolution, capacities))
+        .collect();
+
+    let (vertices, indices) = recorder.mesh();
+    let bindings = vec![
+        recorder.frame(),
+        recorder.cut_table(),
+        recorder.parts(),
+        recorder.heights(),
+    ];
+    recorder.draw(DrawPass {
+        name: "clip".to_owned(),
+        reason: format!("{} cut parts: chi decides at every fragment", ranks.len()),
+        shader: "strategies/surface/grid/clip.wgsl",
+        bindings,
+        constants: Vec::new(),
+        vertices,
+        indices,
+        draws: recorder.draws_of(&ranks),
+    });
+    recorder.draw_plain_parts(false);
+
+    if capped.is_empty() {
+        recorder.gather();
+        return Ok(());
+    }
+    let grid = indices_of_grid(recorder, cells);
+    let quads = quads(recorder, cells);
+    for (rank, sprite) in capped.iter().zip(sprites) {
+        let place = recorder.relevance.place_of(*rank) as u32;
+        let bits = (0..recorder.relevance.cuts.len())
+            .filter(|c| recorder.relevance.cuts_of(*rank) >> c & 1 == 1)
+            .fold(0, |b, c| b | recorder.relevance.cuts[c]);
+        let draws = (0..recorder.relevance.surfaces.len() as u32)
+            .filter(|s| bits >> s & 1 == 1)
+            .map(|s| Draw {
+                indices: 0..cells * cells * 6,
+                base_vertex: 0,
+                instance: place * 32 + s,
+            })
+            .collect();
+        let mut bindings = vec![
+            recorder.frame(),
+            recorder.cut_table(),
+            recorder.parts(),
+            recorder.heights(),
+            quads.clone(),
+        ];
+        bindings.extend(sprite);
+        recorder.draw(DrawPass {
+            name: format!("cap {place}"),
+            reason: format!(
+                "the displaced grid of `{}`, cut to the solid by its sprite",
+                recorder.model.prepared.parts[*rank].name
+            ),
+            shader: "strategies/surface/grid/cap.wgsl",
+            bindings,
+            constants: vec![("cells", f64::from(cells))],
+            vertices: Vertices::None,
+            indices: grid,
+            draws,
+        });
+    }
+    recorder.gather();
+    Ok(())
+}
+
+/// Two triangles per cell, the diagonal from the first to the last corner.
+fn indices_of_grid(recorder: &mut Recorder<'_>, cells: u32) -> ResourceId {
+    recorder.once("grid indices", |_| {
+        let row = cells + 1;
+        let indices: Vec<u32> = (0..cells * cells)
+            .flat_map(|cell| {
+                let a = cell / cells * row + cell % cells;
+                [a, a + 1, a + row + 1, a, a + row + 1, a + row]
+            })
+            .collect();
+        let resource = Resource::upload(
+            "grid indices",
+            Role::Index,
+            Contents::of(&indices),
+            Clock::Cut,
+        );
+        Resource {
+            is_scene: false,
+            ..resource
+        }
+    })
+}
+
+fn quads(recorder: &mut Recorder<'_>, cells: u32) -> Binding {
+    let id = recorder.once("quads", |r| {
+        let quads: Vec<Quad> = r
+            .relevance
+            .surfaces
+            .iter()
+            .map(|s| quad(&r.model.prepared.surfaces[*s], &r.relevance.cut_box, cells))
+            .collect();
+        let resource = Resource::upload("quads", Role::Storage, Contents::of(&quads), Clock::Cut);
+        Resource {
+            is_scene: false,
+            ..resource
+        }
+    });
+    Binding::read("quads", id)
+}
+
+/// The rectangle on the plane, along `U` and `V`, that covers the box of the cut solids.
+fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
+    let range = |axis: DVec3| {
+        let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
+        let low = at.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let margin = 1e-3 * (high - low);
+        (low - margin, (high - low + 2.0 * margin) / f64::from(cells))
+    };
+    let (u_hat, v_hat) = (surface.frame.u_hat, surface.frame.v_hat);
+    let ((u, u_step), (v, v_step)) = (range(u_hat), range(v_hat));
+    let row = |p: DVec3| p.as_vec3().extend(0.0).to_array();
+    Quad {
+        corner: row(surface.origin + u_hat * u + v_hat * v),
+        step_u: row(u_hat * u_step),
+        step_v: row(v_hat * v_step),
+    }
+}

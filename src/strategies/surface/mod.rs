@@ -1,0 +1,4 @@
+//! Cap surfaces.
+
+pub mod grid;
+pub mod raycast;

@@ -1,0 +1,127 @@
+//! `raycast`: all crossings of each pixel's ray with the clip-surfaces, as one sorted list of depths per pixel.
+//!
+//! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map with the sign carried
+//! from cell to cell and citardauq roots. The list decides surface, cap and inside together, so no pixel can show the inside
+//! of the shell. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
+//! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
+//!
+//! Cannot: hold more than 31 crossings per pixel. A longer list keeps the nearest, marks the pixel and reports its need.
+
+use crate::passes::{Recorder, pixels};
+use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource, ResourceId};
+
+/// Crossings that one relief is given room for until a frame reports what it needs: with its parity bit a lane of 8.
+const FIRST_PER_RELIEF: u32 = 7;
+
+/// The list of crossings.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossings {
+    /// Count and starting sides, 8 bytes per pixel.
+    pub heads: ResourceId,
+    /// Depth-buffer values.
+    pub z: ResourceId,
+    /// Clip-surfaces.
+    pub surfaces: ResourceId,
+}
+
+impl Crossings {
+    /// The bindings of `shaders/lib/crossings.wgsl`.
+    pub fn bindings(&self) -> [Binding; 3] {
+        [
+            Binding::read("crossing_heads", self.heads),
+            Binding::read("crossing_z", self.z),
+            Binding::read("crossing_surface", self.surfaces),
+        ]
+    }
+}
+
+/// How many crossings a pixel is given room for.
+pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
+    let surfaces = &recorder.relevance.surfaces;
+    let reliefs = surfaces
+        .iter()
+        .filter(|s| recorder.model.is_relief(**s))
+        .count() as u32;
+    let planes = surfaces.len() as u32 - reliefs;
+    let usual = planes + reliefs * FIRST_PER_RELIEF;
+    let most = if reliefs == 0 {
+        planes
+    } else {
+        capacities.crossings.unwrap_or(usual).max(planes + reliefs)
+    };
+    most.clamp(1, Capacities::MOST_CROSSINGS)
+}
+
+/// Records the pass that writes the list, and clears `mask` on the way.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    capacity: u32,
+    mask: ResourceId,
+    mask_words: u32,
+) -> Crossings {
+    let count = pixels(recorder.view.size_px);
+    let one_surface = recorder.relevance.surfaces.len() < 2;
+    let reliefs = recorder
+        .relevance
+        .surfaces
+        .iter()
+        .any(|s| recorder.model.is_relief(*s));
+    let mut buffer = |name: &str, bytes: u64| {
+        recorder.once(name, |_| Resource::storage(name, bytes, Clock::Frame))
+    };
+    let crossings = Crossings {
+        heads: buffer("crossing_heads", count * 8),
+        z: buffer("crossing_z", count * 4 * u64::from(capacity)),
+        surfaces: buffer(
+            "crossing_surface",
+            if one_surface {
+                4
+            } else {
+                count * 4 * u64::from(capacity)
+            },
+        ),
+    };
+    let need = recorder.need(1);
+    let mut bindings = vec![
+        recorder.frame(),
+        recorder.cut_table(),
+        recorder.ray_table(),
+        Binding::write("crossing_heads", crossings.heads),
+        Binding::write("crossing_z", crossings.z),
+        Binding::write("crossing_surface", crossings.surfaces),
+        Binding::write("need", need),
+        Binding::write("mask", mask),
+    ];
+    let (shader, reason) = if reliefs {
+        bindings.push(recorder.heights());
+        (
+            "strategies/surface/raycast/reliefs.wgsl",
+            "the one list of depths per pixel; a relief is walked cell by cell",
+        )
+    } else {
+        (
+            "strategies/surface/raycast/planes.wgsl",
+            "the one list of depths per pixel; only planes, so no walk",
+        )
+    };
+    recorder.compute(
+        "crossings",
+        Clock::Frame,
+        reason,
+        shader,
+        bindings,
+        vec![
+            ("capacity", f64::from(capacity)),
+            ("mask_words", f64::from(mask_words)),
+        ],
+        recorder.view.size_px,
+    );
+    recorder.plan.bounded.push(Bounded {
+        what: "crossings per pixel".to_owned(),
+        slot: 0,
+        capacity,
+        knob: Knob::Crossings,
+        exact: false,
+    });
+    crossings
+}
