@@ -21,7 +21,7 @@ pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
-pub use file::{Key, SceneFile, load_scene_file};
+pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use offset_map::{OffsetMap, Wrap};

@@ -64,9 +64,12 @@ pub struct SceneFile {
     pub notes: Vec<String>,
 }
 
+/// What the reader of a mesh file gives: the parts, and notes about what was mended in them.
+pub type OpenedMesh = Result<(Vec<Part>, Vec<String>)>;
+
 /// The readers handed in by the caller.
 struct Loaders<'a> {
-    open_mesh: &'a dyn Fn(&Path) -> Result<(Vec<Part>, Vec<String>)>,
+    open_mesh: &'a dyn Fn(&Path) -> OpenedMesh,
     open_shape: &'a dyn Fn(&str) -> Result<Vec<Part>>,
 }
 
@@ -74,7 +77,7 @@ struct Loaders<'a> {
 /// built-in shape such as `crank?holes=3`.
 pub fn load_scene_file(
     path: &Path,
-    open_mesh: &dyn Fn(&Path) -> Result<(Vec<Part>, Vec<String>)>,
+    open_mesh: &dyn Fn(&Path) -> OpenedMesh,
     open_shape: &dyn Fn(&str) -> Result<Vec<Part>>,
 ) -> Result<SceneFile> {
     let text = std::fs::read_to_string(path).map_err(|e| {

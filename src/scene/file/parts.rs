@@ -79,7 +79,8 @@ pub(super) fn read(
             part.material.cap_color = look.cap_color.or(part.material.cap_color);
         }
         let bounds = part.bounds_in_world();
-        if !bounds.is_empty() && !(bounds.min.is_finite() && bounds.max.is_finite()) {
+        let finite = bounds.min.is_finite() && bounds.max.is_finite();
+        if !(finite || bounds.is_empty()) {
             let what = format!("part `{}` reaches to infinity once it is placed", part.name);
             return Err(entry.fault(what, "use a smaller scale or translation"));
         }

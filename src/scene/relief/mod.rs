@@ -4,6 +4,7 @@
 //! [`ReliefSpec`] is the form of the command line: a relief, and how high and wide it stands on a section.
 
 mod blend;
+mod heights;
 mod image;
 mod noise;
 mod procedures;

@@ -149,30 +149,24 @@ pub fn apply_relief(
     spec: &ReliefSpec,
     bounds: &Bounds,
 ) -> Result<ClipSurface> {
-    let (map, share) = match &spec.relief {
-        Relief::Procedure(p) => (p.map(), usual_period(&spec.relief, spec.placement.wrap)),
-        Relief::Image(path) => (
-            read_offset_map(path)?,
-            usual_period(&spec.relief, spec.placement.wrap),
-        ),
+    let map = match &spec.relief {
+        Relief::Procedure(p) => p.map(),
+        Relief::Image(path) => read_offset_map(path)?,
         Relief::Blend { .. } => {
             let mend = "blend reliefs in a scene file: [relief.NAME] blend = [\"a\", \"b\"]";
             return Err(Error::input(&spec.text, "a blend needs names", mend));
         }
     };
-    let placement = Placement {
-        period: spec.placement.period.or(Some(Amount::Percent(share))),
-        ..spec.placement
-    };
-    place_map(surface, Arc::new(map), &placement, bounds)
+    place_map(surface, Arc::new(map), &spec.placement, bounds)
         .map_err(|what| Error::input(format!("relief `{}`", spec.text), what, EXAMPLE))
 }
 
-/// Period in percent of the diagonal: about ten teeth of a saw over the model, one clamped map over all of it.
-fn usual_period(relief: &Relief, wrap: Wrap) -> f64 {
-    match (relief, wrap) {
-        (_, Wrap::Clamp) => 100.0,
-        (Relief::Procedure(p), _) if p.size == [2, 2] => 10.0,
+/// The period in percent of the diagonal where none is given: one clamped map over all of the model, about ten teeth of
+/// a saw-tooth, whose map is 2 x 2, and little more than one repeat of the others.
+fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
+    match (wrap, map.size) {
+        (Wrap::Clamp, _) => 100.0,
+        (_, [2, 2]) => 10.0,
         _ => 60.0,
     }
 }
@@ -191,12 +185,8 @@ pub fn place_map(
         Amount::Percent(p) => diagonal * p / 100.0,
     };
     let amplitude = of_diagonal(placement.amplitude);
-    let usual = if placement.wrap == Wrap::Clamp {
-        100.0
-    } else {
-        60.0
-    };
-    let period = of_diagonal(placement.period.unwrap_or(Amount::Percent(usual)));
+    let usual = Amount::Percent(usual_period(&map, placement.wrap));
+    let period = of_diagonal(placement.period.unwrap_or(usual));
     let [w, h] = map.size.map(f64::from);
     let lengths = [
         period,
