@@ -55,8 +55,8 @@ impl ClipSurface {
         }
     }
 
-    /// Why the parameters make no clip-surface, if they do not: the three numbers must be finite, `U` and `V` neither
-    /// zero nor oblique (more than 1e-6 from a right angle).
+    /// Why the parameters make no clip-surface, if they do not: all numbers must be finite, the lengths of `U` and `V`
+    /// between 1e-150 and 1e150 so that their squares are numbers, and the angle between them right to 1e-6.
     pub fn defect(&self) -> Option<String> {
         let vectors = [
             ("origin", self.origin),
@@ -69,9 +69,11 @@ impl ClipSurface {
         }
         if let Some((name, _)) = vectors[1..3]
             .iter()
-            .find(|(_, v)| v.length_squared() < 1e-300)
+            .find(|(_, v)| !(1e-300..=1e300).contains(&v.length_squared()))
         {
-            return Some(format!("{name} has no length"));
+            return Some(format!(
+                "{name} is too short or too long to give a direction"
+            ));
         }
         let cosine = self.u.normalize().dot(self.v.normalize());
         (cosine.abs() > 1e-6).then(|| {
@@ -119,5 +121,167 @@ impl ClipSurface {
         flipped.scale.y = -self.scale.y;
         flipped.scale.z = -self.scale.z;
         flipped
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
+
+    /// Points and directions without a pattern: the fractions of multiples of irrational numbers.
+    fn scattered(count: u32) -> impl Iterator<Item = DVec3> {
+        let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
+        (1..=count).map(move |i| (step * f64::from(i)).fract() * 8.0 - 4.0)
+    }
+
+    fn relief(wrap: Wrap) -> ClipSurface {
+        let heights = (0..35)
+            .map(|i| ((i * 37 + 11) % 101) as f32 / 64.0)
+            .collect();
+        ClipSurface {
+            origin: DVec3::new(0.3, -0.2, 0.7),
+            u: DVec3::new(1.0, 2.0, -0.5),
+            v: DVec3::new(2.0, -1.0, 0.0) * 0.3,
+            scale: DVec3::new(0.7, -1.3, 0.4),
+            relief: Some(Arc::new(
+                OffsetMap::new([5, 7], heights).expect("finite heights"),
+            )),
+            wrap,
+        }
+    }
+
+    #[test]
+    fn the_flipped_surface_keeps_exactly_what_was_removed() {
+        let mut surfaces: Vec<ClipSurface> = WRAPS.into_iter().map(relief).collect();
+        surfaces.push(ClipSurface::plane(
+            DVec3::new(1.0, 2.0, 3.0),
+            DVec3::new(1.0, -3.0, 0.2),
+        ));
+        for surface in surfaces {
+            let flipped = surface.flipped();
+            assert_eq!(
+                flipped.frame().normal,
+                -surface.frame().normal,
+                "N of {surface:?}"
+            );
+            for p in scattered(2000) {
+                assert_eq!(
+                    flipped.kept_height(p),
+                    -surface.kept_height(p),
+                    "{:?} at {p}",
+                    surface.wrap
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_plane_has_the_normal_it_was_given() {
+        for axis in DVec3::AXES {
+            for normal in [axis, -axis, axis * 7.5] {
+                let surface = ClipSurface::plane(DVec3::ZERO, normal);
+                assert_eq!(surface.frame().normal, normal.normalize(), "N of {normal}");
+                assert_eq!(surface.defect(), None, "plane of {normal}");
+            }
+        }
+        for normal in scattered(2000) {
+            let surface = ClipSurface::plane(DVec3::ZERO, normal);
+            let off = (surface.frame().normal - normal.normalize()).length();
+            assert!(off < 1e-15, "N of {normal} is off by {off}");
+            assert_eq!(surface.defect(), None, "plane of {normal}");
+        }
+    }
+
+    #[test]
+    fn a_flat_relief_is_a_plane_bit_for_bit() {
+        for wrap in WRAPS {
+            for height in [0.0, 0.375] {
+                let mut flat = relief(wrap);
+                flat.relief = Some(Arc::new(
+                    OffsetMap::new([5, 7], vec![height; 35]).expect("finite heights"),
+                ));
+                let mut plane = flat.clone();
+                plane.relief = None;
+                for p in scattered(2000) {
+                    let raised = f64::from(height) * flat.scale.z;
+                    assert_eq!(
+                        flat.kept_height(p),
+                        plane.kept_height(p) + raised,
+                        "{wrap:?} {p}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Listing 1 of the paper divides both coordinates by `|U|`.
+    fn map_as_printed(surface: &ClipSurface, point: DVec3) -> DVec2 {
+        let (frame, d) = (surface.frame(), point - surface.origin);
+        let length = surface.u.length();
+        DVec2::new(
+            d.dot(frame.u_hat) / length * surface.scale.x,
+            d.dot(frame.v_hat) / length * surface.scale.y,
+        )
+    }
+
+    #[test]
+    fn the_printed_listing_stretches_the_map_unless_u_and_v_are_alike() {
+        let mut surface = relief(Wrap::Repeat);
+        // The end of V is one repeat away, whatever its length: that is what V means.
+        let end_of_v = surface.origin + surface.v;
+        assert!(
+            (surface.map_from_world(end_of_v).y - surface.scale.y).abs() < 1e-12,
+            "V is not one step of the map"
+        );
+        let differing = |s: &ClipSurface| {
+            scattered(1000)
+                .filter(|p| (map_as_printed(s, *p) - s.map_from_world(*p)).length() > 1e-9)
+                .count()
+        };
+        assert!(
+            differing(&surface) > 990,
+            "the listing should differ where |U| is not |V|"
+        );
+        surface.v = surface.v.normalize() * surface.u.length();
+        assert_eq!(
+            differing(&surface),
+            0,
+            "the listing is right where |U| = |V|"
+        );
+    }
+
+    #[test]
+    fn the_projection_onto_the_plane_leaves_t_alone() {
+        // T is defined by P_N, the foot of P; N is orthogonal to U and V, so P itself gives the same.
+        let surface = relief(Wrap::Mirror);
+        let n = surface.frame().normal;
+        for p in scattered(500) {
+            let foot = p - n * (p - surface.origin).dot(n);
+            let off = (surface.map_from_world(foot) - surface.map_from_world(p)).length();
+            assert!(off < 1e-12, "T moves by {off} at {p}");
+        }
+    }
+
+    #[test]
+    fn senseless_parameters_have_a_defect() {
+        let good = relief(Wrap::Repeat);
+        assert_eq!(good.defect(), None, "the surface the others are made from");
+        let change = |f: fn(&mut ClipSurface)| {
+            let mut surface = good.clone();
+            f(&mut surface);
+            surface.defect()
+        };
+        for (told, defect) in [
+            ("origin", change(|s| s.origin.y = f64::NAN)),
+            ("scale", change(|s| s.scale.z = f64::INFINITY)),
+            ("u is too", change(|s| s.u = DVec3::ZERO)),
+            ("v is too", change(|s| s.v *= 1e160)),
+            ("orthogonal", change(|s| s.v += s.u * 1e-3)),
+        ] {
+            let defect = defect.expect(told);
+            assert!(defect.contains(told), "{defect} does not speak of {told}");
+        }
     }
 }

@@ -8,21 +8,27 @@ mod bounds;
 mod camera;
 mod clip_surface;
 mod cut;
+mod file;
 mod material;
 mod mesh;
 mod offset_map;
 mod part;
 mod prepared;
+pub mod relief;
+mod section;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
+pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
+pub use relief::{ReliefSpec, apply_relief};
+pub use section::{Amount, SectionSpec, section_misses, section_surface};
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]

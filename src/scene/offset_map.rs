@@ -105,11 +105,148 @@ impl OffsetMap {
             reason = "cells far outside i64 have no meaning"
         )]
         let (x, y) = (cell.x as i64, cell.y as i64);
-        let h = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| self.texel(wrap, x + i, y + j));
+        // Saturating, because the cast is: far outside i64 the neighbour of the last cell is that cell.
+        let h = [[0, 0], [1, 0], [0, 1], [1, 1]]
+            .map(|[i, j]| self.texel(wrap, x.saturating_add(i), y.saturating_add(j)));
         let (bx, by, bxy) = (h[1] - h[0], h[2] - h[0], (h[3] - h[2]) - (h[1] - h[0]));
         (
             h[0] + bx * l.x + by * l.y + bxy * l.x * l.y,
             DVec2::new(bx + bxy * l.y, by + bxy * l.x) * size,
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
+
+    /// Distinct heights, so that a wrong texel shows.
+    fn map(w: u32, h: u32) -> OffsetMap {
+        let heights = (0..w * h).map(|i| ((i * 37 + 11) % 101) as f32 / 128.0);
+        OffsetMap::new([w, h], heights.collect()).expect("finite heights")
+    }
+
+    fn centre(map: &OffsetMap, x: i64, y: i64) -> DVec2 {
+        (DVec2::new(x as f64, y as f64) + 0.5) / DVec2::from(map.size.map(f64::from))
+    }
+
+    #[test]
+    fn texels_are_met_at_their_centres() {
+        // Powers of two: the centres are exact in f64, so the heights have to be.
+        for (w, h) in [(1, 1), (1, 8), (4, 2), (8, 8)] {
+            let map = map(w, h);
+            for wrap in WRAPS {
+                for (x, y) in (-20..20).flat_map(|x| (-20..20).map(move |y| (x, y))) {
+                    let height = map.sample(wrap, centre(&map, x, y)).0;
+                    assert_eq!(
+                        height,
+                        map.texel(wrap, x, y),
+                        "{w} x {h} {wrap:?} ({x}, {y})"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn wrapping_equals_a_map_laid_out_by_hand() {
+        for (w, h) in [(1, 1), (1, 5), (5, 1), (3, 4)] {
+            let map = &map(w, h);
+            let [w, h] = [i64::from(w), i64::from(h)];
+            for wrap in WRAPS {
+                // Five copies along one axis as the words of the modes say; the map proper is the third.
+                let line = |n: i64| -> Vec<i64> {
+                    let there: Vec<i64> = (0..n).collect();
+                    let back: Vec<i64> = (0..n).rev().collect();
+                    let [first, last] = [0, n - 1].map(|i| vec![i; there.len()]);
+                    match wrap {
+                        Wrap::Repeat => [&*there, &there, &there, &there, &there].concat(),
+                        Wrap::Mirror => [&*there, &back, &there, &back, &there].concat(),
+                        Wrap::Clamp => [&*first, &first, &there, &last, &last].concat(),
+                    }
+                };
+                let (columns, rows) = (line(w), line(h));
+                let wide: Vec<f32> = rows
+                    .iter()
+                    .flat_map(|y| {
+                        columns
+                            .iter()
+                            .map(move |x| map.texels[(y * w + x) as usize])
+                    })
+                    .collect();
+                let size = [columns.len() as u32, rows.len() as u32];
+                let wide = OffsetMap::new(size, wide).expect("finite heights");
+                for i in 0..2000 {
+                    let at = DVec2::new(f64::from(i) * 0.618, f64::from(i) * 0.414).fract();
+                    // Texels from the low corner of the laid-out map, half a texel off its border.
+                    let extent = DVec2::new(f64::from(size[0]), f64::from(size[1]));
+                    let texels = 0.5 + at * (extent - 1.0);
+                    let own = DVec2::new(w as f64, h as f64);
+                    let here = map.sample(wrap, (texels - 2.0 * own) / own);
+                    let laid_out = wide.sample(Wrap::Clamp, texels / extent);
+                    let error = (here.0 - laid_out.0).abs();
+                    assert!(error < 1e-11, "{w} x {h} {wrap:?} at {texels}: {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_gradient_is_the_slope_of_the_height() {
+        let map = map(5, 7);
+        for wrap in WRAPS {
+            for i in 0..500 {
+                let t = DVec2::new(f64::from(i) * 0.0137 - 2.0, f64::from(i) * 0.0091 - 1.0);
+                let fraction = (t * DVec2::new(5.0, 7.0) - 0.5).fract().abs();
+                if (fraction - 0.5).abs().max_element() > 0.499 {
+                    continue;
+                }
+                let step = 1e-7;
+                let slope = |d: DVec2| {
+                    (map.sample(wrap, t + d * step).0 - map.sample(wrap, t - d * step).0)
+                        / (2.0 * step)
+                };
+                let gradient = map.sample(wrap, t).1;
+                let error = (gradient - DVec2::new(slope(DVec2::X), slope(DVec2::Y))).length();
+                assert!(error < 1e-5, "{wrap:?} at {t}: off by {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_address_is_too_far() {
+        let map = map(3, 2);
+        for far in [1e18, 1e19, 1e300, -1e19, -1e300] {
+            for wrap in WRAPS {
+                let height = map.sample(wrap, DVec2::splat(far)).0;
+                let [lo, hi] = map.range().map(f64::from);
+                assert!(
+                    (lo..=hi).contains(&height),
+                    "{height} at {far} with {wrap:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_map_is_refused_by_its_texel() {
+        for (texel, told) in [
+            (f32::NAN, "(1, 2) is NaN"),
+            (f32::NEG_INFINITY, "(1, 2) is -inf"),
+        ] {
+            let mut texels = vec![0.0; 9];
+            texels[7] = texel;
+            let reason = OffsetMap::new([3, 3], texels).expect_err("not finite");
+            assert!(reason.contains(told), "{reason}");
+        }
+        assert!(OffsetMap::new([0, 4], vec![]).is_err(), "no texels");
+        assert!(
+            OffsetMap::new([2, 2], vec![0.0; 3]).is_err(),
+            "a texel is missing"
+        );
+        let map = OffsetMap::new([2, 1], vec![1e-40, 0.5]).expect("denormals are taken as 0");
+        assert_eq!(map.texels, [0.0, 0.5], "denormal heights");
     }
 }

@@ -1,0 +1,309 @@
+//! Typed reading of TOML, with errors that name the file, the line and the key.
+//!
+//! Values are taken one by one, and a table states the keys it knows when it is opened: an unknown key is an error there
+//! and then, with the nearest known one. Derived deserialisation would report neither the path of a key nor a mend.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::error::{Error, Result, did_you_mean};
+
+/// The text of a file, for finding lines.
+pub(super) struct Source<'a> {
+    pub(super) path: &'a Path,
+    pub(super) text: &'a str,
+}
+
+impl Source<'_> {
+    /// Line of a byte, from 1.
+    pub(super) fn line(&self, at: usize) -> usize {
+        let before = &self.text.as_bytes()[..at.min(self.text.len())];
+        1 + before.iter().filter(|b| **b == b'\n').count()
+    }
+}
+
+/// A value, where it stands and what its key is.
+#[derive(Clone)]
+pub(super) struct Entry<'a> {
+    source: &'a Source<'a>,
+    /// Dotted path, as keys of animations write it.
+    pub(super) key: String,
+    at: usize,
+    value: &'a DeValue<'a>,
+}
+
+/// A table whose keys are all known.
+pub(super) struct Table<'a> {
+    /// The table as a value.
+    pub(super) entry: Entry<'a>,
+    entries: &'a DeTable<'a>,
+}
+
+impl<'a> Entry<'a> {
+    pub(super) fn fault(&self, what: impl Display, mend: impl Into<String>) -> Error {
+        let what = format!("`{}`: {what}", self.key);
+        Error::file_line(self.source.path, self.source.line(self.at), what, mend)
+    }
+
+    /// An error from elsewhere, placed at this value. Errors about other files already name their place.
+    pub(super) fn place(&self, error: Error) -> Error {
+        match error {
+            Error::Input {
+                culprit,
+                what,
+                mend,
+            } => self.fault(format_args!("{culprit}: {what}"), mend),
+            other => other,
+        }
+    }
+
+    fn found(&self) -> String {
+        match self.value {
+            DeValue::String(s) => format!("the text {s:?}"),
+            DeValue::Integer(i) => format!("the number {i}"),
+            DeValue::Float(f) => format!("the number {f}"),
+            DeValue::Boolean(b) => format!("{b}"),
+            DeValue::Datetime(d) => format!("the date {d}"),
+            DeValue::Array(a) => format!("a list of {}", a.len()),
+            DeValue::Table(_) => "a table".into(),
+        }
+    }
+
+    fn expected(&self, expected: &str, example: &str) -> Error {
+        let what = format!("it must be {expected}, but is {}", self.found());
+        self.fault(
+            what,
+            format!("write for example `{} = {example}`", self.last_key()),
+        )
+    }
+
+    fn last_key(&self) -> &str {
+        let mut keys = self.key.rsplit('.');
+        keys.find(|k| k.parse::<usize>().is_err())
+            .unwrap_or(&self.key)
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self) -> Result<f64> {
+        let value = match self.value {
+            DeValue::Float(f) => f.as_str().parse().ok(),
+            DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix())
+                .ok()
+                .map(|i| i as f64),
+            _ => None,
+        };
+        value
+            .filter(|v: &f64| v.is_finite())
+            .ok_or_else(|| self.expected("a finite number", "1.5"))
+    }
+
+    /// A number above zero.
+    pub(super) fn positive(&self) -> Result<f64> {
+        let value = self.number()?;
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(self.expected("a number above 0", "1.5"))
+        }
+    }
+
+    /// A whole number that fits.
+    pub(super) fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
+        let value = match self.value {
+            DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix()).ok(),
+            _ => None,
+        };
+        value
+            .and_then(|v| T::try_from(v).ok())
+            .ok_or_else(|| self.expected("a whole number in range", "1"))
+    }
+
+    /// Text.
+    pub(super) fn text(&self) -> Result<&'a str> {
+        match self.value {
+            DeValue::String(s) => Ok(s),
+            _ => Err(self.expected("text in quotes", "\"text\"")),
+        }
+    }
+
+    /// `true` or `false`.
+    pub(super) fn flag(&self) -> Result<bool> {
+        match self.value {
+            DeValue::Boolean(b) => Ok(*b),
+            _ => Err(self.expected("true or false", "true")),
+        }
+    }
+
+    /// One of some words.
+    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
+        let word = self.text()?;
+        choices
+            .iter()
+            .find(|(name, _)| *name == word)
+            .map(|(_, value)| *value)
+            .ok_or_else(|| {
+                let mend = did_you_mean(word, choices.iter().map(|(name, _)| *name));
+                self.fault(format_args!("{word:?} is no choice"), mend)
+            })
+    }
+
+    /// The elements of a list.
+    pub(super) fn list(&self) -> Result<Vec<Self>> {
+        let DeValue::Array(array) = self.value else {
+            return Err(self.expected("a list", "[ ... ]"));
+        };
+        let element = |(i, value): (usize, &'a toml::Spanned<DeValue<'a>>)| Self {
+            source: self.source,
+            key: format!("{}.{i}", self.key),
+            at: value.span().start,
+            value: value.get_ref(),
+        };
+        Ok(array.iter().enumerate().map(element).collect())
+    }
+
+    /// A list of `N` finite numbers.
+    pub(super) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
+        let elements = match self.value {
+            DeValue::Array(a) if a.len() == N => self.list()?,
+            _ => {
+                let example = format!("[{}]", ["1"; N].join(", "));
+                return Err(self.expected(&format!("a list of {N} numbers"), &example));
+            }
+        };
+        let mut vector = [0.0; N];
+        for (slot, element) in vector.iter_mut().zip(&elements) {
+            *slot = element.number()?;
+        }
+        Ok(vector)
+    }
+
+    /// A number, or a list of numbers.
+    pub(super) fn numbers(&self) -> Result<Vec<f64>> {
+        match self.value {
+            DeValue::Array(_) => self.list()?.iter().map(Self::number).collect(),
+            _ => Ok(vec![self.number()?]),
+        }
+    }
+
+    /// Texts of a list.
+    pub(super) fn texts(&self) -> Result<Vec<String>> {
+        match self.value {
+            DeValue::Array(_) => self
+                .list()?
+                .iter()
+                .map(|e| e.text().map(str::to_owned))
+                .collect(),
+            _ => Err(self.expected("a list of texts", "[\"*\"]")),
+        }
+    }
+
+    /// Whether the value is text: some keys take a number or text with a unit.
+    pub(super) fn is_text(&self) -> bool {
+        matches!(self.value, DeValue::String(_))
+    }
+
+    /// Whether the value is a list.
+    pub(super) fn is_list(&self) -> bool {
+        matches!(self.value, DeValue::Array(_))
+    }
+
+    /// The table, if all its keys are among `known`.
+    pub(super) fn table(&self, known: &[&str]) -> Result<Table<'a>> {
+        let table = self.open_table()?;
+        for (key, value) in table.entries {
+            if !known.contains(&key.get_ref().as_ref()) {
+                let stray = Entry {
+                    source: self.source,
+                    key: self.below(key.get_ref()),
+                    at: key.span().start,
+                    value: value.get_ref(),
+                };
+                let mend = did_you_mean(key.get_ref(), known.iter().copied());
+                return Err(stray.fault("there is no such key here", mend));
+            }
+        }
+        Ok(table)
+    }
+
+    /// The table, whose keys are names of the user.
+    pub(super) fn open_table(&self) -> Result<Table<'a>> {
+        match self.value {
+            DeValue::Table(entries) => Ok(Table {
+                entry: self.clone(),
+                entries,
+            }),
+            _ => Err(self.expected("a table", "{ key = value }")),
+        }
+    }
+
+    /// The same value under the name it gives itself, so that errors and animation keys speak of `cut.front`, not `cut.0`.
+    pub(super) fn named(mut self) -> Self {
+        if let DeValue::Table(entries) = self.value
+            && let Some(DeValue::String(name)) = entries.get("name").map(toml::Spanned::get_ref)
+            && let Some((list, _)) = self.key.rsplit_once('.')
+        {
+            self.key = format!("{list}.{name}");
+        }
+        self
+    }
+
+    fn below(&self, key: &str) -> String {
+        if self.key.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.key)
+        }
+    }
+}
+
+impl<'a> Table<'a> {
+    /// The whole file.
+    pub(super) fn of_file(
+        source: &'a Source<'a>,
+        root: &'a DeValue<'a>,
+        known: &[&str],
+    ) -> Result<Self> {
+        let entry = Entry {
+            source,
+            key: String::new(),
+            at: 0,
+            value: root,
+        };
+        entry.table(known)
+    }
+
+    /// The value of a key, if it is there.
+    pub(super) fn get(&self, key: &str) -> Option<Entry<'a>> {
+        let (key, value) = self.entries.get_key_value(key)?;
+        Some(Entry {
+            source: self.entry.source,
+            key: self.entry.below(key.get_ref()),
+            at: key.span().start,
+            value: value.get_ref(),
+        })
+    }
+
+    /// The value of a key that has to be there.
+    pub(super) fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
+        self.get(key).ok_or_else(|| {
+            let mend = format!("add for example `{key} = {example}`");
+            self.entry.fault(format_args!("it has no `{key}`"), mend)
+        })
+    }
+
+    /// All values with their keys, by name.
+    pub(super) fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
+        let keys = self.entries.keys().map(|k| k.get_ref().as_ref());
+        keys.filter_map(|key| self.get(key).map(|entry| (key, entry)))
+    }
+
+    /// The tables of a list `[[key]]`; none if the key is missing.
+    pub(super) fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
+        match self.get(key) {
+            Some(entry) => Ok(entry.list()?.into_iter().map(Entry::named).collect()),
+            None => Ok(Vec::new()),
+        }
+    }
+}
