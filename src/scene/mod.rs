@@ -13,6 +13,7 @@ mod mesh;
 mod offset_map;
 mod part;
 mod prepared;
+pub mod shapes;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
