@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use cutaway::scene::Mesh;
 use cutaway::scene::shapes::{SHAPES, shape};
+use glam::DVec3;
 
 /// Vertices - edges + faces of a closed surface on which every edge is passed once in either direction; else what is
 /// wrong. No shape here needs the weaker rule that lets four faces share an edge.
@@ -32,12 +33,45 @@ fn euler(mesh: &Mesh) -> Result<i64, String> {
     if used.len() != mesh.positions.len() {
         return Err("some positions belong to no triangle".into());
     }
-    let count = |n: usize| i64::try_from(n).unwrap();
-    Ok(count(used.len()) - count(directed.len() / 2) + count(mesh.triangles.len()))
+    Ok(used.len() as i64 - directed.len() as i64 / 2 + mesh.triangles.len() as i64)
+}
+
+/// How many of some random chords through a mesh enter it where they are inside already, or leave it outside.
+fn wrong_chords(mesh: &Mesh) -> usize {
+    let bounds = mesh.bounds();
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut point = || bounds.min + bounds.size() * DVec3::from_array([(); 3].map(|()| random()));
+    (0..100)
+        .filter(|_| {
+            let (origin, towards) = (point(), point());
+            let along = towards - origin;
+            let mut crossings: Vec<(f64, bool)> = (0..mesh.triangles.len())
+                .filter_map(|t| {
+                    let [a, b, c] = mesh.corners(t).map(|p| p - origin);
+                    let sides = [b.cross(a), c.cross(b), a.cross(c)].map(|n| n.dot(along) > 0.0);
+                    let normal = (b - a).cross(c - a);
+                    let hit = sides == [true; 3] || sides == [false; 3];
+                    hit.then(|| (normal.dot(a) / normal.dot(along), normal.dot(along) < 0.0))
+                })
+                .collect();
+            crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let entries = crossings.iter().map(|(_, enters)| *enters);
+            !crossings.len().is_multiple_of(2)
+                || entries
+                    .enumerate()
+                    .any(|(i, enters)| enters != i.is_multiple_of(2))
+        })
+        .count()
 }
 
 fn only(spec: &str) -> Mesh {
-    let parts = shape(spec).unwrap();
+    let parts = shape(spec).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(parts.len(), 1, "{spec} has several parts");
     (*parts[0].mesh).clone()
 }
@@ -115,6 +149,29 @@ fn every_part_is_closed_oriented_and_of_the_right_genus() {
             assert!(part.mesh.volume() > 0.0, "{spec}: {}", part.name);
         }
     }
+}
+
+#[test]
+fn no_part_overlaps_itself() {
+    for spec in [
+        "crank",
+        "crank?detail=16",
+        "crank?throws=3&detail=50",
+        "gears",
+        "knot",
+        "knot?p=3&q=5&tube=0.05",
+        "conduit?angle=250&segments=3&leg=0.1",
+        "conduit?angle=300&leg=0.05",
+        "sponge",
+        "comb",
+        "shells",
+    ] {
+        for part in shape(spec).unwrap() {
+            assert_eq!(wrong_chords(&part.mesh), 0, "{spec}: {}", part.name);
+        }
+    }
+    let overlapping = wrong_chords(&only("shells?flip_inner=0"));
+    assert!(overlapping > 10, "control: {overlapping} of 100 chords");
 }
 
 #[test]

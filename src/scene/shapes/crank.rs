@@ -31,7 +31,7 @@ pub(super) const CRANK: ShapeInfo = ShapeInfo {
             [16, 1600],
         ),
     ],
-    triangles: |v| 2.0 * (v.real("throws") + 1.0) * v.real("detail").powi(2),
+    triangles: |v| 2.0 * (v.real("throws") + 1.0) * (v.real("detail").powi(2) + 600.0),
     build: |v| {
         let crank = crank(v.count("throws"), v.count("detail"));
         let half = crank.length * 0.5;
@@ -246,6 +246,14 @@ mod tests {
                 "{throws} throws at {detail}: {} against {slabs}",
                 mesh.volume()
             );
+        }
+    }
+
+    #[test]
+    fn outlines_keep_apart_at_every_detail() {
+        for detail in 16..=64 {
+            let built = crank(1, detail).solid.mesh(|x, p| DVec3::new(x, p.x, p.y));
+            assert!(built.is_ok(), "detail {detail}: {built:?}");
         }
     }
 }

@@ -57,20 +57,17 @@ pub(super) fn fill(polygons: &[&[DVec2]], spacing: f64) -> Result<Filled> {
     }
 
     // Parity of the polygons crossed on the way in from outside decides; every face is reached once.
-    let outside = cdt.outer_face().fix();
-    let mut inside: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
-    inside[outside.index()] = Some(false);
+    let mut is_done = vec![false; cdt.num_all_faces()];
+    is_done[cdt.outer_face().fix().index()] = true;
     let mut reached: Vec<(_, bool)> = cdt
         .convex_hull()
         .map(|hull| (hull.rev(), hull.is_constraint_edge()))
         .collect();
     let mut triangles = Vec::new();
     while let Some((edge, is_inside)) = reached.pop() {
-        let slot = &mut inside[edge.face().fix().index()];
-        if slot.is_some() {
+        if std::mem::replace(&mut is_done[edge.face().fix().index()], true) {
             continue;
         }
-        *slot = Some(is_inside);
         let around = [edge, edge.next(), edge.prev()];
         if is_inside {
             triangles.push(around.map(|e| e.from().data().number));
@@ -132,4 +129,36 @@ fn lattice(polygons: &[&[DVec2]], spacing: f64) -> Vec<DVec2> {
         }
     }
     points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::{area, circle};
+    use super::*;
+
+    #[test]
+    fn a_filled_region_has_the_area_of_its_outlines() {
+        let outer = circle(DVec2::ZERO, 1.0, 90);
+        let hole = circle(DVec2::new(0.4, 0.1), 0.3, 40);
+        let island = circle(DVec2::new(0.4, 0.1), 0.1, 12);
+        let filled = fill(&[&outer, &hole, &island], 0.1).unwrap();
+        let mut points = [&outer[..], &hole[..], &island[..]].concat();
+        points.extend(&filled.added);
+        let sum: f64 = (filled.triangles.iter())
+            .map(|t| area(&t.map(|i| points[i as usize])))
+            .sum();
+        let expected = area(&outer) - area(&hole) + area(&island);
+        assert!((sum - expected).abs() < 1e-12, "{sum} against {expected}");
+        let turned = |t: &&[u32; 3]| area(&t.map(|i| points[i as usize])) <= 0.0;
+        assert_eq!(filled.triangles.iter().find(turned), None, "clockwise");
+    }
+
+    #[test]
+    fn outlines_that_cross_or_touch_are_refused() {
+        let outer = circle(DVec2::ZERO, 1.0, 16);
+        for centre in [0.5, 0.9] {
+            let hole = circle(DVec2::X * centre, 0.5, 16);
+            assert!(fill(&[&outer, &hole], 0.2).is_err(), "hole at {centre}");
+        }
+    }
 }

@@ -30,8 +30,12 @@ pub(super) const GEARS: ShapeInfo = ShapeInfo {
         ),
         Parameter::count("flank", "pieces of a tooth's flank", 8, [1, 256]),
     ],
-    // Around a tooth there are about 4 flanks' worth of corners, in six layers, and a face of twice as many at both ends.
-    triangles: |v| (v.real("wheel") + v.real("pinion")) * 70.0 * (v.real("flank") + 4.0),
+    triangles: |v| {
+        let flank = v.real("flank");
+        // Outline and bore, in six layers and at both ends; then the lattice inside the two faces.
+        let gear = |teeth: f64| teeth * (28.0 * flank + 360.0) + 10.5 * teeth * teeth + 500.0;
+        gear(v.real("wheel")) + gear(v.real("pinion"))
+    },
     build: |v| {
         let (wheel, pinion) = (v.count("wheel") as f64, v.count("pinion") as f64);
         let module = v.real("module");

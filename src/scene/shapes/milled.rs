@@ -106,6 +106,10 @@ impl Milled {
                 .collect();
             let filled = fill(&polygons, face.spacing)?;
             let station = self.rings[face.rings[0]].station;
+            debug_assert!(
+                (face.rings.iter()).all(|r| self.rings[*r].station == station),
+                "the rings of a face lie in one plane, to the last bit"
+            );
             // From the numbers of the filling to those of the mesh.
             let mut number: Vec<u32> = Vec::new();
             for ring in &face.rings {

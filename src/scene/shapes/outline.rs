@@ -1,4 +1,4 @@
-//! Closed polygons in the plane, counter-clockwise: circles, involutes and what is offset from them.
+//! Closed polygons in the plane, counter-clockwise: circles, arcs, rounded corners and insets.
 
 use std::f64::consts::TAU;
 
@@ -62,7 +62,7 @@ pub(super) fn corner_arc(
     (centre, [from, from + turn])
 }
 
-/// Twice the signed area by the shoelace formula, halved.
+/// Signed area by the shoelace formula.
 #[cfg(test)]
 pub(super) fn area(points: &[DVec2]) -> f64 {
     let n = points.len();

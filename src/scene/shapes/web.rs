@@ -82,8 +82,11 @@ pub(super) fn throw_angles(throws: usize) -> Vec<f64> {
     (0..throws)
         .map(|k| {
             let from_end = throws - 1 - k;
-            let rank = if throws % 2 == 0 { k.min(from_end) } else { k };
-            // For six and more, neighbours in the firing order would be neighbours on the shaft too; nobody minds here.
+            let rank = if throws.is_multiple_of(2) {
+                k.min(from_end)
+            } else {
+                k
+            };
             rank as f64 * step
         })
         .collect()
