@@ -1,0 +1,203 @@
+//! What can be asked of a shape, and the reading of `NAME?param=value&param=value`.
+//!
+//! Every number is checked here against its declared range, and the triangles it asks for against [`MOST_TRIANGLES`],
+//! before anything is built: a typo must cost a message, not a machine's memory.
+
+use crate::error::did_you_mean;
+use crate::scene::Part;
+use crate::{Error, Result};
+
+/// Shapes of more triangles than this are refused.
+pub const MOST_TRIANGLES: f64 = 20e6;
+
+/// A number that a shape takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// Name in a spec.
+    pub name: &'static str,
+    /// What it is, for help texts.
+    pub summary: &'static str,
+    /// Value where the spec is silent.
+    pub default: f64,
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+    /// Whether only whole numbers are allowed.
+    pub whole: bool,
+}
+
+impl Parameter {
+    /// A real number.
+    pub(super) const fn real(
+        name: &'static str,
+        summary: &'static str,
+        default: f64,
+        [min, max]: [f64; 2],
+    ) -> Self {
+        Self {
+            name,
+            summary,
+            default,
+            min,
+            max,
+            whole: false,
+        }
+    }
+
+    /// A length: anything positive that leaves f64 room to square and cube it.
+    pub(super) const fn length(name: &'static str, summary: &'static str, default: f64) -> Self {
+        Self::real(name, summary, default, [1e-9, 1e9])
+    }
+
+    /// A whole number.
+    pub(super) const fn count(
+        name: &'static str,
+        summary: &'static str,
+        default: u32,
+        [min, max]: [u32; 2],
+    ) -> Self {
+        Self {
+            name,
+            summary,
+            default: default as f64,
+            min: min as f64,
+            max: max as f64,
+            whole: true,
+        }
+    }
+
+    fn parse(&self, shape: &str, text: &str) -> Result<f64> {
+        let (min, max) = (self.min, self.max);
+        let kind = if self.whole { "whole number" } else { "number" };
+        let refuse = |what: String| {
+            Error::input(
+                format!("{shape}?{}={text}", self.name),
+                what,
+                format!("give a {kind} from {min} to {max} ({})", self.summary),
+            )
+        };
+        let value: f64 = text
+            .parse()
+            .map_err(|_| refuse(format!("`{text}` is not a number")))?;
+        if !(min..=max).contains(&value) {
+            Err(refuse(format!("{value} is out of range")))
+        } else if self.whole && value.fract() != 0.0 {
+            Err(refuse(format!("{value} is not whole")))
+        } else {
+            Ok(value)
+        }
+    }
+}
+
+/// A built-in shape: what it is, what it takes, how it is built.
+#[derive(Clone, Copy, Debug)]
+pub struct ShapeInfo {
+    /// Name in a spec.
+    pub name: &'static str,
+    /// One line for help texts.
+    pub summary: &'static str,
+    /// The numbers it takes.
+    pub parameters: &'static [Parameter],
+    /// How many triangles it will have, at most; exact for all but the crank and the gears.
+    pub(super) triangles: fn(&Values) -> f64,
+    /// The parts.
+    pub(super) build: fn(&Values) -> Result<Vec<Part>>,
+}
+
+impl ShapeInfo {
+    /// Reads `param=value&param=value` and builds the parts.
+    pub(super) fn build(&self, query: &str) -> Result<Vec<Part>> {
+        let values = self.values(query)?;
+        let triangles = (self.triangles)(&values);
+        if triangles > MOST_TRIANGLES {
+            return Err(Error::input(
+                format!("{}?{query}", self.name),
+                format!(
+                    "it would have up to {:.0} million triangles",
+                    triangles / 1e6
+                ),
+                format!(
+                    "ask for less detail: {:.0} million is the most",
+                    MOST_TRIANGLES / 1e6
+                ),
+            ));
+        }
+        (self.build)(&values)
+    }
+
+    /// The values of a query, with defaults where it is silent.
+    pub(super) fn values(&self, query: &str) -> Result<Values> {
+        let mut given: Vec<Option<f64>> = vec![None; self.parameters.len()];
+        for pair in query.split('&').filter(|p| !p.is_empty()) {
+            let (key, text) = pair.split_once('=').ok_or_else(|| {
+                let mend = format!("write `{}?{pair}=value`", self.name);
+                Error::input(format!("{}?{pair}", self.name), "it has no value", mend)
+            })?;
+            let names = self.parameters.iter().map(|p| p.name);
+            let slot = names.clone().position(|n| n == key).ok_or_else(|| {
+                Error::input(
+                    format!("{}?{key}", self.name),
+                    format!("`{}` has no parameter `{key}`", self.name),
+                    did_you_mean(key, names),
+                )
+            })?;
+            let value = self.parameters[slot].parse(self.name, text)?;
+            if given[slot].replace(value).is_some() {
+                return Err(Error::input(
+                    format!("{}?{pair}", self.name),
+                    format!("`{key}` is given twice"),
+                    "keep one of them",
+                ));
+            }
+        }
+        Ok(Values {
+            shape: self.name,
+            numbers: self
+                .parameters
+                .iter()
+                .zip(given)
+                .map(|(p, v)| (p.name, v.unwrap_or(p.default)))
+                .collect(),
+        })
+    }
+}
+
+/// The checked values of a shape's parameters.
+#[derive(Debug)]
+pub(super) struct Values {
+    shape: &'static str,
+    numbers: Vec<(&'static str, f64)>,
+}
+
+impl Values {
+    /// The value of a declared parameter.
+    pub(super) fn real(&self, name: &str) -> f64 {
+        let found = self.numbers.iter().find(|(n, _)| *n == name);
+        found.map_or_else(
+            || unreachable!("shape `{}` reads `{name}` undeclared", self.shape),
+            |(_, v)| *v,
+        )
+    }
+
+    /// The value of a declared whole number.
+    pub(super) fn count(&self, name: &str) -> usize {
+        self.real(name) as usize
+    }
+
+    /// Refuses values that are in range one by one but make no sense together.
+    pub(super) fn require(&self, holds: bool, names: &str, mend: impl Into<String>) -> Result<()> {
+        if holds {
+            return Ok(());
+        }
+        let listed: Vec<String> = names
+            .split(' ')
+            .map(|n| format!("{n}={}", self.real(n)))
+            .collect();
+        Err(Error::input(
+            format!("{}?{}", self.shape, listed.join("&")),
+            "these values contradict each other",
+            mend,
+        ))
+    }
+}
