@@ -12,6 +12,7 @@
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
 //! but [`scene`] and the [`layers`]. A test holds this map against the source.
 
+pub mod compare;
 pub mod error;
 pub mod exact;
 pub mod gpu;

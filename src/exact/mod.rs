@@ -1,1 +1,404 @@
-//! The exact reference.
+//! The exact reference: what every pixel shows, in f64, from the definition alone.
+//!
+//! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
+//! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
+//! leaves the removed region. This module lists every crossing of the ray with every triangle ([`raster`]) and with every
+//! clip-surface ([`clip`], [`relief`]), walks them in order ([`walk`]), and says which answers hang on less than a picture
+//! can tell ([`ambiguity`]). It shares no algorithm with the strategies it judges.
+//!
+//! *Inside* is even-odd. The crossings of the whole line count, behind the eye too: inside at the near plane is an odd
+//! number before it. An open part has pixels with an odd number in all; they are marked ([`Exact::odd_parity`]) and drawn
+//! as if the line started outside.
+//!
+//! Cost: time and memory of the crossings, plus one step per texel border within the relief's slab between the first and
+//! the last crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
+
+mod ambiguity;
+mod clip;
+mod outline;
+mod raster;
+mod relief;
+mod screen;
+mod shading;
+mod walk;
+
+use glam::DVec2;
+use rayon::prelude::*;
+
+use self::ambiguity::{Case, Scratch};
+use self::clip::{Clip, Graze, Ray, Root};
+use self::outline::{Brush, Outline};
+use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
+use self::walk::{Cause, Event, Sight, State, by_depth, walk};
+use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
+use crate::scene::{Prepared, View};
+
+/// The right answer for every pixel of a view, rows from the top.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    /// What each pixel shows.
+    pub layers: Layers,
+    /// Whether sampling itself is ambiguous there: within 1/256 px of an outline, or two events too close to order.
+    pub undecided: Vec<bool>,
+    /// Whether some part has an odd number of crossings along the whole line: it is open there.
+    pub odd_parity: Vec<bool>,
+}
+
+impl Exact {
+    /// Number of pixels that do not show the background.
+    pub fn covered_px(&self) -> usize {
+        self.layers.pixels.len() - self.layers.count(Kind::Background)
+    }
+
+    /// Number of undecided pixels.
+    pub fn undecided_px(&self) -> usize {
+        self.undecided.iter().filter(|u| **u).count()
+    }
+
+    /// Undecided pixels per covered pixel; 0 where nothing is covered and nothing undecided.
+    pub fn undecided_share(&self) -> f64 {
+        self.undecided_px() as f64 / (self.covered_px().max(1)) as f64
+    }
+}
+
+/// Evaluates a scene for a view.
+pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
+    let [width, height] = view.size_px;
+    let scene = Lines::of(prepared, view);
+    let mut exact = Exact {
+        layers: Layers::background(view.size_px),
+        undecided: vec![false; width as usize * height as usize],
+        odd_parity: vec![false; width as usize * height as usize],
+    };
+    let band_pixels = (width * BAND_ROWS) as usize;
+    exact
+        .layers
+        .pixels
+        .par_chunks_mut(band_pixels)
+        .zip(exact.undecided.par_chunks_mut(band_pixels))
+        .zip(exact.odd_parity.par_chunks_mut(band_pixels))
+        .enumerate()
+        .for_each(|(band, ((layers, undecided), odd))| {
+            scene.band(band, |pixel, answer| {
+                layers[pixel] = answer.layer;
+                undecided[pixel] = answer.undecided;
+                odd[pixel] = answer.layer.unreliable;
+            });
+        });
+    exact
+}
+
+/// A scene sorted into bands of rows.
+struct Lines<'a> {
+    prepared: &'a Prepared,
+    view: &'a View,
+    parts: Vec<Projected<'a>>,
+    clips: Vec<Clip>,
+    triangles: Bands,
+    outlines: Vec<Vec<Outline>>,
+    outline_bands: Bands,
+}
+
+struct Answer {
+    layer: Layer,
+    undecided: bool,
+}
+
+/// How far before the first and behind the last crossing clip-surfaces are looked for, in pixels of that depth: events
+/// farther away than this are never too close to order.
+const PAD_PX: f64 = 4.0;
+
+impl<'a> Lines<'a> {
+    fn of(prepared: &'a Prepared, view: &'a View) -> Self {
+        let parts: Vec<Projected<'a>> = prepared
+            .parts
+            .iter()
+            .map(|p| Projected::of(view, p))
+            .collect();
+        let triangle_rows: Vec<_> = parts.iter().map(|p| raster::rows_of(view, p)).collect();
+        let outlines: Vec<Vec<Outline>> = parts
+            .par_iter()
+            .enumerate()
+            .map(|(rank, p)| outline::outlines(view, rank as u16, p))
+            .collect();
+        let outline_rows: Vec<Vec<_>> = outlines
+            .iter()
+            .map(|all| all.iter().map(|o| o.rows(view)).collect())
+            .collect();
+        let radius = prepared
+            .bounds
+            .corners()
+            .map(|c| c.length())
+            .into_iter()
+            .fold(0.0, f64::max);
+        Self {
+            prepared,
+            view,
+            clips: prepared
+                .surfaces
+                .iter()
+                .enumerate()
+                .map(|(i, s)| Clip::of(i as u16, s, radius))
+                .collect(),
+            triangles: Bands::of(view.size_px[1], &triangle_rows),
+            outline_bands: Bands::of(view.size_px[1], &outline_rows),
+            parts,
+            outlines,
+        }
+    }
+
+    /// Answers for the pixels of a band that are anything but plain background.
+    fn band(&self, band: usize, mut answer: impl FnMut(usize, Answer)) {
+        let [width, height] = self.view.size_px;
+        let first_row = band as u32 * BAND_ROWS;
+        let rows = [first_row, (first_row + BAND_ROWS).min(height)];
+        let pixels = (rows[1] - rows[0]) as usize * width as usize;
+        let (crossings, starts) =
+            raster::crossings_of_band(self.view, &self.parts, self.triangles.items(band), rows);
+        let mut brushes = Vec::new();
+        for (rank, index) in self.outline_bands.items(band) {
+            self.outlines[*rank as usize][*index as usize].brush(self.view, rows, &mut brushes);
+        }
+        let (brushes, brush_starts) = raster::sort_by_pixel(&brushes, pixels, |b| b.pixel);
+        let mut bench = Bench::of(self.prepared);
+        for pixel in 0..pixels {
+            let crossings = &crossings[starts[pixel]..starts[pixel + 1]];
+            let brushes = &brushes[brush_starts[pixel]..brush_starts[pixel + 1]];
+            if crossings.is_empty() && brushes.is_empty() {
+                continue;
+            }
+            let at = DVec2::new(
+                (pixel as u32 % width) as f64 + 0.5,
+                f64::from(first_row + pixel as u32 / width) + 0.5,
+            );
+            answer(pixel, self.pixel(at, crossings, brushes, &mut bench));
+        }
+    }
+
+    fn pixel(&self, at: DVec2, found: &[Crossing], brushes: &[Brush], bench: &mut Bench) -> Answer {
+        let (prepared, view) = (self.prepared, self.view);
+        let ray = Ray::through(view, at);
+        // From a little before the near plane, so that an event just before it is known to be close.
+        let slack = self.pad(view.near);
+        let before_near = view.near
+            - if view.orthographic {
+                slack
+            } else {
+                slack.min(0.5 * view.near)
+            };
+        let odd = bench.sort_crossings(found, brushes, before_near);
+        let depths = (bench.crossings.iter().map(|c| c.depth))
+            .chain(brushes.iter().map(|b| b.depth))
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], d| {
+                [lo.min(d), hi.max(d)]
+            });
+        let mut layer = Layer {
+            unreliable: odd,
+            depth: f64::INFINITY,
+            ..Layer::default()
+        };
+        if depths[0] > depths[1] {
+            bench.clear();
+            return Answer {
+                layer,
+                undecided: false,
+            };
+        }
+        let inside_at_near = bench.start.inside.iter().any(|i| *i);
+        let from = if inside_at_near {
+            before_near
+        } else {
+            (depths[0] - self.pad(depths[0])).max(before_near)
+        };
+        self.meet_clips(&ray, [from, depths[1] + self.pad(depths[1])], bench);
+        self.snap_coincident(&ray, bench);
+        bench.merge_events();
+        bench.state.set(&bench.start);
+        let sight = walk(
+            prepared,
+            (view.near, view.near_cap),
+            &bench.ranks,
+            &bench.events,
+            &mut bench.state,
+        );
+        if let Some(sight) = sight {
+            self.show(&ray, &sight, bench, &mut layer);
+        }
+        let case = Case {
+            prepared,
+            view,
+            parts: &self.parts,
+            ray,
+            ranks: &bench.ranks,
+            start: &bench.start,
+            events: &bench.events,
+            crossings: &bench.crossings,
+            roots: &bench.roots,
+            grazes: &bench.grazes,
+            brushes,
+            sight,
+            coincident: &bench.coincident,
+        };
+        let undecided = case.undecided(&mut bench.scratch);
+        bench.clear();
+        Answer { layer, undecided }
+    }
+
+    fn pad(&self, depth: f64) -> f64 {
+        PAD_PX * self.view.pixel_size(depth).abs()
+    }
+
+    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets.
+    fn meet_clips(&self, ray: &Ray, range: [f64; 2], bench: &mut Bench) {
+        for rank in &bench.ranks {
+            for cut in &self.prepared.parts[*rank as usize].cuts {
+                for surface in &self.prepared.cuts[*cut].surfaces {
+                    if std::mem::replace(&mut bench.met[*surface], true) {
+                        continue;
+                    }
+                    bench.start.removed[*surface] = self.clips[*surface].meet(
+                        self.view,
+                        ray,
+                        range,
+                        &mut bench.roots,
+                        &mut bench.grazes,
+                    );
+                }
+            }
+        }
+    }
+
+    /// Gives a crossing with a triangle that lies in a clip-plane the depth of the plane's root, bit for bit.
+    fn snap_coincident(&self, ray: &Ray, bench: &mut Bench) {
+        for root in &bench.roots {
+            for (index, crossing) in bench.crossings.iter_mut().enumerate() {
+                let close = (crossing.depth - root.depth).abs()
+                    <= ambiguity::rounding(self.view, root.depth)
+                        + root.depth_change(self.view, ray);
+                if !close {
+                    continue;
+                }
+                let points = self.parts[crossing.rank as usize]
+                    .facet(crossing.triangle)
+                    .points;
+                if self.clips[root.surface as usize].holds(points) {
+                    crossing.depth = root.depth;
+                    bench.coincident.push((index as u32, root.surface));
+                }
+            }
+        }
+    }
+
+    /// Fills in what is seen.
+    fn show(&self, ray: &Ray, sight: &Sight, bench: &Bench, layer: &mut Layer) {
+        layer.part = self.prepared.parts[sight.rank as usize].part as u16;
+        layer.depth = sight.depth;
+        match sight.event.map(|e| (e.cause, e.source as usize)) {
+            None => {
+                layer.kind = Kind::Cap;
+                layer.clip_surface = NEAR_PLANE;
+                layer.normal = (-self.view.forward).as_vec3();
+            }
+            Some((Cause::Clip { surface, .. }, source)) => {
+                layer.kind = Kind::Cap;
+                layer.clip_surface = surface as u8;
+                layer.normal = shading::cap_normal(&bench.roots[source]);
+            }
+            Some((Cause::Mesh(_), source)) => {
+                let crossing = &bench.crossings[source];
+                layer.kind = Kind::Surface;
+                layer.back_face = crossing.back_face;
+                let point = ray.origin + ray.direction * sight.depth;
+                let part = &self.parts[sight.rank as usize];
+                layer.normal = shading::surface_normal(part, crossing, point);
+            }
+        }
+    }
+}
+
+/// What one ray is worked out on; reused from ray to ray.
+struct Bench {
+    crossings: Vec<Crossing>,
+    roots: Vec<Root>,
+    grazes: Vec<Graze>,
+    events: Vec<Event>,
+    /// Ranks of the parts the ray meets or almost meets, in order.
+    ranks: Vec<u16>,
+    /// Per surface: its roots are listed.
+    met: Vec<bool>,
+    coincident: Vec<(u32, u16)>,
+    start: State,
+    state: State,
+    scratch: Scratch,
+    /// Per rank: odd number of crossings along the whole line.
+    odd: Vec<bool>,
+}
+
+impl Bench {
+    fn of(prepared: &Prepared) -> Self {
+        Self {
+            crossings: Vec::new(),
+            roots: Vec::new(),
+            grazes: Vec::new(),
+            events: Vec::new(),
+            ranks: Vec::new(),
+            met: vec![false; prepared.surfaces.len()],
+            coincident: Vec::new(),
+            start: State::of(prepared),
+            state: State::of(prepared),
+            scratch: Scratch::of(prepared),
+            odd: vec![false; prepared.parts.len()],
+        }
+    }
+
+    /// Takes the crossings beyond a depth, counts those before it, and tells whether some part is open.
+    fn sort_crossings(&mut self, found: &[Crossing], brushes: &[Brush], from: f64) -> bool {
+        self.ranks.extend(found.iter().map(|c| c.rank));
+        self.ranks.extend(brushes.iter().map(|b| b.rank));
+        self.ranks.sort_unstable();
+        self.ranks.dedup();
+        for crossing in found {
+            let rank = crossing.rank as usize;
+            self.odd[rank] ^= true;
+            if crossing.depth > from {
+                self.crossings.push(*crossing);
+            } else {
+                self.start.inside[rank] ^= true;
+            }
+        }
+        self.ranks.iter().any(|r| self.odd[*r as usize])
+    }
+
+    fn merge_events(&mut self) {
+        self.events
+            .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
+                depth: c.depth,
+                cause: Cause::Mesh(c.rank),
+                source: i as u32,
+            }));
+        self.events
+            .extend(self.roots.iter().enumerate().map(|(i, r)| Event {
+                depth: r.depth,
+                cause: Cause::Clip {
+                    surface: r.surface,
+                    to_kept: r.to_kept,
+                },
+                source: i as u32,
+            }));
+        self.events.sort_unstable_by(by_depth);
+    }
+
+    fn clear(&mut self) {
+        for rank in self.ranks.drain(..) {
+            self.start.inside[rank as usize] = false;
+            self.odd[rank as usize] = false;
+        }
+        self.crossings.clear();
+        self.roots.clear();
+        self.grazes.clear();
+        self.events.clear();
+        self.coincident.clear();
+        self.met.fill(false);
+        self.start.removed.fill(false);
+    }
+}

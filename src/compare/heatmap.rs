@@ -1,0 +1,140 @@
+//! A picture of what is wrong where.
+//!
+//! Colours are those of Okabe and Ito (2008), which stay apart for all common kinds of colour blindness, over a dim grey
+//! rendering of the exact kinds. A single wrong pixel would drown in a large picture: each gets a ring of one pixel in a
+//! lighter tone of its colour, drawn only where nothing is wrong.
+
+use image::{Rgba, RgbaImage};
+
+use super::Verdict;
+use crate::exact::Exact;
+use crate::layers::{Kind, Layer, Layers};
+
+/// What a heat map tells apart, the gravest first: a pixel has the colour of the first class that fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    /// Background or a back face where there is none, and no cap is due.
+    Crack,
+    /// Exact says cap, the strategy does not.
+    MissedCap,
+    /// The strategy says cap, exact does not.
+    LeakedCap,
+    /// Kinds agree; part or clip-surface does not.
+    WrongPart,
+    /// A surface where exact has background, or the other way round.
+    Mismatch,
+    /// Right, but not vouched for by the strategy.
+    Unreliable,
+    /// Right, but sampling is ambiguous there.
+    Undecided,
+}
+
+/// A class, its colour and its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LegendEntry {
+    /// The class.
+    pub class: Class,
+    /// Its colour, sRGB.
+    pub rgb: [u8; 3],
+    /// Its name, for readers.
+    pub name: &'static str,
+}
+
+/// The classes in order, with their colours.
+pub fn legend() -> [LegendEntry; 7] {
+    let entry = |class, rgb, name| LegendEntry { class, rgb, name };
+    [
+        entry(Class::Crack, [240, 228, 66], "crack"),
+        entry(Class::MissedCap, [213, 94, 0], "missed cap"),
+        entry(Class::LeakedCap, [0, 114, 178], "leaked cap"),
+        entry(Class::WrongPart, [204, 121, 167], "wrong part"),
+        entry(Class::Mismatch, [230, 159, 0], "surface against background"),
+        entry(Class::Unreliable, [86, 180, 233], "unreliable"),
+        entry(Class::Undecided, [0, 158, 115], "undecided"),
+    ]
+}
+
+impl Class {
+    fn of(truth: &Layer, found: &Layer, undecided: bool) -> Option<Self> {
+        let verdict = Verdict::of(truth, found);
+        [
+            (verdict.crack && !verdict.missed_cap, Self::Crack),
+            (verdict.missed_cap, Self::MissedCap),
+            (verdict.leaked_cap, Self::LeakedCap),
+            (verdict.wrong_part, Self::WrongPart),
+            (verdict.wrong, Self::Mismatch),
+            (found.unreliable, Self::Unreliable),
+            (undecided, Self::Undecided),
+        ]
+        .into_iter()
+        .find_map(|(fits, class)| fits.then_some(class))
+    }
+
+    fn is_wrong(self) -> bool {
+        self < Self::Unreliable
+    }
+
+    fn rgb(self) -> [u8; 3] {
+        legend()
+            .into_iter()
+            .find(|e| e.class == self)
+            .map_or([255; 3], |e| e.rgb)
+    }
+}
+
+/// Draws where a frame differs from exact.
+///
+/// # Panics
+///
+/// If the frames differ in size.
+pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
+    assert_eq!(
+        exact.layers.size_px, layers.size_px,
+        "frames of different size cannot be compared"
+    );
+    let [width, height] = layers.size_px;
+    let index = |x: u32, y: u32| (y * width + x) as usize;
+    let class = |x: u32, y: u32| {
+        let i = index(x, y);
+        Class::of(
+            &exact.layers.pixels[i],
+            &layers.pixels[i],
+            exact.undecided[i],
+        )
+    };
+    let mut picture = RgbaImage::from_fn(width, height, |x, y| {
+        let rgb = class(x, y).map_or_else(|| ground(&exact.layers.pixels[index(x, y)]), Class::rgb);
+        opaque(rgb)
+    });
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        if class(x, y).is_some_and(Class::is_wrong) {
+            continue;
+        }
+        let neighbours = (y.saturating_sub(1)..(y + 2).min(height))
+            .flat_map(|j| (x.saturating_sub(1)..(x + 2).min(width)).map(move |i| (i, j)));
+        let worst = neighbours
+            .filter_map(|(i, j)| class(i, j))
+            .filter(|c| c.is_wrong())
+            .min();
+        if let Some(worst) = worst {
+            picture.put_pixel(x, y, opaque(worst.rgb().map(|c| c / 2 + 128)));
+        }
+    }
+    picture
+}
+
+fn opaque([r, g, b]: [u8; 3]) -> Rgba<u8> {
+    Rgba([r, g, b, 255])
+}
+
+/// Dim grey of what is right: the nearer it faces the viewer, the lighter.
+fn ground(truth: &Layer) -> [u8; 3] {
+    let [dark, light] = match truth.kind {
+        Kind::Background => return [16; 3],
+        Kind::Surface => [34.0, 70.0],
+        Kind::Cap => [70.0, 104.0],
+    };
+    // Any fixed direction will do: the ground only has to be recognised.
+    let lit = truth.normal.dot(glam::Vec3::new(0.4, 0.8, 0.45)).abs();
+    [(dark + (light - dark) * lit.min(1.0)) as u8; 3]
+}

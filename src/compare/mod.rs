@@ -1,0 +1,199 @@
+//! Layers against the exact reference: how many pixels are wrong, in which way, and by how much the others are off.
+//!
+//! # Classes
+//!
+//! A pixel is *wrong* if its kind differs from exact, or its part, or the clip-surface of a cap, or if it is a crack. Each
+//! wrong pixel is in exactly one of `interior_wrong_px` and `edge_wrong_px`. What is wrong with it is counted under
+//! every class that fits, so that each number can be read by itself:
+//!
+//! | class | exact | the strategy |
+//! |---|---|---|
+//! | missed cap | cap | anything else |
+//! | leaked cap | anything else | cap |
+//! | wrong part | surface or cap | same kind; another part, or another clip-surface |
+//! | crack | surface or cap, not a back face | background or a back face |
+//!
+//! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
+//!
+//! Errors of depth and normal are taken where the pixel is right and decided: where sampling is ambiguous, both answers
+//! are right and lie far apart.
+
+mod heatmap;
+
+pub use heatmap::{Class, LegendEntry, heatmap, legend};
+
+use serde::Serialize;
+
+use crate::exact::Exact;
+use crate::layers::{Kind, Layer, Layers};
+use crate::scene::View;
+
+/// How a frame ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Outcome {
+    /// Every pixel was worked out.
+    Complete,
+    /// A bounded buffer was too small; the pixels concerned are marked unreliable.
+    Overflowed,
+    /// The strategy does not do this, and says why.
+    Refused,
+}
+
+/// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Comparison {
+    /// Exact says cap, the strategy does not.
+    pub missed_cap_px: usize,
+    /// The strategy says cap, exact does not.
+    pub leaked_cap_px: usize,
+    /// Kinds agree; the part or, for a cap, the clip-surface does not.
+    pub wrong_part_px: usize,
+    /// Background or a back face where exact has a surface or a cap that is none.
+    pub crack_px: usize,
+    /// Wrong pixels farther than one pixel from every boundary of the exact image.
+    pub interior_wrong_px: usize,
+    /// The other wrong pixels.
+    pub edge_wrong_px: usize,
+    /// Wrong pixels that exact is sure of. An exact strategy has none.
+    pub decided_wrong_px: usize,
+    /// Pixels the strategy does not vouch for: odd crossing count, or a buffer that overflowed.
+    pub odd_parity_px: usize,
+    /// Largest error of depth in world units.
+    pub depth_error_max: f64,
+    /// Mean error of depth in world units.
+    pub depth_error_mean: f64,
+    /// Largest error of depth in edge lengths of a pixel at that depth.
+    pub depth_error_px_max: f64,
+    /// Mean error of depth in edge lengths of a pixel at that depth.
+    pub depth_error_px_mean: f64,
+    /// Largest angle between normals of caps.
+    pub normal_error_deg_max: f64,
+    /// Mean angle between normals of caps.
+    pub normal_error_deg_mean: f64,
+}
+
+impl Comparison {
+    /// All wrong pixels.
+    pub fn wrong_px(&self) -> usize {
+        self.interior_wrong_px + self.edge_wrong_px
+    }
+}
+
+/// Compares a frame with exact. `scale` is [`Prepared::scale`](crate::scene::Prepared::scale): scene units per world unit.
+///
+/// # Panics
+///
+/// If the two frames or the view differ in size: they are then no answers to the same question.
+pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Comparison {
+    assert_eq!(
+        exact.layers.size_px, layers.size_px,
+        "frames of different size cannot be compared"
+    );
+    let mut result = Comparison::default();
+    let (mut depth, mut depth_px, mut normal) =
+        (Error::default(), Error::default(), Error::default());
+    for (index, (truth, found)) in exact.layers.pixels.iter().zip(&layers.pixels).enumerate() {
+        let verdict = Verdict::of(truth, found);
+        result.missed_cap_px += usize::from(verdict.missed_cap);
+        result.leaked_cap_px += usize::from(verdict.leaked_cap);
+        result.wrong_part_px += usize::from(verdict.wrong_part);
+        result.crack_px += usize::from(verdict.crack);
+        result.odd_parity_px += usize::from(found.unreliable);
+        let decided = !exact.undecided[index];
+        if verdict.wrong {
+            let edge = near_boundary(&exact.layers, index);
+            result.edge_wrong_px += usize::from(edge);
+            result.interior_wrong_px += usize::from(!edge);
+            result.decided_wrong_px += usize::from(decided);
+        } else if decided && truth.kind != Kind::Background {
+            let off = (found.depth - truth.depth).abs();
+            depth.add(off / scale);
+            depth_px.add(off / view.pixel_size(truth.depth).abs());
+            if truth.kind == Kind::Cap {
+                normal.add(angle_deg(truth, found));
+            }
+        }
+    }
+    (result.depth_error_max, result.depth_error_mean) = (depth.max, depth.mean());
+    (result.depth_error_px_max, result.depth_error_px_mean) = (depth_px.max, depth_px.mean());
+    (result.normal_error_deg_max, result.normal_error_deg_mean) = (normal.max, normal.mean());
+    result
+}
+
+/// What is wrong with one pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Verdict {
+    missed_cap: bool,
+    leaked_cap: bool,
+    wrong_part: bool,
+    crack: bool,
+    wrong: bool,
+}
+
+impl Verdict {
+    fn of(truth: &Layer, found: &Layer) -> Self {
+        let same_kind = truth.kind == found.kind;
+        let wrong_part = same_kind && label(truth) != label(found);
+        let solid = truth.kind != Kind::Background && !truth.back_face;
+        let open = found.kind == Kind::Background || found.back_face;
+        let crack = solid && open;
+        Self {
+            missed_cap: truth.kind == Kind::Cap && !same_kind,
+            leaked_cap: found.kind == Kind::Cap && !same_kind,
+            wrong_part,
+            crack,
+            wrong: !same_kind || wrong_part || crack,
+        }
+    }
+}
+
+/// What two pixels must share to show the same thing.
+fn label(layer: &Layer) -> (Kind, u16, u8) {
+    match layer.kind {
+        Kind::Background => (Kind::Background, 0, 0),
+        Kind::Surface => (Kind::Surface, layer.part, 0),
+        Kind::Cap => (Kind::Cap, layer.part, layer.clip_surface),
+    }
+}
+
+/// Whether the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
+/// one kind, part and clip-surface.
+fn near_boundary(exact: &Layers, index: usize) -> bool {
+    let [width, height] = exact.size_px.map(|s| s as usize);
+    let (x, y) = (index % width, index / width);
+    let own = label(&exact.pixels[index]);
+    (y.saturating_sub(1)..(y + 2).min(height)).any(|j| {
+        (x.saturating_sub(1)..(x + 2).min(width))
+            .any(|i| label(&exact.pixels[j * width + i]) != own)
+    })
+}
+
+/// Angle between two normals: by the tangent of its half, which is accurate for small angles, where the cosine is not.
+fn angle_deg(truth: &Layer, found: &Layer) -> f64 {
+    let unit = |l: &Layer| l.normal.as_dvec3().normalize_or_zero();
+    let (a, b) = (unit(truth), unit(found));
+    (2.0 * (a - b).length().atan2((a + b).length())).to_degrees()
+}
+
+/// Largest and mean of some errors.
+#[derive(Default)]
+struct Error {
+    max: f64,
+    sum: f64,
+    count: usize,
+}
+
+impl Error {
+    fn add(&mut self, error: f64) {
+        // A NaN in the frame must show, not vanish in `max`.
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        self.max = self.max.max(error);
+        self.sum += error;
+        self.count += 1;
+    }
+
+    fn mean(&self) -> f64 {
+        self.sum / self.count.max(1) as f64
+    }
+}

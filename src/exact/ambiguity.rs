@@ -1,0 +1,294 @@
+//! Samples whose answer hangs on less than the picture can tell.
+//!
+//! A sample is undecided where an implementation that moves it by 1/256 px, or rounds a depth by four ulp of f32, may
+//! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
+//! their order is open, and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
+//! pair swapped, or the graze taken the other way, and only another answer, or a jump in depth, leaves the sample
+//! undecided. So does an outline where the part is not clearly removed and that is not hidden.
+//!
+//! Exact coincidence is decided: a triangle in a clip-plane is on its kept side (see [`super::walk`]), and of two parts
+//! that share a triangle the first in rank has it.
+
+use glam::DVec3;
+
+use super::clip::{Graze, Ray, Root};
+use super::outline::{Brush, NEAR_PX};
+use super::raster::{Crossing, Projected};
+use super::walk::{Cause, Event, Sight, State, by_depth, walk};
+use crate::scene::{Prepared, View};
+
+/// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
+/// depths below 1 are no better; an orthographic depth buffer has the resolution of its whole span.
+pub(super) fn rounding(view: &View, depth: f64) -> f64 {
+    let span = if view.orthographic {
+        view.far - view.near
+    } else {
+        1.0
+    };
+    4.0 * f64::from(f32::EPSILON) * depth.abs().max(span).max(1.0)
+}
+
+/// Everything known about one ray.
+pub(super) struct Case<'a> {
+    pub(super) prepared: &'a Prepared,
+    pub(super) view: &'a View,
+    pub(super) parts: &'a [Projected<'a>],
+    pub(super) ray: Ray,
+    /// Ranks of the parts it meets.
+    pub(super) ranks: &'a [u16],
+    /// State before the first event.
+    pub(super) start: &'a State,
+    /// Sorted.
+    pub(super) events: &'a [Event],
+    pub(super) crossings: &'a [Crossing],
+    pub(super) roots: &'a [Root],
+    pub(super) grazes: &'a [Graze],
+    pub(super) brushes: &'a [Brush],
+    /// The answer.
+    pub(super) sight: Option<Sight>,
+    /// Per event that is a mesh crossing: the surface its triangle lies in, if any.
+    pub(super) coincident: &'a [(u32, u16)],
+}
+
+/// Buffers of repeated walks.
+#[derive(Default)]
+pub(super) struct Scratch {
+    events: Vec<Event>,
+    state: State,
+    margins: Vec<f64>,
+}
+
+impl Scratch {
+    /// Buffers for a scene.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            state: State::of(prepared),
+            ..Self::default()
+        }
+    }
+}
+
+impl Case<'_> {
+    /// Whether the answer is open.
+    pub(super) fn undecided(&self, scratch: &mut Scratch) -> bool {
+        self.brushed()
+            || self.grazed(scratch)
+            || (!self.events.is_empty() && self.disordered(scratch))
+    }
+
+    fn seen_depth(&self) -> f64 {
+        self.sight.map_or(f64::INFINITY, |s| s.depth)
+    }
+
+    /// How far an event may move in depth.
+    fn margin(&self, event: &Event) -> f64 {
+        let change = match event.cause {
+            Cause::Mesh(rank) => {
+                let triangle = self.crossings[event.source as usize].triangle;
+                self.parts[rank as usize].facet(triangle).depth_change(
+                    self.view,
+                    self.ray.direction,
+                    event.depth,
+                    NEAR_PX,
+                )
+            }
+            Cause::Clip { .. } => {
+                self.roots[event.source as usize].depth_change(self.view, &self.ray)
+            }
+        };
+        change + rounding(self.view, event.depth)
+    }
+
+    /// An outline that is neither hidden nor clearly removed.
+    fn brushed(&self) -> bool {
+        self.brushes.iter().any(|brush| {
+            let seen = self.seen_depth();
+            let first = brush.depth - brush.margin;
+            if first > seen {
+                return false;
+            }
+            brush.odd || !self.clearly_removed(brush)
+        })
+    }
+
+    fn clearly_removed(&self, brush: &Brush) -> bool {
+        let part = &self.prepared.parts[brush.rank as usize];
+        let mut removed = self.start.removed.clone();
+        for event in self.events {
+            let Cause::Clip { surface, .. } = event.cause else {
+                continue;
+            };
+            if !part
+                .cuts
+                .contains(&self.prepared.surfaces[surface as usize].cut)
+            {
+                continue;
+            }
+            if (event.depth - brush.depth).abs() <= brush.margin + self.margin(event) {
+                return false;
+            }
+            if event.depth < brush.depth {
+                removed[surface as usize] ^= true;
+            }
+        }
+        let state = State {
+            inside: Vec::new(),
+            removed,
+        };
+        state.removes(self.prepared, brush.rank)
+    }
+
+    /// A graze that, taken the other way, changes the answer.
+    fn grazed(&self, scratch: &mut Scratch) -> bool {
+        self.grazes.iter().any(|graze| {
+            if graze.depth > self.seen_depth() + rounding(self.view, graze.depth) {
+                return false;
+            }
+            let of_surface =
+                |e: &Event| matches!(e.cause, Cause::Clip { surface, .. } if surface == graze.surface);
+            scratch.events.clear();
+            scratch.events.extend_from_slice(self.events);
+            if graze.crossed {
+                let after = self.events.partition_point(|e| e.depth <= graze.depth);
+                let before = self.events[..after].iter().rposition(of_surface);
+                let behind = self.events[after..].iter().position(of_surface);
+                let (Some(before), Some(behind)) = (before, behind) else {
+                    return false;
+                };
+                scratch.events.remove(after + behind);
+                scratch.events.remove(before);
+            } else {
+                let crossed_before = self
+                    .events
+                    .iter()
+                    .filter(|e| of_surface(e) && e.depth < graze.depth)
+                    .count();
+                let removed = self.start.removed[usize::from(graze.surface)]
+                    ^ (crossed_before % 2 == 1);
+                let step = 0.5 * rounding(self.view, graze.depth);
+                for (depth, to_kept) in [
+                    (graze.depth - step, removed),
+                    (graze.depth + step, !removed),
+                ] {
+                    scratch.events.push(Event {
+                        depth,
+                        cause: Cause::Clip {
+                            surface: graze.surface,
+                            to_kept,
+                        },
+                        source: u32::MAX,
+                    });
+                }
+                scratch.events.sort_unstable_by(by_depth);
+            }
+            self.differs(scratch, rounding(self.view, graze.depth))
+        })
+    }
+
+    /// Two events whose order is open and matters. The near plane is an event too.
+    fn disordered(&self, scratch: &mut Scratch) -> bool {
+        let mut margins = std::mem::take(&mut scratch.margins);
+        margins.clear();
+        margins.extend(self.events.iter().map(|e| self.margin(e)));
+        let widest = margins.iter().copied().fold(0.0, f64::max);
+        let seen = self.seen_depth();
+        let open = (0..self.events.len()).any(|i| {
+            let a = &self.events[i];
+            if a.depth - margins[i] > seen + widest {
+                return false;
+            }
+            if (a.depth - self.view.near).abs() <= margins[i] {
+                scratch.events.clear();
+                scratch.events.extend_from_slice(self.events);
+                // To the other side; what lies at the near plane itself counts as before it.
+                let step = rounding(self.view, a.depth);
+                scratch.events[i].depth = if a.depth > self.view.near {
+                    self.view.near
+                } else {
+                    self.view.near + step
+                };
+                if self.differs(scratch, margins[i] + step) {
+                    return true;
+                }
+            }
+            (i + 1..self.events.len())
+                .take_while(|j| self.events[*j].depth - a.depth <= margins[i] + widest)
+                .filter(|j| {
+                    let b = &self.events[*j];
+                    b.depth - a.depth <= margins[i] + margins[*j] && self.order_matters(a, b)
+                })
+                .any(|j| {
+                    scratch.events.clear();
+                    scratch.events.extend_from_slice(self.events);
+                    scratch.events[i].depth = self.events[j].depth;
+                    scratch.events[j].depth = a.depth;
+                    if a.depth == self.events[j].depth {
+                        // At one depth the tie rule decides; the other order is a hair apart.
+                        scratch.events[j].depth -= rounding(self.view, a.depth);
+                    }
+                    self.differs(scratch, margins[i] + margins[j])
+                })
+        });
+        scratch.margins = margins;
+        open
+    }
+
+    /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
+    fn order_matters(&self, a: &Event, b: &Event) -> bool {
+        let meets = |rank: u16, surface: u16| {
+            let cut = self.prepared.surfaces[surface as usize].cut;
+            self.prepared.parts[rank as usize].cuts.contains(&cut)
+        };
+        let lies_in =
+            |mesh: &Event, surface: u16| self.coincident.contains(&(mesh.source, surface));
+        match (a.cause, b.cause) {
+            (Cause::Mesh(p), Cause::Mesh(q)) => p != q && !self.share_triangle(a, b),
+            (Cause::Mesh(p), Cause::Clip { surface, .. }) => {
+                meets(p, surface) && !lies_in(a, surface)
+            }
+            (Cause::Clip { surface, .. }, Cause::Mesh(p)) => {
+                meets(p, surface) && !lies_in(b, surface)
+            }
+            (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
+                // Two surfaces that are one plane happen at once, whatever the rounding.
+                let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
+                s != t && (a.depth != b.depth || g.cross(h) != DVec3::ZERO)
+            }
+        }
+    }
+
+    fn share_triangle(&self, a: &Event, b: &Event) -> bool {
+        if a.depth != b.depth {
+            return false;
+        }
+        let points = [a, b].map(|e| {
+            let crossing = &self.crossings[e.source as usize];
+            self.parts[crossing.rank as usize]
+                .facet(crossing.triangle)
+                .points
+        });
+        points[0].iter().all(|p| points[1].contains(p))
+    }
+
+    /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
+    fn differs(&self, scratch: &mut Scratch, reach: f64) -> bool {
+        let Scratch { events, state, .. } = scratch;
+        events.sort_unstable_by(by_depth);
+        state.set(self.start);
+        let other = walk(
+            self.prepared,
+            (self.view.near, self.view.near_cap),
+            self.ranks,
+            events,
+            state,
+        );
+        match (self.sight, other) {
+            (None, None) => false,
+            (Some(a), Some(b)) => {
+                let step = rounding(self.view, a.depth);
+                a.class() != b.class() || (a.depth - b.depth).abs() > 2.0 * (reach + step)
+            }
+            _ => true,
+        }
+    }
+}

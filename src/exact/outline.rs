@@ -1,0 +1,204 @@
+//! Edges at which the number of crossings changes, and the samples that are too close to them to be decided.
+//!
+//! An edge shared by exactly two faces that lie on different sides of it in the picture is no outline: whichever of the
+//! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
+//! with more than two faces. Vertices are matched by position here, because a mesh may store one point twice.
+//!
+//! Rasterisers round vertices to 1/256 px, which moves an edge by up to 1/512 px along each axis, and f32 transforms move
+//! it by less than that again: a sample farther than [`NEAR_PX`] from every outline is hit alike by all of them.
+
+use glam::DVec2;
+use rayon::prelude::*;
+
+use super::raster::{Projected, centres, lateral};
+use super::screen::Corner;
+use crate::scene::View;
+
+/// Distance in pixels under which an edge leaves a sample undecided.
+pub(super) const NEAR_PX: f64 = 1.0 / 256.0;
+
+/// An edge that is an outline, from the near plane on.
+pub(super) struct Outline {
+    ends: [Corner; 2],
+    rank: u16,
+    odd: bool,
+    margin: f64,
+}
+
+/// A sample near an outline.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Brush {
+    /// Number of the pixel in its band.
+    pub(super) pixel: u32,
+    /// Rank of the part.
+    pub(super) rank: u16,
+    /// The edge has an odd number of faces: beyond it, parity itself changes.
+    pub(super) odd: bool,
+    /// Depth of the edge.
+    pub(super) depth: f64,
+    /// How far in depth the faces at the edge may reach within [`NEAR_PX`].
+    pub(super) margin: f64,
+}
+
+/// One face at an edge. `side` tells where the face lies in the picture: 1 and -1 are opposite, 0 is edge-on.
+struct Use {
+    key: (u32, u32),
+    triangle: u32,
+    side: i8,
+}
+
+/// The outlines of a part.
+pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec<Outline> {
+    let names = points(projected);
+    let mut uses: Vec<Use> = projected
+        .part
+        .triangles
+        .par_iter()
+        .enumerate()
+        .flat_map_iter(|(index, t)| {
+            let facing = projected.facing[index];
+            let t = t.map(|i| names[i as usize]);
+            // A triangle with two equal corners is an edge, and no face of it.
+            let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+            (0..if degenerate { 0 } else { 3 }).map(move |e| {
+                let (from, to) = (t[e], t[(e + 1) % 3]);
+                Use {
+                    key: (from.min(to), from.max(to)),
+                    triangle: index as u32,
+                    side: if from < to { facing } else { -facing },
+                }
+            })
+        })
+        .collect();
+    uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
+    uses.chunk_by(|a, b| a.key == b.key)
+        .filter(|faces| {
+            !(faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side)
+        })
+        .filter_map(|faces| {
+            let (from, to) = faces[0].key;
+            let [a, b] = [from, to].map(|i| projected.corners[i as usize]);
+            let ends = beyond(view.near, a, b)?;
+            let margin = faces
+                .iter()
+                .map(|f| reach(view, projected, f.triangle))
+                .fold(0.0, f64::max);
+            Some(Outline {
+                ends,
+                rank,
+                odd: faces.len() % 2 == 1,
+                margin,
+            })
+        })
+        .collect()
+}
+
+/// For each vertex, the first vertex at the same position.
+fn points(projected: &Projected<'_>) -> Vec<u32> {
+    let positions = &projected.part.positions;
+    // Adding 0 turns -0 into 0.
+    let bits = |i: u32| {
+        positions[i as usize]
+            .to_array()
+            .map(|c| (c + 0.0).to_bits())
+    };
+    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
+    order.par_sort_unstable_by_key(|i| (bits(*i), *i));
+    let mut names = vec![0; positions.len()];
+    let mut first = 0;
+    for (i, vertex) in order.iter().enumerate() {
+        if i == 0 || bits(first) != bits(*vertex) {
+            first = *vertex;
+        }
+        names[*vertex as usize] = first;
+    }
+    names
+}
+
+/// How much depth changes over a face within [`NEAR_PX`].
+fn reach(view: &View, projected: &Projected<'_>, triangle: u32) -> f64 {
+    let facet = projected.facet(triangle);
+    let centre = (facet.points[0] + facet.points[1] + facet.points[2]) / 3.0;
+    let depth = (centre - view.eye).dot(view.forward);
+    let direction = if view.orthographic {
+        view.forward
+    } else {
+        (centre - view.eye) / depth
+    };
+    facet.depth_change(view, direction, depth, NEAR_PX)
+}
+
+/// The piece of an edge beyond a depth.
+fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
+    let cut = |a: &Corner, b: &Corner| a.lerp(b, (near - a.depth) / (b.depth - a.depth));
+    match (a.depth > near, b.depth > near) {
+        (true, true) => Some([a, b]),
+        (true, false) => Some([a, cut(&a, &b)]),
+        (false, true) => Some([cut(&a, &b), b]),
+        (false, false) => None,
+    }
+}
+
+impl Outline {
+    /// Rows whose samples may be near.
+    pub(super) fn rows(&self, view: &View) -> Option<[u32; 2]> {
+        let [a, b] = self.ends.map(|e| e.pixel());
+        centres(a.x.min(b.x), a.x.max(b.x), NEAR_PX, view.size_px[0])?;
+        centres(a.y.min(b.y), a.y.max(b.y), NEAR_PX, view.size_px[1])
+    }
+
+    /// Lists the samples of a band that are near.
+    pub(super) fn brush(
+        &self,
+        view: &View,
+        [first_row, end_row]: [u32; 2],
+        found: &mut Vec<Brush>,
+    ) {
+        let [a, b] = self.ends.map(|e| e.pixel());
+        let Some([lo, hi]) = centres(a.y.min(b.y), a.y.max(b.y), NEAR_PX, view.size_px[1]) else {
+            return;
+        };
+        let along = b - a;
+        for row in lo.max(first_row)..(hi + 1).min(end_row) {
+            let y = f64::from(row) + 0.5;
+            let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
+            // The piece of the edge that passes this row; all of it when it runs along the row.
+            let (from, to) = if along.y.abs() > NEAR_PX {
+                (share(y - NEAR_PX), share(y + NEAR_PX))
+            } else {
+                (0.0, 1.0)
+            };
+            let (x0, x1) = (a.x + along.x * from, a.x + along.x * to);
+            let Some([left, right]) = centres(x0.min(x1), x0.max(x1), NEAR_PX, view.size_px[0])
+            else {
+                continue;
+            };
+            for column in left..=right {
+                let at = DVec2::new(f64::from(column) + 0.5, y);
+                let t = (at - a).dot(along) / along.length_squared();
+                let t = if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
+                if (a + along * t).distance_squared(at) > NEAR_PX * NEAR_PX {
+                    continue;
+                }
+                let [za, zb] = self.ends.map(|e| e.depth);
+                let depth = if view.orthographic {
+                    za + (zb - za) * t
+                } else {
+                    1.0 / ((1.0 - t) / za + t / zb)
+                };
+                found.push(Brush {
+                    pixel: (row - first_row) * view.size_px[0] + column,
+                    rank: self.rank,
+                    odd: self.odd,
+                    depth,
+                    margin: self.margin + super::ambiguity::rounding(view, depth),
+                });
+            }
+        }
+    }
+}
+
+/// Length of a vector's part in the picture, per pixel at a depth.
+pub(super) fn change_per_px(view: &View, gradient: glam::DVec3, depth: f64) -> f64 {
+    lateral(view, gradient) * view.pixel_size(depth)
+}

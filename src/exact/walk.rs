@@ -1,0 +1,213 @@
+//! The definition itself: walk the events along a ray in order of depth and stop where it first enters what is left.
+//!
+//! State: per part, inside or outside, by parity; per clip-surface, removed or kept side. A cut removes where all its
+//! surfaces do, a part loses what any of its cuts removes. A part *shows* where the ray is inside it and nothing removes
+//! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
+//!
+//! Ties. The removed side is open (`F < 0`), so a mesh event at the very depth of a clip event counts as on its kept side:
+//! after the crossing to the kept side, before the crossing to the removed side. A triangle that lies in the clip-plane is
+//! thereby kept, all of it, seen from either side. Clip events at one depth happen at once: two cuts that share a plane
+//! leave no sheet between them. Parts at one depth happen by rank.
+
+use std::cmp::Ordering;
+
+use crate::scene::Prepared;
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cause {
+    /// The ray crosses the mesh of the part of this rank.
+    Mesh(u16),
+    /// The ray crosses a clip-surface.
+    Clip {
+        /// Number of the surface.
+        surface: u16,
+        /// To the kept side.
+        to_kept: bool,
+    },
+}
+
+/// Something that happens along a ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Event {
+    /// Where.
+    pub(super) depth: f64,
+    /// What.
+    pub(super) cause: Cause,
+    /// Index of the crossing or the root it stands for.
+    pub(super) source: u32,
+}
+
+impl Event {
+    fn precedence(&self) -> (u8, u16) {
+        match self.cause {
+            Cause::Clip {
+                surface,
+                to_kept: true,
+            } => (0, surface),
+            Cause::Mesh(rank) => (1, rank),
+            Cause::Clip { surface, .. } => (2, surface),
+        }
+    }
+}
+
+/// Order along the ray.
+pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
+    a.depth
+        .total_cmp(&b.depth)
+        .then_with(|| a.precedence().cmp(&b.precedence()))
+        .then_with(|| a.source.cmp(&b.source))
+}
+
+/// Where a ray stands.
+#[derive(Clone, Debug, Default)]
+pub(super) struct State {
+    /// Per rank.
+    pub(super) inside: Vec<bool>,
+    /// Per clip-surface: on its removed side.
+    pub(super) removed: Vec<bool>,
+}
+
+impl State {
+    /// A state outside everything.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            inside: vec![false; prepared.parts.len()],
+            removed: vec![false; prepared.surfaces.len()],
+        }
+    }
+
+    /// Becomes a copy.
+    pub(super) fn set(&mut self, other: &Self) {
+        self.inside.copy_from_slice(&other.inside);
+        self.removed.copy_from_slice(&other.removed);
+    }
+
+    fn cut_removes(&self, prepared: &Prepared, cut: usize) -> bool {
+        let surfaces = &prepared.cuts[cut].surfaces;
+        !surfaces.is_empty() && surfaces.iter().all(|s| self.removed[*s])
+    }
+
+    /// Whether a part is removed here.
+    pub(super) fn removes(&self, prepared: &Prepared, rank: u16) -> bool {
+        prepared.parts[rank as usize]
+            .cuts
+            .iter()
+            .any(|c| self.cut_removes(prepared, *c))
+    }
+
+    fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
+        self.inside[rank as usize] && !self.removes(prepared, rank)
+    }
+
+    /// Lets an event happen.
+    pub(super) fn apply(&mut self, event: &Event) {
+        match event.cause {
+            Cause::Mesh(rank) => self.inside[rank as usize] ^= true,
+            Cause::Clip { surface, .. } => self.removed[surface as usize] ^= true,
+        }
+    }
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    /// Rank of the part.
+    pub(super) rank: u16,
+    /// Where.
+    pub(super) depth: f64,
+    /// The event that brought it into sight; none where the near plane did.
+    pub(super) event: Option<Event>,
+}
+
+impl Sight {
+    /// What two sights must share to be the same answer: the part and, for a cap, the clip-surface.
+    pub(super) fn class(&self) -> (u16, Option<Cause>) {
+        let cause = self.event.map(|e| match e.cause {
+            Cause::Clip { surface, .. } => Cause::Clip {
+                surface,
+                to_kept: true,
+            },
+            mesh @ Cause::Mesh(_) => mesh,
+        });
+        (self.rank, cause)
+    }
+}
+
+/// Walks sorted events from a state. `ranks` are the parts the ray meets, in order; `state` is left at the end.
+pub(super) fn walk(
+    prepared: &Prepared,
+    (near, near_cap): (f64, bool),
+    ranks: &[u16],
+    events: &[Event],
+    state: &mut State,
+) -> Option<Sight> {
+    let first = events.partition_point(|e| e.depth <= near);
+    for event in &events[..first] {
+        state.apply(event);
+    }
+    if near_cap && let Some(rank) = ranks.iter().find(|r| state.shows(prepared, **r)) {
+        return Some(Sight {
+            rank: *rank,
+            depth: near,
+            event: None,
+        });
+    }
+    let mut rest = &events[first..];
+    while let Some(event) = rest.first() {
+        let count = match event.cause {
+            Cause::Mesh(_) => 1,
+            Cause::Clip { .. } => rest
+                .iter()
+                .take_while(|e| e.depth == event.depth && matches!(e.cause, Cause::Clip { .. }))
+                .count(),
+        };
+        let (now, later) = rest.split_at(count);
+        rest = later;
+        let seen = match event.cause {
+            Cause::Mesh(rank) => {
+                state.apply(event);
+                state.shows(prepared, rank).then_some((rank, *event))
+            }
+            Cause::Clip { .. } => pass_clips(prepared, ranks, now, state),
+        };
+        if let Some((rank, event)) = seen {
+            return Some(Sight {
+                rank,
+                depth: event.depth,
+                event: Some(event),
+            });
+        }
+    }
+    None
+}
+
+/// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it.
+fn pass_clips(
+    prepared: &Prepared,
+    ranks: &[u16],
+    events: &[Event],
+    state: &mut State,
+) -> Option<(u16, Event)> {
+    let freed = |state: &State, rank: u16| {
+        events.iter().copied().find(|e| {
+            let Cause::Clip { surface, .. } = e.cause else {
+                return false;
+            };
+            let cut = prepared.surfaces[surface as usize].cut;
+            prepared.parts[rank as usize].cuts.contains(&cut) && state.cut_removes(prepared, cut)
+        })
+    };
+    // Usually no part is inside and removed, or none comes free.
+    let candidates: Vec<(u16, Event)> = ranks
+        .iter()
+        .filter(|r| state.inside[**r as usize])
+        .filter_map(|r| freed(state, *r).map(|e| (*r, e)))
+        .collect();
+    for event in events {
+        state.apply(event);
+    }
+    candidates
+        .into_iter()
+        .find(|(rank, _)| state.shows(prepared, *rank))
+}
