@@ -123,6 +123,9 @@ pub struct View {
 /// Smallest near distance, as a share of the scene's radius: nearer points are not drawn.
 const NEAR_SHARE: f64 = 1e-3;
 
+/// Share of the picture that the model's box fills in an orbit.
+const FILL: f64 = 0.92;
+
 impl Camera {
     /// The view of a scene. `scene_from_world` takes world points to scene space; `bounds` are those of the scene there.
     pub fn view(
@@ -136,47 +139,54 @@ impl Camera {
         let centre = bounds.centre();
         let up_axis = self.up.axis();
         let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
-        // The ball around the bounds, with a little air, must fit the narrower side.
-        let fit = 1.02 * radius / aspect.min(1.0);
         let orthographic = matches!(self.projection, Projection::Orthographic { .. });
-        let mut half_height = match self.projection {
-            Projection::Perspective { fov_y_deg } => (fov_y_deg.to_radians() * 0.5).tan(),
-            Projection::Orthographic { height } => height.map_or(fit, |h| h * scale * 0.5),
-        };
-        let (eye, forward, up_hint) = match self.pose {
+        let forward = match self.pose {
             Pose::Orbit {
                 azimuth_deg,
                 elevation_deg,
-            } => {
-                let direction = orbit_direction(self.up, azimuth_deg, elevation_deg);
-                let distance = if orthographic {
-                    radius * 2.0
-                } else {
-                    let half_angle = (half_height * aspect.min(1.0)).atan();
-                    1.02 * radius / half_angle.sin()
-                };
-                (centre + direction * distance, -direction, up_axis)
-            }
+            } => -orbit_direction(self.up, azimuth_deg, elevation_deg),
             Pose::Explicit {
                 position,
                 focal_point,
-                view_up,
+                ..
             } => {
-                let (eye, focus) = (scene_from_world(position), scene_from_world(focal_point));
-                (
-                    eye,
-                    (focus - eye).normalize_or(-DVec3::Z),
-                    view_up.unwrap_or(up_axis),
-                )
+                (scene_from_world(focal_point) - scene_from_world(position)).normalize_or(-DVec3::Z)
             }
         };
-        if half_height <= 0.0 {
-            half_height = fit;
-        }
+        let up_hint = match self.pose {
+            Pose::Explicit {
+                view_up: Some(up), ..
+            } => up,
+            _ => up_axis,
+        };
         let right = forward
             .cross(up_hint)
             .try_normalize()
             .unwrap_or_else(|| forward.any_orthonormal_vector());
+        let up = right.cross(forward);
+        // How far the corners reach from the middle of the picture.
+        let reach = bounds.corners().map(|c| {
+            let d = c - centre;
+            DVec3::new(d.dot(right), d.dot(up), d.dot(forward))
+        });
+        let height_for = |r: &DVec3| (r.x.abs() / aspect).max(r.y.abs()) / FILL;
+        let half_height = match self.projection {
+            Projection::Perspective { fov_y_deg } => (fov_y_deg.to_radians() * 0.5).tan(),
+            Projection::Orthographic {
+                height: Some(height),
+            } => height * scale * 0.5,
+            Projection::Orthographic { height: None } => {
+                reach.iter().map(height_for).fold(1e-9, f64::max)
+            }
+        };
+        let eye = match self.pose {
+            Pose::Explicit { position, .. } => scene_from_world(position),
+            Pose::Orbit { .. } if orthographic => centre - forward * (radius * 2.0),
+            Pose::Orbit { .. } => {
+                let distances = reach.iter().map(|r| height_for(r) / half_height - r.z);
+                centre - forward * distances.fold(1e-6, f64::max)
+            }
+        };
         let depths = bounds.corners().map(|c| (c - eye).dot(forward));
         let nearest = depths.iter().copied().fold(f64::INFINITY, f64::min);
         let farthest = depths.iter().copied().fold(NEAR_SHARE * radius, f64::max);
@@ -188,7 +198,7 @@ impl Camera {
             size_px,
             eye,
             right,
-            up: right.cross(forward),
+            up,
             forward,
             half_height,
             orthographic,

@@ -14,10 +14,10 @@ mod mesh;
 mod offset_map;
 mod part;
 mod prepared;
-mod smooth;
 pub mod relief;
 mod section;
 pub mod shapes;
+mod smooth;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
@@ -28,10 +28,10 @@ pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
-pub use smooth::ShadingMesh;
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
+pub use smooth::ShadingMesh;
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]

@@ -149,7 +149,8 @@ fn chunk(
             Corner {
                 ends,
                 face: faces[t],
-                pull: given.unwrap_or_else(|| faces[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
+                pull: given
+                    .unwrap_or_else(|| faces[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
                 group,
             }
         }));
@@ -219,7 +220,10 @@ fn append(out: &mut Chunk, position: u32, around: &[Corner]) {
         if let Some(slot) = vertex_of_group.get_mut(corner.group as usize) {
             *slot = vertex;
         }
-        debug_assert!(corner.group as usize <= i, "a group is named by its first corner");
+        debug_assert!(
+            corner.group as usize <= i,
+            "a group is named by its first corner"
+        );
         out.vertex_of_corner.push(vertex);
     }
 }
