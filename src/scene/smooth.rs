@@ -1,0 +1,345 @@
+//! Vertices for drawing: positions split where the surface has a crease, with a unit normal each.
+//!
+//! Topology shares a position among all triangles around it; shading needs one normal per smooth patch. Around each
+//! position, corners are grouped across edges whose triangles turn by less than the crease angle, and each group gets the
+//! mean of its face normals weighted by the corner angles (Thürmer and Wüthrich 1998), which does not depend on how flat
+//! regions are triangulated. Normals of the file win where there are any. Normals never move a position or an edge.
+//!
+//! Cost: one bucket sort of the corners, then every position on its own, in parallel; the result does not depend on the
+//! number of threads. Limit: a triangle without area gets the normal of some triangle beside it, or `+Z`.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::PreparedPart;
+
+/// Edges that turn more are drawn sharp.
+pub const DEFAULT_CREASE_DEG: f32 = 40.0;
+
+/// Positions per parallel task: enough to be worth a task, few enough to share out.
+const CHUNK: usize = 1 << 14;
+
+/// A part's triangles with vertices split for shading.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ShadingMesh {
+    /// Per vertex, the index into [`PreparedPart::positions`] of its position.
+    pub positions_of_vertex: Vec<u32>,
+    /// Per vertex, a unit normal in scene space.
+    pub normals: Vec<Vec3>,
+    /// The part's triangles in the same order, as indices of vertices.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Vertices of a run of positions, and which of them each of the run's corners takes.
+struct Chunk {
+    positions_of_vertex: Vec<u32>,
+    normals: Vec<Vec3>,
+    vertex_of_corner: Vec<u32>,
+}
+
+/// A corner in a bucket of its position.
+#[derive(Clone, Copy)]
+struct Corner {
+    /// Neighbours along the two edges that meet here.
+    ends: [u32; 2],
+    /// Unit normal of the triangle; zero if it has no area.
+    face: DVec3,
+    /// Normal times angle, or the file's normal.
+    pull: DVec3,
+    /// Index of the first corner of the same group.
+    group: u32,
+    /// The group's vertex, once made.
+    vertex: u32,
+}
+
+impl ShadingMesh {
+    /// Splits the vertices of a part. `crease_deg` is the turn from which an edge is sharp; it is not asked where the part
+    /// has normals of its own.
+    pub fn of(part: &PreparedPart, crease_deg: f32) -> Self {
+        let buckets = Buckets::of(part);
+        let faces: Vec<DVec3> = part
+            .triangles
+            .par_iter()
+            .map(|t| face_normal(t.map(|i| part.positions[i as usize])))
+            .collect();
+        let least_cos = f64::from(crease_deg).to_radians().cos();
+        let chunks: Vec<Chunk> = (0..part.positions.len().div_ceil(CHUNK))
+            .into_par_iter()
+            .map(|c| {
+                let positions = c * CHUNK..((c + 1) * CHUNK).min(part.positions.len());
+                chunk(part, &buckets, &faces, positions, least_cos)
+            })
+            .collect();
+
+        let vertices = chunks.iter().map(|c| c.normals.len()).sum();
+        let mut all = Self {
+            positions_of_vertex: Vec::with_capacity(vertices),
+            normals: Vec::with_capacity(vertices),
+            triangles: vec![[0; 3]; part.triangles.len()],
+        };
+        let mut corners = buckets.corners.iter();
+        for chunk in chunks {
+            let first = all.normals.len() as u32;
+            all.positions_of_vertex.extend(chunk.positions_of_vertex);
+            all.normals.extend(chunk.normals);
+            for (vertex, corner) in chunk.vertex_of_corner.iter().zip(corners.by_ref()) {
+                all.triangles[(corner / 3) as usize][(corner % 3) as usize] = first + vertex;
+            }
+        }
+        all
+    }
+}
+
+/// Corners (three times the triangle plus the place in it) by position, in order.
+struct Buckets {
+    start: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Buckets {
+    fn of(part: &PreparedPart) -> Self {
+        let mut start = vec![0_u32; part.positions.len() + 1];
+        for i in part.triangles.iter().flatten() {
+            start[*i as usize + 1] += 1;
+        }
+        for i in 1..start.len() {
+            start[i] += start[i - 1];
+        }
+        let mut next = start.clone();
+        let mut corners = vec![0; part.triangles.len() * 3];
+        for (corner, i) in (0..).zip(part.triangles.iter().flatten()) {
+            let slot = &mut next[*i as usize];
+            corners[*slot as usize] = corner;
+            *slot += 1;
+        }
+        Self { start, corners }
+    }
+
+    fn at(&self, position: usize) -> &[u32] {
+        &self.corners[self.start[position] as usize..self.start[position + 1] as usize]
+    }
+}
+
+fn face_normal(corners: [Vec3; 3]) -> DVec3 {
+    let [a, b, c] = corners.map(|p| p.as_dvec3());
+    (b - a).cross(c - a).normalize_or_zero()
+}
+
+fn chunk(
+    part: &PreparedPart,
+    buckets: &Buckets,
+    faces: &[DVec3],
+    positions: std::ops::Range<usize>,
+    least_cos: f64,
+) -> Chunk {
+    let mut out = Chunk {
+        positions_of_vertex: Vec::with_capacity(positions.len()),
+        normals: Vec::with_capacity(positions.len()),
+        vertex_of_corner: Vec::with_capacity(positions.len() * 6),
+    };
+    let mut around: Vec<Corner> = Vec::new();
+    let mut ends: Vec<(u32, u32)> = Vec::new();
+    for position in positions {
+        around.clear();
+        around.extend(buckets.at(position).iter().zip(0..).map(|(corner, group)| {
+            let (t, k) = ((corner / 3) as usize, (corner % 3) as usize);
+            let given = part.corner_normals.as_ref().map(|n| n[t][k].as_dvec3());
+            let given = given.filter(|n| n.is_finite() && *n != DVec3::ZERO);
+            let triangle = part.triangles[t];
+            let ends = [triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+            let at = |i: u32| part.positions[i as usize].as_dvec3();
+            let from = part.positions[position].as_dvec3();
+            Corner {
+                ends,
+                face: faces[t],
+                pull: given
+                    .unwrap_or_else(|| faces[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
+                group,
+                vertex: 0,
+            }
+        }));
+        if part.corner_normals.is_none() {
+            group(&mut around, &mut ends, least_cos);
+        }
+        append(&mut out, position as u32, &mut around);
+    }
+    out
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    // Good for tiny and for nearly straight angles alike, and 0 where an edge has no length.
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// Gives corners that meet in a smooth edge the same group: the least index among them.
+fn group(around: &mut [Corner], ends: &mut Vec<(u32, u32)>, least_cos: f64) {
+    ends.clear();
+    for (i, corner) in around.iter().enumerate() {
+        ends.extend(corner.ends.map(|end| (end, i as u32)));
+    }
+    ends.sort_unstable();
+    for pair in ends.windows(2) {
+        let (i, j) = (pair[0].1 as usize, pair[1].1 as usize);
+        // A face without area is at an angle to everything.
+        if pair[0].0 == pair[1].0 && around[i].face.dot(around[j].face) > least_cos {
+            let (a, b) = (root(around, i), root(around, j));
+            around[a.max(b)].group = a.min(b) as u32;
+        }
+    }
+    for i in 0..around.len() {
+        around[i].group = root(around, i) as u32;
+    }
+}
+
+fn root(around: &[Corner], mut i: usize) -> usize {
+    while around[i].group as usize != i {
+        i = around[i].group as usize;
+    }
+    i
+}
+
+/// Makes a vertex for each different normal at a position.
+fn append(out: &mut Chunk, position: u32, around: &mut [Corner]) {
+    let first = out.normals.len();
+    let fallback = around
+        .iter()
+        .map(|c| c.face)
+        .find(|n| *n != DVec3::ZERO)
+        .unwrap_or(DVec3::Z);
+    for i in 0..around.len() {
+        let leader = around[i].group as usize;
+        if leader != i {
+            let pull = around[i].pull;
+            around[leader].pull += pull;
+        }
+    }
+    for i in 0..around.len() {
+        let leader = around[i].group as usize;
+        if leader == i {
+            let unit = around[i].pull.try_normalize().unwrap_or(fallback);
+            around[i].vertex = vertex_of(out, first, position, unit.as_vec3());
+        }
+        // The leader is the first corner of its group, so its vertex is known by now.
+        out.vertex_of_corner.push(around[leader].vertex);
+    }
+}
+
+/// The vertex with a normal among those since `first`, made if there is none.
+fn vertex_of(out: &mut Chunk, first: usize, position: u32, normal: Vec3) -> u32 {
+    let known = out.normals[first..].iter().position(|n| *n == normal);
+    let vertex = known.map_or(out.normals.len(), |k| first + k);
+    if known.is_none() {
+        out.normals.push(normal);
+        out.positions_of_vertex.push(position);
+    }
+    vertex as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Mesh, Part, Prepared, Scene};
+
+    fn prepared(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> PreparedPart {
+        let mesh = Mesh {
+            positions: positions.iter().copied().map(DVec3::from).collect(),
+            triangles: triangles.to_vec(),
+            corner_normals: None,
+        };
+        let scene = Scene {
+            parts: vec![Part::new("p", mesh)],
+            ..Scene::default()
+        };
+        Prepared::of(&scene).parts.remove(0)
+    }
+
+    /// A closed ring of `n` quads around the z axis with two caps.
+    fn cylinder(n: u32) -> PreparedPart {
+        let mut positions = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+        let mut triangles = Vec::new();
+        for i in 0..n {
+            let a = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+            positions.extend([[a.cos(), a.sin(), -1.0], [a.cos(), a.sin(), 1.0]]);
+            let (low, next) = (2 + 2 * i, 2 + 2 * ((i + 1) % n));
+            triangles.extend([[low, next, next + 1], [low, next + 1, low + 1]]);
+            triangles.extend([[0, next, low], [1, low + 1, next + 1]]);
+        }
+        prepared(&positions, &triangles)
+    }
+
+    #[test]
+    fn a_cylinder_is_smooth_around_and_sharp_at_its_rims() {
+        let part = cylinder(24);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        assert_eq!(
+            mesh.normals.len(),
+            2 + 24 * 2 * 2,
+            "rim positions have two vertices each"
+        );
+        for (v, n) in mesh.positions_of_vertex.iter().zip(&mesh.normals) {
+            let p = part.positions[*v as usize] - part.bounds.centre().as_vec3();
+            let radial = Vec3::new(p.x, p.y, 0.0).normalize_or_zero();
+            let nearest = n.dot(radial).max(n.z.abs());
+            assert!(nearest > 0.999_9, "normal {n} at {p}");
+        }
+        let flat = ShadingMesh::of(&part, 1.0);
+        assert_eq!(flat.normals.len(), 2 + 24 * 2 * 3, "every face on its own");
+    }
+
+    #[test]
+    fn order_and_positions_are_kept() {
+        let part = cylinder(7);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        for (t, of) in mesh.triangles.iter().zip(&part.triangles) {
+            assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
+        }
+        assert_eq!(mesh, ShadingMesh::of(&part, DEFAULT_CREASE_DEG));
+    }
+
+    #[test]
+    fn weights_are_angles_so_triangulation_does_not_show() {
+        // One side of a cube's corner is cut into two triangles, the others meet it with one each.
+        let positions = [
+            [0.0; 3],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [1.0, 1.0, 0.0],
+        ];
+        let part = prepared(&positions, &[[0, 1, 4], [0, 4, 2], [0, 2, 3], [0, 3, 1]]);
+        let mesh = ShadingMesh::of(&part, 179.0);
+        let at = mesh.triangles[0][0] as usize;
+        let diagonal = Vec3::splat(1.0 / 3.0_f32.sqrt());
+        assert!(
+            (mesh.normals[at] - diagonal).length() < 1e-6,
+            "{}",
+            mesh.normals[at]
+        );
+    }
+
+    #[test]
+    fn triangles_without_area_give_unit_normals() {
+        let positions = [
+            [0.0; 3],
+            [1.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [5.0; 3],
+        ];
+        let part = prepared(&positions, &[[0, 1, 2], [0, 2, 3], [4, 4, 4]]);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        for n in &mesh.normals {
+            assert!((n.length() - 1.0).abs() < 1e-6, "{n}");
+        }
+    }
+
+    #[test]
+    fn normals_of_the_file_win() {
+        let mut part = cylinder(5);
+        let given = vec![[Vec3::X, Vec3::X, Vec3::Y]; part.triangles.len()];
+        part.corner_normals = Some(given);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        assert!(mesh.normals.iter().all(|n| *n == Vec3::X || *n == Vec3::Y));
+        assert_eq!(mesh.normals[mesh.triangles[3][2] as usize], Vec3::Y);
+    }
+}
