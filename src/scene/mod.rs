@@ -8,21 +8,28 @@ mod bounds;
 mod camera;
 mod clip_surface;
 mod cut;
+mod load;
 mod material;
 mod mesh;
 mod offset_map;
 mod part;
 mod prepared;
+mod smooth;
+mod topology;
+mod weld;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
+pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
+pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
+pub use topology::{DepthComplexity, Extent, Topology};
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]
