@@ -67,7 +67,14 @@ fn march(
                 let mesh = !test(scene, part, ray(lo)).inside;
                 (if mesh { Kind::Surface } else { Kind::Cap }, part, hi)
             })
-            .min_by(|a, b| a.2.total_cmp(&b.2));
+            .min_by(|a, b| {
+                // Of parts that show at one point the smaller is seen: here those are in falling order of size.
+                if (a.2 - b.2).abs() < 1e-9 {
+                    b.1.cmp(&a.1)
+                } else {
+                    a.2.total_cmp(&b.2)
+                }
+            });
         if first.is_some() {
             return first;
         }

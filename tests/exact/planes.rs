@@ -31,7 +31,7 @@ fn a_halved_cube_shows_a_unit_square() {
     assert_eq!(exact.layers.count(Kind::Surface), 0, "the rest is empty");
     let cap = exact.layers.at(20, 40);
     assert_eq!(cap.normal, Vec3::Z, "out of the kept half");
-    // Scene space halves lengths here: the ball around the cube has radius 0.87, so its scale is 1.
+    // The ball around the cube has radius 0.87: scene space is as large as world space.
     assert!((cap.depth - 4.0).abs() < 1e-12, "depth {}", cap.depth);
     let whole = sound(&scene(vec![unit_cube()], vec![], camera), [64, 64]);
     assert_eq!(

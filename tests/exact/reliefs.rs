@@ -10,7 +10,7 @@ use crate::solids::{
 
 #[test]
 fn a_flat_relief_is_a_plane() {
-    let plane = vec![vec![ClipSurface::plane(DVec3::Z * 0.1, DVec3::NEG_Z)]];
+    let plane = vec![vec![ClipSurface::plane(DVec3::Z * 0.125, DVec3::NEG_Z)]];
     let flat = OffsetMap::new([4, 4], vec![0.25; 16]).unwrap();
     // The same, but for one texel that no ray meets: this one is walked cell by cell.
     let mut texels = vec![0.25; 64 * 64];
@@ -22,7 +22,7 @@ fn a_flat_relief_is_a_plane() {
     ] {
         let expected = sound(&scene(vec![unit_cube()], plane.clone(), camera), [96, 96]);
         for map in [flat.clone(), dented.clone()] {
-            let surface = relief(-0.15, 8.0, 1.0, map);
+            let surface = relief(-0.125, 8.0, 1.0, map);
             let found = sound(
                 &scene(vec![unit_cube()], vec![vec![surface]], camera),
                 [96, 96],
@@ -79,7 +79,7 @@ fn caps_lie_on_their_surface_and_face_along_its_slope() {
                     let cosine = normal.dot(layer.normal.as_dvec3());
                     // At a crease between texels the differences straddle two slopes.
                     assert!(
-                        cosine > 0.9999 || exact.undecided[0] || crease(&surface, point),
+                        cosine > 0.9999 || crease(&surface, point),
                         "cosine {cosine}"
                     );
                 }

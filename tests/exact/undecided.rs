@@ -87,7 +87,7 @@ fn changed(a: &Exact, b: &Exact) -> (usize, usize) {
 
 #[test]
 fn decided_pixels_survive_the_rounding_of_a_rasteriser() {
-    let (mut decided, mut all) = (0, 0);
+    let (mut decided, mut all, mut too_far) = (0, 0, 0);
     for (name, meshes, cuts, camera) in scenes() {
         let prepared = Prepared::of(&scene(meshes, cuts, camera));
         let view = prepared.view([256, 256]);
@@ -101,7 +101,7 @@ fn decided_pixels_survive_the_rounding_of_a_rasteriser() {
         }
         // Control: eight times as far is not promised.
         let far = evaluate(&jittered(&prepared, &view, 8.0 / 512.0, 1), &view);
-        println!("{name}, eight times as far: {:?}", changed(&exact, &far));
+        too_far += changed(&exact, &far).0;
     }
     assert_eq!(decided, 0, "of {all} changed pixels some were decided");
     assert!(all > 20, "only {all} pixels changed: the test has no teeth");
