@@ -1,0 +1,146 @@
+//! A second evaluation that shares nothing with the first: points along a ray, each tested by itself in world space.
+//!
+//! Inside is a winding number from solid angles, removed is [`ClipSurface::kept_height`]: no crossings, no parity, no
+//! events, no scene space. Slow, so only for some pixels; blind to what is thinner than its step, so only for decided ones.
+
+use std::f64::consts::TAU;
+
+use cutaway::exact::evaluate;
+use cutaway::layers::Kind;
+use cutaway::scene::{ClipSurface, Mesh, Prepared, Scene};
+use glam::{DVec2, DVec3, dvec3};
+
+use crate::solids::{ball, cuboid, eye, fractal, noise, orbit, relief, scene};
+
+/// Winding number of a mesh around a point (Van Oosterom and Strackee 1983).
+fn winding(mesh: &Mesh, p: DVec3) -> f64 {
+    let angle = |t: usize| {
+        let [a, b, c] = mesh.corners(t).map(|v| v - p);
+        let [x, y, z] = [a.length(), b.length(), c.length()];
+        let numerator = a.dot(b.cross(c));
+        let denominator = x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y;
+        2.0 * numerator.atan2(denominator)
+    };
+    (0..mesh.triangles.len()).map(angle).sum::<f64>() / (2.0 * TAU)
+}
+
+#[derive(Clone, Copy, PartialEq)]
+struct Point {
+    inside: bool,
+    removed: bool,
+}
+
+fn test(scene: &Scene, part: usize, p: DVec3) -> Point {
+    let gone = |s: &ClipSurface| s.kept_height(p) < 0.0;
+    Point {
+        inside: winding(&scene.parts[part].mesh, p) > 0.5,
+        removed: scene.cuts.iter().any(|c| c.surfaces.iter().all(gone)),
+    }
+}
+
+/// Kind, part and depth of the first point that shows, by steps and bisection; depths in scene units.
+fn march(
+    scene: &Scene,
+    ray: impl Fn(f64) -> DVec3,
+    [near, far]: [f64; 2],
+) -> Option<(Kind, usize, f64)> {
+    let steps = 1500;
+    let depth = |i: usize| near + (far - near) * i as f64 / steps as f64;
+    let parts = scene.parts.len();
+    let shows = |t: f64, part: usize| {
+        let p = test(scene, part, ray(t));
+        p.inside && !p.removed
+    };
+    for i in 0..steps {
+        let first = (0..parts)
+            .filter(|part| shows(depth(i + 1), *part))
+            .map(|part| {
+                let (mut lo, mut hi) = (depth(i), depth(i + 1));
+                for _ in 0..40 {
+                    let middle = 0.5 * (lo + hi);
+                    if shows(middle, part) {
+                        hi = middle;
+                    } else {
+                        lo = middle;
+                    }
+                }
+                let mesh = !test(scene, part, ray(lo)).inside;
+                (if mesh { Kind::Surface } else { Kind::Cap }, part, hi)
+            })
+            .min_by(|a, b| {
+                // Of parts that show at one point the smaller is seen: here those are in falling order of size.
+                if (a.2 - b.2).abs() < 1e-9 {
+                    b.1.cmp(&a.1)
+                } else {
+                    a.2.total_cmp(&b.2)
+                }
+            });
+        if first.is_some() {
+            return first;
+        }
+    }
+    None
+}
+
+#[test]
+fn points_tested_one_by_one_agree() {
+    let ring = |z: f64| relief(z, 0.8, 0.25, fractal(16, 3));
+    let half = ClipSurface::plane(dvec3(0.1, 0.0, 0.0), dvec3(-1.0, 0.3, 0.2));
+    let ridge = ClipSurface {
+        u: dvec3(0.5, 0.0, 0.2),
+        v: dvec3(0.0, 0.3, 0.0),
+        scale: dvec3(0.7, -1.3, 0.2),
+        ..ring(0.1)
+    };
+    let meshes = || {
+        vec![
+            ball(0.9, 12, 14),
+            cuboid(dvec3(-0.2, -0.3, -1.1), dvec3(0.25, 0.2, 1.1)),
+        ]
+    };
+    let mut random = noise(77);
+    let mut kinds = [0; 3];
+    for (cuts, camera) in [
+        (vec![vec![ring(0.1), half.clone()]], orbit(35.0, 25.0)),
+        (vec![vec![ring(-0.2)], vec![half]], orbit(-60.0, 40.0)),
+        (
+            vec![vec![ridge]],
+            eye(dvec3(1.0, 2.0, 1.5), DVec3::ZERO, 50.0),
+        ),
+    ] {
+        let scene = scene(meshes(), cuts, camera);
+        let prepared = Prepared::of(&scene);
+        let view = prepared.view([256, 256]);
+        let exact = evaluate(&prepared, &view);
+        for _ in 0..60 {
+            let [x, y] = [0, 1].map(|_| 40 + (random() * 176.0) as u32);
+            if exact.undecided[(y * 256 + x) as usize] {
+                continue;
+            }
+            let (o, d) = view.ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
+            let ray = |t: f64| (o + d * t) / prepared.scale + prepared.centre_in_world;
+            let far = view.near + 2.5 * prepared.bounds.radius();
+            let found = march(&scene, ray, [view.near, far]);
+            let layer = exact.layers.at(x, y);
+            let (kind, part, depth) = found.unwrap_or((Kind::Background, 0, f64::INFINITY));
+            assert_eq!(
+                (layer.kind, layer.part),
+                (kind, part as u16),
+                "pixel {x}, {y}"
+            );
+            if kind != Kind::Background {
+                // The mesh in scene space is rounded to f32; this one is not.
+                assert!(
+                    (layer.depth - depth).abs() < 2e-6,
+                    "{} against {depth}",
+                    layer.depth
+                );
+            }
+            kinds[kind as usize] += 1;
+        }
+    }
+    assert!(
+        kinds.iter().all(|k| *k > 15),
+        "too few of some kind: {kinds:?}"
+    );
+}
