@@ -4,3 +4,7 @@ mod common;
 
 #[path = "agree/corpus.rs"]
 mod corpus;
+#[path = "agree/random.rs"]
+mod random;
+#[path = "agree/recipe.rs"]
+mod recipe;

@@ -52,7 +52,11 @@ pub(crate) fn joined(meshes: &[Mesh]) -> Mesh {
 /// The same solid with every triangle turned over.
 pub(crate) fn turned(mesh: &Mesh) -> Mesh {
     Mesh {
-        triangles: mesh.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect(),
+        triangles: mesh
+            .triangles
+            .iter()
+            .map(|[a, b, c]| [*a, *c, *b])
+            .collect(),
         ..mesh.clone()
     }
 }

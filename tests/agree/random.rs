@@ -1,0 +1,74 @@
+//! Random scenes: unions of boxes and lumpy balls, one or two cuts of one or two planes or reliefs, eyes outside and inside.
+//!
+//! A scene that the exact strategy gets wrong is made simpler as long as it stays wrong, and printed to become a regression.
+
+use cutaway::session::Outcome;
+use cutaway::strategies::Strategy;
+
+use super::recipe::Recipe;
+use crate::common::numbers::Numbers;
+use crate::common::{Question, strategy};
+
+const SIZE: [u32; 2] = [64, 48];
+const SCENES: u64 = 400;
+/// Where the numbers begin; another seed asks other questions.
+const SEED: u64 = 20_130_701;
+
+/// What is wrong with the exact strategy's answer to a recipe.
+pub(crate) fn fault(recipe: &Recipe) -> Option<String> {
+    Question::of(&recipe.scene(), SIZE)
+        .answer(&Strategy::RAYCAST_MASK)
+        .fault_of_exact()
+}
+
+/// The simplest recipe that can be reached without mending the fault, and its fault.
+fn shrunk(mut recipe: Recipe, mut told: String) -> (Recipe, String) {
+    'again: loop {
+        for simpler in recipe.simpler() {
+            if let Some(fault) = fault(&simpler) {
+                (recipe, told) = (simpler, fault);
+                continue 'again;
+            }
+        }
+        return (recipe, told);
+    }
+}
+
+#[test]
+fn random_scenes_have_no_decided_wrong_pixel() {
+    let mut faults = Vec::new();
+    let (mut covered, mut undecided, mut caps) = (0, 0, 0);
+    for seed in 0..SCENES {
+        let recipe = Recipe::random(&mut Numbers(SEED ^ (seed << 32)));
+        let question = Question::of(&recipe.scene(), SIZE);
+        covered += question.exact.covered_px();
+        undecided += question.exact.undecided_px();
+        caps += question.exact.layers.count(cutaway::layers::Kind::Cap);
+        if let Some(fault) = question.answer(&Strategy::RAYCAST_MASK).fault_of_exact() {
+            let (recipe, fault) = shrunk(recipe, fault);
+            faults.push(format!("seed {seed}: {fault}\n{recipe:?}"));
+            if faults.len() == 5 {
+                break;
+            }
+        }
+    }
+    println!("{caps} cap pixels, {undecided} undecided of {covered} covered");
+    assert!(faults.is_empty(), "{}", faults.join("\n\n"));
+    assert!(caps > 50_000, "only {caps} cap pixels in all");
+    assert!(
+        (undecided as f64) < 1e-2 * covered as f64,
+        "{undecided} undecided of {covered} covered pixels"
+    );
+}
+
+#[test]
+fn the_papers_strategy_draws_every_random_scene() {
+    let paper = strategy("grid:32+vds:128");
+    for seed in 0..SCENES / 8 {
+        let recipe = Recipe::random(&mut Numbers(SEED ^ (seed << 32)));
+        let judged = Question::of(&recipe.scene(), SIZE).answer(&paper);
+        assert_eq!(judged.outcome, Outcome::Complete, "seed {seed}: {recipe:?}");
+        let depths = judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
+        assert!(depths, "seed {seed} has a depth that is no number");
+    }
+}
