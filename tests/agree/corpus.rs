@@ -105,24 +105,6 @@ fn cameras(orthographic: bool) -> Camera {
     scenes::orbit(35.0, 25.0, orthographic)
 }
 
-/// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.
-fn boundary_px(question: &Question) -> usize {
-    let layers = &question.exact.layers;
-    let [width, height] = layers.size_px;
-    let differ = |x: u32, y: u32, i: u32, j: u32| {
-        let (a, b) = (layers.at(x, y), layers.at(i, j));
-        let apart =
-            (a.depth - b.depth).abs() > 8.0 * question.view.pixel_size(a.depth.min(b.depth));
-        crate::common::class_of(a) != crate::common::class_of(b) || apart
-    };
-    (0..width * height)
-        .filter(|p| {
-            let (x, y) = (p % width, p / width);
-            (x + 1 < width && differ(x, y, x + 1, y)) || (y + 1 < height && differ(x, y, x, y + 1))
-        })
-        .count()
-}
-
 #[test]
 fn every_strategy_agrees_with_exact_on_the_corpus() {
     let paper = strategy("grid:128+vds:512");
@@ -133,7 +115,7 @@ fn every_strategy_agrees_with_exact_on_the_corpus() {
         let exact = &question.exact;
         covered += exact.covered_px();
         undecided += exact.undecided_px();
-        let boundary = boundary_px(&question) as f64;
+        let boundary = question.boundary_px() as f64;
         let caps = exact.layers.count(Kind::Cap);
         if caps < LEAST_CAP_PX {
             faults.push(format!("{name}: only {caps} cap pixels: it asks nothing"));

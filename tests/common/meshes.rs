@@ -117,3 +117,35 @@ pub(crate) fn without(mesh: &Mesh, triangle: usize) -> Mesh {
     open.triangles.remove(triangle);
     open
 }
+
+/// A mesh with triangles that cover nothing: an index twice, a point twice, three points on a line.
+pub(crate) fn with_degenerate(mesh: &Mesh) -> Mesh {
+    let mut mesh = mesh.clone();
+    let [a, b, c] = mesh.triangles[0];
+    let middle = mesh.positions.len() as u32;
+    let [pa, pb, _] = mesh.corners(0);
+    mesh.positions.extend([(pa + pb) * 0.5, pa]);
+    mesh.triangles.extend([
+        [a, a, b],
+        [c, b, c],
+        [a, a, a],
+        [a, middle, b],
+        [middle + 1, a, c],
+    ]);
+    mesh
+}
+
+/// A mesh with each triangle split in three at a point that is `share` of the way from one edge to the other corner:
+/// one of the three is a needle.
+pub(crate) fn with_needles(mesh: &Mesh, share: f64) -> Mesh {
+    let mut mesh = mesh.clone();
+    for t in 0..mesh.triangles.len() {
+        let [a, b, c] = mesh.triangles[t];
+        let [pa, pb, pc] = mesh.corners(t);
+        let point = mesh.positions.len() as u32;
+        mesh.positions.push(((pa + pb) * 0.5).lerp(pc, share));
+        mesh.triangles[t] = [a, b, point];
+        mesh.triangles.extend([[b, c, point], [c, a, point]]);
+    }
+    mesh
+}

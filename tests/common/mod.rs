@@ -112,6 +112,24 @@ impl Question {
         }
     }
 
+    /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.
+    pub(crate) fn boundary_px(&self) -> usize {
+        let layers = &self.exact.layers;
+        let [width, height] = layers.size_px;
+        let differ = |x: u32, y: u32, i: u32, j: u32| {
+            let (a, b) = (layers.at(x, y), layers.at(i, j));
+            let step = self.view.pixel_size(a.depth.min(b.depth));
+            class_of(a) != class_of(b) || (a.depth - b.depth).abs() > 8.0 * step
+        };
+        (0..width * height)
+            .filter(|p| {
+                let (x, y) = (p % width, p / width);
+                (x + 1 < width && differ(x, y, x + 1, y))
+                    || (y + 1 < height && differ(x, y, x, y + 1))
+            })
+            .count()
+    }
+
     /// Judges layers from anywhere.
     pub(crate) fn compare(&self, layers: &Layers) -> Comparison {
         compare(&self.exact, layers, &self.view, self.model.prepared.scale)
