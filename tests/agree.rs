@@ -8,3 +8,5 @@ mod corpus;
 mod random;
 #[path = "agree/recipe.rs"]
 mod recipe;
+#[path = "agree/regressions.rs"]
+mod regressions;

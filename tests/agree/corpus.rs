@@ -31,7 +31,10 @@ const SHAPES: [&str; 11] = [
     "crank?throws=2&detail=16",
 ];
 
-const CUTS: [(&str, fn(&mut Scene)); 7] = [
+/// Gives a scene its cuts, and what parts they need.
+type Cutting = fn(&mut Scene);
+
+const CUTS: [(&str, Cutting); 7] = [
     ("oblique plane", |s| {
         let plane = section(s, "-1,-2,-1.5@50%,45%,60%");
         s.cuts = vec![Cut::of("cut", vec![plane])];

@@ -29,7 +29,11 @@ pub(crate) fn fault(recipe: &Recipe) -> Option<String> {
 }
 
 /// The simplest recipe that can be reached without mending the fault, and its fault.
-fn shrunk(mut recipe: Recipe, mut told: String) -> (Recipe, String) {
+fn shrunk(
+    mut recipe: Recipe,
+    mut told: String,
+    fault: impl Fn(&Recipe) -> Option<String>,
+) -> (Recipe, String) {
     'again: loop {
         for simpler in recipe.simpler() {
             if let Some(fault) = fault(&simpler) {
@@ -51,9 +55,9 @@ fn random_scenes_have_no_decided_wrong_pixel() {
         covered += question.exact.covered_px();
         undecided += question.exact.undecided_px();
         caps += question.exact.layers.count(cutaway::layers::Kind::Cap);
-        if let Some(fault) = question.answer(&Strategy::RAYCAST_MASK).fault_of_exact() {
-            let (recipe, fault) = shrunk(recipe, fault);
-            faults.push(format!("seed {seed}: {fault}\n{recipe:?}"));
+        if let Some(told) = question.answer(&Strategy::RAYCAST_MASK).fault_of_exact() {
+            let (recipe, told) = shrunk(recipe, told, fault);
+            faults.push(format!("seed {seed}: {told}\n{recipe:?}"));
             if faults.len() == 5 {
                 break;
             }
@@ -78,4 +82,29 @@ fn the_papers_strategy_draws_every_random_scene() {
         let depths = judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
         assert!(depths, "seed {seed} has a depth that is no number");
     }
+}
+
+#[test]
+fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
+    // The paper's strategy with a coarse sprite stands for an exact one with a fault.
+    let coarse = strategy("grid:8+vds:32");
+    let fault = |recipe: &Recipe| {
+        let judged = Question::of(&recipe.scene(), SIZE).answer(&coarse);
+        judged.first_decided_wrong().map(|pixel| judged.told(pixel))
+    };
+    let (recipe, told) = (0..SCENES)
+        .map(|seed| Recipe::random(&mut Numbers(SEED ^ (seed << 32))))
+        .filter(|r| r.solids.len() == 2 && r.cuts.concat().len() > 2)
+        .find_map(|r| fault(&r).map(|told| (r, told)))
+        .expect("a coarse sprite is wrong somewhere");
+    let (simple, told) = shrunk(recipe, told, fault);
+    assert!(
+        fault(&simple).is_some(),
+        "the fault was mended on the way: {told}"
+    );
+    assert_eq!(
+        (simple.solids.len(), simple.cuts.concat().len()),
+        (1, 1),
+        "{simple:?}"
+    );
 }

@@ -62,6 +62,8 @@ pub(crate) struct Recipe {
     pub(crate) to: [f64; 3],
     /// Field of view in degrees, or parallel rays.
     pub(crate) fov_deg: Option<f64>,
+    /// Distance of the near plane; `None` picks one.
+    pub(crate) near: Option<f64>,
 }
 
 impl Recipe {
@@ -85,6 +87,7 @@ impl Recipe {
             from: from.map(|c| c * reach),
             to: point(n, 0.2),
             fov_deg: (!n.once_in(4)).then(|| n.between(20.0, 80.0)),
+            near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
         }
     }
 
@@ -123,6 +126,7 @@ impl Recipe {
                     Some(fov_y_deg) => Projection::Perspective { fov_y_deg },
                     None => Projection::Orthographic { height: Some(1.6) },
                 },
+                near: self.near,
                 ..Camera::default()
             },
         }
@@ -140,7 +144,9 @@ impl Recipe {
         };
         for i in 0..self.solids.len() {
             if self.solids.len() > 1 {
-                with(&|r| drop(r.solids.remove(i)));
+                with(&|r| {
+                    r.solids.remove(i);
+                });
             }
             with(&|r| r.solids[i].1 = [0.0; 3]);
             match &self.solids[i].0 {
@@ -163,11 +169,15 @@ impl Recipe {
         }
         for i in 0..self.cuts.len() {
             if self.cuts.len() > 1 {
-                with(&|r| drop(r.cuts.remove(i)));
+                with(&|r| {
+                    r.cuts.remove(i);
+                });
             }
             for j in 0..self.cuts[i].len() {
                 if self.cuts[i].len() > 1 {
-                    with(&|r| drop(r.cuts[i].remove(j)));
+                    with(&|r| {
+                        r.cuts[i].remove(j);
+                    });
                 }
                 with(&|r| r.cuts[i][j].bumps = None);
                 if let Some(bumps) = &self.cuts[i][j].bumps {
@@ -181,6 +191,7 @@ impl Recipe {
             }
         }
         with(&|r| r.to = [0.0; 3]);
+        with(&|r| r.near = None);
         all
     }
 }

@@ -1,12 +1,12 @@
 //! Cases 10 to 15: what eyes in awkward places ask beyond their outcome.
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::scene::{Camera, Projection};
+use cutaway::scene::Camera;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
 use super::cases;
-use crate::common::{Question, class_of, scenes};
+use crate::common::{Question, class_of, scenes, strategy};
 
 #[test]
 fn case_10_inside_the_kept_side_the_near_cap_fills_the_picture() {
@@ -115,16 +115,32 @@ fn case_15_reversed_depth_keeps_its_precision_at_every_distance() {
 }
 
 #[test]
-fn case_12_without_the_near_cap_no_pixel_is_unreliable() {
+fn case_12_without_the_near_cap_the_inner_walls_show_and_no_pixel_is_odd() {
     let mut scene = scenes::sectioned("cube", &["-x=0.25"]);
     scene.camera = Camera {
         near: Some(1.6),
         near_cap: false,
-        projection: Projection::Perspective { fov_y_deg: 40.0 },
         ..scenes::looking(DVec3::new(0.3, 0.4, 2.0), DVec3::ZERO, 40.0)
     };
     let question = Question::of(&scene, [64; 2]);
-    let judged = question.answer(&Strategy::RAYCAST_MASK);
-    println!("{:?} {:?}", judged.fault_of_exact(), judged.comparison);
-    assert_eq!(judged.comparison.odd_parity_px, 0, "the mesh is closed");
+    for name in ["raycast+mask", "grid:256+vds:512"] {
+        let judged = question.answer(&strategy(name));
+        assert_eq!(
+            judged.comparison.odd_parity_px, 0,
+            "{name}: the mesh is closed"
+        );
+        assert_eq!(
+            judged.comparison.crack_px, 0,
+            "{name}: what exact sees is covered"
+        );
+        // A known difference: the definition knows only where a ray enters, so beyond a near plane inside the solid exact
+        // shows nothing; the strategies draw the wall by which the ray leaves, marked as a back face.
+        let wrong: Vec<usize> = judged.decided_wrong().collect();
+        assert!(
+            wrong.len() > 500,
+            "{name}: the inner walls are not drawn, or exact shows them now"
+        );
+        let other = wrong.iter().find(|i| !judged.layers.pixels[**i].back_face);
+        assert_eq!(other.map(|i| judged.told(*i)), None, "{name}");
+    }
 }

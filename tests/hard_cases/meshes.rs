@@ -90,7 +90,7 @@ fn case_20_the_missing_triangle_is_marked_pixel_by_pixel() {
             let judged = question.answer(&Strategy::RAYCAST_MASK);
             let odd = question.exact.odd_parity.iter().filter(|o| **o).count();
             assert!(
-                odd > px as usize / 8,
+                odd > px as usize / 16,
                 "{}: only {odd} odd pixels",
                 scene.name
             );

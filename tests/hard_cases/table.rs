@@ -136,3 +136,44 @@ fn every_case_reaches_its_outcome_at_256_px() {
         faults.join("\n")
     );
 }
+
+#[test]
+fn every_expectation_can_be_missed() {
+    let paper = strategy("grid:16+vds:32");
+    let scene = cases::torus_cut();
+    let question = Question::of(&scene, [128; 2]);
+    let coarse = question.answer(&paper);
+    // The bands of a sprite of 512 and of no error are too narrow for one of 32.
+    for expected in [
+        Expected::Exact,
+        Expected::Band,
+        Expected::Share(0.0),
+        Expected::Marked,
+    ] {
+        assert!(
+            fault(&question, &coarse, expected).is_some(),
+            "{expected:?} takes anything"
+        );
+    }
+    assert_eq!(
+        band::fault(&question, &coarse, 32),
+        None,
+        "its own band is wide enough"
+    );
+    // An open mesh whose marks are wiped off.
+    let open = &cases::open(128)[0];
+    let question = Question::of(open, [128; 2]);
+    let mut judged = question.answer(&Strategy::RAYCAST_MASK);
+    assert_eq!(
+        fault(&question, &judged, Expected::Marked),
+        None,
+        "marked as it should be"
+    );
+    for pixel in &mut judged.layers.pixels {
+        pixel.unreliable = false;
+    }
+    assert!(
+        fault(&question, &judged, Expected::Marked).is_some(),
+        "wiped marks go unnoticed"
+    );
+}
