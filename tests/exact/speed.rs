@@ -23,11 +23,12 @@ fn large_frames() {
         let start = std::time::Instant::now();
         let exact = frame(&scene, size);
         println!(
-            "{} faces cut by {name}: {:?}, {} px covered, {:.1e} undecided",
+            "{} faces cut by {name}: {:?}, {} px covered, {:.1e} undecided, {} px open in depth",
             mesh.triangles.len(),
             start.elapsed(),
             exact.covered_px(),
-            exact.undecided_share()
+            exact.undecided_share(),
+            exact.depth_open.iter().filter(|o| **o).count()
         );
     }
 }
