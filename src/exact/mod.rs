@@ -194,7 +194,11 @@ impl<'a> Lines<'a> {
             };
         let odd = bench.sort_crossings(found, brushes, before_near);
         let depths = (bench.crossings.iter().map(|c| c.depth))
-            .chain(brushes.iter().map(|b| b.depth))
+            .chain(
+                brushes
+                    .iter()
+                    .flat_map(|b| [b.depth - b.margin, b.depth + b.margin]),
+            )
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], d| {
                 [lo.min(d), hi.max(d)]
             });

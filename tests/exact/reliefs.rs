@@ -115,7 +115,10 @@ fn a_relief_seen_edge_on_is_sound_at_every_scale() {
     // Control: the relief is there at all.
     let [low, high] = [0.01, 0.2].map(|h| {
         let cut = vec![vec![relief(0.05, 0.4, h, fractal(64, 6))]];
-        frame(&scene(vec![unit_cube()], cut, orbit(0.0, 0.5)), [128, 128])
+        frame(
+            &scene(vec![unit_cube()], cut, orbit(30.0, 20.0)),
+            [128, 128],
+        )
     });
     assert!(differing(&low, &high) > 50, "height changes the picture");
 }
