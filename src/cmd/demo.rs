@@ -29,14 +29,14 @@ Open report.html in the folder: the tabs show every strategy and where it is wro
 /// The scene of the demo, as one would type it after `cutaway render`.
 const SCENE: &[&str] = &[
     "shape:crank",
-    "--section",
-    "-z=50%",
-    "--relief",
-    "fractal:amplitude=5%,period=45%,seed=7",
-    "--camera-azimuth-angle",
-    "24",
-    "--camera-elevation-angle",
-    "22",
+    "--section=-z=50%",
+    "--relief=fractal:amplitude=4%,period=45%,seed=7",
+    "--section=x=60%",
+    "--relief=fractal:amplitude=5%,period=30%,seed=4",
+    "--cut=intersection",
+    "--camera-azimuth-angle=-26",
+    "--camera-elevation-angle=20",
+    "--camera-zoom-factor=1.25",
 ];
 
 /// Options of `demo`.
@@ -49,7 +49,7 @@ pub(super) struct DemoArgs {
     #[arg(
         long,
         value_name = "W,H",
-        default_value = "1200,675",
+        default_value = "1000,520",
         value_parser = super::args::parse_resolution
     )]
     resolution: [u32; 2],
@@ -231,8 +231,9 @@ mod tests {
         let opened = open_scene([64, 48], &console).unwrap();
         let bounds = opened.scene.bounds();
         assert_eq!(opened.scene.cuts.len(), 1);
-        let surface = &opened.scene.cuts[0].surfaces[0];
-        assert!(surface.relief.is_some(), "the cut is ragged");
-        assert!(!section_misses(surface, &bounds), "the cut meets the crank");
+        for surface in &opened.scene.cuts[0].surfaces {
+            assert!(surface.relief.is_some(), "the cut is ragged");
+            assert!(!section_misses(surface, &bounds), "it meets the crank");
+        }
     }
 }
