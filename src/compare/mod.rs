@@ -28,18 +28,6 @@ use crate::exact::Exact;
 use crate::layers::{Kind, Layer, Layers};
 use crate::scene::View;
 
-/// How a frame ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Outcome {
-    /// Every pixel was worked out.
-    Complete,
-    /// A bounded buffer was too small; the pixels concerned are marked unreliable.
-    Overflowed,
-    /// The strategy does not do this, and says why.
-    Refused,
-}
-
 /// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Comparison {
