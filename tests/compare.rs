@@ -49,6 +49,7 @@ fn truth() -> Exact {
     Exact {
         layers,
         undecided: vec![false; count],
+        depth_open: vec![false; count],
         odd_parity: vec![false; count],
     }
 }
@@ -212,6 +213,14 @@ fn undecided_pixels_are_wrong_but_not_decided() {
         "wrong, but excused"
     );
     let deep = with(7, 5, |l| l.depth = 9.0);
+    assert!(compared(&deep).depth_error_max > 1.0, "where it is decided");
+    for mask in [false, true] {
+        let mut exact = truth();
+        exact.undecided[5 * 16 + 7] = mask;
+        exact.depth_open[5 * 16 + 7] = !mask;
+        let found = compare(&exact, &deep, &view(), 0.5);
+        assert_eq!(found.depth_error_max, 0.0, "both answers are right");
+    }
     let found = compare(&exact, &deep, &view(), 0.5);
     assert_eq!(
         found.depth_error_max, 0.0,

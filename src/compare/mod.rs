@@ -18,8 +18,8 @@
 //!
 //! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
 //!
-//! Errors of depth and normal are taken where the pixel is right and decided: where sampling is ambiguous, both answers
-//! are right and lie far apart.
+//! Errors of depth and normal are taken where the pixel is right and decided, in depth too: where sampling is ambiguous,
+//! both answers are right and lie far apart.
 
 mod heatmap;
 
@@ -30,18 +30,6 @@ use serde::Serialize;
 use crate::exact::Exact;
 use crate::layers::{Kind, Layer, Layers};
 use crate::scene::View;
-
-/// How a frame ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Outcome {
-    /// Every pixel was worked out.
-    Complete,
-    /// A bounded buffer was too small; the pixels concerned are marked unreliable.
-    Overflowed,
-    /// The strategy does not do this, and says why.
-    Refused,
-}
 
 /// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -109,7 +97,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
             result.edge_wrong_px += usize::from(edge);
             result.interior_wrong_px += usize::from(!edge);
             result.decided_wrong_px += usize::from(decided);
-        } else if decided && truth.kind != Kind::Background {
+        } else if decided && !exact.depth_open[index] && truth.kind != Kind::Background {
             let off = (found.depth - truth.depth).abs();
             depth.add(off / scale);
             depth_px.add(off / view.pixel_size(truth.depth).abs());

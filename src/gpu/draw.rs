@@ -32,6 +32,10 @@ pub(super) struct Step {
     work: RealWork,
 }
 
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a plan has a dozen steps, not thousands"
+)]
 enum RealWork {
     Compute([u32; 3]),
     Draw {

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::plan::Contents;
 use crate::plan::pack::{NO_RELIEF, flat_height, pack_normal};
-use crate::scene::{DEFAULT_CREASE_DEG, Prepared, Scene, ShadingMesh};
+use crate::scene::{Prepared, Scene};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -54,7 +54,7 @@ impl Model {
             .parts
             .par_iter()
             .map(|part| {
-                let shading = ShadingMesh::of(part, DEFAULT_CREASE_DEG);
+                let shading = &part.shading;
                 let vertices = shading
                     .positions_of_vertex
                     .iter()

@@ -8,5 +8,5 @@ mod reflect;
 mod tree;
 
 pub use compose::{compose, compose_text};
-pub use reflect::{BindingKind, ShaderBinding, bindings, struct_layout};
+pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};
 pub use tree::{FILES, LIBRARY, SHADERS, source};

@@ -1,8 +1,9 @@
 //! Meshes that make a careless rasteriser count wrong.
 
+use cutaway::exact::Exact;
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Mesh};
-use glam::{DVec3, dvec3};
+use glam::{DVec3, Vec3, dvec3};
 
 use crate::solids::{
     ball, cuboid, frame, joined, noise, odd, orbit, parallel, scene, sound, unit_cube,
@@ -171,6 +172,12 @@ fn doubled_vertices_are_no_rim() {
     }
     let [a, b] =
         [mesh, soup].map(|m| sound(&scene(vec![m], vec![], orbit(20.0, 30.0)), [128, 128]));
-    assert_eq!(a.layers, b.layers, "the same triangles");
+    // Separate triangles are shaded flat; all but the normals is the same.
+    let unshaded = |e: &Exact| {
+        let mut layers = e.layers.clone();
+        layers.pixels.iter_mut().for_each(|p| p.normal = Vec3::ZERO);
+        layers
+    };
+    assert_eq!(unshaded(&a), unshaded(&b), "the same triangles");
     assert_eq!(a.undecided, b.undecided, "an edge counts by where it is");
 }

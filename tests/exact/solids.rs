@@ -207,7 +207,7 @@ pub(crate) fn fractal(size: u32, seed: u64) -> OffsetMap {
             [cells; 2],
             (0..cells * cells).map(|_| random() as f32).collect(),
         )
-        .unwrap();
+        .expect("noise is finite");
         for (i, texel) in texels.iter_mut().enumerate() {
             let at = glam::dvec2((i as u32 % size) as f64, (i as u32 / size) as f64) + 0.5;
             let (height, _) = grid.sample(Wrap::Repeat, at / f64::from(size));
@@ -215,7 +215,7 @@ pub(crate) fn fractal(size: u32, seed: u64) -> OffsetMap {
         }
         (cells, weight) = (cells * 2, weight * 0.5);
     }
-    OffsetMap::new([size; 2], texels).unwrap()
+    OffsetMap::new([size; 2], texels).expect("noise is finite")
 }
 
 /// Evaluates a scene with its own camera.
