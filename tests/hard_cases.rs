@@ -1,6 +1,6 @@
 //! Hard cases: scenes with a known answer, numbered, and the outcome that each strategy is expected to reach.
 //!
-//! `cases` is the table and `table` runs it; the other modules hold what a case asks beyond its outcome.
+//! `cases` is the table, of scenes in `solids` and `bumps`, and `table` runs it; the other modules hold what a case asks beyond its outcome.
 
 mod common;
 
@@ -8,6 +8,8 @@ mod common;
 mod algebra;
 #[path = "hard_cases/band.rs"]
 mod band;
+#[path = "hard_cases/bumps.rs"]
+mod bumps;
 #[path = "hard_cases/cameras.rs"]
 mod cameras;
 #[path = "hard_cases/cases.rs"]
@@ -18,6 +20,8 @@ mod meshes;
 mod planes;
 #[path = "hard_cases/reliefs.rs"]
 mod reliefs;
+#[path = "hard_cases/solids.rs"]
+mod solids;
 #[path = "hard_cases/sprites.rs"]
 mod sprites;
 #[path = "hard_cases/table.rs"]

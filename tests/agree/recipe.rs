@@ -1,7 +1,7 @@
 //! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
 //! numbered regression as they print.
 
-use cutaway::scene::{Camera, ClipSurface, Cut, Part, Pose, Projection, Scene, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, Part, Pose, Projection, Role, Scene, Wrap};
 use glam::{DAffine3, DVec3};
 
 use crate::common::numbers::Numbers;
@@ -54,6 +54,10 @@ pub(crate) struct Bumps {
 pub(crate) struct Recipe {
     /// Parts, each moved.
     pub(crate) solids: Vec<(Solid, [f64; 3])>,
+    /// The first part is never cut.
+    pub(crate) spared: bool,
+    /// The last part wins where parts share a point, whatever its size.
+    pub(crate) preferred: bool,
     /// Clip-surfaces of each cut.
     pub(crate) cuts: Vec<Vec<Surface>>,
     /// The eye.
@@ -83,6 +87,8 @@ impl Recipe {
         }
         Self {
             solids,
+            spared: n.once_in(6),
+            preferred: n.once_in(3),
             cuts,
             from: from.map(|c| c * reach),
             to: point(n, 0.2),
@@ -103,6 +109,12 @@ impl Recipe {
                 } => meshes::lumpy(*subdivisions, *lumps, *phase),
             };
             let mut part = Part::new(format!("solid {i}"), mesh);
+            if self.spared && i == 0 && self.solids.len() > 1 {
+                part.role = Role::Interior;
+            }
+            if self.preferred && i + 1 == self.solids.len() {
+                part.priority = Some(1);
+            }
             part.world_from_part = DAffine3::from_translation(DVec3::from_array(*at));
             part
         });
@@ -192,6 +204,8 @@ impl Recipe {
         }
         with(&|r| r.to = [0.0; 3]);
         with(&|r| r.near = None);
+        with(&|r| r.spared = false);
+        with(&|r| r.preferred = false);
         all
     }
 }

@@ -6,15 +6,16 @@ use cutaway::passes::Model;
 use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
 
-use super::cases;
+use super::bumps;
+use super::solids;
 use crate::common::numbers::Numbers;
-use crate::common::{Question, class_of, scenes, session, software, strategy};
+use crate::common::{Question, class_of, scenes, session, software, strategy, tolerances};
 
 #[test]
 fn case_37_opposite_signs_are_complementary() {
     // Seen from both sides, what one surface keeps the flipped one removes: rays that meet the cap of both meet it at one
     // depth, and no ray that meets the solid misses both.
-    let pair = cases::opposite(256);
+    let pair = bumps::opposite(256);
     let mut answers = Vec::new();
     for scene in &pair {
         let judged = Question::of(scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
@@ -33,7 +34,7 @@ fn case_37_opposite_signs_are_complementary() {
         let union = a.depth.min(b.depth);
         let solid = whole.layers.pixels[i].depth;
         assert!(
-            union == solid || (union - solid).abs() < 1e-5,
+            union == solid || (union - solid).abs() < tolerances::SAME_DEPTH,
             "pixel {i}: {union} is not {solid}"
         );
         same_cap += usize::from(a.kind == Kind::Cap || b.kind == Kind::Cap);
@@ -43,7 +44,7 @@ fn case_37_opposite_signs_are_complementary() {
 
 #[test]
 fn case_38_and_or_differ_and_have_both_caps() {
-    for scene in cases::crossing(256) {
+    for scene in bumps::crossing(256) {
         let judged = Question::of(&scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         for surface in [0, 1] {
@@ -70,7 +71,7 @@ fn words(program: &Program, gpu: &Gpu, names: &[&str]) -> Vec<Vec<u32>> {
 
 #[test]
 fn case_41_fifty_repeats_are_bit_identical() {
-    let scene = &cases::crossing(128)[0];
+    let scene = &bumps::crossing(128)[0];
     let model = Model::of(scene);
     let view = model.prepared.view([128; 2]);
     let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
@@ -103,7 +104,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
 
 #[test]
 fn case_41_the_order_of_triangles_changes_nothing() {
-    let scene = cases::torus_cut();
+    let scene = solids::torus_cut();
     let draw = |scene: &cutaway::scene::Scene| {
         let question = Question::of(scene, [128; 2]);
         let layers = question.answer(&Strategy::RAYCAST_MASK).layers;

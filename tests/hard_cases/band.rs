@@ -5,7 +5,7 @@ use cutaway::layers::Kind;
 use cutaway::scene::Prepared;
 use glam::{DVec2, DVec3};
 
-use crate::common::{Judged, Question};
+use crate::common::{Judged, Question, tolerances};
 
 /// Half a texel's diagonal in scene space, for the largest part, with the two texels of margin that the sprite leaves on
 /// either side.
@@ -19,12 +19,9 @@ pub(crate) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
     extent / (texels - 4.0) * std::f64::consts::SQRT_2 * 0.5
 }
 
-/// Rounding of points and depths in f32, in scene units: a few ulp of 1 on either side.
-const ROUNDING: f64 = 1e-5;
-
 /// The first decided wrong pixel that the sprite's reach does not explain.
 pub(crate) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Option<String> {
-    let allowed = reach(&question.model.prepared, resolution) + ROUNDING;
+    let allowed = reach(&question.model.prepared, resolution) + tolerances::ROUNDING_OF_POINTS;
     judged.decided_wrong().find_map(|pixel| {
         let width = question.view.size_px[0] as usize;
         let at = DVec2::new((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);

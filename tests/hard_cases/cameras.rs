@@ -5,7 +5,7 @@ use cutaway::scene::Camera;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::cases;
+use super::solids;
 use crate::common::{Question, class_of, scenes, strategy};
 
 #[test]
@@ -42,7 +42,7 @@ fn case_11_from_a_void_the_wall_is_seen_and_no_cap() {
 
 #[test]
 fn case_14_far_tiny_and_huge_scenes_look_the_same() {
-    let scene = cases::torus_cut();
+    let scene = solids::torus_cut();
     for px in [64, 256] {
         let home = Question::of(&scene, [px; 2]);
         let here = home.answer(&Strategy::RAYCAST_MASK);
@@ -53,7 +53,7 @@ fn case_14_far_tiny_and_huge_scenes_look_the_same() {
             (1e-6, 1e-6),
             (1e6, 1e9),
         ] {
-            let placed = cases::placed(&scene, scale, DVec3::splat(offset));
+            let placed = solids::placed(&scene, scale, DVec3::splat(offset));
             let away = Question::of(&placed, [px; 2]);
             let there = away.answer(&Strategy::RAYCAST_MASK);
             let differing = (0..here.layers.pixels.len())
@@ -77,7 +77,7 @@ fn resolution(buffer: f64, depth_from_buffer: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn case_15_reversed_depth_keeps_its_precision_at_every_distance() {
-    let scene = &cases::near_and_far(64)[0];
+    let scene = &solids::near_and_far(64)[0];
     let question = Question::of(scene, [64; 2]);
     let view = &question.view;
     let ratio = view.far / view.near;

@@ -5,14 +5,14 @@ use cutaway::scene::ClipSurface;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::cases;
+use super::solids;
 use crate::common::{Question, class_of, meshes, scenes};
 
 #[test]
 fn case_04_and_05_every_pixel_counts_even() {
     for px in [64, 256] {
         for shape in ["cube?divisions=8", "slivers", "sponge?level=2"] {
-            for scene in cases::aligned(shape, px) {
+            for scene in solids::aligned(shape, px) {
                 let judged = Question::of(&scene, [px; 2]).answer(&Strategy::RAYCAST_MASK);
                 let odd = judged.layers.pixels.iter().filter(|p| p.unreliable).count();
                 assert_eq!(odd, 0, "{} at {px}", scene.name);
@@ -23,7 +23,7 @@ fn case_04_and_05_every_pixel_counts_even() {
 
 #[test]
 fn case_04_the_vertices_do_lie_at_pixel_centres() {
-    let scene = &cases::aligned("cube?divisions=8", 64)[0];
+    let scene = &solids::aligned("cube?divisions=8", 64)[0];
     let question = Question::of(scene, [64; 2]);
     let positions = &question.model.prepared.parts[0].positions;
     let off = positions
@@ -68,14 +68,14 @@ fn case_06_triangles_without_area_change_nothing() {
 
 #[test]
 fn case_19_nothing_is_inside_a_doubled_mesh() {
-    let question = Question::of(&cases::doubled(), [256; 2]);
+    let question = Question::of(&solids::doubled(), [256; 2]);
     let judged = question.answer(&Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.layers.count(Kind::Cap),
         0,
         "by parity there is no inside"
     );
-    let single = Question::of(&cases::torus_cut(), [256; 2]).answer(&Strategy::RAYCAST_MASK);
+    let single = Question::of(&solids::torus_cut(), [256; 2]).answer(&Strategy::RAYCAST_MASK);
     assert!(
         single.layers.count(Kind::Cap) > 1000,
         "of the single mesh there is"
@@ -85,7 +85,7 @@ fn case_19_nothing_is_inside_a_doubled_mesh() {
 #[test]
 fn case_20_the_missing_triangle_is_marked_pixel_by_pixel() {
     for px in [64, 256] {
-        for scene in cases::open(px) {
+        for scene in solids::open(px) {
             let question = Question::of(&scene, [px; 2]);
             let judged = question.answer(&Strategy::RAYCAST_MASK);
             let odd = question.exact.odd_parity.iter().filter(|o| **o).count();

@@ -5,7 +5,7 @@ use cutaway::scene::{Camera, ClipSurface, Scene};
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::cases;
+use super::bumps;
 use crate::common::{Question, class_of, meshes, scenes, strategy};
 
 fn cube_cut_at(z: f64, sign: f64, camera: Camera) -> Scene {
@@ -99,7 +99,7 @@ fn face_pixels(question: &Question, z: f64) -> Vec<usize> {
 #[test]
 fn case_22_a_flat_map_is_the_plane_bit_for_bit() {
     for px in [64, 256] {
-        for scene in cases::flat(px) {
+        for scene in bumps::flat(px) {
             let mut plane = scene.clone();
             let surface = &mut plane.cuts[0].surfaces[0];
             let height = surface

@@ -5,8 +5,8 @@ use cutaway::scene::{ClipSurface, OffsetMap, Wrap};
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::cases;
-use crate::common::{Question, class_of, meshes, scenes, strategy};
+use super::bumps;
+use crate::common::{Question, class_of, meshes, scenes, strategy, tolerances};
 
 #[test]
 fn case_23_a_ramp_is_a_tilted_plane() {
@@ -38,7 +38,7 @@ fn case_23_a_ramp_is_a_tilted_plane() {
         if a.kind == Kind::Cap {
             caps += 1;
             assert!(
-                (a.depth - b.depth).abs() < 1e-5,
+                (a.depth - b.depth).abs() < tolerances::SAME_DEPTH,
                 "{} and {} at pixel {i}",
                 a.depth,
                 b.depth
@@ -121,7 +121,7 @@ fn case_32_the_gap_of_the_grid_grows_as_the_cut_becomes_tangent() {
 
 #[test]
 fn case_48_the_length_of_v_counts_and_its_angle_must_be_right() {
-    let scene = &cases::anisotropic(256)[1];
+    let scene = &bumps::anisotropic(256)[1];
     let as_meant = Question::of(scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
     assert_eq!(
         as_meant.fault_of_exact(),

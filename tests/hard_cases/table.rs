@@ -6,7 +6,7 @@ use cutaway::scene::Scene;
 use cutaway::session::Outcome;
 use cutaway::strategies::Strategy;
 
-use super::{band, cases};
+use super::{band, cases, solids};
 use crate::common::{Judged, Question, strategy};
 
 /// Pictures are square, of this many pixels along a side.
@@ -140,7 +140,7 @@ fn every_case_reaches_its_outcome_at_256_px() {
 #[test]
 fn every_expectation_can_be_missed() {
     let paper = strategy("grid:16+vds:32");
-    let scene = cases::torus_cut();
+    let scene = solids::torus_cut();
     let question = Question::of(&scene, [128; 2]);
     let coarse = question.answer(&paper);
     // The bands of a sprite of 512 and of no error are too narrow for one of 32.
@@ -161,7 +161,7 @@ fn every_expectation_can_be_missed() {
         "its own band is wide enough"
     );
     // An open mesh whose marks are wiped off.
-    let open = &cases::open(128)[0];
+    let open = &solids::open(128)[0];
     let question = Question::of(open, [128; 2]);
     let mut judged = question.answer(&Strategy::RAYCAST_MASK);
     assert_eq!(
