@@ -1,5 +1,6 @@
 //! Cases 37, 38 and 41: laws between pictures.
 
+use cutaway::exact::evaluate;
 use cutaway::gpu::{ClockSet, Gpu, Program};
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
@@ -140,4 +141,23 @@ fn case_41_the_order_of_triangles_changes_nothing() {
         draw(&flipped).0 != layers,
         "another scene gives other layers"
     );
+}
+
+#[test]
+fn case_41_one_thread_and_two_find_the_same() {
+    for scene in bumps::crossing(128) {
+        let model = Model::of(&scene);
+        let view = model.prepared.view([128; 2]);
+        let [one, two] = [1, 2].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.expect("a pool of threads")
+                .install(|| evaluate(&model.prepared, &view))
+        });
+        assert!(one.layers == two.layers, "{}: layers", scene.name);
+        assert!(
+            one.undecided == two.undecided,
+            "{}: undecided pixels",
+            scene.name
+        );
+    }
 }
