@@ -123,12 +123,14 @@ pub(crate) fn eye_in_void(_: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for flip in [0, 1] {
         let shape = format!("shells?subdivisions=3&flip_inner={flip}");
-        for (name, to) in [
-            ("wall", -DVec3::X),
-            ("opening", DVec3::X),
-            ("both", DVec3::Z),
+        for (name, section, to) in [
+            ("wall", "-x=0.2", -DVec3::X),
+            ("opening", "-x=0.2", DVec3::X),
+            ("both", "-x=0.2", DVec3::Z),
+            // The eye is on the removed side, and sees the ring that the cut leaves.
+            ("ring", "x=0.1", DVec3::X),
         ] {
-            let scene = scenes::sectioned(&shape, &["-x=0.2"]);
+            let scene = scenes::sectioned(&shape, &[section]);
             let camera = Camera {
                 near: Some(0.01),
                 ..scenes::looking(DVec3::new(0.02, 0.01, 0.03), to, 70.0)
