@@ -12,6 +12,7 @@
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
 //! but [`scene`] and the [`layers`]. A test holds this map against the source.
 
+pub mod cmd;
 pub mod compare;
 pub mod error;
 pub mod exact;
@@ -19,6 +20,7 @@ pub mod gpu;
 pub mod layers;
 pub mod passes;
 pub mod plan;
+pub mod report;
 pub mod scene;
 pub mod session;
 pub mod shader;

@@ -58,11 +58,23 @@ pub struct Drawn {
     pub times: RunTimes,
 }
 
+impl Drawn {
+    fn refused(reason: String) -> Self {
+        Self {
+            outcome: Outcome::Refused(reason),
+            clocks: ClockSet::NONE,
+            times: RunTimes::default(),
+        }
+    }
+}
+
 #[derive(Default)]
 struct Slot {
     program: Program,
     capacities: Option<Capacities>,
     size_px: [u32; 2],
+    /// The last call drew a frame, so there is something to read.
+    drawn: bool,
 }
 
 /// A device and the programs on it.
@@ -89,6 +101,7 @@ impl Session {
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
         let slot = self.slots.entry(strategy.to_string()).or_default();
         slot.size_px = view.size_px;
+        slot.drawn = false;
         let mut overflow = String::new();
         let mut last = None;
         let mut owed = ClockSet::NONE;
@@ -96,24 +109,14 @@ impl Session {
             let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
             let plan = match strategies::record(model, view, strategy, capacities) {
                 Ok(plan) => plan,
-                Err(refusal) => {
-                    let outcome = Outcome::Refused(refusal.reason);
-                    return Ok(Drawn {
-                        outcome,
-                        clocks: ClockSet::NONE,
-                        times: RunTimes::default(),
-                    });
-                }
+                Err(refusal) => return Ok(Drawn::refused(refusal.reason)),
             };
-            if let Err(Error::Plan(reason)) = plan.check(self.gpu.limits()) {
-                let outcome = Outcome::Refused(reason);
-                return Ok(Drawn {
-                    outcome,
-                    clocks: ClockSet::NONE,
-                    times: RunTimes::default(),
-                });
-            }
-            let clocks = slot.program.load(&self.gpu, plan)?.union(owed);
+            let changed = match slot.program.load(&self.gpu, plan) {
+                Ok(changed) => changed,
+                Err(Error::Plan(reason)) => return Ok(Drawn::refused(reason)),
+                Err(e) => return Err(e),
+            };
+            let clocks = changed.union(owed);
             slot.program.clear_needs_of_frame(&self.gpu)?;
             let times = slot.program.run(&self.gpu, clocks)?;
             let needs = slot.program.needs(&self.gpu)?;
@@ -143,6 +146,7 @@ impl Session {
             owed = clocks;
         }
         let mut drawn = last.ok_or_else(|| Error::Plan("no frame was drawn".to_owned()))?;
+        slot.drawn = true;
         if !overflow.is_empty() {
             drawn.outcome = Outcome::Overflowed(overflow);
         }
@@ -184,8 +188,7 @@ impl Session {
     }
 
     fn slot(&self, name: &str) -> Result<&Slot> {
-        self.slots
-            .get(name)
-            .ok_or_else(|| Error::Plan(format!("{name} has drawn nothing yet")))
+        let drawn = self.slots.get(name).filter(|slot| slot.drawn);
+        drawn.ok_or_else(|| Error::Plan(format!("{name} has drawn no frame to look at")))
     }
 }

@@ -15,8 +15,8 @@
 //!
 //! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
 //!
-//! Errors of depth and normal are taken where the pixel is right and decided: where sampling is ambiguous, both answers
-//! are right and lie far apart.
+//! Errors of depth and normal are taken where the pixel is right and decided, in depth too: where sampling is ambiguous,
+//! both answers are right and lie far apart.
 
 mod heatmap;
 
@@ -106,7 +106,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
             result.edge_wrong_px += usize::from(edge);
             result.interior_wrong_px += usize::from(!edge);
             result.decided_wrong_px += usize::from(decided);
-        } else if decided && truth.kind != Kind::Background {
+        } else if decided && !exact.depth_open[index] && truth.kind != Kind::Background {
             let off = (found.depth - truth.depth).abs();
             depth.add(off / scale);
             depth_px.add(off / view.pixel_size(truth.depth).abs());

@@ -3,8 +3,9 @@
 //! A sample is undecided where an implementation that moves it by 1/256 px, or rounds a depth by four ulp of f32, may
 //! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
 //! their order is open, and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
-//! pair swapped, or the graze taken the other way, and only another answer, or a jump in depth, leaves the sample
-//! undecided. So does an outline where the part is not clearly removed and that is not hidden.
+//! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
+//! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open. An outline leaves
+//! the sample undecided where the part is not clearly removed and nothing hides it.
 //!
 //! Exact coincidence is decided: a triangle in a clip-plane is on its kept side (see [`super::walk`]), and of two parts
 //! that share a triangle the first in rank has it.
@@ -26,6 +27,31 @@ pub(super) fn rounding(view: &View, depth: f64) -> f64 {
         1.0
     };
     4.0 * f64::from(f32::EPSILON) * depth.abs().max(span).max(1.0)
+}
+
+/// How far an answer can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Openness {
+    /// All of it is decided.
+    Nothing,
+    /// The depth, and the normal with it, may be another; kind, part and clip-surface are decided.
+    Depth,
+    /// Anything may be another.
+    All,
+}
+
+impl Openness {
+    /// The greatest, asked for only until nothing can exceed it.
+    fn worst(all: impl Iterator<Item = Self>) -> Self {
+        let mut worst = Self::Nothing;
+        for one in all {
+            worst = worst.max(one);
+            if worst == Self::All {
+                break;
+            }
+        }
+        worst
+    }
 }
 
 /// Everything known about one ray.
@@ -69,11 +95,16 @@ impl Scratch {
 }
 
 impl Case<'_> {
-    /// Whether the answer is open.
-    pub(super) fn undecided(&self, scratch: &mut Scratch) -> bool {
-        self.brushed()
-            || self.grazed(scratch)
-            || (!self.events.is_empty() && self.disordered(scratch))
+    /// What of the answer is open.
+    pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
+        if self.brushed() {
+            return Openness::All;
+        }
+        let grazed = self.grazed(scratch);
+        if grazed == Openness::All || self.events.is_empty() {
+            return grazed;
+        }
+        grazed.max(self.disordered(scratch))
     }
 
     fn seen_depth(&self) -> f64 {
@@ -138,12 +169,10 @@ impl Case<'_> {
         state.removes(self.prepared, brush.rank)
     }
 
-    /// A graze that, taken the other way, changes the answer.
-    fn grazed(&self, scratch: &mut Scratch) -> bool {
-        self.grazes.iter().any(|graze| {
-            if graze.depth > self.seen_depth() + rounding(self.view, graze.depth) {
-                return false;
-            }
+    /// What the grazes change, taken the other way.
+    fn grazed(&self, scratch: &mut Scratch) -> Openness {
+        Openness::worst(self.grazes.iter().map(|graze| {
+            let hidden = self.seen_depth() + rounding(self.view, graze.depth);
             let of_surface =
                 |e: &Event| matches!(e.cause, Cause::Clip { surface, .. } if surface == graze.surface);
             scratch.events.clear();
@@ -153,11 +182,18 @@ impl Case<'_> {
                 let before = self.events[..after].iter().rposition(of_surface);
                 let behind = self.events[after..].iter().position(of_surface);
                 let (Some(before), Some(behind)) = (before, behind) else {
-                    return false;
+                    return Openness::Nothing;
                 };
+                // The extremum itself may lie behind what is seen: the crossing before it is what brings it into sight.
+                if self.events[before].depth > hidden {
+                    return Openness::Nothing;
+                }
                 scratch.events.remove(after + behind);
                 scratch.events.remove(before);
             } else {
+                if graze.depth > hidden {
+                    return Openness::Nothing;
+                }
                 let crossed_before = self
                     .events
                     .iter()
@@ -181,56 +217,68 @@ impl Case<'_> {
                 }
                 scratch.events.sort_unstable_by(by_depth);
             }
-            self.differs(scratch, rounding(self.view, graze.depth))
-        })
+            self.change(scratch, rounding(self.view, graze.depth))
+        }))
     }
 
-    /// Two events whose order is open and matters. The near plane is an event too.
-    fn disordered(&self, scratch: &mut Scratch) -> bool {
+    /// What it changes to swap two events whose order is open. The near plane is an event too.
+    fn disordered(&self, scratch: &mut Scratch) -> Openness {
         let mut margins = std::mem::take(&mut scratch.margins);
         margins.clear();
         margins.extend(self.events.iter().map(|e| self.margin(e)));
         let widest = margins.iter().copied().fold(0.0, f64::max);
         let seen = self.seen_depth();
-        let open = (0..self.events.len()).any(|i| {
-            let a = &self.events[i];
-            if a.depth - margins[i] > seen + widest {
-                return false;
-            }
-            if (a.depth - self.view.near).abs() <= margins[i] {
-                scratch.events.clear();
-                scratch.events.extend_from_slice(self.events);
-                // To the other side; what lies at the near plane itself counts as before it.
-                let step = rounding(self.view, a.depth);
-                scratch.events[i].depth = if a.depth > self.view.near {
-                    self.view.near
-                } else {
-                    self.view.near + step
-                };
-                if self.differs(scratch, margins[i] + step) {
-                    return true;
-                }
-            }
-            (i + 1..self.events.len())
-                .take_while(|j| self.events[*j].depth - a.depth <= margins[i] + widest)
-                .filter(|j| {
-                    let b = &self.events[*j];
-                    b.depth - a.depth <= margins[i] + margins[*j] && self.order_matters(a, b)
-                })
-                .any(|j| {
-                    scratch.events.clear();
-                    scratch.events.extend_from_slice(self.events);
-                    scratch.events[i].depth = self.events[j].depth;
-                    scratch.events[j].depth = a.depth;
-                    if a.depth == self.events[j].depth {
-                        // At one depth the tie rule decides; the other order is a hair apart.
-                        scratch.events[j].depth -= rounding(self.view, a.depth);
-                    }
-                    self.differs(scratch, margins[i] + margins[j])
-                })
-        });
+        let open = Openness::worst(
+            (0..self.events.len())
+                .take_while(|i| self.events[*i].depth <= seen + 2.0 * widest)
+                .map(|i| {
+                    let depth = self.events[i].depth;
+                    let near = if (depth - self.view.near).abs() <= margins[i] {
+                        self.across_near(scratch, i, margins[i])
+                    } else {
+                        Openness::Nothing
+                    };
+                    let close = (i + 1..self.events.len())
+                        .take_while(|j| self.events[*j].depth - depth <= margins[i] + widest)
+                        .filter(|j| self.events[*j].depth - depth <= margins[i] + margins[*j]);
+                    near.max(Openness::worst(close.map(|j| {
+                        if self.order_matters(&self.events[i], &self.events[j]) {
+                            self.swapped(scratch, [i, j], margins[i] + margins[j])
+                        } else {
+                            Openness::Nothing
+                        }
+                    })))
+                }),
+        );
         scratch.margins = margins;
         open
+    }
+
+    /// What it changes to move an event to the other side of the near plane; at the plane counts as before it.
+    fn across_near(&self, scratch: &mut Scratch, event: usize, margin: f64) -> Openness {
+        let depth = self.events[event].depth;
+        let step = rounding(self.view, depth);
+        scratch.events.clear();
+        scratch.events.extend_from_slice(self.events);
+        scratch.events[event].depth = if depth > self.view.near {
+            self.view.near
+        } else {
+            self.view.near + step
+        };
+        self.change(scratch, margin + step)
+    }
+
+    fn swapped(&self, scratch: &mut Scratch, [i, j]: [usize; 2], margin: f64) -> Openness {
+        let [near, far] = [i, j].map(|k| self.events[k].depth);
+        scratch.events.clear();
+        scratch.events.extend_from_slice(self.events);
+        scratch.events[i].depth = far;
+        scratch.events[j].depth = near;
+        if near == far {
+            // At one depth the tie rule decides; the other order is a hair apart.
+            scratch.events[j].depth -= rounding(self.view, near);
+        }
+        self.change(scratch, margin)
     }
 
     /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
@@ -271,7 +319,7 @@ impl Case<'_> {
     }
 
     /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
-    fn differs(&self, scratch: &mut Scratch, reach: f64) -> bool {
+    fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
         let Scratch { events, state, .. } = scratch;
         events.sort_unstable_by(by_depth);
         state.set(self.start);
@@ -283,12 +331,16 @@ impl Case<'_> {
             state,
         );
         match (self.sight, other) {
-            (None, None) => false,
-            (Some(a), Some(b)) => {
+            (None, None) => Openness::Nothing,
+            (Some(a), Some(b)) if a.class() == b.class() => {
                 let step = rounding(self.view, a.depth);
-                a.class() != b.class() || (a.depth - b.depth).abs() > 2.0 * (reach + step)
+                if (a.depth - b.depth).abs() > 2.0 * (reach + step) {
+                    Openness::Depth
+                } else {
+                    Openness::Nothing
+                }
             }
-            _ => true,
+            _ => Openness::All,
         }
     }
 }

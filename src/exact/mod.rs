@@ -2,13 +2,13 @@
 //!
 //! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
 //! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
-//! leaves the removed region. This module lists every crossing of the ray with every triangle ([`raster`]) and with every
-//! clip-surface ([`clip`], [`relief`]), walks them in order ([`walk`]), and says which answers hang on less than a picture
-//! can tell ([`ambiguity`]). It shares no algorithm with the strategies it judges.
+//! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
+//! clip-surface (`clip`, `relief`), walks them in order (`walk`), and says which answers hang on less than a picture
+//! can tell (`ambiguity`). It shares no algorithm with the strategies it judges.
 //!
 //! *Inside* is even-odd. The crossings of the whole line count, behind the eye too: inside at the near plane is an odd
 //! number before it. An open part has pixels with an odd number in all; they are marked ([`Exact::odd_parity`]) and drawn
-//! as if the line started outside.
+//! as if the line started outside. An eye that is on a mesh to the last bit has no side, and gets odd pixels too.
 //!
 //! Cost: time and memory of the crossings, plus one step per texel border within the relief's slab between the first and
 //! the last crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
@@ -25,7 +25,7 @@ mod walk;
 use glam::DVec2;
 use rayon::prelude::*;
 
-use self::ambiguity::{Case, Scratch};
+use self::ambiguity::{Case, Openness, Scratch};
 use self::clip::{Clip, Graze, Ray, Root};
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
@@ -40,6 +40,9 @@ pub struct Exact {
     pub layers: Layers,
     /// Whether sampling itself is ambiguous there: within 1/256 px of an outline, or two events too close to order.
     pub undecided: Vec<bool>,
+    /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within 1/256 px, as between two
+    /// folds of a relief. No undecided pixel is one of them.
+    pub depth_open: Vec<bool>,
     /// Whether some part has an odd number of crossings along the whole line: it is open there.
     pub odd_parity: Vec<bool>,
 }
@@ -68,6 +71,7 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
     let mut exact = Exact {
         layers: Layers::background(view.size_px),
         undecided: vec![false; width as usize * height as usize],
+        depth_open: vec![false; width as usize * height as usize],
         odd_parity: vec![false; width as usize * height as usize],
     };
     let band_pixels = (width * BAND_ROWS) as usize;
@@ -76,12 +80,14 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
         .pixels
         .par_chunks_mut(band_pixels)
         .zip(exact.undecided.par_chunks_mut(band_pixels))
+        .zip(exact.depth_open.par_chunks_mut(band_pixels))
         .zip(exact.odd_parity.par_chunks_mut(band_pixels))
         .enumerate()
-        .for_each(|(band, ((layers, undecided), odd))| {
+        .for_each(|(band, (((layers, undecided), depth_open), odd))| {
             scene.band(band, |pixel, answer| {
                 layers[pixel] = answer.layer;
-                undecided[pixel] = answer.undecided;
+                undecided[pixel] = answer.open == Openness::All;
+                depth_open[pixel] = answer.open == Openness::Depth;
                 odd[pixel] = answer.layer.unreliable;
             });
         });
@@ -101,7 +107,7 @@ struct Lines<'a> {
 
 struct Answer {
     layer: Layer,
-    undecided: bool,
+    open: Openness,
 }
 
 /// How far before the first and behind the last crossing clip-surfaces are looked for, in pixels of that depth: events
@@ -188,7 +194,11 @@ impl<'a> Lines<'a> {
             };
         let odd = bench.sort_crossings(found, brushes, before_near);
         let depths = (bench.crossings.iter().map(|c| c.depth))
-            .chain(brushes.iter().map(|b| b.depth))
+            .chain(
+                brushes
+                    .iter()
+                    .flat_map(|b| [b.depth - b.margin, b.depth + b.margin]),
+            )
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], d| {
                 [lo.min(d), hi.max(d)]
             });
@@ -201,7 +211,7 @@ impl<'a> Lines<'a> {
             bench.clear();
             return Answer {
                 layer,
-                undecided: false,
+                open: Openness::Nothing,
             };
         }
         let inside_at_near = bench.start.inside.iter().any(|i| *i);
@@ -239,9 +249,9 @@ impl<'a> Lines<'a> {
             sight,
             coincident: &bench.coincident,
         };
-        let undecided = case.undecided(&mut bench.scratch);
+        let open = case.openness(&mut bench.scratch);
         bench.clear();
-        Answer { layer, undecided }
+        Answer { layer, open }
     }
 
     fn pad(&self, depth: f64) -> f64 {

@@ -4,6 +4,8 @@
 //! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
 //! with more than two faces. Vertices are matched by position here, because a mesh may store one point twice.
 //!
+//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`is_sliver`]).
+//!
 //! Rasterisers round vertices to 1/256 px, which moves an edge by up to 1/512 px along each axis, and f32 transforms move
 //! it by less than that again: a sample farther than [`NEAR_PX`] from every outline is hit alike by all of them.
 
@@ -56,7 +58,11 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         .par_iter()
         .enumerate()
         .flat_map_iter(|(index, t)| {
-            let facing = projected.facing[index];
+            let facing = if is_sliver(view, projected, index as u32) {
+                0
+            } else {
+                projected.facing[index]
+            };
             let t = t.map(|i| names[i as usize]);
             // A triangle with two equal corners is an edge, and no face of it.
             let degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
@@ -81,7 +87,13 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             let ends = beyond(view.near, a, b)?;
             let margin = faces
                 .iter()
-                .map(|f| reach(view, projected, f.triangle))
+                .map(|f| {
+                    if is_sliver(view, projected, f.triangle) {
+                        projected.facet(f.triangle).extent()
+                    } else {
+                        reach(view, projected, f.triangle)
+                    }
+                })
                 .fold(0.0, f64::max);
             Some(Outline {
                 ends,
@@ -113,6 +125,23 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
         names[*vertex as usize] = first;
     }
     names
+}
+
+/// A needle that rounding its corners to the sub-pixel grid may turn over, and whose depths differ by more than a pixel
+/// is wide: which of its sides a rasteriser sees, and so the depth it finds in it, is anybody's guess within the needle's
+/// own depths. Its edges are outlines: there is no telling on which side of them it lies.
+fn is_sliver(view: &View, projected: &Projected<'_>, triangle: u32) -> bool {
+    let corners = projected.corners(triangle);
+    if corners.iter().any(|c| c.depth <= view.near) {
+        return false;
+    }
+    let [a, b, c] = corners.map(Corner::pixel);
+    let longest = [b - a, c - b, a - c]
+        .map(DVec2::length)
+        .into_iter()
+        .fold(0.0, f64::max);
+    let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * NEAR_PX * longest;
+    is_narrow && projected.facet(triangle).extent() > view.pixel_size(corners[0].depth)
 }
 
 /// How much depth changes over a face within [`NEAR_PX`].

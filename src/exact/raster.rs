@@ -96,6 +96,11 @@ impl Facet {
         }
     }
 
+    /// How far apart the depths of the corners are.
+    pub(super) fn extent(&self) -> f64 {
+        self.depths[1] - self.depths[0]
+    }
+
     /// How much the depth may change within the triangle when a sample moves by a share of a pixel.
     pub(super) fn depth_change(
         &self,
@@ -106,7 +111,7 @@ impl Facet {
     ) -> f64 {
         let along = self.normal.dot(direction).abs();
         let across = lateral(view, self.normal) * view.pixel_size(depth) * share_px;
-        let extent = self.depths[1] - self.depths[0];
+        let extent = self.extent();
         if across >= along * extent {
             extent
         } else {

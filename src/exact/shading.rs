@@ -10,21 +10,14 @@ pub(super) fn cap_normal(root: &Root) -> Vec3 {
     (-root.gradient).normalize_or_zero().as_vec3()
 }
 
-/// Normal of a mesh: of its corners where it has normals, of the triangle elsewhere; turned round on a back face.
+/// Normal of a mesh: the shading normals of the triangle's corners, interpolated; turned round on a back face.
 pub(super) fn surface_normal(part: &Projected<'_>, crossing: &Crossing, point: DVec3) -> Vec3 {
     let facet = part.facet(crossing.triangle);
-    let corners = part.part.corner_normals.as_ref();
-    let smooth = corners.map_or(DVec3::ZERO, |all| {
-        let shares = barycentric(facet.points, facet.normal, point);
-        let normals = all[crossing.triangle as usize].map(|n| n.as_dvec3());
-        (normals[0] * shares[0] + normals[1] * shares[1] + normals[2] * shares[2])
-            .normalize_or_zero()
-    });
-    let normal = if smooth == DVec3::ZERO {
-        facet.normal.normalize_or_zero()
-    } else {
-        smooth
-    };
+    let shares = barycentric(facet.points, facet.normal, point);
+    let shading = &part.part.shading;
+    let [a, b, c] = shading.triangles[crossing.triangle as usize]
+        .map(|vertex| shading.normals[vertex as usize].as_dvec3());
+    let normal = (a * shares[0] + b * shares[1] + c * shares[2]).normalize_or(facet.normal);
     let turned = if crossing.back_face { -normal } else { normal };
     turned.as_vec3()
 }

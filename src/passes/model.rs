@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::plan::Contents;
 use crate::plan::pack::{NO_RELIEF, flat_height, pack_normal};
-use crate::scene::{Prepared, Scene, ShadingMesh};
+use crate::scene::{Prepared, Scene};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -42,9 +42,6 @@ pub struct Model {
     pub first_texel: Vec<u32>,
 }
 
-/// Edges sharper than this are drawn as edges.
-const CREASE_DEG: f32 = 40.0;
-
 impl Model {
     /// Packs a scene.
     pub fn of(scene: &Scene) -> Self {
@@ -57,7 +54,7 @@ impl Model {
             .parts
             .par_iter()
             .map(|part| {
-                let shading = ShadingMesh::of(part, CREASE_DEG);
+                let shading = &part.shading;
                 let vertices = shading
                     .positions_of_vertex
                     .iter()

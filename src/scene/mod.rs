@@ -9,6 +9,7 @@ mod camera;
 mod clip_surface;
 mod cut;
 mod file;
+mod load;
 mod material;
 mod mesh;
 mod offset_map;
@@ -18,12 +19,15 @@ pub mod relief;
 mod section;
 pub mod shapes;
 mod smooth;
+mod topology;
+mod weld;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Pose, Projection, Up, View};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
 pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
+pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use offset_map::{OffsetMap, Wrap};
@@ -31,7 +35,8 @@ pub use part::{Part, Role};
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
-pub use smooth::ShadingMesh;
+pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
+pub use topology::{DepthComplexity, Extent, Topology};
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]

@@ -13,7 +13,10 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::{Bounds, Camera, Material, OffsetMap, Scene, SurfaceFrame, View, Wrap};
+use super::{
+    Bounds, Camera, Cut, DEFAULT_CREASE_DEG, Material, OffsetMap, Part, Scene, ShadingMesh,
+    SurfaceFrame, View, Wrap,
+};
 
 /// A part in scene space.
 #[derive(Clone, Debug)]
@@ -28,6 +31,8 @@ pub struct PreparedPart {
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
     pub corner_normals: Option<Vec<[Vec3; 3]>>,
+    /// What is drawn: `positions` split where the surface has a crease, with a normal each.
+    pub shading: ShadingMesh,
     /// Bounds of `positions`.
     pub bounds: Bounds,
     /// Look.
@@ -104,43 +109,9 @@ impl Prepared {
             .par_iter()
             .enumerate()
             .map(|(index, part)| {
-                let m = part.world_from_part;
-                let positions: Vec<Vec3> = part
-                    .mesh
-                    .positions
-                    .iter()
-                    .map(|p| to_scene(m.transform_point3(*p)).as_vec3())
-                    .collect();
-                let mirrored = m.matrix3.determinant() < 0.0;
-                let turn = |t: &[u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { *t };
-                let normal_from_part = normal_matrix(m.matrix3);
-                PreparedPart {
-                    part: index,
-                    name: part.name.clone(),
-                    bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
-                    positions,
-                    triangles: part.mesh.triangles.iter().map(turn).collect(),
-                    corner_normals: part.mesh.corner_normals.as_ref().map(|all| {
-                        all.iter()
-                            .map(|n| {
-                                let n = n.map(|n| {
-                                    (normal_from_part * n.as_dvec3())
-                                        .normalize_or_zero()
-                                        .as_vec3()
-                                });
-                                if mirrored { [n[0], n[2], n[1]] } else { n }
-                            })
-                            .collect()
-                    }),
-                    material: part.material,
-                    cuts: scene
-                        .cuts
-                        .iter()
-                        .enumerate()
-                        .filter(|(_, c)| c.applies_to(part))
-                        .map(|(i, _)| i)
-                        .collect(),
-                }
+                let applies = |(i, c): (usize, &Cut)| c.applies_to(part).then_some(i);
+                let cuts = scene.cuts.iter().enumerate().filter_map(applies);
+                PreparedPart::place(index, part, to_scene, cuts.collect())
             })
             .collect();
         let volume = |p: &PreparedPart| {
@@ -218,6 +189,57 @@ impl Prepared {
     }
 }
 
+impl PreparedPart {
+    /// Moves a part to scene space. A mirroring placement turns the triangles round, so that outside stays outside.
+    fn place(
+        index: usize,
+        part: &Part,
+        to_scene: impl Fn(DVec3) -> DVec3,
+        cuts: Vec<usize>,
+    ) -> Self {
+        let m = part.world_from_part;
+        let mirrored = m.matrix3.determinant() < 0.0;
+        let normal_from_part = normal_matrix(m.matrix3);
+        let turned = |n: Vec3| {
+            let turned = normal_from_part * n.as_dvec3();
+            turned.normalize_or_zero().as_vec3()
+        };
+        let positions: Vec<Vec3> = part
+            .mesh
+            .positions
+            .iter()
+            .map(|p| to_scene(m.transform_point3(*p)).as_vec3())
+            .collect();
+        let mut placed = Self {
+            part: index,
+            name: part.name.clone(),
+            bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+            positions,
+            triangles: part
+                .mesh
+                .triangles
+                .iter()
+                .map(|t| facing_out(*t, mirrored))
+                .collect(),
+            corner_normals: part.mesh.corner_normals.as_ref().map(|all| {
+                all.iter()
+                    .map(|n| facing_out(n.map(turned), mirrored))
+                    .collect()
+            }),
+            shading: ShadingMesh::default(),
+            material: part.material,
+            cuts,
+        };
+        placed.shading = ShadingMesh::of(&placed, DEFAULT_CREASE_DEG);
+        placed
+    }
+}
+
+/// The corners of a triangle, the other way round where its placement mirrors.
+fn facing_out<T>([a, b, c]: [T; 3], mirrored: bool) -> [T; 3] {
+    if mirrored { [a, c, b] } else { [a, b, c] }
+}
+
 fn normal_matrix(m: DMat3) -> DMat3 {
     if m.determinant() == 0.0 {
         m
@@ -229,7 +251,7 @@ fn normal_matrix(m: DMat3) -> DMat3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Mesh, Part};
+    use crate::scene::Mesh;
 
     fn triangle_at(offset: DVec3, size: f64) -> Scene {
         let positions = [DVec3::ZERO, DVec3::X, DVec3::Y]

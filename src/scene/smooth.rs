@@ -6,7 +6,7 @@
 //! regions are triangulated. Normals of the file win where there are any. Normals never move a position or an edge.
 //!
 //! Cost: one bucket sort of the corners, then every position on its own, in parallel; the result does not depend on the
-//! number of threads. Limit: a triangle without area gets the normal of its first usable neighbour group or `+Z`.
+//! number of threads. Limit: a triangle without area gets the normal of some triangle beside it, or `+Z`.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -46,7 +46,10 @@ struct Corner {
     face: DVec3,
     /// Normal times angle, or the file's normal.
     pull: DVec3,
+    /// Index of the first corner of the same group.
     group: u32,
+    /// The group's vertex, once made.
+    vertex: u32,
 }
 
 impl ShadingMesh {
@@ -152,12 +155,13 @@ fn chunk(
                 pull: given
                     .unwrap_or_else(|| faces[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
                 group,
+                vertex: 0,
             }
         }));
         if part.corner_normals.is_none() {
             group(&mut around, &mut ends, least_cos);
         }
-        append(&mut out, position as u32, &around);
+        append(&mut out, position as u32, &mut around);
     }
     out
 }
@@ -195,36 +199,28 @@ fn root(around: &[Corner], mut i: usize) -> usize {
 }
 
 /// Makes a vertex for each different normal at a position.
-fn append(out: &mut Chunk, position: u32, around: &[Corner]) {
+fn append(out: &mut Chunk, position: u32, around: &mut [Corner]) {
     let first = out.normals.len();
     let fallback = around
         .iter()
         .map(|c| c.face)
         .find(|n| *n != DVec3::ZERO)
         .unwrap_or(DVec3::Z);
-    let mut vertex_of_group = [u32::MAX; 32];
-    for (i, corner) in around.iter().enumerate() {
-        let known = vertex_of_group.get(corner.group as usize);
-        let vertex = match known {
-            Some(vertex) if *vertex != u32::MAX => *vertex,
-            _ => {
-                let members = around.iter().skip(corner.group as usize);
-                let sum: DVec3 = members
-                    .filter(|c| c.group == corner.group)
-                    .map(|c| c.pull)
-                    .sum();
-                let unit = sum.try_normalize().unwrap_or(fallback);
-                vertex_of(out, first, position, unit.as_vec3())
-            }
-        };
-        if let Some(slot) = vertex_of_group.get_mut(corner.group as usize) {
-            *slot = vertex;
+    for i in 0..around.len() {
+        let leader = around[i].group as usize;
+        if leader != i {
+            let pull = around[i].pull;
+            around[leader].pull += pull;
         }
-        debug_assert!(
-            corner.group as usize <= i,
-            "a group is named by its first corner"
-        );
-        out.vertex_of_corner.push(vertex);
+    }
+    for i in 0..around.len() {
+        let leader = around[i].group as usize;
+        if leader == i {
+            let unit = around[i].pull.try_normalize().unwrap_or(fallback);
+            around[i].vertex = vertex_of(out, first, position, unit.as_vec3());
+        }
+        // The leader is the first corner of its group, so its vertex is known by now.
+        out.vertex_of_corner.push(around[leader].vertex);
     }
 }
 
@@ -237,4 +233,113 @@ fn vertex_of(out: &mut Chunk, first: usize, position: u32, normal: Vec3) -> u32 
         out.positions_of_vertex.push(position);
     }
     vertex as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Mesh, Part, Prepared, Scene};
+
+    fn prepared(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> PreparedPart {
+        let mesh = Mesh {
+            positions: positions.iter().copied().map(DVec3::from).collect(),
+            triangles: triangles.to_vec(),
+            corner_normals: None,
+        };
+        let scene = Scene {
+            parts: vec![Part::new("p", mesh)],
+            ..Scene::default()
+        };
+        Prepared::of(&scene).parts.remove(0)
+    }
+
+    /// A closed ring of `n` quads around the z axis with two caps.
+    fn cylinder(n: u32) -> PreparedPart {
+        let mut positions = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]];
+        let mut triangles = Vec::new();
+        for i in 0..n {
+            let a = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+            positions.extend([[a.cos(), a.sin(), -1.0], [a.cos(), a.sin(), 1.0]]);
+            let (low, next) = (2 + 2 * i, 2 + 2 * ((i + 1) % n));
+            triangles.extend([[low, next, next + 1], [low, next + 1, low + 1]]);
+            triangles.extend([[0, next, low], [1, low + 1, next + 1]]);
+        }
+        prepared(&positions, &triangles)
+    }
+
+    #[test]
+    fn a_cylinder_is_smooth_around_and_sharp_at_its_rims() {
+        let part = cylinder(24);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        assert_eq!(
+            mesh.normals.len(),
+            2 + 24 * 2 * 2,
+            "rim positions have two vertices each"
+        );
+        for (v, n) in mesh.positions_of_vertex.iter().zip(&mesh.normals) {
+            let p = part.positions[*v as usize] - part.bounds.centre().as_vec3();
+            let radial = Vec3::new(p.x, p.y, 0.0).normalize_or_zero();
+            let nearest = n.dot(radial).max(n.z.abs());
+            assert!(nearest > 0.999_9, "normal {n} at {p}");
+        }
+        let flat = ShadingMesh::of(&part, 1.0);
+        assert_eq!(flat.normals.len(), 2 + 24 * 2 * 3, "every face on its own");
+    }
+
+    #[test]
+    fn order_and_positions_are_kept() {
+        let part = cylinder(7);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        for (t, of) in mesh.triangles.iter().zip(&part.triangles) {
+            assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
+        }
+        assert_eq!(mesh, ShadingMesh::of(&part, DEFAULT_CREASE_DEG));
+    }
+
+    #[test]
+    fn weights_are_angles_so_triangulation_does_not_show() {
+        // One side of a cube's corner is cut into two triangles, the others meet it with one each.
+        let positions = [
+            [0.0; 3],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [1.0, 1.0, 0.0],
+        ];
+        let part = prepared(&positions, &[[0, 1, 4], [0, 4, 2], [0, 2, 3], [0, 3, 1]]);
+        let mesh = ShadingMesh::of(&part, 179.0);
+        let at = mesh.triangles[0][0] as usize;
+        let diagonal = Vec3::splat(1.0 / 3.0_f32.sqrt());
+        assert!(
+            (mesh.normals[at] - diagonal).length() < 1e-6,
+            "{}",
+            mesh.normals[at]
+        );
+    }
+
+    #[test]
+    fn triangles_without_area_give_unit_normals() {
+        let positions = [
+            [0.0; 3],
+            [1.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [5.0; 3],
+        ];
+        let part = prepared(&positions, &[[0, 1, 2], [0, 2, 3], [4, 4, 4]]);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        for n in &mesh.normals {
+            assert!((n.length() - 1.0).abs() < 1e-6, "{n}");
+        }
+    }
+
+    #[test]
+    fn normals_of_the_file_win() {
+        let mut part = cylinder(5);
+        let given = vec![[Vec3::X, Vec3::X, Vec3::Y]; part.triangles.len()];
+        part.corner_normals = Some(given);
+        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        assert!(mesh.normals.iter().all(|n| *n == Vec3::X || *n == Vec3::Y));
+        assert_eq!(mesh.normals[mesh.triangles[3][2] as usize], Vec3::Y);
+    }
 }

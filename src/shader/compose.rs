@@ -1,39 +1,31 @@
 //! Composition of one shader from the tree.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
 
-use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, source};
 use crate::{Error, Result};
 
-/// The bindings of the shaders that were asked for.
-static REFLECTED: Mutex<BTreeMap<String, Arc<[ShaderBinding]>>> = Mutex::new(BTreeMap::new());
-
-/// The bindings of a shader of the tree. Each is composed once in a process: plans are checked every frame, and to compose
-/// takes milliseconds.
-pub fn bindings_of(path: &str) -> Result<Arc<[ShaderBinding]>> {
-    // A poisoned lock only means that another thread panicked while it held plain data.
-    let mut reflected = REFLECTED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = reflected.get(path) {
-        return Ok(known.clone());
-    }
-    let found: Arc<[ShaderBinding]> = bindings(&compose(path)?).into();
-    reflected.insert(path.to_owned(), found.clone());
-    Ok(found)
-}
+/// Modules composed so far: plans are checked, reflected and compiled from the same one.
+static COMPOSED: Mutex<BTreeMap<String, naga::Module>> = Mutex::new(BTreeMap::new());
 
 /// The composed and validated module of a shader, validated with naga's default capabilities: what core WebGPU offers.
 pub fn compose(path: &str) -> Result<naga::Module> {
+    let mut composed = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(module) = composed.get(path) {
+        return Ok(module.clone());
+    }
     let text = source(path).ok_or_else(|| Error::Shader {
         name: path.to_owned(),
         what: "there is no such shader".to_owned(),
     })?;
-    compose_text(path, text)
+    let module = compose_text(path, text)?;
+    composed.insert(path.to_owned(), module.clone());
+    Ok(module)
 }
 
 /// As [`compose`], of a text that is not in the tree: tests wrap library functions in small shaders this way.

@@ -1,0 +1,285 @@
+//! Options that several subcommands share.
+
+use clap::{Args, ValueEnum};
+use glam::DVec3;
+
+use super::sections::SectionArgs;
+use crate::Result;
+use crate::gpu::{Gpu, GpuOptions};
+use crate::scene::{Bounds, Camera, Pose, Projection, Up};
+
+/// Most pixels along a side of a picture.
+const LARGEST_SIDE: u32 = 16_384;
+
+/// What is drawn, how it is cut, and where it is seen from.
+#[derive(Args)]
+pub(super) struct SceneArgs {
+    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
+    #[arg(required = true, value_name = "SCENE|MODEL")]
+    pub(super) inputs: Vec<String>,
+    #[command(flatten)]
+    pub(super) sections: SectionArgs,
+    #[command(flatten)]
+    pub(super) camera: CameraArgs,
+    /// Width and height of the picture in pixels [default: that of the scene, or 1024,768]
+    #[arg(long, value_name = "W,H", value_parser = parse_resolution, help_heading = "Output")]
+    pub(super) resolution: Option<[u32; 2]>,
+}
+
+/// Where a scene is seen from.
+#[derive(Args)]
+pub(super) struct CameraArgs {
+    /// Where the eye is
+    #[arg(
+        long = "camera-position",
+        value_name = "X,Y,Z",
+        value_parser = parse_point,
+        allow_hyphen_values = true,
+        conflicts_with_all = ["azimuth_deg", "elevation_deg"],
+        help_heading = "Camera"
+    )]
+    position: Option<DVec3>,
+    /// What the eye looks at [default: the middle of the model]
+    #[arg(
+        long = "camera-focal-point",
+        value_name = "X,Y,Z",
+        value_parser = parse_point,
+        allow_hyphen_values = true,
+        requires = "position",
+        help_heading = "Camera"
+    )]
+    focal_point: Option<DVec3>,
+    /// Direction that is up in the picture
+    #[arg(
+        long = "camera-view-up",
+        value_name = "X,Y,Z",
+        value_parser = parse_point,
+        allow_hyphen_values = true,
+        requires = "position",
+        help_heading = "Camera"
+    )]
+    view_up: Option<DVec3>,
+    /// Turn around the up axis, in degrees [default: 35]
+    #[arg(
+        long = "camera-azimuth-angle",
+        value_name = "DEG",
+        value_parser = parse_finite,
+        allow_hyphen_values = true,
+        help_heading = "Camera"
+    )]
+    azimuth_deg: Option<f64>,
+    /// Height above the horizon, in degrees [default: 25]
+    #[arg(
+        long = "camera-elevation-angle",
+        value_name = "DEG",
+        value_parser = parse_finite,
+        allow_hyphen_values = true,
+        help_heading = "Camera"
+    )]
+    elevation_deg: Option<f64>,
+    /// Parallel rays, without perspective
+    #[arg(long = "camera-orthographic", help_heading = "Camera")]
+    orthographic: bool,
+    /// How much larger than the fitted view the model is shown
+    #[arg(
+        long = "camera-zoom-factor",
+        value_name = "FACTOR",
+        default_value = "1",
+        value_parser = parse_zoom,
+        help_heading = "Camera"
+    )]
+    pub(super) zoom: f64,
+    /// Which axis of the model is up [default: that of the scene, or +Y]
+    #[arg(
+        long,
+        value_name = "AXIS",
+        value_enum,
+        allow_hyphen_values = true,
+        ignore_case = true,
+        help_heading = "Camera"
+    )]
+    up: Option<UpAxis>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum UpAxis {
+    #[value(name = "+Y", alias = "Y")]
+    PlusY,
+    #[value(name = "+Z", alias = "Z")]
+    PlusZ,
+}
+
+impl CameraArgs {
+    /// The scene's camera with what the options say instead.
+    pub(super) fn apply(&self, mut camera: Camera, bounds: &Bounds) -> Result<Camera> {
+        if let Some(up) = self.up {
+            camera.up = match up {
+                UpAxis::PlusY => Up::PlusY,
+                UpAxis::PlusZ => Up::PlusZ,
+            };
+        }
+        if self.orthographic && !matches!(camera.projection, Projection::Orthographic { .. }) {
+            camera.projection = Projection::Orthographic { height: None };
+        }
+        if let Some(position) = self.position {
+            camera.pose = self.explicit_pose(position, bounds, camera.up.axis())?;
+        } else if self.azimuth_deg.is_some() || self.elevation_deg.is_some() {
+            let (azimuth, elevation) = match (camera.pose, Camera::default().pose) {
+                (
+                    Pose::Orbit {
+                        azimuth_deg,
+                        elevation_deg,
+                    },
+                    _,
+                )
+                | (
+                    _,
+                    Pose::Orbit {
+                        azimuth_deg,
+                        elevation_deg,
+                    },
+                ) => (azimuth_deg, elevation_deg),
+                _ => (0.0, 0.0),
+            };
+            camera.pose = Pose::Orbit {
+                azimuth_deg: self.azimuth_deg.unwrap_or(azimuth),
+                elevation_deg: self.elevation_deg.unwrap_or(elevation),
+            };
+        }
+        Ok(camera)
+    }
+
+    fn explicit_pose(&self, position: DVec3, bounds: &Bounds, up: DVec3) -> Result<Pose> {
+        let focal_point = self.focal_point.unwrap_or(bounds.centre());
+        if focal_point == position {
+            return Err(crate::Error::input(
+                "--camera-position",
+                "it is the point that the camera looks at",
+                "move it away, or give another --camera-focal-point",
+            ));
+        }
+        let forward = (focal_point - position).normalize_or_zero();
+        if let Some(view_up) = self.view_up
+            && view_up.normalize_or_zero().cross(forward).length() < 1e-9
+        {
+            return Err(crate::Error::input(
+                "--camera-view-up",
+                "it points along the viewing direction, or nowhere",
+                format!(
+                    "give a direction across it, for example {},{},{}",
+                    up.x, up.y, up.z
+                ),
+            ));
+        }
+        Ok(Pose::Explicit {
+            position,
+            focal_point,
+            view_up: self.view_up,
+        })
+    }
+}
+
+/// Which device draws, and by what.
+#[derive(Args)]
+pub(super) struct DeviceArgs {
+    /// Part of the adapter's name [default: the fastest]
+    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    adapter: Option<String>,
+    /// Who rasterises the mesh
+    #[arg(
+        long,
+        value_name = "WHO",
+        default_value = "hardware",
+        value_parser = parse_rasteriser,
+        help_heading = "Device"
+    )]
+    rasteriser: Rasteriser,
+}
+
+/// Who rasterises the mesh: there is one answer so far.
+#[derive(Clone, Copy)]
+struct Rasteriser;
+
+impl DeviceArgs {
+    /// The device.
+    pub(super) fn open(&self) -> Result<Gpu> {
+        // Parsing admits no other rasteriser than the device's own, which needs no option.
+        let Rasteriser = self.rasteriser;
+        Gpu::open(&GpuOptions {
+            adapter: self.adapter.clone(),
+            prefer_software: false,
+        })
+    }
+}
+
+fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
+    match text {
+        "hardware" => Ok(Rasteriser),
+        "compute" => Err(
+            "this version has no compute rasteriser\n  mend: leave the option out, or say hardware"
+                .to_owned(),
+        ),
+        _ => Err("there is no such rasteriser\n  mend: say hardware".to_owned()),
+    }
+}
+
+/// Reads `W,H`.
+pub(super) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
+    let fault = || {
+        format!(
+            "it must be two whole numbers from 1 to {LARGEST_SIDE}\n  mend: write for example --resolution 1024,768"
+        )
+    };
+    let (width, height) = text.split_once([',', 'x']).ok_or_else(fault)?;
+    let side = |t: &str| {
+        t.trim()
+            .parse()
+            .ok()
+            .filter(|n| (1..=LARGEST_SIDE).contains(n))
+    };
+    match (side(width), side(height)) {
+        (Some(width), Some(height)) => Ok([width, height]),
+        _ => Err(fault()),
+    }
+}
+
+fn parse_finite(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
+    number.ok_or_else(|| "it must be a finite number".to_owned())
+}
+
+fn parse_zoom(text: &str) -> Result<f64, String> {
+    let zoom = parse_finite(text)?;
+    if (1e-3..=1e3).contains(&zoom) {
+        Ok(zoom)
+    } else {
+        Err("it must be from 0.001 to 1000\n  mend: 2 shows the model twice as large".to_owned())
+    }
+}
+
+fn parse_point(text: &str) -> Result<DVec3, String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(parse_finite).collect();
+    match numbers?.as_slice() {
+        [x, y, z] => Ok(DVec3::new(*x, *y, *z)),
+        _ => Err("it must be three numbers\n  mend: write for example 0,0,5".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_and_points_are_read_or_refused_with_an_example() {
+        assert_eq!(parse_resolution("640,480"), Ok([640, 480]));
+        assert_eq!(parse_resolution("640x480"), Ok([640, 480]));
+        for text in ["640", "0,480", "640,-1", "640,480,2", "99999,1", "a,b", ""] {
+            assert!(parse_resolution(text).is_err(), "{text}");
+        }
+        assert_eq!(parse_point("1,-2,3e1"), Ok(DVec3::new(1.0, -2.0, 30.0)));
+        for text in ["1,2", "1,2,3,4", "1,2,nan", "1,2,inf", ""] {
+            assert!(parse_point(text).is_err(), "{text}");
+        }
+        assert!(parse_zoom("0").is_err(), "nothing can be shown at zoom 0");
+    }
+}

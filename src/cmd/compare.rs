@@ -1,0 +1,218 @@
+//! `compare`: strategies against exact and against each other.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use image::{Rgba, RgbaImage};
+
+use super::Verdict;
+use super::args::{DeviceArgs, SceneArgs};
+use super::console::{Console, ConsoleArgs};
+use super::judge::{self, Judgement, judge};
+use super::open::{Opened, open};
+use super::output::{Output, checked_folder, write_file, write_stdout};
+use super::picture;
+use crate::compare::legend;
+use crate::passes::Model;
+use crate::report;
+use crate::session::Session;
+use crate::strategies::Strategy;
+use crate::{Error, Result};
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  cutaway compare shape:crank --section -z=50% --relief fractal
+  cutaway compare part.stl --section x=50% --strategies raycast+mask,grid:64+vds:512 --rounds 25
+  cutaway compare scene.toml --json result.json --heatmaps wrong/
+  cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
+
+Columns: `decided wrong` counts wrong pixels where the exact reference is sure; an exact strategy has none. `x draw only`
+is the frame time over that of the same scene drawn with nothing cut, measured in the same rounds.";
+
+/// Options of `compare`.
+#[derive(Args)]
+pub(super) struct CompareArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Strategies to measure, or all that are built with their usual parameters
+    #[arg(long, value_name = "A,B,..|all", default_value = "all")]
+    strategies: String,
+    /// Measured rounds, after one to warm up
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 9,
+        value_parser = clap::value_parser!(u32).range(1..=10_000)
+    )]
+    rounds: u32,
+    /// All numbers as JSON; with `-` instead of the table
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    /// Folder for a picture and a heat map of each strategy, the picture of exact, and a legend
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    heatmaps: Option<PathBuf>,
+    /// Exit 1 if a strategy that draws has more decided wrong pixels
+    #[arg(long, value_name = "N", help_heading = "Test")]
+    max_decided_wrong: Option<usize>,
+    #[command(flatten)]
+    device: DeviceArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `compare`.
+pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
+    let strategies = parse_strategies(&args.strategies)?;
+    let rounds = args.rounds as usize;
+    let json = args
+        .json
+        .as_ref()
+        .map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    if let Some(folder) = &args.heatmaps {
+        checked_folder("--heatmaps", folder)?;
+    }
+    let console = Console::new(args.console, 1 + judge::steps(strategies.len(), rounds));
+    console.step("opening");
+    let opened = open(&args.scene, &console)?;
+    let mut session = Session::new(args.device.open()?);
+    let model = Model::of(&opened.scene);
+    let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
+
+    if let Some(folder) = &args.heatmaps {
+        write_pictures(folder, &mut session, &model, &opened, &judgement)?;
+    }
+    let report = &judgement.report;
+    if let Some(output) = &json {
+        output.write(format!("{:#}\n", serde_json::json!(report)).as_bytes())?;
+    }
+    if json != Some(Output::Stdout) {
+        write_stdout(report::text(report).as_bytes())?;
+    }
+    Ok(verdict(report, args.max_decided_wrong, &console))
+}
+
+fn verdict(report: &report::Report, most: Option<usize>, console: &Console) -> Verdict {
+    let mut verdict = Verdict::Done;
+    for (strategy, most) in report.strategies.iter().filter_map(|s| Some((s, most?))) {
+        let Some(comparison) = &strategy.comparison else {
+            continue;
+        };
+        if comparison.decided_wrong_px > most {
+            console.failed(format!(
+                "{}: {} decided wrong pixels, at most {most} are allowed",
+                strategy.name, comparison.decided_wrong_px
+            ));
+            verdict = Verdict::Failed;
+        }
+    }
+    verdict
+}
+
+/// The strategies of a list, each once.
+pub(super) fn parse_strategies(list: &str) -> Result<Vec<Strategy>> {
+    let mut strategies: Vec<Strategy> = Vec::new();
+    for name in list.split(',').map(str::trim) {
+        match name {
+            "all" => strategies.extend(Strategy::ALL),
+            "exact" => {
+                return Err(Error::input(
+                    "--strategies exact",
+                    "exact is what strategies are measured against",
+                    "leave it out; its picture and time are part of every comparison",
+                ));
+            }
+            name => strategies.push(name.parse()?),
+        }
+    }
+    let mut seen: Vec<Strategy> = Vec::new();
+    strategies.retain(|s| {
+        !seen.contains(s) && {
+            seen.push(*s);
+            true
+        }
+    });
+    Ok(strategies)
+}
+
+/// A file name for a strategy: `grid-256+vds-1024`.
+pub(super) fn file_stem(strategy: &Strategy) -> String {
+    strategy.to_string().replace(':', "-")
+}
+
+fn write_pictures(
+    folder: &Path,
+    session: &mut Session,
+    model: &Model,
+    opened: &Opened,
+    judgement: &Judgement,
+) -> Result<()> {
+    let write =
+        |name: &str, image: &RgbaImage| write_file(&folder.join(name), &picture::png(image)?);
+    let view = opened.view(&model.prepared, 1);
+    let truth = session.shade(model, &view, &judgement.exact.layers)?;
+    write("exact.png", &picture::plain(&truth, view.size_px))?;
+    write("legend.png", &legend_picture())?;
+    write_file(&folder.join("legend.txt"), legend_text().as_bytes())?;
+    for frame in &judgement.frames {
+        let Some(heatmap) = judgement.heatmap(frame) else {
+            continue;
+        };
+        let stem = file_stem(&frame.strategy);
+        let drawn = judge::picture_of(session, frame, view.size_px)?;
+        write(&format!("{stem}.png"), &drawn)?;
+        write(&format!("{stem}.heatmap.png"), &heatmap)?;
+    }
+    Ok(())
+}
+
+/// The colours of the classes from left to right, in the order of [`legend_text`]. A crate that draws no text draws no
+/// labels either.
+fn legend_picture() -> RgbaImage {
+    const SWATCH: u32 = 48;
+    let entries = legend();
+    RgbaImage::from_fn(SWATCH * entries.len() as u32, SWATCH, |x, _| {
+        let [r, g, b] = entries[(x / SWATCH) as usize].rgb;
+        Rgba([r, g, b, 255])
+    })
+}
+
+/// The classes with their colours, the gravest first.
+pub(super) fn legend_text() -> String {
+    legend()
+        .iter()
+        .map(|e| {
+            format!(
+                "#{:02x}{:02x}{:02x}  {}\n",
+                e.rgb[0], e.rgb[1], e.rgb[2], e.name
+            )
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strategy_named_twice_is_measured_once() {
+        let all = parse_strategies("all").unwrap();
+        assert_eq!(all, Strategy::ALL);
+        assert_eq!(
+            parse_strategies("raycast+mask, all").unwrap().len(),
+            all.len()
+        );
+        let message = parse_strategies("raycats+mask").unwrap_err().to_string();
+        assert!(message.contains("did you mean `raycast`"), "{message}");
+        assert!(
+            parse_strategies("exact").is_err(),
+            "the yardstick is not measured"
+        );
+    }
+
+    #[test]
+    fn the_legend_has_a_swatch_for_each_class() {
+        assert_eq!(legend_text().lines().count(), legend().len());
+        assert_eq!(legend_picture().get_pixel(0, 0).0[..3], legend()[0].rgb);
+    }
+}

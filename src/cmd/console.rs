@@ -1,0 +1,93 @@
+//! What is said on standard error: notes, warnings and progress.
+//!
+//! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
+
+use std::thread;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Work shorter than this shows no progress.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How much is said.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct ConsoleArgs {
+    /// Say what is being done, on which adapter, and how long it takes
+    #[arg(long, conflicts_with = "quiet", help_heading = "Output")]
+    pub(super) verbose: bool,
+    /// No progress and no notes: only warnings and errors
+    #[arg(long, short, help_heading = "Output")]
+    pub(super) quiet: bool,
+}
+
+/// Standard error.
+pub(super) struct Console {
+    args: ConsoleArgs,
+    bar: ProgressBar,
+}
+
+impl Console {
+    /// A console that says as much as it was asked to, for work of some steps.
+    pub(super) fn new(args: ConsoleArgs, steps: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) =
+            ProgressStyle::with_template("{bar:24.cyan/dim} {pos}/{len}  {msg}  {elapsed}")
+        {
+            bar.set_style(style);
+        }
+        if !args.quiet {
+            let late = bar.clone();
+            thread::spawn(move || {
+                thread::sleep(PATIENCE);
+                if !late.is_finished() {
+                    late.set_draw_target(ProgressDrawTarget::stderr());
+                    late.enable_steady_tick(Duration::from_millis(200));
+                }
+            });
+        }
+        Self { args, bar }
+    }
+
+    /// A step begins.
+    pub(super) fn step(&self, what: impl Into<String>) {
+        let what = what.into();
+        self.detail(&what);
+        self.bar.set_message(what);
+        self.bar.inc(1);
+    }
+
+    /// What may interest: left out by `--quiet`.
+    pub(super) fn note(&self, text: impl AsRef<str>) {
+        if !self.args.quiet {
+            self.say(&format!("note: {}", text.as_ref()));
+        }
+    }
+
+    /// What was done and to no purpose, or is not as it should be.
+    pub(super) fn warn(&self, text: impl AsRef<str>) {
+        self.say(&format!("warning: {}", text.as_ref()));
+    }
+
+    /// What only `--verbose` says.
+    pub(super) fn detail(&self, text: impl AsRef<str>) {
+        if self.args.verbose {
+            self.say(text.as_ref());
+        }
+    }
+
+    /// A stated expectation that did not hold.
+    pub(super) fn failed(&self, text: impl AsRef<str>) {
+        self.say(&format!("failed: {}", text.as_ref()));
+    }
+
+    fn say(&self, text: &str) {
+        self.bar.suspend(|| eprintln!("{text}"));
+    }
+}
+
+impl Drop for Console {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

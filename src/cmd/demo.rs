@@ -1,0 +1,239 @@
+//! `demo`: the main job on data of our own. No download, nothing to prepare.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use image::RgbaImage;
+
+use super::Verdict;
+use super::args::{DeviceArgs, SceneArgs};
+use super::compare::{file_stem, legend_text};
+use super::console::{Console, ConsoleArgs};
+use super::judge::{self, Judgement, judge};
+use super::open::{Opened, open};
+use super::output::{checked_folder, write_file, write_stdout};
+use super::picture::{self, Backdrop, Drawer, Style};
+use crate::Result;
+use crate::passes::Model;
+use crate::report::{self, Figure};
+use crate::session::Session;
+use crate::strategies::Strategy;
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  cutaway demo
+  cutaway demo --out /tmp/cutaway --resolution 1920,1080
+
+Open report.html in the folder: the tabs show every strategy and where it is wrong, in the same place.";
+
+/// The scene of the demo, as one would type it after `cutaway render`.
+const SCENE: &[&str] = &[
+    "shape:crank",
+    "--section=-z=50%",
+    "--relief=fractal:amplitude=4%,period=45%,seed=7",
+    "--section=x=60%",
+    "--relief=fractal:amplitude=5%,period=30%,seed=4",
+    "--cut=intersection",
+    "--camera-azimuth-angle=-26",
+    "--camera-elevation-angle=20",
+    "--camera-zoom-factor=1.25",
+];
+
+/// Options of `demo`.
+#[derive(Args)]
+pub(super) struct DemoArgs {
+    /// Folder for the pictures and the report
+    #[arg(long, value_name = "DIR", default_value = "target/demo")]
+    out: PathBuf,
+    /// Width and height of the pictures in pixels
+    #[arg(
+        long,
+        value_name = "W,H",
+        default_value = "1000,520",
+        value_parser = super::args::parse_resolution
+    )]
+    resolution: [u32; 2],
+    /// Measured rounds, after one to warm up
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 5,
+        value_parser = clap::value_parser!(u32).range(1..=1000)
+    )]
+    rounds: u32,
+    #[command(flatten)]
+    device: DeviceArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// The scene's own words, read by the same parser as those of a user.
+#[derive(clap::Parser)]
+struct SceneWords {
+    #[command(flatten)]
+    scene: SceneArgs,
+}
+
+/// Runs `demo`.
+pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
+    checked_folder("--out", &args.out)?;
+    let strategies = Strategy::ALL;
+    let rounds = args.rounds as usize;
+    let steps = 2 + strategies.len() + judge::steps(strategies.len(), rounds);
+    let console = Console::new(args.console, steps);
+    console.step("opening");
+    let opened = open_scene(args.resolution, &console)?;
+    let mut session = Session::new(args.device.open()?);
+    let model = Model::of(&opened.scene);
+    let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
+
+    let mut pictures = Vec::new();
+    for drawer in std::iter::once(Drawer::Exact).chain(strategies.map(Drawer::By)) {
+        console.step(format!("picture by {drawer}"));
+        pictures.extend(pictures_of(
+            &mut session,
+            &model,
+            &opened,
+            &judgement,
+            drawer,
+            &console,
+        )?);
+    }
+    write(&args.out, &judgement, &pictures)?;
+    drop(console);
+    say(&args.out, &judgement)?;
+    Ok(Verdict::Done)
+}
+
+fn open_scene(size_px: [u32; 2], console: &Console) -> Result<Opened> {
+    use clap::Parser;
+
+    let words = std::iter::once("cutaway").chain(SCENE.iter().copied());
+    // The words are a constant, and a test parses them.
+    let words = SceneWords::try_parse_from(words)
+        .map_err(|e| crate::Error::input("the scene of the demo", e.to_string(), "report this"))?;
+    let mut opened = open(&words.scene, console)?;
+    opened.size_px = size_px;
+    Ok(opened)
+}
+
+/// A picture with what there is to say about it.
+struct Picture {
+    file: String,
+    title: String,
+    caption: String,
+    png: Vec<u8>,
+}
+
+/// The picture of a drawer and, for a strategy, its heat map. A strategy that refuses the scene has none.
+fn pictures_of(
+    session: &mut Session,
+    model: &Model,
+    opened: &Opened,
+    judgement: &Judgement,
+    drawer: Drawer,
+    console: &Console,
+) -> Result<Vec<Picture>> {
+    let style = Style {
+        supersample: 2,
+        backdrop: Backdrop::Gradient,
+    };
+    let Drawer::By(strategy) = drawer else {
+        let exact = picture::draw(session, model, opened, drawer, style, console)?;
+        let caption =
+            "Evaluated from the definition for every pixel, on the CPU in double precision.";
+        return Ok(vec![picture("exact", "exact", caption, &exact)?]);
+    };
+    let frames = judgement.frames.iter().zip(&judgement.report.strategies);
+    let mut of_strategy = frames.filter(|(f, _)| f.strategy == strategy);
+    let (Some((frame, found)), name) = (of_strategy.next(), strategy.to_string()) else {
+        return Ok(Vec::new());
+    };
+    let (Some(heatmap), Some(comparison)) = (judgement.heatmap(frame), &found.comparison) else {
+        return Ok(Vec::new());
+    };
+    let stem = file_stem(&strategy);
+    let drawn = picture::draw(session, model, opened, drawer, style, console)?;
+    let wrong = comparison.decided_wrong_px;
+    let caption = match wrong {
+        0 => "No pixel is wrong where the exact reference is sure.".to_owned(),
+        _ => format!("{wrong} pixels are wrong where the exact reference is sure."),
+    };
+    let legend = legend_text().trim_end().replace('\n', ", ");
+    let where_wrong = format!("Where it differs from exact: {legend}.");
+    Ok(vec![
+        picture(&stem, &name, &caption, &drawn)?,
+        picture(
+            &format!("{stem}.heatmap"),
+            &format!("{name}: where it is wrong"),
+            &where_wrong,
+            &heatmap,
+        )?,
+    ])
+}
+
+fn picture(stem: &str, title: &str, caption: &str, image: &RgbaImage) -> Result<Picture> {
+    Ok(Picture {
+        file: format!("{stem}.png"),
+        title: title.to_owned(),
+        caption: caption.to_owned(),
+        png: picture::png(image)?,
+    })
+}
+
+fn write(folder: &Path, judgement: &Judgement, pictures: &[Picture]) -> Result<()> {
+    for picture in pictures {
+        write_file(&folder.join(&picture.file), &picture.png)?;
+    }
+    let figures: Vec<Figure<'_>> = pictures
+        .iter()
+        .map(|p| Figure {
+            title: &p.title,
+            file: &p.file,
+            caption: &p.caption,
+            png: &p.png,
+        })
+        .collect();
+    let title = "A crankshaft cut by a ragged relief";
+    let report = &judgement.report;
+    let pages = [
+        ("report.md", report::markdown(title, report, &figures)),
+        ("report.html", report::html(title, report, &figures)),
+        ("report.json", format!("{:#}\n", serde_json::json!(report))),
+    ];
+    for (name, text) in pages {
+        write_file(&folder.join(name), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The table, and where everything is.
+fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
+    let scene: Vec<String> = SCENE.iter().map(|w| (*w).to_owned()).collect();
+    let text = format!(
+        "{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} -o crank.png\n",
+        report::text(&judgement.report),
+        folder.display(),
+        folder.join("report.html").display(),
+        scene.join(" ")
+    );
+    write_stdout(text.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::section_misses;
+
+    #[test]
+    fn the_scene_of_the_demo_is_cut() {
+        let console = Console::new(ConsoleArgs::default(), 1);
+        let opened = open_scene([64, 48], &console).unwrap();
+        let bounds = opened.scene.bounds();
+        assert_eq!(opened.scene.cuts.len(), 1);
+        for surface in &opened.scene.cuts[0].surfaces {
+            assert!(surface.relief.is_some(), "the cut is ragged");
+            assert!(!section_misses(surface, &bounds), "it meets the crank");
+        }
+    }
+}

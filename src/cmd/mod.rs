@@ -1,0 +1,142 @@
+//! The command: one file per subcommand, and the few things they share.
+//!
+//! Everything a user can get wrong is looked at before the work starts: options, scene files, meshes, and whether the
+//! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
+//! standard error. What is written to a file is complete or not there at all.
+//!
+//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.
+
+mod args;
+mod compare;
+mod console;
+mod demo;
+mod environment;
+mod image_test;
+mod inspect;
+mod judge;
+mod layers_file;
+mod open;
+mod output;
+mod picture;
+mod plan;
+mod render;
+mod sections;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::Result;
+use crate::scene::shapes::SHAPES;
+
+/// How a command that ran to its end came out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    /// Done.
+    Done,
+    /// Done, but a stated expectation failed; standard error says which.
+    Failed,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  cutaway render bracket.stl --section x=50% -o cut.png
+  cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
+  cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
+  cutaway inspect scan.ply
+  cutaway plan shape:crank --section z=50%
+  cutaway demo
+
+Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.";
+
+#[derive(Parser)]
+#[command(
+    name = "cutaway",
+    version,
+    about = "Cuts solid triangle meshes, draws the caps, and judges them against an exact reference",
+    after_help = EXAMPLES,
+    arg_required_else_help = true
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draw a cut model to a PNG
+    #[command(after_help = render::EXAMPLES, after_long_help = with_shapes(render::EXAMPLES))]
+    Render(render::RenderArgs),
+    /// Measure strategies against the exact reference and against each other
+    #[command(after_help = compare::EXAMPLES, after_long_help = with_shapes(compare::EXAMPLES))]
+    Compare(compare::CompareArgs),
+    /// Say what a model is like: closed or not, how many pieces, how deep
+    #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
+    Inspect(inspect::InspectArgs),
+    /// Show the passes of a frame and why each is there; needs no graphics adapter
+    #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
+    Plan(plan::PlanArgs),
+    /// Cut the built-in crank with every strategy: pictures, heat maps, a report
+    #[command(after_help = demo::EXAMPLES)]
+    Demo(demo::DemoArgs),
+}
+
+/// Runs the command of this process's arguments.
+pub fn main() -> ExitCode {
+    environment::calm_drivers();
+    let cli = Cli::parse();
+    let ended = match cli.command {
+        Command::Render(args) => render::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
+        Command::Plan(args) => plan::run(&args),
+        Command::Demo(args) => demo::run(&args),
+    };
+    exit_code(ended)
+}
+
+fn exit_code(ended: Result<Verdict>) -> ExitCode {
+    match ended {
+        Ok(Verdict::Done) => ExitCode::SUCCESS,
+        Ok(Verdict::Failed) => ExitCode::from(1),
+        Err(e) => {
+            eprintln!("error: {e}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Help with the list of built-in shapes, which is too long for `-h`.
+fn with_shapes(examples: &str) -> String {
+    let mut text = examples.to_owned();
+    text.push_str("\n\nBuilt-in shapes (shape:NAME?param=value&param=value):\n");
+    for shape in SHAPES {
+        let parameters: Vec<&str> = shape.parameters.iter().map(|p| p.name).collect();
+        text.push_str(&format!(
+            "  {:<9} {}\n            {}\n",
+            shape.name,
+            shape.summary,
+            parameters.join(", ")
+        ));
+    }
+    text.trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_contradict_nothing() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_shape_is_in_the_long_help() {
+        let help = with_shapes("");
+        for shape in SHAPES {
+            assert!(help.contains(shape.name), "{} is missing", shape.name);
+        }
+    }
+}

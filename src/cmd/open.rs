@@ -1,0 +1,154 @@
+//! The positional inputs: meshes, built-in shapes, one scene file.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use glam::Vec3;
+
+use super::args::SceneArgs;
+use super::console::Console;
+use super::sections::warn_of_misses;
+use crate::scene::shapes::shape;
+use crate::scene::{
+    Camera, Material, OpenedMesh, Part, Prepared, Scene, View, load_mesh_file, load_scene_file,
+};
+use crate::{Error, Result};
+
+/// What is used where neither the options nor the scene say a size.
+const USUAL_SIZE_PX: [u32; 2] = [1024, 768];
+
+/// A scene as the command line asks for it.
+pub(super) struct Opened {
+    /// What is drawn.
+    pub(super) scene: Scene,
+    /// Name of the strategy that the scene file asks for.
+    pub(super) strategy: Option<String>,
+    /// Size of the picture.
+    pub(super) size_px: [u32; 2],
+    /// Colour behind everything that the scene file asks for, sRGB.
+    pub(super) background: Option<Vec3>,
+    zoom: f64,
+}
+
+impl Opened {
+    /// The view of the scene, `finer` times as fine as the picture.
+    pub(super) fn view(&self, prepared: &Prepared, finer: u32) -> View {
+        let mut view = prepared.view(self.size_px.map(|s| s * finer));
+        view.half_height /= self.zoom;
+        view
+    }
+}
+
+/// Opens the inputs and applies what the options say about them.
+pub(super) fn open(args: &SceneArgs, console: &Console) -> Result<Opened> {
+    let mut opened = match args.inputs.as_slice() {
+        [one] if is_scene(one) => open_scene(one, console)?,
+        inputs => {
+            if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
+                return Err(Error::input(
+                    scene.as_str(),
+                    "a scene file stands alone",
+                    "name the meshes in the scene file, as [[part]] entries",
+                ));
+            }
+            plain(open_parts(inputs, console)?, inputs)
+        }
+    };
+    args.sections.apply(&mut opened.scene)?;
+    let bounds = opened.scene.bounds();
+    opened.scene.camera = args.camera.apply(opened.scene.camera, &bounds)?;
+    opened.size_px = args.resolution.unwrap_or(opened.size_px);
+    opened.zoom = args.camera.zoom;
+    warn_of_misses(&opened.scene, console);
+    Ok(opened)
+}
+
+/// The parts of meshes and shapes, with names that tell them apart.
+pub(super) fn open_parts(inputs: &[String], console: &Console) -> Result<Vec<Part>> {
+    let mut parts: Vec<Part> = Vec::new();
+    let mut names = BTreeSet::new();
+    for input in inputs {
+        let (mut of_input, notes) = open_model(input)?;
+        for note in notes {
+            console.note(format!("{input}: {note}"));
+        }
+        for part in &mut of_input {
+            if part.material == Material::default() {
+                part.material = Material::of_index(names.len());
+            }
+            let wanted = part.name.clone();
+            let mut count = 1;
+            while !names.insert(part.name.clone()) {
+                count += 1;
+                part.name = format!("{wanted}_{count}");
+            }
+        }
+        parts.append(&mut of_input);
+    }
+    Ok(parts)
+}
+
+/// Whether an input is a scene file by its name.
+pub(super) fn is_scene(input: &str) -> bool {
+    !input.starts_with("shape:")
+        && Path::new(input)
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+}
+
+/// Opens a scene file.
+pub(super) fn open_scene(input: &str, console: &Console) -> Result<Opened> {
+    let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
+    for note in &file.notes {
+        console.note(format!("{input}: {note}"));
+    }
+    Ok(Opened {
+        scene: file.scene,
+        strategy: file.strategy,
+        size_px: file.resolution.unwrap_or(USUAL_SIZE_PX),
+        background: file.background,
+        zoom: 1.0,
+    })
+}
+
+fn open_model(input: &str) -> OpenedMesh {
+    if input.starts_with("shape:") {
+        return Ok((shape(input)?, Vec::new()));
+    }
+    let path = Path::new(input);
+    if !path.exists() && shape(input).is_ok() {
+        let mend = format!("write shape:{input} for the built-in shape");
+        return Err(Error::file(path, "there is no such file", mend));
+    }
+    open_mesh(path)
+}
+
+fn open_mesh(path: &Path) -> OpenedMesh {
+    let loaded = load_mesh_file(path)?;
+    Ok((loaded.parts, loaded.notes))
+}
+
+fn plain(parts: Vec<Part>, inputs: &[String]) -> Opened {
+    let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
+    Opened {
+        scene: Scene {
+            name: names.join("+"),
+            parts,
+            cuts: Vec::new(),
+            camera: Camera::default(),
+        },
+        strategy: None,
+        size_px: USUAL_SIZE_PX,
+        background: None,
+        zoom: 1.0,
+    }
+}
+
+fn short_name(input: &str) -> String {
+    match input.strip_prefix("shape:") {
+        Some(spec) => spec.split('?').next().unwrap_or(spec).to_owned(),
+        None => Path::new(input)
+            .file_stem()
+            .map_or_else(|| input.to_owned(), |s| s.to_string_lossy().into_owned()),
+    }
+}

@@ -1,0 +1,245 @@
+//! Where results go: checked before the work starts, written whole or not at all.
+//!
+//! A file is written beside its place under another name and then renamed, so that nobody ever reads half of it and an
+//! older one survives a failure. Devices and pipes cannot be renamed onto; they are written to directly.
+
+use std::fs;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crate::{Error, Result};
+
+/// A destination.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Output {
+    /// Standard output.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Output {
+    /// The destination of an option's value. `extensions` are those it may have; none means any.
+    pub(super) fn checked(option: &str, value: &str, extensions: &[&str]) -> Result<Self> {
+        if value == "-" {
+            return Ok(Self::Stdout);
+        }
+        let culprit = || format!("{option} {value}");
+        let path = PathBuf::from(value);
+        if path.is_dir() || value.is_empty() || value.ends_with(std::path::MAIN_SEPARATOR) {
+            let mend = "give the name of a file, or `-` for standard output";
+            return Err(Error::input(culprit(), "it is a folder", mend));
+        }
+        let extension = path.extension().map(|e| e.to_ascii_lowercase());
+        let known = |e: &&str| extension.as_ref().is_some_and(|have| have == e);
+        if !extensions.is_empty() && !is_special(&path) && !extensions.iter().any(|e| known(&e)) {
+            let list: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
+            return Err(Error::input(
+                culprit(),
+                "the extension names no format that can be written here",
+                format!("let the name end in {}", list.join(" or ")),
+            ));
+        }
+        check_folder(&culprit(), folder_of(&path))?;
+        Ok(Self::File(path))
+    }
+
+    /// Writes all of it.
+    pub(super) fn write(&self, bytes: &[u8]) -> Result<()> {
+        match self {
+            Self::Stdout => write_stdout(bytes),
+            Self::File(path) => write_file(path, bytes),
+        }
+    }
+
+    /// The file, if it is one.
+    pub(super) fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Stdout => None,
+            Self::File(path) => Some(path),
+        }
+    }
+}
+
+/// A folder for several files, made if need be.
+pub(super) fn checked_folder(option: &str, path: &Path) -> Result<()> {
+    let culprit = format!("{option} {}", path.display());
+    if path.exists() && !path.is_dir() {
+        let mend = "give the name of a folder, which is made if need be";
+        return Err(Error::input(culprit, "it is a file, not a folder", mend));
+    }
+    check_folder(&culprit, path)
+}
+
+/// At most one result can be on standard output.
+pub(super) fn only_one_stdout(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
+    let taken: Vec<&str> = outputs
+        .iter()
+        .filter(|(_, o)| *o == Some(&Output::Stdout))
+        .map(|(option, _)| *option)
+        .collect();
+    match taken.as_slice() {
+        [_, second, ..] => Err(Error::input(
+            format!("{second} -"),
+            format!("standard output already carries {}", taken[0]),
+            "write one of them to a file",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Writes text or bytes to standard output. A reader that has gone away, as `head` does, is no error.
+pub(super) fn write_stdout(bytes: &[u8]) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Error::input(
+            "standard output",
+            format!("cannot be written: {e}"),
+            "check where it leads",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file whole, making its folder.
+pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    // A link is followed: what it points to is replaced, not the link.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let failed = |e: std::io::Error| cannot_write(&path, &e);
+    if is_special(&path) {
+        return fs::write(&path, bytes).map_err(failed);
+    }
+    let folder = folder_of(&path);
+    fs::create_dir_all(folder).map_err(failed)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let beside = folder.join(format!(".{name}.{}.tmp", std::process::id()));
+    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, &path));
+    written.map_err(|e| {
+        // What matters is the error above; a rest that cannot be removed changes nothing about it.
+        let _ = fs::remove_file(&beside);
+        failed(e)
+    })
+}
+
+fn cannot_write(path: &Path, e: &std::io::Error) -> Error {
+    Error::file(
+        path,
+        format!("cannot be written: {e}"),
+        "check the folder's permissions and the room on the disk",
+    )
+}
+
+/// A device or a pipe.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Whether files can be made in a folder, or the folder be made, found out by making one where it exists.
+fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
+    let there = folder
+        .ancestors()
+        .find(|a| a.as_os_str().is_empty() || a.exists());
+    let there = there
+        .filter(|a| !a.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let refuse = |what: String| {
+        let mend = "name a folder that you may write to";
+        Err(Error::input(culprit, what, mend))
+    };
+    if !there.is_dir() {
+        return refuse(format!("{} is a file, not a folder", there.display()));
+    }
+    let probe = there.join(format!(".cutaway.{}.tmp", std::process::id()));
+    match fs::write(&probe, []).and_then(|()| fs::remove_file(&probe)) {
+        Ok(()) => Ok(()),
+        Err(e) => refuse(format!(
+            "nothing can be written to {}: {e}",
+            there.display()
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scratch(name: &str) -> PathBuf {
+        let folder =
+            std::env::temp_dir().join(format!("cutaway-output-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn a_file_is_replaced_whole_and_nothing_stays_behind() {
+        let folder = scratch("whole");
+        let path = folder.join("deep/er/out.json");
+        for text in ["first", "2"] {
+            write_file(&path, text.as_bytes()).unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), text);
+        }
+        let left = fs::read_dir(path.parent().unwrap()).unwrap().count();
+        assert_eq!(left, 1, "only the file itself");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn bad_destinations_are_refused_before_anything_is_made() {
+        let folder = scratch("bad");
+        let file = folder.join("file");
+        fs::write(&file, "x").unwrap();
+        let inside = file.join("out.png");
+        for (value, said) in [
+            (folder.to_str().unwrap(), "folder"),
+            ("picture.gif", ".png"),
+            ("picture", ".png"),
+            (inside.to_str().unwrap(), "is a file"),
+        ] {
+            let message = Output::checked("--output", value, &["png"])
+                .unwrap_err()
+                .to_string();
+            assert!(message.contains(said), "{message}");
+            assert!(message.contains("--output"), "{message}");
+        }
+        assert!(
+            checked_folder("--out", &file).is_err(),
+            "a file is no folder"
+        );
+        assert!(!folder.join("new").exists(), "checking makes nothing");
+        checked_folder("--out", &folder.join("new")).unwrap();
+        assert!(!folder.join("new").exists(), "checking makes nothing");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn standard_output_carries_one_result() {
+        let (file, stdout) = (Output::File("a".into()), Output::Stdout);
+        assert!(only_one_stdout(&[("-o", Some(&file)), ("--json", Some(&stdout))]).is_ok());
+        assert!(only_one_stdout(&[("-o", None), ("--json", Some(&stdout))]).is_ok());
+        let both = only_one_stdout(&[("-o", Some(&stdout)), ("--json", Some(&stdout))]);
+        assert!(both.unwrap_err().to_string().contains("--json -"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link() {
+        let folder = scratch("link");
+        let (target, link) = (folder.join("target"), folder.join("link"));
+        fs::write(&target, "old").unwrap();
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        write_file(&link, b"new").unwrap();
+        assert_eq!(fs::read_to_string(&target).unwrap(), "new");
+        assert!(
+            fs::symlink_metadata(&link).unwrap().is_symlink(),
+            "the link is gone"
+        );
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

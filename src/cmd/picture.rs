@@ -1,0 +1,283 @@
+//! Pictures of a scene, by a strategy or from the exact reference, smoothed by drawing them finer.
+//!
+//! Supersampling draws the picture N times as fine along each side and averages N x N pixels in linear light: mixing
+//! sRGB values would darken every edge. It costs N² the time and memory of the picture and changes nothing about what is
+//! measured: layers and times are always those of the plain resolution.
+
+use std::io::Cursor;
+use std::str::FromStr;
+
+use glam::Vec3;
+use image::{ImageFormat, RgbaImage};
+use rayon::prelude::*;
+
+use super::console::Console;
+use super::open::Opened;
+use crate::exact::evaluate;
+use crate::layers::{Kind, Layers};
+use crate::passes::Model;
+use crate::session::{Outcome, Session};
+use crate::strategies::Strategy;
+use crate::{Error, Result};
+
+/// Who draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drawer {
+    /// The exact reference, shaded by the same pass as strategies.
+    Exact,
+    /// A strategy.
+    By(Strategy),
+}
+
+impl FromStr for Drawer {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        match name {
+            "exact" => Ok(Self::Exact),
+            name => name.parse().map(Self::By),
+        }
+    }
+}
+
+impl std::fmt::Display for Drawer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Exact => f.write_str("exact"),
+            Self::By(strategy) => strategy.fmt(f),
+        }
+    }
+}
+
+/// What is behind the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Backdrop {
+    /// The gradient of the shading pass.
+    Gradient,
+    /// One colour, sRGB.
+    Color(Vec3),
+    /// Nothing: alpha is the share of the pixel that the model covers.
+    Transparent,
+}
+
+/// How a picture is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Style {
+    /// Fineness along each side.
+    pub(super) supersample: u32,
+    /// What is behind the model.
+    pub(super) backdrop: Backdrop,
+}
+
+/// Draws a picture. Where the device has no room for the fineness asked for, the next lower one is drawn and noted.
+pub(super) fn draw(
+    session: &mut Session,
+    model: &Model,
+    opened: &Opened,
+    drawer: Drawer,
+    style: Style,
+    console: &Console,
+) -> Result<RgbaImage> {
+    let mut finest = String::new();
+    for supersample in (1..=style.supersample).rev() {
+        let coarser = Style {
+            supersample,
+            ..style
+        };
+        match draw_once(session, model, opened, drawer, coarser)? {
+            Ok(picture) => {
+                if supersample < style.supersample {
+                    console.note(format!(
+                        "{drawer} is supersampled {supersample} x {supersample}: for more, {finest}"
+                    ));
+                }
+                return Ok(picture);
+            }
+            Err(reason) => finest = reason,
+        }
+    }
+    Err(refused(drawer, &finest))
+}
+
+/// A picture, or why the strategy refuses it.
+fn draw_once(
+    session: &mut Session,
+    model: &Model,
+    opened: &Opened,
+    drawer: Drawer,
+    style: Style,
+) -> Result<Result<RgbaImage, String>> {
+    let view = opened.view(&model.prepared, style.supersample);
+    let needs_kinds = style.backdrop != Backdrop::Gradient;
+    let (rgba, layers) = match drawer {
+        Drawer::Exact => {
+            let exact = evaluate(&model.prepared, &view);
+            (
+                session.shade(model, &view, &exact.layers)?,
+                Some(exact.layers),
+            )
+        }
+        Drawer::By(strategy) => {
+            let drawn = session.draw(model, &view, &strategy)?;
+            if let Outcome::Refused(reason) = drawn.outcome {
+                return Ok(Err(reason));
+            }
+            let layers = needs_kinds.then(|| session.layers(&strategy)).transpose()?;
+            (session.picture(&strategy)?, layers)
+        }
+    };
+    let kinds = layers.as_ref().filter(|_| needs_kinds);
+    Ok(Ok(filtered(&rgba, view.size_px, style, kinds)))
+}
+
+/// The error of a strategy that does not draw what it was asked to.
+pub(super) fn refused(drawer: Drawer, reason: &str) -> Error {
+    let mend = if drawer == Drawer::By(Strategy::RAYCAST_MASK) {
+        "lower --resolution, or cut by fewer or flatter clip-surfaces"
+    } else {
+        "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
+    };
+    Error::input(format!("strategy {drawer}"), reason, mend)
+}
+
+/// A picture as PNG.
+pub(super) fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
+    let mut bytes = Cursor::new(Vec::new());
+    picture
+        .write_to(&mut bytes, ImageFormat::Png)
+        .map_err(|e| {
+            Error::input(
+                "the picture",
+                format!("cannot be encoded: {e}"),
+                "lower --resolution",
+            )
+        })?;
+    Ok(bytes.into_inner())
+}
+
+/// A picture of RGBA8 words, as they come from a session.
+pub(super) fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
+    let style = Style {
+        supersample: 1,
+        backdrop: Backdrop::Gradient,
+    };
+    filtered(rgba, size_px, style, None)
+}
+
+fn filtered(rgba: &[u8], size_px: [u32; 2], style: Style, kinds: Option<&Layers>) -> RgbaImage {
+    let n = style.supersample;
+    let [width, height] = size_px.map(|s| s / n);
+    let linear: Vec<f32> = (0..=255_u8)
+        .map(|v| linear_from_srgb(f32::from(v) / 255.0))
+        .collect();
+    let behind = match style.backdrop {
+        Backdrop::Color(color) => Some(color.map_each(linear_from_srgb)),
+        _ => None,
+    };
+    let mut out = vec![0_u8; width as usize * height as usize * 4];
+    let rows = out.par_chunks_mut(width as usize * 4).enumerate();
+    rows.for_each(|(y, row)| {
+        for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
+            let (mut sum, mut cover) = (Vec3::ZERO, 0.0_f32);
+            for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
+                let (fx, fy) = (x as u32 * n + i, y as u32 * n + j);
+                let at = (fy * size_px[0] + fx) as usize;
+                let empty = kinds.is_some_and(|l| l.pixels[at].kind == Kind::Background);
+                let own = |c: usize| linear[usize::from(rgba[at * 4 + c])];
+                match behind {
+                    Some(color) if empty => sum += color,
+                    None if empty => continue,
+                    _ => sum += Vec3::new(own(0), own(1), own(2)),
+                }
+                cover += 1.0;
+            }
+            // Not premultiplied, as PNG has it.
+            let color = if cover > 0.0 { sum / cover } else { Vec3::ZERO };
+            let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
+            for (slot, v) in pixel.iter_mut().zip(color.to_array()) {
+                *slot = byte(srgb_from_linear(v));
+            }
+            pixel[3] = byte(cover / (n * n) as f32);
+        }
+    });
+    RgbaImage::from_raw(width, height, out).unwrap_or_default()
+}
+
+trait MapEach {
+    fn map_each(self, f: fn(f32) -> f32) -> Self;
+}
+
+impl MapEach for Vec3 {
+    fn map_each(self, f: fn(f32) -> f32) -> Self {
+        Self::from_array(self.to_array().map(f))
+    }
+}
+
+fn linear_from_srgb(v: f32) -> f32 {
+    if v <= 0.040_45 {
+        v / 12.92
+    } else {
+        ((v + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+fn srgb_from_linear(v: f32) -> f32 {
+    if v <= 0.003_130_8 {
+        12.92 * v
+    } else {
+        1.055 * v.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn style(supersample: u32, backdrop: Backdrop) -> Style {
+        Style {
+            supersample,
+            backdrop,
+        }
+    }
+
+    #[test]
+    fn without_supersampling_nothing_changes() {
+        let rgba: Vec<u8> = (0..=255).flat_map(|v| [v, 255 - v, v / 2, 255]).collect();
+        let picture = plain(&rgba, [16, 16]);
+        assert_eq!(
+            picture.into_raw(),
+            rgba,
+            "every value survives the round trip"
+        );
+    }
+
+    #[test]
+    fn black_and_white_mix_in_linear_light() {
+        let (black, white) = ([0, 0, 0, 255], [255, 255, 255, 255]);
+        let rgba = [black, white, white, black].concat();
+        let picture = filtered(&rgba, [2, 2], style(2, Backdrop::Gradient), None);
+        assert_eq!(picture.get_pixel(0, 0).0, [188, 188, 188, 255], "not 128");
+    }
+
+    #[test]
+    fn what_shows_nothing_becomes_the_backdrop() {
+        let mut layers = Layers::background([2, 2]);
+        layers.pixels[0].kind = Kind::Cap;
+        let rgba = [[200, 100, 50, 255]; 4].concat();
+        let clear = filtered(
+            &rgba,
+            [2, 2],
+            style(2, Backdrop::Transparent),
+            Some(&layers),
+        );
+        assert_eq!(
+            clear.get_pixel(0, 0).0,
+            [200, 100, 50, 64],
+            "a quarter is covered"
+        );
+        let red = Backdrop::Color(Vec3::X);
+        let on_red = filtered(&rgba, [2, 2], style(1, red), Some(&layers));
+        assert_eq!(on_red.get_pixel(0, 0).0, [200, 100, 50, 255]);
+        assert_eq!(on_red.get_pixel(1, 1).0, [255, 0, 0, 255]);
+    }
+}

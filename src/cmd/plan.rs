@@ -1,0 +1,81 @@
+//! `plan`: the passes of a frame and why each is there. Needs no adapter.
+
+use clap::Args;
+
+use super::Verdict;
+use super::args::SceneArgs;
+use super::console::{Console, ConsoleArgs};
+use super::open::open;
+use super::output::{Output, write_stdout};
+use super::picture::{Drawer, refused};
+use crate::passes::Model;
+use crate::plan::Capacities;
+use crate::strategies::{self, Strategy};
+use crate::{Error, Result};
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  cutaway plan shape:crank --section z=50%
+  cutaway plan shape:crank --section z=50% --relief waves --strategy grid:256+vds:1024
+  cutaway plan scene.toml --json - | jq '.passes[].name'
+
+A plan is the minimum for its scene: without --section there is no pass for caps. It is the plan of the first frame;
+buffers whose need only a frame can tell grow after it.";
+
+/// Options of `plan`.
+#[derive(Args)]
+pub(super) struct PlanArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Whose passes: raycast+mask, grid:N+vds:RES [default: that of the scene, or raycast+mask]
+    #[arg(long, value_name = "NAME")]
+    strategy: Option<String>,
+    /// The same as JSON; with `-` instead of the text
+    #[arg(long, value_name = "FILE|-", help_heading = "Output")]
+    json: Option<String>,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `plan`.
+pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
+    let json = args
+        .json
+        .as_ref()
+        .map(|v| Output::checked("--json", v, &[]));
+    let json = json.transpose()?;
+    let asked = args.strategy.as_deref().map(parse).transpose()?;
+    let console = Console::new(args.console, 1);
+    console.step("opening");
+    let opened = open(&args.scene, &console)?;
+    let strategy = match (asked, &opened.strategy) {
+        (Some(strategy), _) => strategy,
+        (None, Some(name)) => parse(name)?,
+        (None, None) => Strategy::RAYCAST_MASK,
+    };
+    let model = Model::of(&opened.scene);
+    let view = opened.view(&model.prepared, 1);
+    let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
+        .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
+    if let Some(output) = &json {
+        let mut value = plan.to_json();
+        value["strategy"] = strategy.to_string().into();
+        output.write(format!("{value:#}\n").as_bytes())?;
+    }
+    if json != Some(Output::Stdout) {
+        let text = format!("{strategy}\n{}", plan.to_text());
+        write_stdout(text.as_bytes())?;
+    }
+    Ok(Verdict::Done)
+}
+
+fn parse(name: &str) -> Result<Strategy> {
+    match name.parse()? {
+        Drawer::By(strategy) => Ok(strategy),
+        Drawer::Exact => Err(Error::input(
+            "--strategy exact",
+            "the exact reference runs on the CPU and has no passes",
+            "name a strategy, for example raycast+mask",
+        )),
+    }
+}

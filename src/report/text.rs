@@ -1,0 +1,168 @@
+//! A report for a terminal: error first, then time, then what was refused and why.
+
+use super::{Report, StrategyReport, Table};
+
+/// The report as text.
+pub fn text(report: &Report) -> String {
+    let mut text = format!(
+        "{} ({} triangles) at {} x {} on {} ({}, {})\n",
+        report.scene,
+        report.triangles,
+        report.resolution[0],
+        report.resolution[1],
+        report.adapter.name,
+        report.adapter.backend,
+        report.adapter.driver
+    );
+    let exact = &report.exact;
+    text.push_str(&format!(
+        "exact: {} cap px, {} surface px, {} undecided px, {} ms on the CPU\n\n",
+        exact.cap_px,
+        exact.surface_px,
+        exact.undecided_px,
+        milliseconds(exact.time_ms)
+    ));
+    text.push_str(&errors(report).to_text());
+    text.push('\n');
+    text.push_str(&times(report).to_text());
+    for line in shortfalls(report) {
+        text.push_str(&format!("\n{line}"));
+    }
+    if text.ends_with('\n') {
+        text
+    } else {
+        text + "\n"
+    }
+}
+
+/// What each strategy gets wrong, in pixels, scene units and degrees.
+pub(super) fn errors(report: &Report) -> Table {
+    let mut table = Table::new([
+        "error",
+        "decided wrong px",
+        "missed cap",
+        "leaked cap",
+        "wrong part",
+        "crack",
+        "interior",
+        "edge",
+        "depth max",
+        "normal max deg",
+    ]);
+    for strategy in &report.strategies {
+        let Some(c) = &strategy.comparison else {
+            table.row([strategy.name.as_str(), strategy.outcome.name()]);
+            continue;
+        };
+        let pixels = [
+            c.decided_wrong_px,
+            c.missed_cap_px,
+            c.leaked_cap_px,
+            c.wrong_part_px,
+            c.crack_px,
+            c.interior_wrong_px,
+            c.edge_wrong_px,
+        ];
+        let numbers = [
+            format!("{:.1e}", c.depth_error_max),
+            format!("{:.2}", c.normal_error_deg_max),
+        ];
+        let cells = pixels.iter().map(ToString::to_string).chain(numbers);
+        table.row(std::iter::once(strategy.name.clone()).chain(cells));
+    }
+    table
+}
+
+/// What each strategy costs.
+pub(super) fn times(report: &Report) -> Table {
+    let mut table = Table::new([
+        "time, median ms",
+        "solid",
+        "cut",
+        "frame",
+        "frame min..max",
+        "x draw only",
+        "MiB solid",
+        "MiB cut",
+        "MiB frame",
+    ]);
+    let draw_only = &report.draw_only_ms;
+    let [least, most] = draw_only.range();
+    table.row([
+        "draw only".to_owned(),
+        "-".to_owned(),
+        "-".to_owned(),
+        milliseconds(draw_only.median),
+        format!("{}..{}", milliseconds(least), milliseconds(most)),
+        "1.00".to_owned(),
+    ]);
+    for strategy in report.strategies.iter().filter(|s| s.was_drawn()) {
+        table.row(time_row(strategy));
+    }
+    table
+}
+
+fn time_row(strategy: &StrategyReport) -> Vec<String> {
+    let time = &strategy.time_ms;
+    let [least, most] = time.frame.range();
+    let ratio = strategy.frame_over_draw_only;
+    vec![
+        strategy.name.clone(),
+        milliseconds(time.solid.median),
+        milliseconds(time.cut.median),
+        milliseconds(time.frame.median),
+        format!("{}..{}", milliseconds(least), milliseconds(most)),
+        ratio.map_or_else(|| "-".to_owned(), |r| format!("{r:.2}")),
+        mebibytes(strategy.bytes.solid),
+        mebibytes(strategy.bytes.cut),
+        mebibytes(strategy.bytes.frame),
+    ]
+}
+
+/// A sentence for each strategy that did not draw all of the frame.
+pub(super) fn shortfalls(report: &Report) -> Vec<String> {
+    let short = report.strategies.iter().filter_map(|s| {
+        let reason = s.reason.as_ref()?;
+        Some(format!("{} {}: {reason}", s.name, s.outcome.name()))
+    });
+    short.collect()
+}
+
+/// Three digits or so.
+pub(super) fn milliseconds(ms: f64) -> String {
+    match ms {
+        0.0 => "0".to_owned(),
+        ..1.0 => format!("{ms:.3}"),
+        ..100.0 => format!("{ms:.2}"),
+        _ => format!("{ms:.0}"),
+    }
+}
+
+/// Bytes in one unit, so that a column can be read down.
+fn mebibytes(bytes: u64) -> String {
+    match bytes {
+        0 => "0".to_owned(),
+        _ => format!("{:.2}", bytes as f64 / 1_048_576.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::tests::example;
+
+    #[test]
+    fn the_text_says_what_was_found_and_what_was_refused() {
+        let text = text(&example());
+        for said in [
+            "crank (12 triangles) at 64 x 48 on A & B",
+            "10 cap px",
+            "raycast+mask",
+            "1.50",
+            "planar+<mask> refused: a relief | is no plane",
+        ] {
+            assert!(text.contains(said), "{said} is missing from\n{text}");
+        }
+        assert!(text.ends_with('\n'), "the last line ends");
+    }
+}

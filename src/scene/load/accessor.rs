@@ -1,0 +1,125 @@
+//! Checked reading of glTF accessors.
+//!
+//! The `gltf` crate trusts offsets, counts and types once the JSON validates, and panics or overflows where they lie. Every
+//! accessor is checked here before it is handed over.
+
+use gltf::Accessor;
+use gltf::accessor::{DataType, Dimensions, Item, Iter};
+use gltf::buffer::View;
+
+/// A sparse accessor without base values takes no bytes; more items than this are taken for a lie.
+const MOST_IMPLIED_ITEMS: usize = 1 << 26;
+
+/// What the accessor should hold.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    pub(super) what: &'static str,
+    pub(super) types: &'static [DataType],
+    pub(super) dimensions: Dimensions,
+}
+
+/// `POSITION` and `NORMAL`.
+pub(super) const VEC3: Wanted = Wanted {
+    what: "positions or normals",
+    types: &[DataType::F32],
+    dimensions: Dimensions::Vec3,
+};
+
+/// Vertex indices of triangles.
+pub(super) const INDICES: Wanted = Wanted {
+    what: "indices",
+    types: &[DataType::U8, DataType::U16, DataType::U32],
+    dimensions: Dimensions::Scalar,
+};
+
+/// `JOINTS_n`.
+pub(super) const JOINTS: Wanted = Wanted {
+    what: "joints",
+    types: &[DataType::U8, DataType::U16],
+    dimensions: Dimensions::Vec4,
+};
+
+/// `WEIGHTS_n`.
+pub(super) const WEIGHTS: Wanted = Wanted {
+    what: "weights",
+    types: &[DataType::F32, DataType::U8, DataType::U16],
+    dimensions: Dimensions::Vec4,
+};
+
+/// Inverse bind matrices.
+pub(super) const MAT4: Wanted = Wanted {
+    what: "inverse bind matrices",
+    types: &[DataType::F32],
+    dimensions: Dimensions::Mat4,
+};
+
+/// Says what is wrong with an accessor, or that nothing is. `buffers` are by index.
+pub(super) fn check(
+    accessor: &Accessor<'_>,
+    wanted: Wanted,
+    buffers: &[Vec<u8>],
+) -> Result<(), String> {
+    let (kind, dimensions) = (accessor.data_type(), accessor.dimensions());
+    let named = |what: String| format!("accessor {} ({}) {what}", accessor.index(), wanted.what);
+    if !wanted.types.contains(&kind) || dimensions != wanted.dimensions {
+        return Err(named(format!("is {dimensions:?} of {kind:?}")));
+    }
+    let (count, size) = (accessor.count(), accessor.size());
+    if count == 0 {
+        return Err(named("is empty".to_owned()));
+    }
+    let fits = |view: View<'_>, offset: usize, items: usize, size: usize| {
+        let stride = view.stride().unwrap_or(size);
+        let in_view = (items - 1)
+            .checked_mul(stride)
+            .and_then(|n| n.checked_add(size)?.checked_add(offset))
+            .is_some_and(|end| end <= view.length());
+        let held = buffers.get(view.buffer().index()).map_or(0, Vec::len);
+        let in_buffer = view
+            .offset()
+            .checked_add(view.length())
+            .is_some_and(|end| end <= held);
+        stride >= size && in_view && in_buffer
+    };
+    if let Some(view) = accessor.view() {
+        if !fits(view, accessor.offset(), count, size) {
+            return Err(named(format!(
+                "states {count} items, its buffer ends before"
+            )));
+        }
+    } else if accessor.sparse().is_none() {
+        return Err(named("has no data".to_owned()));
+    } else if count > MOST_IMPLIED_ITEMS {
+        return Err(named(format!("states {count} items without data")));
+    }
+    if let Some(sparse) = accessor.sparse() {
+        let (indices, values) = (sparse.indices(), sparse.values());
+        let changed = sparse.count();
+        if changed == 0
+            || changed > count
+            || !fits(
+                indices.view(),
+                indices.offset(),
+                changed,
+                indices.index_type().size(),
+            )
+            || !fits(values.view(), values.offset(), changed, size)
+        {
+            return Err(named("has sparse values outside its buffer".to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// The items of an accessor whose item type is known to be `T`.
+pub(super) fn items<T: Item>(
+    accessor: Accessor<'_>,
+    wanted: Wanted,
+    buffers: &[Vec<u8>],
+) -> Result<Vec<T>, String> {
+    check(&accessor, wanted, buffers)?;
+    let index = accessor.index();
+    Iter::new(accessor, |b| buffers.get(b.index()).map(Vec::as_slice))
+        .map(Iterator::collect)
+        .ok_or_else(|| format!("accessor {index} ({}) cannot be read", wanted.what))
+}

@@ -1,0 +1,241 @@
+//! Mesh files become parts: OBJ, STL, PLY, glTF and GLB, the first three also gzipped.
+//!
+//! A reader only transcribes: it turns bytes into a `Draft`, positions shared as the file shares them, and refuses what
+//! is not a mesh by file, line and reason. Everything that is decided about the mesh is decided once, in `draft`: what is
+//! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
+//! could not use it says in [`Loaded::notes`].
+
+mod accessor;
+mod draft;
+mod gltf;
+mod mtl;
+mod obj;
+mod ply;
+mod skin;
+mod stl;
+mod uri;
+
+use std::collections::HashSet;
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use flate2::read::MultiGzDecoder;
+use glam::{DAffine3, Vec3};
+
+use super::{Material, Mesh, Part};
+use crate::error::{Error, Result, did_you_mean};
+
+use draft::{Draft, Group, Solid};
+
+/// What a mesh file holds.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// The solids, with unique names.
+    pub parts: Vec<Part>,
+    /// What was welded, left out or missing, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Extensions of the formats that are read.
+const KNOWN: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
+
+/// A gzipped file may not unpack to more: a few kilobytes can claim to be any size.
+const LARGEST_UNPACKED_BYTES: u64 = 8 << 30;
+
+/// Loads a mesh file; its extension names the format.
+///
+/// ```no_run
+/// let loaded = cutaway::scene::load_mesh_file("bracket.stl".as_ref())?;
+/// for note in &loaded.notes {
+///     eprintln!("{note}");
+/// }
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
+    load_mesh_file_with(path, &mut |_| ())
+}
+
+/// Like [`load_mesh_file`]; `stage` is told what begins: `"reading"`, `"parsing"`, `"welding"`.
+pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> Result<Loaded> {
+    let (format, stem) = format_and_stem(path)?;
+    stage("reading");
+    let bytes = read(path)?;
+    stage("parsing");
+    let mut notes = Vec::new();
+    let placed = if format == "glb" || format == "gltf" {
+        gltf::read(path, &bytes, &mut notes, stage)?
+    } else {
+        let draft = match format.as_str() {
+            "obj" => obj::read(path, &bytes, &mut notes)?,
+            "stl" => stl::read(path, &bytes, &mut notes)?,
+            _ => ply::read(path, &bytes)?,
+        };
+        drop(bytes);
+        stage("welding");
+        let solids = draft.into_solids(path, &mut notes)?;
+        solids.into_iter().map(Placed::of).collect()
+    };
+    Ok(Loaded {
+        parts: parts_of(placed, &stem),
+        notes,
+    })
+}
+
+/// A solid where the file puts it.
+struct Placed {
+    name: Option<String>,
+    color: Option<Vec3>,
+    mesh: Arc<Mesh>,
+    world_from_part: DAffine3,
+}
+
+impl Placed {
+    fn of(solid: Solid) -> Self {
+        Self {
+            name: solid.name,
+            color: solid.color,
+            mesh: Arc::new(solid.mesh),
+            world_from_part: DAffine3::IDENTITY,
+        }
+    }
+}
+
+/// One solid is named after the file, several after what the file calls them, made unique.
+fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
+    let alone = placed.len() == 1;
+    let mut taken = HashSet::new();
+    let name_of = |given: Option<String>, taken: &mut HashSet<String>| {
+        let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {
+            Some(name) => name,
+            None => stem.to_owned(),
+        };
+        let mut name = wanted.clone();
+        let mut count = 1;
+        while !taken.insert(name.clone()) {
+            count += 1;
+            name = format!("{wanted}_{count}");
+        }
+        name
+    };
+    placed
+        .into_iter()
+        .enumerate()
+        .map(|(i, p)| {
+            let mut part = Part::new(name_of(p.name, &mut taken), p.mesh);
+            part.world_from_part = p.world_from_part;
+            part.material = Material::of_index(i);
+            if let Some(color) = p.color {
+                part.material.color = color;
+            }
+            part
+        })
+        .collect()
+}
+
+/// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
+fn format_and_stem(path: &Path) -> Result<(String, String)> {
+    let name = path
+        .file_name()
+        .map_or(String::new(), |n| n.to_string_lossy().into_owned());
+    let lower = name.to_lowercase();
+    let unpacked = lower.strip_suffix(".gz").unwrap_or(&lower);
+    let format = match unpacked.rsplit_once('.') {
+        Some((_, extension)) => extension,
+        None => "",
+    };
+    let gzipped = unpacked.len() < lower.len();
+    if !KNOWN.contains(&format) || (gzipped && format.starts_with("gl")) {
+        let what = if gzipped && KNOWN.contains(&format) {
+            "only .obj, .stl and .ply are read gzipped".to_owned()
+        } else if format.is_empty() {
+            "the name has no extension that tells the format".to_owned()
+        } else {
+            format!("`.{format}` is not a mesh format that is read")
+        };
+        return Err(Error::file(path, what, did_you_mean(format, KNOWN)));
+    }
+    let stem_length = unpacked.len() - format.len() - 1;
+    let stem = name.get(..stem_length).unwrap_or(&name).to_owned();
+    Ok((format.to_owned(), stem))
+}
+
+/// The bytes of a file, unpacked if they are gzipped, whatever the name says.
+fn read(path: &Path) -> Result<Vec<u8>> {
+    let bytes = std::fs::read(path).map_err(|e| {
+        let mend = match e.kind() {
+            std::io::ErrorKind::NotFound => "check the spelling and the folder",
+            std::io::ErrorKind::PermissionDenied => "make the file readable",
+            _ => "check that it is a file that can be read",
+        };
+        Error::file(path, format!("cannot be read: {e}"), mend)
+    })?;
+    if bytes.is_empty() {
+        return Err(Error::file(
+            path,
+            "the file is empty",
+            "export or download it again",
+        ));
+    }
+    if !bytes.starts_with(&[0x1f, 0x8b]) {
+        return Ok(bytes);
+    }
+    let mut unpacked = Vec::new();
+    MultiGzDecoder::new(bytes.as_slice())
+        .take(LARGEST_UNPACKED_BYTES + 1)
+        .read_to_end(&mut unpacked)
+        .map_err(|e| {
+            Error::file(
+                path,
+                format!("gzip: {e} after {} bytes", unpacked.len()),
+                "the archive is cut off or damaged: get it again",
+            )
+        })?;
+    if unpacked.len() as u64 > LARGEST_UNPACKED_BYTES {
+        return Err(Error::file(
+            path,
+            format!("unpacks to more than {LARGEST_UNPACKED_BYTES} bytes"),
+            "gunzip it and load the result, if that is meant",
+        ));
+    }
+    Ok(unpacked)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extensions_name_the_format() {
+        let of = |name: &str| format_and_stem(Path::new(name));
+        assert_eq!(of("a/b.c.STL").unwrap(), ("stl".into(), "b.c".into()));
+        assert_eq!(of("x.ply.gz").unwrap(), ("ply".into(), "x".into()));
+        for wrong in ["a.step", "a", "a.glb.gz", "a.gz"] {
+            let text = of(wrong).unwrap_err().to_string();
+            assert!(text.contains("mend:") && text.contains("ply"), "{text}");
+        }
+    }
+
+    #[test]
+    fn names_are_unique() {
+        let solid = |name: Option<&str>| {
+            Placed::of(Solid {
+                name: name.map(str::to_owned),
+                color: None,
+                mesh: Mesh::default(),
+            })
+        };
+        let names = |placed| -> Vec<String> {
+            parts_of(placed, "file")
+                .into_iter()
+                .map(|p| p.name)
+                .collect()
+        };
+        assert_eq!(names(vec![solid(Some("bolt"))]), ["file"]);
+        let several = ["a", "a_2", "a", ""].map(|n| solid(Some(n)));
+        assert_eq!(
+            names(several.into_iter().chain([solid(None)]).collect()),
+            ["a", "a_2", "a_3", "file", "file_2"]
+        );
+    }
+}
