@@ -192,7 +192,8 @@ fn wrong_intervals(view: &View, rays: &[Ray], given: &[Vec<u32>]) -> Vec<String>
         if is_doubtful {
             continue;
         }
-        if (x < y) == is_empty || (!is_empty && !(is_close(x, enter) && is_close(y, leave))) {
+        let is_right = is_close(x, enter) && is_close(y, leave);
+        if (x < y) == is_empty || !(is_empty || is_right) {
             faults.push(format!(
                 "{:?} + t {:?}: [{x}, {y}] should be [{enter}, {leave}]",
                 ray.origin, ray.direction
