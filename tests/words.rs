@@ -19,6 +19,8 @@ mod quadratic;
 mod reliefs;
 #[path = "words/sides.rs"]
 mod sides;
+#[path = "words/walk.rs"]
+mod walk;
 
 /// Half a unit in the last place of an f32 near 1: the relative error of one correctly rounded operation.
 const U: f64 = 1.0 / (1 << 24) as f64;
