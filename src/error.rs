@@ -2,7 +2,7 @@
 //!
 //! An error names the culprit (file, line, option, key), says what is wrong and how to mend it. Refusals and overflows of
 //! a strategy are not errors: they are outcomes of a frame (see [`crate::strategies::Refusal`] and
-//! [`crate::compare::Outcome`]).
+//! [`crate::session::Outcome`]).
 
 use std::path::{Path, PathBuf};
 

@@ -11,7 +11,7 @@ use cutaway::plan::pack::{
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
-use cutaway::shader::{self, Finding, Rule, lint};
+use cutaway::shader::{self, Finding, Rule, StructLayout, lint};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 use naga::{ArraySize, Expression, Literal, Module, TypeInner};
@@ -85,7 +85,7 @@ fn what_is_not_wgsl_does_not_compose() {
 
 /// What differs between a struct of Rust and the one of the same name in a module; `None` if the module has none.
 fn layout_faults<T: Layout>(module: &Module) -> Option<Vec<String>> {
-    let (fields, size) = shader::struct_layout(module, T::NAME)?;
+    let StructLayout { fields, size } = shader::struct_layout(module, T::NAME)?;
     let wgsl: Vec<(String, usize, usize)> = fields
         .into_iter()
         .map(|(name, offset, size)| (name, offset as usize, size as usize))
@@ -139,7 +139,7 @@ fn shared_structs_are_laid_out_alike() {
     let table = modules
         .iter()
         .find_map(|(_, m)| shader::struct_layout(m, "RayTable"));
-    let (_, size) = table.expect("a shader with a RayTable");
+    let size = table.expect("a shader with a RayTable").size;
     assert_eq!(
         size as usize,
         MAX_SURFACES * size_of::<RaySurface>(),
@@ -255,9 +255,9 @@ fn constants_have_one_value_on_both_sides() {
         }
     }
     // Constants that no whole shader imports are composed here, lest they drift unseen.
-    let rest = "#import cutaway::cuts::MAX_SURFACES\n#import cutaway::crossing_list::MOST\n#import cutaway::relief::{REPEAT, MIRROR}\n\
+    let rest = "#import cutaway::cuts::MAX_SURFACES\n#import cutaway::relief::{REPEAT, MIRROR}\n\
         @group(0) @binding(9) var<storage, read_write> words: array<u32>;\n\
-        @compute @workgroup_size(1) fn main() { words[0] = MAX_SURFACES + MOST + REPEAT + MIRROR; }";
+        @compute @workgroup_size(1) fn main() { words[0] = MAX_SURFACES + REPEAT + MIRROR; }";
     let rest = shader::compose_text("rest", rest).unwrap_or_else(|e| panic!("{e}"));
     for (name, value) in constants(&rest) {
         all.entry(name).or_default().insert(value);
@@ -278,7 +278,6 @@ fn constants_have_one_value_on_both_sides() {
     let expected = [
         ("NO_RELIEF", NO_RELIEF),
         ("MAX_SURFACES", MAX_SURFACES as u32),
-        ("MOST", Capacities::MOST_CROSSINGS),
         ("WORDS_PER_PIXEL", words_per_pixel),
         (
             "UNRANKED",
@@ -314,8 +313,6 @@ fn constants_have_one_value_on_both_sides() {
     let lengths: BTreeMap<(String, String), u32> =
         modules.iter().flat_map(|(_, m)| array_lengths(m)).collect();
     for (of, field, length) in [
-        ("List", "z", Capacities::MOST_CROSSINGS),
-        ("List", "surface", Capacities::MOST_CROSSINGS),
         ("CutTable", "surfaces", MAX_SURFACES as u32),
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
         ("RayTable", "surfaces", MAX_SURFACES as u32),

@@ -8,7 +8,7 @@
 
 // Adds the crossing of a plane inside the interval of depths, and the side on which the interval begins. The side follows
 // from the crossing and its direction, never from a second evaluation: the two cannot disagree.
-fn cross_plane(list: ptr<function, List>, capacity: u32, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
+fn cross_plane(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
     let height = along_ray(ray_table.surfaces[surface].height, at_px);
     let rises = height.y > 0.0;
     var begins_removed = height.x < 0.0;
@@ -17,7 +17,7 @@ fn cross_plane(list: ptr<function, List>, capacity: u32, surface: u32, at_px: ve
         let ahead = depth > interval.x;
         begins_removed = rises == ahead;
         if ahead && depth < interval.y {
-            add(list, capacity, buffer_from_depth(depth), surface, rises);
+            add(list, buffer_from_depth(depth), surface, rises);
         }
     }
     if begins_removed {

@@ -5,7 +5,7 @@
 //! the plain drawing of the uncut scene run once, on all clocks. Whoever begins a round ends the next, so that what
 //! disturbs the machine disturbs all alike.
 //!
-//! Without timestamps each clock is run on its own and timed by the wall.
+//! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]).
 
 use std::time::Instant;
 
@@ -143,23 +143,12 @@ enum Runner<'a> {
 }
 
 impl Runner<'_> {
-    fn run(&self, session: &Session, clocks: ClockSet) -> Result<RunTimes> {
+    /// Runs all clocks.
+    fn run(&self, session: &Session) -> Result<RunTimes> {
         match self {
-            Self::Uncut(program) => program.run(session.gpu(), clocks),
-            Self::Strategy(strategy) => session.repeat(strategy, clocks),
+            Self::Uncut(program) => program.run(session.gpu(), ClockSet::ALL),
+            Self::Strategy(strategy) => session.repeat(strategy, ClockSet::ALL),
         }
-    }
-
-    fn run_all(&self, session: &Session) -> Result<RunTimes> {
-        if session.gpu().has_timestamps() {
-            return self.run(session, ClockSet::ALL);
-        }
-        let mut times = RunTimes::default();
-        for clock in Clock::ALL {
-            let run = self.run(session, ClockSet::NONE.with(clock))?;
-            times.clocks_ms[clock as usize] = Some(run.clock_ms(Clock::Frame));
-        }
-        Ok(times)
     }
 }
 
@@ -173,13 +162,13 @@ fn measure(
     let mut runs: Vec<Vec<RunTimes>> = runners.iter().map(|_| Vec::new()).collect();
     console.step("warm-up");
     for runner in runners {
-        runner.run_all(session)?;
+        runner.run(session)?;
     }
     for round in 0..rounds {
         console.step(format!("round {} of {rounds}", round + 1));
         for turn in 0..runners.len() {
             let who = (round + turn) % runners.len();
-            runs[who].push(runners[who].run_all(session)?);
+            runs[who].push(runners[who].run(session)?);
         }
     }
     Ok(runs)

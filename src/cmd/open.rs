@@ -69,9 +69,8 @@ pub(super) fn open_parts(inputs: &[String], console: &Console) -> Result<Vec<Par
     let mut names = BTreeSet::new();
     for input in inputs {
         let (mut of_input, notes) = open_model(input)?;
-        for note in notes {
-            console.note(format!("{input}: {note}"));
-        }
+        // Notes of loaders begin with the file they are about.
+        notes.iter().for_each(|note| console.note(note));
         for part in &mut of_input {
             if part.material == Material::default() {
                 part.material = Material::of_index(names.len());

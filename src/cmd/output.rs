@@ -32,7 +32,7 @@ impl Output {
         }
         let extension = path.extension().map(|e| e.to_ascii_lowercase());
         let known = |e: &&str| extension.as_ref().is_some_and(|have| have == e);
-        if !extensions.is_empty() && !is_special(&path) && !extensions.iter().any(|e| known(&e)) {
+        if !extensions.is_empty() && !is_special(&path) && !extensions.iter().any(known) {
             let list: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
             return Err(Error::input(
                 culprit(),

@@ -11,7 +11,10 @@
 //! | missed cap | cap | anything else |
 //! | leaked cap | anything else | cap |
 //! | wrong part | surface or cap | same kind; another part, or another clip-surface |
-//! | crack | surface or cap, not a back face | background or a back face |
+//! | crack | surface or cap, not a back face; decided | background or a back face |
+//!
+//! Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a number that
+//! must be 0 cannot hang on it. The other classes count all pixels.
 //!
 //! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
 //!
@@ -28,18 +31,6 @@ use crate::exact::Exact;
 use crate::layers::{Kind, Layer, Layers};
 use crate::scene::View;
 
-/// How a frame ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Outcome {
-    /// Every pixel was worked out.
-    Complete,
-    /// A bounded buffer was too small; the pixels concerned are marked unreliable.
-    Overflowed,
-    /// The strategy does not do this, and says why.
-    Refused,
-}
-
 /// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Comparison {
@@ -49,7 +40,7 @@ pub struct Comparison {
     pub leaked_cap_px: usize,
     /// Kinds agree; the part or, for a cap, the clip-surface does not.
     pub wrong_part_px: usize,
-    /// Background or a back face where exact has a surface or a cap that is none.
+    /// Background or a back face where exact is sure of a surface or a cap that is none.
     pub crack_px: usize,
     /// Wrong pixels farther than one pixel from every boundary of the exact image.
     pub interior_wrong_px: usize,
@@ -98,9 +89,9 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
         result.missed_cap_px += usize::from(verdict.missed_cap);
         result.leaked_cap_px += usize::from(verdict.leaked_cap);
         result.wrong_part_px += usize::from(verdict.wrong_part);
-        result.crack_px += usize::from(verdict.crack);
-        result.odd_parity_px += usize::from(found.unreliable);
         let decided = !exact.undecided[index];
+        result.crack_px += usize::from(verdict.crack && decided);
+        result.odd_parity_px += usize::from(found.unreliable);
         if verdict.wrong {
             let edge = near_boundary(&exact.layers, index);
             result.edge_wrong_px += usize::from(edge);

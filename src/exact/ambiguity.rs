@@ -175,9 +175,19 @@ impl Case<'_> {
             let hidden = self.seen_depth() + rounding(self.view, graze.depth);
             let of_surface =
                 |e: &Event| matches!(e.cause, Cause::Clip { surface, .. } if surface == graze.surface);
+            let step = 0.5 * rounding(self.view, graze.depth);
             scratch.events.clear();
             scratch.events.extend_from_slice(self.events);
-            if graze.crossed {
+            let crossed_before = self
+                .events
+                .iter()
+                .filter(|e| of_surface(e) && e.depth < graze.depth)
+                .count();
+            let removed =
+                self.start.removed[usize::from(graze.surface)] ^ (crossed_before % 2 == 1);
+            // Where the crest touches 0, rounding may have left out the pair of roots around it, or put both on one spot:
+            // then the list of events does not say what the graze says, and the pair is still to be put in.
+            if graze.crossed && removed == graze.removed {
                 let after = self.events.partition_point(|e| e.depth <= graze.depth);
                 let before = self.events[..after].iter().rposition(of_surface);
                 let behind = self.events[after..].iter().position(of_surface);
@@ -194,14 +204,6 @@ impl Case<'_> {
                 if graze.depth > hidden {
                     return Openness::Nothing;
                 }
-                let crossed_before = self
-                    .events
-                    .iter()
-                    .filter(|e| of_surface(e) && e.depth < graze.depth)
-                    .count();
-                let removed = self.start.removed[usize::from(graze.surface)]
-                    ^ (crossed_before % 2 == 1);
-                let step = 0.5 * rounding(self.view, graze.depth);
                 for (depth, to_kept) in [
                     (graze.depth - step, removed),
                     (graze.depth + step, !removed),

@@ -62,6 +62,8 @@ pub(super) struct Graze {
     pub(super) depth: f64,
     /// The surface is crossed just before and just behind.
     pub(super) crossed: bool,
+    /// The extremum itself is on the removed side.
+    pub(super) removed: bool,
 }
 
 /// A clip-surface ready for rays.

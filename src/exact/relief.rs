@@ -358,6 +358,7 @@ impl Walk<'_> {
                     surface: self.surface,
                     depth,
                     crossed: least == (value < 0.0),
+                    removed: value < 0.0,
                 });
             }
         }

@@ -85,7 +85,8 @@ impl Gpu {
             });
         };
         let info = adapter.get_info();
-        let timestamps = adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let software = info.device_type == wgpu::DeviceType::Cpu;
+        let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         let have = adapter.limits();
         // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
         let limits = wgpu::Limits {
@@ -121,7 +122,6 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
             lock(&listener).get_or_insert(e.to_string());
         }));
-        let software = info.device_type == wgpu::DeviceType::Cpu;
         Ok(Self {
             limits: Limits {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
@@ -155,7 +155,7 @@ impl Gpu {
         &self.limits
     }
 
-    /// Whether passes can be timed on the device.
+    /// Whether the device's own timestamps are there and to be trusted.
     pub fn has_timestamps(&self) -> bool {
         self.timestamps
     }

@@ -21,17 +21,21 @@ enum Pipeline {
 /// Pipelines by everything they are made of.
 #[derive(Default)]
 pub(super) struct Pipelines {
-    made: BTreeMap<String, (std::rc::Rc<Pipeline>, Vec<ShaderBinding>)>,
+    made: BTreeMap<String, (std::sync::Arc<Pipeline>, Vec<ShaderBinding>)>,
 }
 
 /// A pass ready to be encoded.
 pub(super) struct Step {
     name: String,
-    pipeline: std::rc::Rc<Pipeline>,
+    pipeline: std::sync::Arc<Pipeline>,
     groups: Vec<wgpu::BindGroup>,
     work: RealWork,
 }
 
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a plan has a dozen steps, not thousands"
+)]
 enum RealWork {
     Compute([u32; 3]),
     Draw {
@@ -192,7 +196,7 @@ impl Pipelines {
         gpu: &Gpu,
         plan: &Plan,
         pass: &Pass,
-    ) -> Result<(std::rc::Rc<Pipeline>, Vec<ShaderBinding>)> {
+    ) -> Result<(std::sync::Arc<Pipeline>, Vec<ShaderBinding>)> {
         let state = match &pass.work {
             Work::Compute { .. } => String::new(),
             Work::Draw {
@@ -217,7 +221,7 @@ impl Pipelines {
                 label: Some(pass.shader),
                 source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
             });
-        let pipeline = std::rc::Rc::new(if is_draw(&pass.work) {
+        let pipeline = std::sync::Arc::new(if is_draw(&pass.work) {
             Pipeline::Render(render_pipeline(gpu, plan, pass, &module))
         } else {
             Pipeline::Compute(gpu.device.create_compute_pipeline(

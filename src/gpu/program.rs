@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 use super::Gpu;
 use super::device::SHARED_FROM_BYTES;
 use super::draw::{Pipelines, Step};
-use super::timing::{ClockSet, RunTimes, Stopwatch};
+use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, Format, Plan, Resource, ResourceId, Role, Shape, Work};
+use crate::plan::{Clock, Format, Pass, Plan, Resource, ResourceId, Role, Shape, Work};
 use crate::{Error, Result};
 
 /// A resource on the device.
@@ -100,38 +100,48 @@ impl Program {
 
     /// Runs the passes of some clocks and waits for them.
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
-        let started = Stopwatch::now();
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor {
-                label: Some("frame"),
-            });
-        let mut ran = Vec::with_capacity(self.steps.len());
-        for (index, (pass, step)) in self.plan.passes.iter().zip(&self.steps).enumerate() {
-            if clocks.contains(pass.clock) {
-                step.encode(&mut encoder, self.stopwatch.as_ref(), index);
-                ran.push((index, pass.name.as_str(), pass.clock));
-            }
-        }
-        if let Some(stopwatch) = &self.stopwatch {
-            stopwatch.finish(&mut encoder);
-        }
-        gpu.queue.submit([encoder.finish()]);
         match &self.stopwatch {
-            Some(stopwatch) => Ok(Stopwatch::times(
-                gpu,
-                &gpu.map::<u64>(&stopwatch.copied)?,
-                &ran,
-            )),
-            None => {
-                gpu.wait()?;
-                let wall_ms = started.elapsed().as_secs_f64() * 1e3;
-                Ok(RunTimes {
-                    passes: Vec::new(),
-                    clocks_ms: [None, None, Some(wall_ms)],
-                })
-            }
+            Some(stopwatch) => self.run_stamped(gpu, clocks, stopwatch),
+            None => self.run_by_the_wall(gpu, clocks),
         }
+    }
+
+    fn run_stamped(&self, gpu: &Gpu, clocks: ClockSet, stopwatch: &Stopwatch) -> Result<RunTimes> {
+        let mut encoder = new_encoder(gpu);
+        let mut ran = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_on(clocks) {
+            step.encode(&mut encoder, Some(stopwatch), index);
+            ran.push((index, pass.name.as_str(), pass.clock));
+        }
+        stopwatch.finish(&mut encoder);
+        gpu.queue.submit([encoder.finish()]);
+        let ticks = gpu.map::<u64>(&stopwatch.copied)?;
+        Ok(Stopwatch::times(gpu, &ticks, &ran))
+    }
+
+    /// One submission per pass, each waited for: the price of a time for each where the device has none to give.
+    fn run_by_the_wall(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        gpu.wait()?;
+        let mut passes = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_on(clocks) {
+            let started = Stopwatch::now();
+            let mut encoder = new_encoder(gpu);
+            step.encode(&mut encoder, None, index);
+            gpu.queue.submit([encoder.finish()]);
+            gpu.wait()?;
+            passes.push(PassTime {
+                name: pass.name.clone(),
+                clock: pass.clock,
+                time_ms: started.elapsed().as_secs_f64() * 1e3,
+            });
+        }
+        Ok(RunTimes::sum(passes))
+    }
+
+    fn steps_on(&self, clocks: ClockSet) -> impl Iterator<Item = (usize, &Pass, &Step)> {
+        let all = self.plan.passes.iter().zip(&self.steps).enumerate();
+        all.filter(move |(_, (pass, _))| clocks.contains(pass.clock))
+            .map(|(index, (pass, step))| (index, pass, step))
     }
 
     /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].
@@ -202,6 +212,13 @@ impl Program {
             _ => Err(Error::Plan(format!("{name} is not a buffer"))),
         }
     }
+}
+
+fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    let descriptor = wgpu::CommandEncoderDescriptor {
+        label: Some("frame"),
+    };
+    gpu.device.create_command_encoder(&descriptor)
 }
 
 /// Whether two plans differ in nothing but the contents of their uploads.

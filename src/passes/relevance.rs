@@ -106,10 +106,9 @@ impl Relevance {
             .iter()
             .map(|i| prepared.parts[*i].bounds)
             .fold(Bounds::EMPTY, Bounds::union);
-        let near_inside = view.near_cap
-            && order[..lanes]
-                .iter()
-                .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
+        let near_inside = order[..lanes]
+            .iter()
+            .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
         Ok(Self {
             surfaces,
             cuts: cuts.into_iter().map(|(_, bits)| bits).collect(),

@@ -11,5 +11,5 @@ mod tree;
 
 pub use compose::{compose, compose_text};
 pub use lints::{Finding, INVOCATIONS_PER_WORKGROUP, Rule, STORAGE_BUFFERS_PER_STAGE, lint};
-pub use reflect::{BindingKind, ShaderBinding, bindings, struct_layout};
+pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};
 pub use tree::{FILES, LIBRARY, SHADERS, source};

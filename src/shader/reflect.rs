@@ -82,8 +82,17 @@ pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
     found
 }
 
-/// Fields of a struct as (name, offset in bytes, size in bytes), and the size of the struct.
-pub fn struct_layout(module: &Module, name: &str) -> Option<(Vec<(String, u32, u32)>, u32)> {
+/// How naga lays a struct out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StructLayout {
+    /// Name, offset and size in bytes of each field.
+    pub fields: Vec<(String, u32, u32)>,
+    /// Size in bytes.
+    pub size: u32,
+}
+
+/// The layout of a struct of a module.
+pub fn struct_layout(module: &Module, name: &str) -> Option<StructLayout> {
     module.types.iter().find_map(|(_, ty)| match &ty.inner {
         TypeInner::Struct { members, span }
             if ty.name.as_deref().is_some_and(|n| undecorated(n) == name) =>
@@ -92,7 +101,10 @@ pub fn struct_layout(module: &Module, name: &str) -> Option<(Vec<(String, u32, u
                 let size = module.types[m.ty].inner.size(module.to_ctx());
                 (m.name.clone().unwrap_or_default(), m.offset, size)
             });
-            Some((fields.collect(), *span))
+            Some(StructLayout {
+                fields: fields.collect(),
+                size: *span,
+            })
         }
         _ => None,
     })

@@ -94,7 +94,7 @@ const PER_CASE: usize = 2 + 2 * MOST + 1;
 
 fn ask(cases: &[Case], surface_count: u32) -> Vec<Vec<u32>> {
     let shader = format!(
-        "#import cutaway::crossing_list::{{List, add, store, crossing_heads, crossing_z, crossing_surface, need}}
+        "#import cutaway::crossing_list::{{List, add, finish, crossing_heads, crossing_z, crossing_surface, need}}
 #import cutaway::frame::pixel_count
 @group(2) @binding(0) var<storage, read> cases: array<array<u32, 122>>;
 @group(2) @binding(1) var<storage, read_write> words: array<u32>;
@@ -103,14 +103,13 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     let pixel = id.x;
     if pixel >= pixel_count() {{ return; }}
     let capacity = cases[pixel][0];
-    var list: List;
-    list.sides = 0x80000001u;
+    var list = List(pixel, capacity, 0u, 0x80000001u);
     for (var i = 0u; i < cases[pixel][1]; i++) {{
         let what = cases[pixel][3u + 3u * i];
         let enters = cases[pixel][4u + 3u * i] != 0u;
-        add(&list, capacity, bitcast<f32>(cases[pixel][2u + 3u * i]), what, enters);
+        add(&list, bitcast<f32>(cases[pixel][2u + 3u * i]), what, enters);
     }}
-    store(&list, capacity, pixel);
+    finish(&list);
     let at = pixel * {PER_CASE}u;
     words[at] = crossing_heads[pixel].x;
     words[at + 1u] = crossing_heads[pixel].y;

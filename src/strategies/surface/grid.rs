@@ -11,7 +11,7 @@
 use glam::DVec3;
 
 use crate::passes::{DrawPass, Recorder};
-use crate::plan::pack::Quad;
+use crate::plan::pack::{self, Quad};
 use crate::plan::{
     Binding, Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices,
 };
@@ -153,8 +153,10 @@ fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
     let (u_hat, v_hat) = (surface.frame.u_hat, surface.frame.v_hat);
     let ((u, u_step), (v, v_step)) = (range(u_hat), range(v_hat));
     let row = |p: DVec3| p.as_vec3().extend(0.0).to_array();
+    // A flat map is a plane, which the vertex shader does not displace: its height goes into the corner.
+    let lift = surface.frame.normal * -pack::flat_height(surface).unwrap_or(0.0);
     Quad {
-        corner: row(surface.origin + u_hat * u + v_hat * v),
+        corner: row(surface.origin + lift + u_hat * u + v_hat * v),
         step_u: row(u_hat * u_step),
         step_v: row(v_hat * v_step),
     }

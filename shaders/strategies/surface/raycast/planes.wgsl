@@ -1,6 +1,6 @@
 // One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march.
 
-#import cutaway::crossing_list::{List, store}
+#import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
@@ -16,13 +16,13 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear(pixel, mask_words);
-    var list: List;
+    var list = List(pixel, capacity, 0u, 0u);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         for (var s = 0u; s < cut_table.surface_count; s++) {
-            cross_plane(&list, capacity, s, at, interval);
+            cross_plane(&list, s, at, interval);
         }
     }
-    store(&list, capacity, pixel);
+    finish(&list);
 }

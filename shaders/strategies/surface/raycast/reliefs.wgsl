@@ -5,7 +5,7 @@
 // signs: the sign at a cell's entry is the one carried over from the cell before, so the number of crossings has the parity
 // that the two ends of the ray imply. Roots only locate: citardauq form, clamped to the cell.
 
-#import cutaway::crossing_list::{List, add, store}
+#import cutaway::crossing_list::{List, add, finish}
 #import cutaway::cuts::{cut_table, NO_RELIEF}
 #import cutaway::frame::{frame, box_interval, buffer_from_depth, centre_of, pixel_index, ray_through}
 #import cutaway::mask::clear
@@ -93,7 +93,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         for (var i = 0u; i < roots.count; i++) {
             now_kept = !now_kept;
             let depth = walk.x + entry + select(roots.at.y, roots.at.x, i == 0u);
-            add(list, capacity, buffer_from_depth(depth), surface, now_kept);
+            add(list, buffer_from_depth(depth), surface, now_kept);
         }
         kept = kept_at_exit;
         if last {
@@ -118,17 +118,17 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear(pixel, mask_words);
-    var list: List;
+    var list = List(pixel, capacity, 0u, 0u);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         for (var s = 0u; s < cut_table.surface_count; s++) {
             if cut_table.surfaces[s].first_texel == NO_RELIEF {
-                cross_plane(&list, capacity, s, at, interval);
+                cross_plane(&list, s, at, interval);
             } else {
                 cross_relief(&list, s, at, interval);
             }
         }
     }
-    store(&list, capacity, pixel);
+    finish(&list);
 }

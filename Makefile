@@ -1,0 +1,27 @@
+# Two commands on a fresh machine: `make demo` and `make test`. Both install the software Vulkan driver if there is none.
+
+CARGO ?= cargo
+
+# Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
+export XDG_RUNTIME_DIR ?= /tmp
+
+.PHONY: demo test setup
+
+# Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
+demo: setup
+	$(CARGO) run --release --quiet -- demo --out target/demo
+
+# In order of cost, so that the cheap complaints come first.
+test: setup
+	# One layout, so that a diff shows only what changed.
+	$(CARGO) fmt --check
+	# The lints of Cargo.toml, for tests and benches too.
+	$(CARGO) clippy --all-targets -- -D warnings
+	# Every public item says what it is, and every link in it leads somewhere.
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --no-deps
+	# Everything else, on whatever adapter there is; a software one will do.
+	$(CARGO) test
+
+# Something to draw on: drawing needs a Vulkan driver, and a software one is enough.
+setup:
+	@scripts/install-driver.sh

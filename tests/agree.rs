@@ -1,0 +1,12 @@
+//! Every strategy against the exact reference: on a corpus of scenes, on random ones, and on those that once were wrong.
+
+mod common;
+
+#[path = "agree/corpus.rs"]
+mod corpus;
+#[path = "agree/random.rs"]
+mod random;
+#[path = "agree/recipe.rs"]
+mod recipe;
+#[path = "agree/regressions.rs"]
+mod regressions;

@@ -1,0 +1,256 @@
+//! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
+//! numbered regression as they print.
+
+use cutaway::scene::{Camera, ClipSurface, Cut, Part, Pose, Projection, Scene, Wrap};
+use glam::{DAffine3, DVec3};
+
+use crate::common::numbers::Numbers;
+use crate::common::{meshes, scenes};
+
+/// A solid.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Solid {
+    /// Cells of a lattice of quarters.
+    Cells(Vec<[i32; 3]>),
+    /// A ball with lumps.
+    Lumpy {
+        /// Fineness.
+        subdivisions: u32,
+        /// Largest share of the radius.
+        lumps: f64,
+        /// Which lumps.
+        phase: f64,
+    },
+}
+
+/// A clip-surface.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Surface {
+    /// Toward the kept side.
+    pub(crate) normal: [f64; 3],
+    /// A point of the plane.
+    pub(crate) at: [f64; 3],
+    /// Noise on it.
+    pub(crate) bumps: Option<Bumps>,
+}
+
+/// A map of noise.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Bumps {
+    /// In texels.
+    pub(crate) size: [u32; 2],
+    /// Which noise.
+    pub(crate) seed: u64,
+    /// From the lowest possible texel to the highest.
+    pub(crate) height: f64,
+    /// Length of one repeat.
+    pub(crate) period: f64,
+    /// How the map goes on.
+    pub(crate) wrap: Wrap,
+}
+
+/// A scene and a camera.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Recipe {
+    /// Parts, each moved.
+    pub(crate) solids: Vec<(Solid, [f64; 3])>,
+    /// Clip-surfaces of each cut.
+    pub(crate) cuts: Vec<Vec<Surface>>,
+    /// The eye.
+    pub(crate) from: [f64; 3],
+    /// What it looks at.
+    pub(crate) to: [f64; 3],
+    /// Field of view in degrees, or parallel rays.
+    pub(crate) fov_deg: Option<f64>,
+    /// Distance of the near plane; `None` picks one.
+    pub(crate) near: Option<f64>,
+}
+
+impl Recipe {
+    /// A recipe without a pattern.
+    pub(crate) fn random(n: &mut Numbers) -> Self {
+        let solids = (0..1 + n.below(2))
+            .map(|_| (solid(n), point(n, 0.2)))
+            .collect();
+        let cuts = (0..1 + n.below(2))
+            .map(|_| (0..1 + n.below(2)).map(|_| surface(n)).collect())
+            .collect();
+        // One eye in four is within the solids or just beside them.
+        let reach = if n.once_in(4) { 0.35 } else { 2.5 };
+        let mut from = point(n, 1.0);
+        if DVec3::from_array(from).length() < 0.3 {
+            from[2] += 0.5;
+        }
+        Self {
+            solids,
+            cuts,
+            from: from.map(|c| c * reach),
+            to: point(n, 0.2),
+            fov_deg: (!n.once_in(4)).then(|| n.between(20.0, 80.0)),
+            near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
+        }
+    }
+
+    /// The scene.
+    pub(crate) fn scene(&self) -> Scene {
+        let parts = self.solids.iter().enumerate().map(|(i, (solid, at))| {
+            let mesh = match solid {
+                Solid::Cells(cells) => meshes::cells(cells, 0.25),
+                Solid::Lumpy {
+                    subdivisions,
+                    lumps,
+                    phase,
+                } => meshes::lumpy(*subdivisions, *lumps, *phase),
+            };
+            let mut part = Part::new(format!("solid {i}"), mesh);
+            part.world_from_part = DAffine3::from_translation(DVec3::from_array(*at));
+            part
+        });
+        let cuts = self.cuts.iter().enumerate().map(|(i, surfaces)| {
+            Cut::of(
+                format!("cut {i}"),
+                surfaces.iter().map(Surface::made).collect(),
+            )
+        });
+        Scene {
+            name: "random".to_owned(),
+            parts: parts.collect(),
+            cuts: cuts.collect(),
+            camera: Camera {
+                pose: Pose::Explicit {
+                    position: DVec3::from_array(self.from),
+                    focal_point: DVec3::from_array(self.to),
+                    view_up: None,
+                },
+                projection: match self.fov_deg {
+                    Some(fov_y_deg) => Projection::Perspective { fov_y_deg },
+                    None => Projection::Orthographic { height: Some(1.6) },
+                },
+                near: self.near,
+                ..Camera::default()
+            },
+        }
+    }
+
+    /// Recipes that are a little simpler.
+    pub(crate) fn simpler(&self) -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut with = |change: &dyn Fn(&mut Self)| {
+            let mut other = self.clone();
+            change(&mut other);
+            if other != *self {
+                all.push(other);
+            }
+        };
+        for i in 0..self.solids.len() {
+            if self.solids.len() > 1 {
+                with(&|r| {
+                    r.solids.remove(i);
+                });
+            }
+            with(&|r| r.solids[i].1 = [0.0; 3]);
+            match &self.solids[i].0 {
+                Solid::Cells(cells) if cells.len() > 1 => {
+                    for c in 0..cells.len() {
+                        let mut fewer = cells.clone();
+                        fewer.remove(c);
+                        with(&|r| r.solids[i].0 = Solid::Cells(fewer.clone()));
+                    }
+                }
+                Solid::Lumpy {
+                    subdivisions: 1.., ..
+                } => with(&|r| {
+                    if let Solid::Lumpy { subdivisions, .. } = &mut r.solids[i].0 {
+                        *subdivisions -= 1;
+                    }
+                }),
+                _ => {}
+            }
+        }
+        for i in 0..self.cuts.len() {
+            if self.cuts.len() > 1 {
+                with(&|r| {
+                    r.cuts.remove(i);
+                });
+            }
+            for j in 0..self.cuts[i].len() {
+                if self.cuts[i].len() > 1 {
+                    with(&|r| {
+                        r.cuts[i].remove(j);
+                    });
+                }
+                with(&|r| r.cuts[i][j].bumps = None);
+                if let Some(bumps) = &self.cuts[i][j].bumps {
+                    let halved = bumps.size.map(|s| s.div_ceil(2));
+                    with(&|r| {
+                        if let Some(b) = &mut r.cuts[i][j].bumps {
+                            b.size = halved;
+                        }
+                    });
+                }
+            }
+        }
+        with(&|r| r.to = [0.0; 3]);
+        with(&|r| r.near = None);
+        all
+    }
+}
+
+impl Surface {
+    fn made(&self) -> ClipSurface {
+        let (at, normal) = (DVec3::from_array(self.at), DVec3::from_array(self.normal));
+        let Some(bumps) = &self.bumps else {
+            return ClipSurface::plane(at, normal);
+        };
+        let noise = |x: u32, y: u32| {
+            let place = u64::from(y) << 32 | u64::from(x);
+            (Numbers(bumps.seed ^ place.wrapping_mul(0x9e37_79b9)).unit() - 0.5) as f32
+        };
+        let map = scenes::map(bumps.size, noise);
+        scenes::mapped(at, normal, map, (bumps.period, bumps.height), bumps.wrap)
+    }
+}
+
+fn point(n: &mut Numbers, reach: f64) -> [f64; 3] {
+    [(); 3].map(|()| n.between(-reach, reach))
+}
+
+fn solid(n: &mut Numbers) -> Solid {
+    if n.once_in(2) {
+        let mut cells: Vec<[i32; 3]> = (0..2 + n.below(9))
+            .map(|_| [(); 3].map(|()| n.below(4) as i32 - 2))
+            .collect();
+        cells.sort_unstable();
+        cells.dedup();
+        Solid::Cells(cells)
+    } else {
+        Solid::Lumpy {
+            subdivisions: 1 + n.below(3) as u32,
+            lumps: n.between(0.0, 0.4),
+            phase: n.between(0.0, 6.0),
+        }
+    }
+}
+
+fn surface(n: &mut Numbers) -> Surface {
+    let mut normal = point(n, 1.0);
+    if n.once_in(4) {
+        // Along an axis: through faces, edges and vertices of cells.
+        normal = [0.0; 3];
+        normal[n.below(3) as usize] = if n.once_in(2) { 1.0 } else { -1.0 };
+    }
+    let at = if n.once_in(4) {
+        [(); 3].map(|()| f64::from(n.below(5) as i32 - 2) * 0.25)
+    } else {
+        point(n, 0.3)
+    };
+    let wraps = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
+    let bumps = n.once_in(2).then(|| Bumps {
+        size: [(); 2].map(|()| 1 + n.below(16) as u32),
+        seed: n.word(),
+        height: n.between(0.0, 0.4),
+        period: n.between(0.5, 2.0),
+        wrap: wraps[n.below(3) as usize],
+    });
+    Surface { normal, at, bumps }
+}

@@ -1,0 +1,159 @@
+//! Cases 27, 35 and 36: buffers that are too small, and the sprite's first order.
+
+use cutaway::layers::Kind;
+use cutaway::scene::{ClipSurface, Scene, Wrap};
+use cutaway::session::Outcome;
+use cutaway::strategies::Strategy;
+use glam::DVec3;
+
+use crate::common::numbers::Numbers;
+use crate::common::{Question, meshes, scenes, session, strategy, tolerances};
+
+/// Sections whose misclassified shares are averaged: with one alone, its alignment with the texels would decide.
+fn sections() -> Vec<Scene> {
+    [[-0.3, -0.5, -1.0], [0.2, -0.9, -0.5], [-0.8, -0.3, -0.6]]
+        .into_iter()
+        .flat_map(|normal| {
+            [0.0, 0.07].map(|shift| {
+                let plane = ClipSurface::plane(DVec3::splat(shift), DVec3::from_array(normal));
+                scenes::scene(
+                    "torus",
+                    meshes::shape("torus?segments=72&sides=36"),
+                    vec![plane],
+                )
+            })
+        })
+        .collect()
+}
+
+#[test]
+fn case_35_the_error_of_the_sprite_halves_as_its_resolution_doubles() {
+    let questions: Vec<Question> = sections()
+        .iter()
+        .map(|s| Question::of(s, [1024; 2]))
+        .collect();
+    let resolutions = [256, 512, 1024, 2048];
+    let shares = resolutions.map(|resolution| {
+        let paper = strategy(&format!("grid:1+vds:{resolution}"));
+        let (mut wrong, mut caps) = (0, 0);
+        for question in &questions {
+            let judged = question.answer(&paper);
+            wrong += judged.decided_wrong().count();
+            caps += judged.exact.layers.count(Kind::Cap);
+        }
+        println!("vds:{resolution}: {wrong} wrong of {caps} cap pixels");
+        wrong as f64 / caps as f64
+    });
+    for (pair, resolution) in shares.windows(2).zip(&resolutions[1..]) {
+        let halving = 2.0 * pair[1] / pair[0];
+        assert!(
+            (halving - 1.0).abs() <= tolerances::SPRITE_HALVING,
+            "from half of {resolution} to {resolution} the error changes by {:.3}, not by half",
+            pair[1] / pair[0]
+        );
+    }
+}
+
+/// Plates one behind the other, seen by the sprite along its shortest side.
+fn plates(teeth: u32) -> Scene {
+    scenes::sectioned(
+        &format!("comb?teeth={teeth}&length=0.9"),
+        &["-0.2,-1,-0.1@50%,40%,50%"],
+    )
+}
+
+fn sprite_layers(strategy: &Strategy) -> u32 {
+    session().plan(strategy).expect("a drawn plan").bounded[0].capacity
+}
+
+#[test]
+fn case_36_layers_are_counted_and_too_many_are_told() {
+    let few = strategy("grid:8+vds:128");
+    let judged = Question::of(&plates(8), [64; 2]).answer(&few);
+    assert_eq!(judged.outcome, Outcome::Complete, "16 layers fit");
+    assert_eq!(sprite_layers(&few), 16, "two faces of each plate");
+    // 200 plates are 400 layers where the resolution tells them apart, and no sprite has so many.
+    let judged = Question::of(&plates(200), [64; 2]).answer(&few);
+    let Outcome::Overflowed(reason) = &judged.outcome else {
+        panic!("400 layers in one sprite: {:?}", judged.outcome);
+    };
+    assert!(reason.contains("400"), "the need is not told: {reason}");
+}
+
+#[test]
+fn case_36_layers_are_counted_at_the_resolution_used() {
+    // A needle that no coarse texel hits.
+    let needle = meshes::block(
+        DVec3::new(0.401, 0.401, 0.3),
+        DVec3::new(0.4025, 0.4025, 0.45),
+    );
+    let slab = meshes::block(DVec3::new(-0.5, -0.5, -0.2), DVec3::new(0.5, 0.5, 0.2));
+    let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(0.0, -1.0, -0.1));
+    let scene = scenes::scene(
+        "slab and needle",
+        meshes::joined(&[slab, needle]),
+        vec![plane],
+    );
+    let question = Question::of(&scene, [64; 2]);
+    let layers = [64, 2048].map(|resolution| {
+        let strategy = strategy(&format!("grid:8+vds:{resolution}"));
+        assert_eq!(
+            question.answer(&strategy).outcome,
+            Outcome::Complete,
+            "at {resolution}"
+        );
+        sprite_layers(&strategy)
+    });
+    assert_eq!(layers, [2, 4], "the needle counts where a texel hits it");
+}
+
+/// White noise seen along its plane: `cells` texels side by side across the solid.
+fn noisy(cells: u32, height: f64) -> Scene {
+    let mut numbers = Numbers(27);
+    let texels: Vec<f32> = (0..cells * cells)
+        .map(|_| (numbers.unit() - 0.5) as f32)
+        .collect();
+    let map = scenes::map([cells; 2], |x, y| texels[(y * cells + x) as usize]);
+    let surface = scenes::mapped(DVec3::ZERO, -DVec3::Y, map, (1.0, height), Wrap::Repeat);
+    let slab = meshes::block(DVec3::new(-0.5, -0.3, -0.5), DVec3::new(0.5, 0.3, 0.5));
+    let mut scene = scenes::scene("noise", slab, vec![surface]);
+    scene.camera = scenes::looking(DVec3::new(0.0, 0.08, 2.0), DVec3::ZERO, 30.0);
+    scene
+}
+
+#[test]
+fn case_27_up_to_31_crossings_the_list_grows() {
+    let judged = Question::of(&noisy(24, 0.4), [128; 2]).answer(&Strategy::RAYCAST_MASK);
+    assert_eq!(judged.fault_of_exact(), None, "noise of 24 texels");
+    let capacity = session()
+        .plan(&Strategy::RAYCAST_MASK)
+        .expect("a plan")
+        .bounded[0]
+        .capacity;
+    assert!(
+        (8..=31).contains(&capacity),
+        "the list holds {capacity}: it did not have to grow"
+    );
+}
+
+#[test]
+fn case_27_beyond_31_crossings_the_pixels_are_marked() {
+    let question = Question::of(&noisy(256, 0.5), [128; 2]);
+    let judged = question.answer(&Strategy::RAYCAST_MASK);
+    assert!(
+        matches!(judged.outcome, Outcome::Overflowed(_)),
+        "more crossings than a mask has bits, and the outcome is {:?}",
+        judged.outcome
+    );
+    let marked = judged.layers.pixels.iter().filter(|p| p.unreliable).count();
+    assert!(marked > 20, "only {marked} pixels are marked");
+    // What is not marked is right.
+    let unmarked = judged
+        .decided_wrong()
+        .find(|i| !judged.layers.pixels[*i].unreliable);
+    assert_eq!(
+        unmarked.map(|i| judged.told(i)),
+        None,
+        "wrong and not marked"
+    );
+}
