@@ -1,6 +1,57 @@
-//! Every composition is valid under naga's default capabilities, and every file is known to the tree.
+//! Every composition is valid under naga's default capabilities, keeps our own rules, and means the same by every shared
+//! struct and constant as the Rust that fills it.
 
-use cutaway::shader;
+use std::collections::{BTreeMap, BTreeSet};
+
+use cutaway::layers::{Kind, NEAR_PLANE};
+use cutaway::passes::Model;
+use cutaway::plan::pack::{
+    ClipSurface, CutTable, Frame, Layout, MAX_CUTS, MAX_SURFACES, NO_RELIEF, Part, Quad, RayRow,
+    RaySurface, Sprite,
+};
+use cutaway::plan::{Capacities, Work};
+use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
+use cutaway::shader::{self, Finding, Rule, StructLayout, lint};
+use cutaway::strategies::{self, Strategy};
+use glam::{DAffine3, DVec3};
+use naga::{ArraySize, Expression, Literal, Module, TypeInner};
+
+/// Float comparisons by equality that are meant.
+const MEANT_EQUALITIES: &[(&str, &str)] = &[
+    (
+        "roots_in",
+        "a = 0 is the flat cell, of which the second root is at infinity; q = 0 means b = 0 and D <= 0, where 0 / 0 must not \
+         be taken. Any other a or q, however small, is divided by and clamped",
+    ),
+    (
+        "cross_plane",
+        "a ray exactly parallel to the plane has no crossing; any other has one at a depth that the interval judges",
+    ),
+    (
+        "cross_relief",
+        "likewise for the slab of a relief: an exact 0 is the only slope that must not be divided by",
+    ),
+    (
+        "depth_at_border",
+        "a ray that runs along a row of cells exactly never reaches a border of it; any other does, however far",
+    ),
+];
+
+fn composed() -> Vec<(&'static str, Module)> {
+    shader::SHADERS
+        .iter()
+        .map(|(path, _)| {
+            (
+                *path,
+                shader::compose(path).unwrap_or_else(|e| panic!("{e}")),
+            )
+        })
+        .collect()
+}
+
+fn undecorated(name: &str) -> &str {
+    name.split("X_naga_oil_").next().unwrap_or(name)
+}
 
 #[test]
 fn every_shader_composes() {
@@ -16,4 +67,500 @@ fn every_shader_composes() {
         "the list of shaders is suspiciously short"
     );
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn what_is_not_wgsl_does_not_compose() {
+    for wrong in [
+        "@compute @workgroup_size(1) fn main() { let a: u32 = 1.5; }",
+        "#import cutaway::frame::no_such_thing\n@compute @workgroup_size(1) fn main() { no_such_thing(); }",
+        // Valid WGSL, but not core WebGPU.
+        "enable f16;\n@group(0) @binding(0) var<storage, read_write> h: array<f16>;\n@compute @workgroup_size(1) fn main() { h[0] = 1.5h; }",
+    ] {
+        assert!(shader::compose_text("planted", wrong).is_err(), "{wrong}");
+    }
+}
+
+// Structs.
+
+/// What differs between a struct of Rust and the one of the same name in a module; `None` if the module has none.
+fn layout_faults<T: Layout>(module: &Module) -> Option<Vec<String>> {
+    let StructLayout { fields, size } = shader::struct_layout(module, T::NAME)?;
+    let wgsl: Vec<(String, usize, usize)> = fields
+        .into_iter()
+        .map(|(name, offset, size)| (name, offset as usize, size as usize))
+        .collect();
+    let rust: Vec<(String, usize, usize)> = T::fields()
+        .into_iter()
+        .map(|(name, offset, size)| (name.to_owned(), offset, size))
+        .collect();
+    let mut faults = Vec::new();
+    if size as usize != size_of::<T>() {
+        faults.push(format!(
+            "{}: {} bytes in Rust, {size} in WGSL",
+            T::NAME,
+            size_of::<T>()
+        ));
+    }
+    if wgsl != rust {
+        faults.push(format!("{}: {rust:?} in Rust, {wgsl:?} in WGSL", T::NAME));
+    }
+    Some(faults)
+}
+
+fn holds_in_all_shaders<T: Layout>(modules: &[(&str, Module)]) {
+    let mut met = 0;
+    for (path, module) in modules {
+        if let Some(faults) = layout_faults::<T>(module) {
+            met += 1;
+            assert!(faults.is_empty(), "{path}: {}", faults.join("\n"));
+        }
+    }
+    assert!(met > 0, "no shader has the struct {}", T::NAME);
+}
+
+#[test]
+fn shared_structs_are_laid_out_alike() {
+    let modules = composed();
+    holds_in_all_shaders::<Frame>(&modules);
+    holds_in_all_shaders::<ClipSurface>(&modules);
+    holds_in_all_shaders::<CutTable>(&modules);
+    holds_in_all_shaders::<Part>(&modules);
+    holds_in_all_shaders::<RayRow>(&modules);
+    holds_in_all_shaders::<RaySurface>(&modules);
+    holds_in_all_shaders::<Sprite>(&modules);
+    holds_in_all_shaders::<Quad>(&modules);
+    // The list above is all there is: a struct added to the file must be added here.
+    let declared = include_str!("../src/plan/pack.rs")
+        .matches("\nshared! {")
+        .count();
+    assert_eq!(declared, 8, "structs in src/plan/pack.rs");
+    // The table of rays has no struct in Rust: it is an array of all surfaces.
+    let table = modules
+        .iter()
+        .find_map(|(_, m)| shader::struct_layout(m, "RayTable"));
+    let size = table.expect("a shader with a RayTable").size;
+    assert_eq!(
+        size as usize,
+        MAX_SURFACES * size_of::<RaySurface>(),
+        "RayTable"
+    );
+}
+
+#[test]
+fn a_struct_that_drifted_is_noticed() {
+    let main = "@compute @workgroup_size(1) fn main() { if rows[0].corner.x > 0.0 { rows[0].corner.x = 1.0; } }";
+    let planted = |body: &str| {
+        let text = format!(
+            "struct Quad {{ {body} }}\n@group(0) @binding(0) var<storage, read_write> rows: array<Quad>;\n{main}"
+        );
+        let module = shader::compose_text("planted", &text).unwrap_or_else(|e| panic!("{e}"));
+        layout_faults::<Quad>(&module).expect("there is a Quad")
+    };
+    let rows = ["corner", "step_u", "step_v"].map(|n| format!("{n}: vec4<f32>,"));
+    assert_eq!(
+        planted(&rows.concat()),
+        Vec::<String>::new(),
+        "the struct as it is"
+    );
+    let [corner, u, v] = rows;
+    for (drift, body) in [
+        ("a field is gone", format!("{corner}{u}")),
+        ("two are exchanged", format!("{corner}{v}{u}")),
+        (
+            "a row is a vec3, of another size",
+            format!("{corner}{u}step_v: vec3<f32>,"),
+        ),
+        ("one is longer", format!("{corner}{u}{v}more: u32,")),
+        ("one moved", format!("{corner}gap: u32,{u}{v}")),
+    ] {
+        assert!(!planted(&body).is_empty(), "{drift}");
+    }
+}
+
+// Constants.
+
+/// Constants of a module by the names of their author.
+fn constants(module: &Module) -> BTreeMap<String, u32> {
+    let literal = |e| match module.global_expressions[e] {
+        Expression::Literal(Literal::U32(n)) => Some(n),
+        _ => None,
+    };
+    module
+        .constants
+        .iter()
+        .filter_map(|(_, c)| Some((undecorated(c.name.as_deref()?).to_owned(), literal(c.init)?)))
+        .collect()
+}
+
+/// Lengths of arrays in the structs of a module.
+fn array_lengths(module: &Module) -> BTreeMap<(String, String), u32> {
+    let mut lengths = BTreeMap::new();
+    for (_, ty) in module.types.iter() {
+        if let (Some(name), TypeInner::Struct { members, .. }) = (&ty.name, &ty.inner) {
+            for m in members {
+                if let TypeInner::Array {
+                    size: ArraySize::Constant(n),
+                    ..
+                } = module.types[m.ty].inner
+                {
+                    let field = m.name.clone().unwrap_or_default();
+                    lengths.insert((undecorated(name).to_owned(), field), n.get());
+                }
+            }
+        }
+    }
+    lengths
+}
+
+/// The value that a plan gives to an override constant, in a scene with a cut and an uncut part.
+fn override_of_a_plan(shader: &str, name: &str) -> f64 {
+    let mut parts = shapes::shape("cube").unwrap_or_else(|e| panic!("{e}"));
+    let mut far = shapes::shape("cube").unwrap_or_else(|e| panic!("{e}"));
+    far[0].world_from_part = DAffine3::from_translation(DVec3::Z * 10.0);
+    parts.append(&mut far);
+    let plane = SceneSurface::plane(DVec3::Z * 0.1, DVec3::Z);
+    let scene = Scene {
+        parts,
+        cuts: vec![Cut::of("c", vec![plane])],
+        camera: Camera::default(),
+        name: String::new(),
+    };
+    let model = Model::of(&scene);
+    let view = model.prepared.view([64, 64]);
+    let plan = strategies::record(&model, &view, &Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
+        .unwrap_or_else(|e| panic!("{e}"));
+    let pass = plan
+        .passes
+        .iter()
+        .find(|p| p.shader == shader)
+        .unwrap_or_else(|| panic!("the plan has no pass of {shader}"));
+    assert!(
+        matches!(pass.work, Work::Draw { .. }),
+        "{shader} is not a draw"
+    );
+    let value = pass.constants.iter().find(|(n, _)| *n == name);
+    value
+        .unwrap_or_else(|| panic!("{shader} is given no `{name}`"))
+        .1
+}
+
+#[test]
+fn constants_have_one_value_on_both_sides() {
+    let modules = composed();
+    let mut all: BTreeMap<String, BTreeSet<u32>> = BTreeMap::new();
+    for (_, module) in &modules {
+        for (name, value) in constants(module) {
+            all.entry(name).or_default().insert(value);
+        }
+    }
+    // Constants that no whole shader imports are composed here, lest they drift unseen.
+    let rest = "#import cutaway::cuts::MAX_SURFACES\n#import cutaway::relief::{REPEAT, MIRROR}\n\
+        @group(0) @binding(9) var<storage, read_write> words: array<u32>;\n\
+        @compute @workgroup_size(1) fn main() { words[0] = MAX_SURFACES + REPEAT + MIRROR; }";
+    let rest = shader::compose_text("rest", rest).unwrap_or_else(|e| panic!("{e}"));
+    for (name, value) in constants(&rest) {
+        all.entry(name).or_default().insert(value);
+    }
+    let words_per_pixel = {
+        let layers = cutaway::layers::Layers::background([1, 1]);
+        assert_eq!(layers.pixels.len(), 1, "one pixel");
+        // A plan's `layers` buffer states how many words a pixel has.
+        let model = Model::of(&Scene {
+            parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
+            ..Scene::default()
+        });
+        let view = model.prepared.view([1, 1]);
+        let plan = strategies::record(&model, &view, &Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
+            .unwrap_or_else(|e| panic!("{e}"));
+        plan.resource(plan.layers.expect("layers")).shape.bytes() as u32 / 4
+    };
+    let expected = [
+        ("NO_RELIEF", NO_RELIEF),
+        ("MAX_SURFACES", MAX_SURFACES as u32),
+        ("WORDS_PER_PIXEL", words_per_pixel),
+        (
+            "UNRANKED",
+            override_of_a_plan("passes/surface.wgsl", "place") as u32,
+        ),
+        ("NEAR_PLANE", u32::from(NEAR_PLANE)),
+        ("BACKGROUND", Kind::Background as u32),
+        ("SURFACE", Kind::Surface as u32),
+        ("CAP", Kind::Cap as u32),
+        // The bits that `gpu::program` takes words apart by.
+        ("BACK_FACE", 4),
+        ("UNRELIABLE", 8),
+        ("REPEAT", Wrap::Repeat.code()),
+        ("MIRROR", Wrap::Mirror.code()),
+    ];
+    for (name, value) in expected {
+        assert_eq!(
+            all.get(name),
+            Some(&BTreeSet::from([value])),
+            "values of {name} in WGSL, {value} in Rust"
+        );
+    }
+    let stated: BTreeSet<&str> = expected.iter().map(|(n, _)| *n).collect();
+    let unchecked: Vec<&String> = all
+        .keys()
+        .filter(|n| !stated.contains(n.as_str()))
+        .collect();
+    assert!(
+        unchecked.is_empty(),
+        "constants that nothing holds: {unchecked:?}"
+    );
+
+    let lengths: BTreeMap<(String, String), u32> =
+        modules.iter().flat_map(|(_, m)| array_lengths(m)).collect();
+    for (of, field, length) in [
+        ("CutTable", "surfaces", MAX_SURFACES as u32),
+        ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
+        ("RayTable", "surfaces", MAX_SURFACES as u32),
+    ] {
+        let found = lengths.get(&(of.to_owned(), field.to_owned()));
+        assert_eq!(found, Some(&length), "length of {of}.{field}");
+    }
+}
+
+#[test]
+fn a_constant_that_drifted_is_noticed() {
+    let text = "const NO_RELIEF: u32 = 0xfffffffeu;\n@group(0) @binding(0) var<storage, read_write> words: array<u32>;\n\
+        @compute @workgroup_size(1) fn main() { words[0] = NO_RELIEF; }";
+    let module = shader::compose_text("planted", text).unwrap_or_else(|e| panic!("{e}"));
+    let found = constants(&module);
+    assert_eq!(
+        found.get("NO_RELIEF"),
+        Some(&0xffff_fffe),
+        "the planted value is read"
+    );
+    assert_ne!(
+        found.get("NO_RELIEF"),
+        Some(&NO_RELIEF),
+        "and is not the right one"
+    );
+}
+
+// Our rules.
+
+#[test]
+fn every_shader_keeps_the_rules() {
+    let mut meant: BTreeSet<&str> = BTreeSet::new();
+    let mut faults = Vec::new();
+    for (path, module) in composed() {
+        for Finding { rule, place, what } in lint(&module).unwrap_or_else(|e| panic!("{path}: {e}"))
+        {
+            let allowed = MEANT_EQUALITIES.iter().find(|(p, _)| *p == place);
+            match (rule, allowed) {
+                (Rule::FloatEquality, Some((place, _))) => {
+                    meant.insert(place);
+                }
+                _ => faults.push(format!("{path}: {place}: {rule:?}: {what}")),
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    for (place, reason) in MEANT_EQUALITIES {
+        assert!(
+            meant.contains(place),
+            "{place} compares no floats any more; it was allowed to because {reason}"
+        );
+    }
+}
+
+#[test]
+fn every_binding_of_the_library_has_a_reader() {
+    let used: BTreeSet<String> = composed()
+        .iter()
+        .flat_map(|(_, m)| shader::bindings(m))
+        .map(|b| b.name)
+        .collect();
+    for (path, text) in shader::LIBRARY {
+        for line in text.lines().filter(|l| l.starts_with("@group")) {
+            let name = line
+                .split("> ")
+                .nth(1)
+                .and_then(|rest| rest.split(':').next())
+                .unwrap_or_default();
+            assert!(
+                used.contains(name),
+                "{path}: nothing uses the binding `{name}`"
+            );
+        }
+    }
+}
+
+/// Names that a shader's text imports and never uses.
+fn unused_imports(text: &str) -> Vec<String> {
+    let body: String = text
+        .lines()
+        .filter(|l| !l.starts_with("#import") && !l.trim_start().starts_with("//"))
+        .map(|l| l.split("//").next().unwrap_or(l).to_owned() + "\n")
+        .collect();
+    let words: BTreeSet<&str> = body
+        .split(|c: char| !c.is_alphanumeric() && c != '_')
+        .collect();
+    text.lines()
+        .filter_map(|l| l.strip_prefix("#import "))
+        .flat_map(|import| {
+            let (_, names) = import.rsplit_once("::").unwrap_or(("", import));
+            names
+                .trim_matches(['{', '}'])
+                .split(',')
+                .map(|n| n.trim().to_owned())
+                .collect::<Vec<_>>()
+        })
+        .filter(|name| !words.contains(name.as_str()))
+        .collect()
+}
+
+#[test]
+fn every_import_is_used() {
+    for (path, text) in shader::FILES.iter().copied().flatten() {
+        let unused = unused_imports(text);
+        assert!(
+            unused.is_empty(),
+            "{path} imports and never uses {unused:?}"
+        );
+    }
+    let planted =
+        "#import a::b::{used, idle}\n#import a::lonely\n// idle and lonely\nfn f() { used(); }";
+    assert_eq!(unused_imports(planted), ["idle", "lonely"], "planted");
+}
+
+/// Rules that a planted text breaks.
+fn broken(text: &str) -> Vec<Rule> {
+    let module = shader::compose_text("planted", text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    lint(&module)
+        .unwrap_or_else(|e| panic!("{e}"))
+        .into_iter()
+        .map(|f| f.rule)
+        .collect()
+}
+
+fn compute(declarations: &str, body: &str) -> String {
+    format!(
+        "@group(0) @binding(0) var<storage, read_write> words: array<u32>;\n{declarations}\n\
+         @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3<u32>) {{ {body} words[id.x] = 1u; }}"
+    )
+}
+
+#[test]
+fn loops_without_a_bound_are_found() {
+    for (bounded, body) in [
+        (true, "for (var i = 0u; i < 8u; i++) { words[i] = i; }"),
+        (true, "for (var i = 0u; i < words[0]; i += 2u) { }"),
+        (true, "for (var i = 9; i > 0; i--) { }"),
+        (true, "for (var i = 9u; i > 0u && words[i] != 3u; i--) { }"),
+        (
+            true,
+            "for (var i = 0u; words[i] != 3u && i < 9u; i++) { if words[i] == 7u { continue; } }",
+        ),
+        (true, "for (var i = 0u; 8u > i; i++) { }"),
+        (
+            true,
+            "var i = 0u; loop { if i >= 8u { break; } continuing { i++; } }",
+        ),
+        (
+            true,
+            "let n = min(words[3], 9u); for (var i = 0u; i < n; i++) { words[i] = n; }",
+        ),
+        // The counter is what the round before made of the words: nothing says that it ends.
+        (false, "var i = 0u; while words[i] != 0u { i = words[i]; }"),
+        (false, "loop { if words[0] == 1u { break; } }"),
+        (false, "for (var i = 0u; ; i++) { }"),
+        // Steps away from its bound, or not at all.
+        (false, "for (var i = 9u; i < 10u; i--) { }"),
+        (false, "for (var i = 0u; i < 8u; i += 0u) { }"),
+        (false, "for (var i = 0u; i < 8u; i += words[0]) { }"),
+        // Another may hold the loop open.
+        (false, "for (var i = 0u; i < 8u || words[0] == 1u; i++) { }"),
+        // Set back inside, or run after.
+        (
+            false,
+            "for (var i = 0u; i < 8u; i++) { if words[i] == 3u { i = 0u; } }",
+        ),
+        (
+            false,
+            "var n = 8u; for (var i = 0u; i < n; i++) { n += 1u; }",
+        ),
+        // An equality is stepped over.
+        (false, "for (var i = 0u; i != 7u; i += 2u) { }"),
+        // Inside a bounded one.
+        (
+            false,
+            "for (var i = 0u; i < 8u; i++) { while words[i] != 0u { words[i] /= 2u; } }",
+        ),
+    ] {
+        let expected = if bounded {
+            vec![]
+        } else {
+            vec![Rule::BoundedLoops]
+        };
+        // `for (;;)` and endless loops make what follows them unreachable, which is valid.
+        assert_eq!(broken(&compute("", body)), expected, "{body}");
+    }
+}
+
+#[test]
+fn equal_floats_are_found() {
+    for (body, expected) in [
+        ("if f32(id.x) == 0.5 { return; }", vec![Rule::FloatEquality]),
+        (
+            "if any(vec2<f32>(id.xy) != vec2<f32>(1.0)) { return; }",
+            vec![Rule::FloatEquality],
+        ),
+        (
+            "if id.x == 3u || f32(id.x) < 0.5 || f32(id.x) >= 7.0 { return; }",
+            vec![],
+        ),
+    ] {
+        assert_eq!(broken(&compute("", body)), expected, "{body}");
+    }
+    // In a function of the file as well as in an entry point.
+    let helper = "fn same(a: f32, b: f32) -> bool { return a == b; }";
+    assert_eq!(
+        broken(&compute(helper, "if same(1.0, f32(id.x)) { return; }")),
+        [Rule::FloatEquality],
+        "{helper}"
+    );
+}
+
+#[test]
+fn idle_bindings_and_broken_limits_are_found() {
+    let idle = "@group(0) @binding(1) var<uniform> idle: vec4<f32>;";
+    assert_eq!(broken(&compute(idle, "")), [Rule::UsedBindings], "{idle}");
+
+    let many = |n: u32| {
+        let declared: String = (1..=n)
+            .map(|i| format!("@group(1) @binding({i}) var<storage, read> b{i}: array<u32>;\n"))
+            .collect();
+        let used: String = (1..=n).map(|i| format!("words[{i}] = b{i}[0];")).collect();
+        compute(&declared, &used)
+    };
+    assert_eq!(broken(&many(7)), [], "8 storage buffers with the output");
+    assert_eq!(
+        broken(&many(8)),
+        [Rule::StorageBuffers],
+        "9 storage buffers"
+    );
+
+    let sized = |size: &str| compute("", "").replace("@workgroup_size(64)", size);
+    assert_eq!(broken(&sized("@workgroup_size(16, 16)")), [], "256");
+    for size in ["@workgroup_size(257)", "@workgroup_size(16, 16, 2)"] {
+        assert_eq!(broken(&sized(size)), [Rule::Workgroup], "{size}");
+    }
+
+    let renamed = compute("", "").replace("fn main", "fn run");
+    assert_eq!(broken(&renamed), [Rule::EntryPoints], "not called main");
+    let second = format!(
+        "{}\n@compute @workgroup_size(1) fn other() {{ }}",
+        compute("", "")
+    );
+    assert_eq!(broken(&second), [Rule::EntryPoints], "two in one file");
+    let half = "@vertex fn vertex() -> @builtin(position) vec4<f32> { return vec4<f32>(0.0); }";
+    assert_eq!(
+        broken(half),
+        [Rule::EntryPoints],
+        "vertices without fragments"
+    );
 }

@@ -41,8 +41,8 @@ pub struct Gpu {
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
 }
 
-/// Contents of at least this many bytes are kept once for all programs.
-const SHARED_FROM_BYTES: usize = 1 << 16;
+/// Contents of at least this many bytes are kept once for all programs, which therefore must not write to them.
+pub(super) const SHARED_FROM_BYTES: usize = 1 << 16;
 
 impl Gpu {
     /// Opens a device.

@@ -5,8 +5,10 @@ mod draw;
 mod program;
 mod readback;
 mod timing;
+mod words;
 
 pub use device::{AdapterReport, Gpu, GpuOptions};
 pub use program::Program;
 pub(crate) use program::words_from_layers;
 pub use timing::{ClockSet, PassTime, RunTimes};
+pub use words::{POISON, run_words};

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::Gpu;
+use super::device::SHARED_FROM_BYTES;
 use super::draw::{Pipelines, Step};
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
@@ -53,7 +54,7 @@ impl Program {
             dirty = dirty.with(resource.clock);
             let in_place = match (&resource.contents, self.real.get(&resource.name)) {
                 // Shared contents must not be overwritten: other programs read them.
-                (Some(c), Some((_, Real::Buffer(b)))) if kept && c.0.len() < 1 << 16 => {
+                (Some(c), Some((_, Real::Buffer(b)))) if kept && c.0.len() < SHARED_FROM_BYTES => {
                     gpu.queue.write_buffer(b, 0, &c.0);
                     true
                 }

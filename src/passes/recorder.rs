@@ -229,10 +229,10 @@ impl<'a> Recorder<'a> {
         }
         let (vertices, indices) = self.mesh();
         let bindings = vec![self.frame(), self.parts()];
-        let reason = if self.relevance.lanes == 0 {
-            "no cut reaches any part: the solids as they are".to_owned()
-        } else if ranks.is_empty() {
+        let reason = if ranks.is_empty() {
             "clears the targets: every part is removed or capped".to_owned()
+        } else if self.relevance.lanes == 0 {
+            "no part is cut open: the solids as they are".to_owned()
         } else {
             format!(
                 "no cut reaches {} of the parts: they are drawn plainly",

@@ -33,7 +33,7 @@ impl Limits {
         storage_binding_bytes: 128 << 20,
         uniform_binding_bytes: 64 << 10,
         buffer_bytes: 256 << 20,
-        storage_buffers_per_stage: 8,
+        storage_buffers_per_stage: shader::STORAGE_BUFFERS_PER_STAGE,
         groups_per_dimension: 65_535,
         texture_size: 8192,
         texture_layers: 256,
@@ -134,7 +134,7 @@ impl Plan {
                         pass.name, r.name
                     )));
                 }
-                if r.clock > pass.clock && r.contents.is_none() {
+                if r.clock > pass.clock {
                     let (c, rc) = (pass.clock.name(), r.clock.name());
                     return Err(Error::Plan(format!(
                         "{} runs per {c} but reads {}, made per {rc}",

@@ -46,6 +46,7 @@ pub(super) fn errors(report: &Report) -> Table {
         "crack",
         "interior",
         "edge",
+        "unreliable",
         "depth max",
         "normal max deg",
     ]);
@@ -62,6 +63,7 @@ pub(super) fn errors(report: &Report) -> Table {
             c.crack_px,
             c.interior_wrong_px,
             c.edge_wrong_px,
+            c.odd_parity_px,
         ];
         let numbers = [
             format!("{:.1e}", c.depth_error_max),

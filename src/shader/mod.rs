@@ -4,9 +4,12 @@
 //! validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
 
 mod compose;
+mod lints;
+mod loops;
 mod reflect;
 mod tree;
 
 pub use compose::{compose, compose_text};
+pub use lints::{Finding, INVOCATIONS_PER_WORKGROUP, Rule, STORAGE_BUFFERS_PER_STAGE, lint};
 pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};
 pub use tree::{FILES, LIBRARY, SHADERS, source};

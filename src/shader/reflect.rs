@@ -110,7 +110,7 @@ pub fn struct_layout(module: &Module, name: &str) -> Option<StructLayout> {
     })
 }
 
-/// naga_oil appends its module to every imported name.
-fn undecorated(name: &str) -> String {
+/// The name that the author gave: naga_oil appends its module to every imported one.
+pub(super) fn undecorated(name: &str) -> String {
     name.split("X_naga_oil_").next().unwrap_or(name).to_owned()
 }

@@ -23,6 +23,7 @@ use std::sync::Arc;
 use flate2::read::MultiGzDecoder;
 use glam::{DAffine3, Vec3};
 
+use super::topology::Edges;
 use super::{Material, Mesh, Part};
 use crate::error::{Error, Result, did_you_mean};
 
@@ -33,7 +34,7 @@ use draft::{Draft, Group, Solid};
 pub struct Loaded {
     /// The solids, with unique names.
     pub parts: Vec<Part>,
-    /// What was welded, left out or missing, a sentence each.
+    /// What was welded, left out, missing or left open, a sentence each.
     pub notes: Vec<String>,
 }
 
@@ -76,10 +77,29 @@ pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> 
         let solids = draft.into_solids(path, &mut notes)?;
         solids.into_iter().map(Placed::of).collect()
     };
-    Ok(Loaded {
-        parts: parts_of(placed, &stem),
-        notes,
-    })
+    let parts = parts_of(placed, &stem);
+    notes.extend(parts.iter().filter_map(|part| doubt(path, part)));
+    Ok(Loaded { parts, notes })
+}
+
+/// What makes inside and outside of a part a matter of opinion: open edges, and how many, and where one is.
+fn doubt(path: &Path, part: &Part) -> Option<String> {
+    let edges = Edges::of(&part.mesh.triangles);
+    let [a, b] = edges
+        .open()
+        .next()?
+        .map(|i| part.mesh.positions[i as usize]);
+    let middle = part.world_from_part.transform_point3((a + b) * 0.5);
+    Some(format!(
+        "{}: part {} is open at {} edges, one near ({:.4}, {:.4}, {:.4}): where a ray passes a hole, inside and outside are \
+         a guess, and such pixels are marked as unreliable",
+        path.display(),
+        part.name,
+        edges.count().open,
+        middle.x,
+        middle.y,
+        middle.z
+    ))
 }
 
 /// A solid where the file puts it.

@@ -67,6 +67,7 @@ pub fn record(recorder: &mut Recorder<'_>, capacities: &Capacities) -> Result<()
         vec![
             ("lane_bits", f64::from(lane_bits)),
             ("lane_count", f64::from(lanes)),
+            ("reliefs", f64::from(u8::from(raycast::has_reliefs(recorder)))),
             ("near_inside", f64::from(u8::from(recorder.relevance.near_inside))),
         ],
         recorder.view.size_px,

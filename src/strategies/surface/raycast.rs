@@ -52,6 +52,12 @@ pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
     most.clamp(1, Capacities::MOST_CROSSINGS)
 }
 
+/// Whether some clip-surface that matters is a relief.
+pub fn has_reliefs(recorder: &Recorder<'_>) -> bool {
+    let surfaces = &recorder.relevance.surfaces;
+    surfaces.iter().any(|s| recorder.model.is_relief(*s))
+}
+
 /// Records the pass that writes the list, and clears `mask` on the way.
 pub fn record(
     recorder: &mut Recorder<'_>,
@@ -61,11 +67,7 @@ pub fn record(
 ) -> Crossings {
     let count = pixels(recorder.view.size_px);
     let one_surface = recorder.relevance.surfaces.len() < 2;
-    let reliefs = recorder
-        .relevance
-        .surfaces
-        .iter()
-        .any(|s| recorder.model.is_relief(*s));
+    let reliefs = has_reliefs(recorder);
     let mut buffer = |name: &str, bytes: u64| {
         recorder.once(name, |_| Resource::storage(name, bytes, Clock::Frame))
     };

@@ -14,6 +14,8 @@
 
 override lane_bits: u32 = 32u;
 override lane_count: u32 = 1u;
+// Whether some clip-surface is a relief: otherwise its normal is the plane's.
+override reliefs: bool = true;
 // Whether the near plane meets a solid: then an odd total says that the ray starts inside, not that the mesh is open.
 override near_inside: bool = false;
 
@@ -78,7 +80,11 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         let surface = surface_at(cap.crossing, pixel);
         depth = depth_from_buffer(z);
         word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part);
-        normal = pack_normal(cap_normal(surface, ray.origin + depth * ray.direction));
+        var outside = -cut_table.surfaces[surface].normal.xyz;
+        if reliefs {
+            outside = cap_normal(surface, ray.origin + depth * ray.direction);
+        }
+        normal = pack_normal(outside);
     }
 
     var odd = false;

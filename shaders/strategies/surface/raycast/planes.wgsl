@@ -2,7 +2,7 @@
 
 #import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::cut_table
-#import cutaway::frame::{frame, box_interval, centre_of, pixel_index, pixel_count, ray_through}
+#import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::mask::clear
 

@@ -10,7 +10,7 @@
 #import cutaway::frame::{frame, box_interval, buffer_from_depth, centre_of, pixel_index, ray_through}
 #import cutaway::mask::clear
 #import cutaway::plane_crossing::cross_plane
-#import cutaway::quadratic::{Roots, roots_in}
+#import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{cell_at, height_in}
 

@@ -1,0 +1,114 @@
+//! Words in, words out: runs one small compute shader on given words, so that a test can hold a WGSL function of the library
+//! against its definition in f64.
+//!
+//! The shader is composed with the library, so it imports the very functions that frames are drawn with. Its output is
+//! poisoned before the run: a word that nobody wrote differs from every word that somebody meant to be zero.
+
+use super::Gpu;
+use crate::shader::{self, BindingKind};
+use crate::{Error, Result};
+
+/// What the output holds before the run.
+pub const POISON: u32 = 0xffff_ffff;
+
+/// Name of the output variable, a `var<storage, read_write>` of the shader.
+const OUTPUT: &str = "words";
+
+/// Invocations of a workgroup that the dispatch counts with; a shader with larger groups gets more than it needs.
+const INVOCATIONS: usize = 64;
+
+/// Runs the entry point `main` of a compute shader and returns the words of its variable `words`.
+///
+/// `inputs` are the other buffers that the shader uses, by the names of their variables. There is at least one invocation
+/// of `@workgroup_size(64)` for each word of output; those beyond the cases must return by themselves.
+pub fn run_words(
+    gpu: &Gpu,
+    wgsl: &str,
+    inputs: &[(&str, Vec<u32>)],
+    output_words: usize,
+) -> Result<Vec<u32>> {
+    let composed = shader::compose_text("words", wgsl)?;
+    let wanted = shader::bindings(&composed);
+    let module = gpu
+        .device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("words"),
+            source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
+        });
+    let pipeline = gpu
+        .device
+        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some("words"),
+            layout: None,
+            module: &module,
+            entry_point: Some("main"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+    gpu.complaint()?;
+
+    let poisoned = vec![POISON; output_words];
+    let mut buffers = Vec::with_capacity(wanted.len());
+    for w in &wanted {
+        let words = match inputs.iter().find(|(name, _)| *name == w.name) {
+            _ if w.name == OUTPUT => &poisoned,
+            Some((_, words)) => words,
+            None => return Err(Error::Plan(format!("`{}` is given no words", w.name))),
+        };
+        let usage = match w.kind {
+            BindingKind::Uniform => wgpu::BufferUsages::UNIFORM,
+            BindingKind::StorageRead | BindingKind::StorageReadWrite => wgpu::BufferUsages::STORAGE,
+            BindingKind::Texture | BindingKind::TextureArray => {
+                return Err(Error::Plan(format!("`{}` is no buffer", w.name)));
+            }
+        };
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(&w.name),
+            size: words.len() as u64 * 4,
+            usage: usage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        gpu.queue
+            .write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+        buffers.push(buffer);
+    }
+    let Some(output) = wanted.iter().position(|w| w.name == OUTPUT) else {
+        return Err(Error::Plan(format!("the shader writes no `{OUTPUT}`")));
+    };
+    if let Some((name, _)) = inputs
+        .iter()
+        .find(|(name, _)| !wanted.iter().any(|w| w.name == *name))
+    {
+        return Err(Error::Plan(format!("the shader reads no `{name}`")));
+    }
+
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(&pipeline);
+        let groups = wanted.iter().map(|w| w.group + 1).max().unwrap_or(0);
+        for group in 0..groups {
+            let entries: Vec<wgpu::BindGroupEntry<'_>> = wanted
+                .iter()
+                .zip(&buffers)
+                .filter(|(w, _)| w.group == group)
+                .map(|(w, buffer)| wgpu::BindGroupEntry {
+                    binding: w.binding,
+                    resource: buffer.as_entire_binding(),
+                })
+                .collect();
+            let bound = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("words"),
+                layout: &pipeline.get_bind_group_layout(group),
+                entries: &entries,
+            });
+            pass.set_bind_group(group, &bound, &[]);
+        }
+        pass.dispatch_workgroups(output_words.div_ceil(INVOCATIONS) as u32, 1, 1);
+    }
+    gpu.queue.submit([encoder.finish()]);
+    gpu.complaint()?;
+    gpu.read(&buffers[output])
+}

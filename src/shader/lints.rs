@@ -1,0 +1,167 @@
+//! Our own rules of WGSL, on naga's representation of a composed shader.
+//!
+//! naga says whether a shader is valid; these say whether it is one of ours: every loop ends, no decision hangs on two floats
+//! being equal, nothing is declared and unused, and core WebGPU can run it. A finding names its rule and its place; which
+//! findings are allowed, and why, is stated where the tree is tested.
+
+use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
+use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
+
+use super::loops::unbounded_loops;
+use super::reflect::{BindingKind, bindings, undecorated};
+use crate::{Error, Result};
+
+/// A rule that shaders keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rule {
+    /// A loop counts towards a bound that it does not move.
+    BoundedLoops,
+    /// Floats are compared by order, never by equality.
+    FloatEquality,
+    /// A binding that a shader declares is used by one of its entry points.
+    UsedBindings,
+    /// A stage sees at most 8 storage buffers.
+    StorageBuffers,
+    /// A workgroup has at most 256 invocations.
+    Workgroup,
+    /// One compute entry point `main`, or `vertex` and `fragment`.
+    EntryPoints,
+}
+
+/// Where a shader breaks a rule.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The rule.
+    pub rule: Rule,
+    /// The function, the variable or the stage, as its author named it.
+    pub place: String,
+    /// What was found.
+    pub what: String,
+}
+
+/// Storage buffers that a stage of core WebGPU sees. Plans are held to it as well.
+pub const STORAGE_BUFFERS_PER_STAGE: usize = 8;
+/// Invocations of a workgroup of core WebGPU.
+pub const INVOCATIONS_PER_WORKGROUP: u32 = 256;
+
+/// Everything in a composed shader that breaks a rule.
+pub fn lint(module: &Module) -> Result<Vec<Finding>> {
+    let info = Validator::new(ValidationFlags::all(), Capabilities::default())
+        .validate(module)
+        .map_err(|e| Error::Shader {
+            name: "lint".to_owned(),
+            what: e.into_inner().to_string(),
+        })?;
+    let mut found = Vec::new();
+    for (handle, function) in module.functions.iter() {
+        let name = undecorated(function.name.as_deref().unwrap_or_default());
+        in_function(module, function, &info[handle], &name, &mut found);
+    }
+    for (index, entry) in module.entry_points.iter().enumerate() {
+        let info = info.get_entry_point(index);
+        in_function(module, &entry.function, info, &entry.name, &mut found);
+    }
+    unused_bindings(module, &info, &mut found);
+    of_stages(module, &mut found);
+    Ok(found)
+}
+
+fn in_function(
+    module: &Module,
+    function: &Function,
+    info: &FunctionInfo,
+    name: &str,
+    found: &mut Vec<Finding>,
+) {
+    found.extend((0..unbounded_loops(function)).map(|_| {
+        Finding {
+            rule: Rule::BoundedLoops,
+            place: name.to_owned(),
+            what: "a loop without a counter that is compared with a bound and stepped towards it"
+                .to_owned(),
+        }
+    }));
+    let is_float = |e: Handle<Expression>| {
+        let scalar: Option<Scalar> = info[e].ty.inner_with(&module.types).scalar();
+        scalar.is_some_and(|s| s.kind == ScalarKind::Float)
+    };
+    for (_, expression) in function.expressions.iter() {
+        if let Expression::Binary { op, left, right } = *expression
+            && matches!(op, BinaryOperator::Equal | BinaryOperator::NotEqual)
+            && (is_float(left) || is_float(right))
+        {
+            found.push(Finding {
+                rule: Rule::FloatEquality,
+                place: name.to_owned(),
+                what: "two floats are compared for equality".to_owned(),
+            });
+        }
+    }
+}
+
+/// Bindings that the shader's own file declares; those of the library are declared for all who import it.
+fn unused_bindings(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>) {
+    for (handle, variable) in module.global_variables.iter() {
+        let name = variable.name.as_deref().unwrap_or_default();
+        let is_used = (0..module.entry_points.len())
+            .any(|index| !info.get_entry_point(index)[handle].is_empty());
+        if variable.binding.is_some() && !is_used && undecorated(name) == name {
+            found.push(Finding {
+                rule: Rule::UsedBindings,
+                place: name.to_owned(),
+                what: "a binding that no entry point uses".to_owned(),
+            });
+        }
+    }
+}
+
+fn of_stages(module: &Module, found: &mut Vec<Finding>) {
+    let bound = bindings(module);
+    for (stage, name) in ["vertex", "fragment", "compute"].into_iter().enumerate() {
+        let is_storage = |kind| {
+            matches!(
+                kind,
+                BindingKind::StorageRead | BindingKind::StorageReadWrite
+            )
+        };
+        let count = bound
+            .iter()
+            .filter(|b| is_storage(b.kind) && b.stages[stage])
+            .count();
+        if count > STORAGE_BUFFERS_PER_STAGE {
+            found.push(Finding {
+                rule: Rule::StorageBuffers,
+                place: name.to_owned(),
+                what: format!("{count} storage buffers"),
+            });
+        }
+    }
+    for entry in &module.entry_points {
+        let invocations: u32 = entry.workgroup_size.iter().product();
+        if entry.stage == ShaderStage::Compute && invocations > INVOCATIONS_PER_WORKGROUP {
+            found.push(Finding {
+                rule: Rule::Workgroup,
+                place: entry.name.clone(),
+                what: format!("{invocations} invocations in a workgroup"),
+            });
+        }
+    }
+    let mut entries: Vec<(ShaderStage, &str)> = module
+        .entry_points
+        .iter()
+        .map(|e| (e.stage, e.name.as_str()))
+        .collect();
+    entries.sort_unstable_by_key(|(_, name)| *name);
+    let compute = [(ShaderStage::Compute, "main")];
+    let draw = [
+        (ShaderStage::Fragment, "fragment"),
+        (ShaderStage::Vertex, "vertex"),
+    ];
+    if entries != compute && entries != draw {
+        found.push(Finding {
+            rule: Rule::EntryPoints,
+            place: "entry points".to_owned(),
+            what: format!("{entries:?}"),
+        });
+    }
+}

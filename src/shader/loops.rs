@@ -1,0 +1,284 @@
+//! Whether a loop ends, read off its form.
+//!
+//! A loop is bounded where its body begins with a guard that leaves it unless `counter < bound` (or `>`, `<=`, `>=`), the
+//! counter is a local variable that the loop stores to exactly once, by one constant step in the direction of the bound,
+//! in the part that every round runs, and the bound depends on nothing that the loop stores. This is less than what ends,
+//! and all that a reader should have to check: rewrite the loop rather than the rule.
+
+use std::collections::BTreeSet;
+
+use naga::{
+    BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
+};
+
+/// How many loops of a function do not have the bounded form.
+pub(super) fn unbounded_loops(function: &Function) -> usize {
+    count_in(function, &function.body)
+}
+
+fn count_in(function: &Function, block: &Block) -> usize {
+    let of = |statement: &Statement| match statement {
+        Statement::Loop {
+            body, continuing, ..
+        } => {
+            let bounded = is_bounded(function, body, continuing);
+            usize::from(!bounded) + count_in(function, body) + count_in(function, continuing)
+        }
+        _ => children(statement)
+            .iter()
+            .map(|b| count_in(function, b))
+            .sum(),
+    };
+    block.iter().map(of).sum()
+}
+
+fn children(statement: &Statement) -> Vec<&Block> {
+    match statement {
+        Statement::Block(block) => vec![block],
+        Statement::If { accept, reject, .. } => vec![accept, reject],
+        Statement::Loop {
+            body, continuing, ..
+        } => vec![body, continuing],
+        Statement::Switch { cases, .. } => cases.iter().map(|c| &c.body).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn is_bounded(function: &Function, body: &Block, continuing: &Block) -> bool {
+    let mut stores = Vec::new();
+    for block in [body, continuing] {
+        stores_in(function, block, &mut stores);
+    }
+    let mut evaluated = BTreeSet::new();
+    for block in [body, continuing] {
+        evaluated_in(block, &mut evaluated);
+    }
+    let steps: Vec<(Handle<LocalVariable>, Step)> = continuing
+        .iter()
+        .filter_map(|s| step_of(function, s))
+        .filter(|(counter, _)| stores.iter().filter(|s| *s == counter).count() == 1)
+        .collect();
+    guards(function, body).iter().any(|(condition, holds)| {
+        steps.iter().any(|(counter, step)| {
+            let bound = bound_of(function, *condition, *holds, *counter, *step);
+            bound.is_some_and(|b| !may_move(function, b, &evaluated, &stores))
+        })
+    })
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Step {
+    Up,
+    Down,
+}
+
+fn local(function: &Function, pointer: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+    match function.expressions[pointer] {
+        Expression::LocalVariable(variable) => Some(variable),
+        // A store to an element or a field moves the whole variable, as far as a bound is concerned.
+        Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => {
+            local(function, base)
+        }
+        _ => None,
+    }
+}
+
+/// Local variables that a block stores to, once for each store; calls count for every variable they are given by pointer.
+fn stores_in(function: &Function, block: &Block, stores: &mut Vec<Handle<LocalVariable>>) {
+    for statement in block.iter() {
+        match statement {
+            Statement::Store { pointer, .. } => stores.extend(local(function, *pointer)),
+            Statement::Call { arguments, .. } => {
+                stores.extend(arguments.iter().filter_map(|a| local(function, *a)));
+            }
+            _ => {}
+        }
+        for child in children(statement) {
+            stores_in(function, child, stores);
+        }
+    }
+}
+
+fn loaded(function: &Function, expression: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+    match function.expressions[expression] {
+        Expression::Load { pointer } => match function.expressions[pointer] {
+            Expression::LocalVariable(variable) => Some(variable),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// `counter = counter + constant` or `- constant`.
+fn step_of(function: &Function, statement: &Statement) -> Option<(Handle<LocalVariable>, Step)> {
+    let Statement::Store { pointer, value } = statement else {
+        return None;
+    };
+    let Expression::LocalVariable(counter) = function.expressions[*pointer] else {
+        return None;
+    };
+    let Expression::Binary { op, left, right } = function.expressions[*value] else {
+        return None;
+    };
+    let step = match function.expressions[right] {
+        Expression::Literal(Literal::U32(n)) => i64::from(n),
+        Expression::Literal(Literal::I32(n)) => i64::from(n),
+        _ => 0,
+    };
+    let direction = match op {
+        BinaryOperator::Add => Step::Up,
+        BinaryOperator::Subtract => Step::Down,
+        _ => return None,
+    };
+    (step > 0 && loaded(function, left) == Some(counter)).then_some((counter, direction))
+}
+
+/// Conditions that must hold (or, with `false`, must not) for a round to go on: the conjuncts of the first break of the body.
+fn guards(function: &Function, body: &Block) -> Vec<(Handle<Expression>, bool)> {
+    let mut found = Vec::new();
+    let mut before: Vec<&Statement> = Vec::new();
+    for statement in body.iter() {
+        match statement {
+            Statement::If {
+                condition,
+                accept,
+                reject,
+            } => {
+                if leaves(reject) {
+                    conjuncts(function, *condition, &before, &mut found);
+                    return found;
+                }
+                if leaves(accept) {
+                    found.push((*condition, false));
+                    return found;
+                }
+                before.push(statement);
+            }
+            Statement::Emit(_) => {}
+            // Only what evaluates the condition may come before it.
+            _ => return found,
+        }
+    }
+    found
+}
+
+fn leaves(block: &Block) -> bool {
+    matches!(
+        block.last(),
+        Some(Statement::Break | Statement::Return { .. })
+    )
+}
+
+/// naga turns `a && b` into a variable that is false unless `a` holds and `b` was stored.
+fn conjuncts(
+    function: &Function,
+    condition: Handle<Expression>,
+    before: &[&Statement],
+    found: &mut Vec<(Handle<Expression>, bool)>,
+) {
+    let stored = |block: &Block, variable| {
+        block.iter().rev().find_map(|s| match s {
+            Statement::Store { pointer, value } if local(function, *pointer) == Some(variable) => {
+                Some(*value)
+            }
+            _ => None,
+        })
+    };
+    let Some(variable) = loaded(function, condition) else {
+        found.push((condition, true));
+        return;
+    };
+    for (index, statement) in before.iter().enumerate() {
+        if let Statement::If {
+            condition,
+            accept,
+            reject,
+        } = statement
+            && let (Some(then), Some(otherwise)) =
+                (stored(accept, variable), stored(reject, variable))
+            && function.expressions[otherwise] == Expression::Literal(Literal::Bool(false))
+        {
+            conjuncts(function, *condition, &before[..index], found);
+            found.push((then, true));
+        }
+    }
+}
+
+/// What the counter is compared with, where the comparison ends the loop in the direction of the step.
+fn bound_of(
+    function: &Function,
+    condition: Handle<Expression>,
+    holds: bool,
+    counter: Handle<LocalVariable>,
+    step: Step,
+) -> Option<Handle<Expression>> {
+    let Expression::Binary { op, left, right } = function.expressions[condition] else {
+        return None;
+    };
+    let is_less = match op {
+        BinaryOperator::Less | BinaryOperator::LessEqual => true,
+        BinaryOperator::Greater | BinaryOperator::GreaterEqual => false,
+        _ => return None,
+    };
+    let (is_less, bound) = if loaded(function, left) == Some(counter) {
+        (is_less, right)
+    } else if loaded(function, right) == Some(counter) {
+        (!is_less, left)
+    } else {
+        return None;
+    };
+    let ends = match step {
+        Step::Up => is_less == holds,
+        Step::Down => is_less != holds,
+    };
+    ends.then_some(bound)
+}
+
+/// Expressions that are evaluated anew in every round; all others have the value they had before the loop.
+fn evaluated_in(block: &Block, evaluated: &mut BTreeSet<usize>) {
+    for statement in block.iter() {
+        match statement {
+            Statement::Emit(range) => evaluated.extend(range.clone().map(|e| e.index())),
+            Statement::Call { result, .. } | Statement::Atomic { result, .. } => {
+                evaluated.extend(result.map(|e| e.index()));
+            }
+            _ => {}
+        }
+        for child in children(statement) {
+            evaluated_in(child, evaluated);
+        }
+    }
+}
+
+/// Whether a bound may have another value in the next round.
+fn may_move(
+    function: &Function,
+    bound: Handle<Expression>,
+    evaluated: &BTreeSet<usize>,
+    stores: &[Handle<LocalVariable>],
+) -> bool {
+    let any = |parts: &[Option<Handle<Expression>>]| {
+        parts
+            .iter()
+            .flatten()
+            .any(|e| may_move(function, *e, evaluated, stores))
+    };
+    if !evaluated.contains(&bound.index()) {
+        return false;
+    }
+    match function.expressions[bound] {
+        Expression::Load { pointer } => {
+            local(function, pointer).is_some_and(|v| stores.contains(&v))
+        }
+        Expression::Binary { left, right, .. } => any(&[Some(left), Some(right)]),
+        Expression::Unary { expr, .. } | Expression::As { expr, .. } => any(&[Some(expr)]),
+        Expression::Access { base, index } => any(&[Some(base), Some(index)]),
+        Expression::AccessIndex { base, .. } => any(&[Some(base)]),
+        Expression::Math {
+            arg, arg1, arg2, ..
+        } => any(&[Some(arg), arg1, arg2]),
+        Expression::ArrayLength(_) => false,
+        // Whatever else a round computes, a call among it, may come out differently.
+        _ => true,
+    }
+}
