@@ -128,7 +128,7 @@ pub(crate) fn eye_in_void(_: u32) -> Vec<Scene> {
             ("opening", "-x=0.2", DVec3::X),
             ("both", "-x=0.2", DVec3::Z),
             // The eye is on the removed side, and sees the ring that the cut leaves.
-            ("ring", "x=0.1", DVec3::X),
+            ("ring", "x=0.28", DVec3::X),
         ] {
             let scene = scenes::sectioned(&shape, &[section]);
             let camera = Camera {
