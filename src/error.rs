@@ -48,9 +48,12 @@ pub enum Error {
         /// The report of naga or naga_oil.
         what: String,
     },
-    /// A plan that breaks its own rules or the limits of WebGPU.
+    /// A plan that breaks its own rules: a fault of this crate, never of its input.
     #[error("plan: {0}")]
     Plan(String),
+    /// A plan that asks for more than the adapter's limits allow; a strategy's frame is then refused.
+    #[error("{0}")]
+    Limit(String),
 }
 
 /// Result of the library.

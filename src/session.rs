@@ -113,7 +113,7 @@ impl Session {
             };
             let changed = match slot.program.load(&self.gpu, plan) {
                 Ok(changed) => changed,
-                Err(Error::Plan(reason)) => return Ok(Drawn::refused(reason)),
+                Err(Error::Limit(reason)) => return Ok(Drawn::refused(reason)),
                 Err(e) => return Err(e),
             };
             let clocks = changed.union(owed);

@@ -61,7 +61,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    fn uploaded(
+    pub(super) fn uploaded(
         &mut self,
         name: &'static str,
         role: Role,
@@ -235,8 +235,8 @@ impl<'a> Recorder<'a> {
             "no part is cut open: the solids as they are".to_owned()
         } else {
             format!(
-                "no cut reaches {} of the parts: they are drawn plainly",
-                ranks.len()
+                "no cut reaches {}: drawn plainly",
+                counted(ranks.len(), "part")
             )
         };
         self.draw(DrawPass {
@@ -253,77 +253,6 @@ impl<'a> Recorder<'a> {
             indices,
             draws: self.draws_of(&ranks),
         });
-    }
-
-    /// The layers of the frame: three words per pixel.
-    pub fn layers(&mut self) -> ResourceId {
-        let bytes = pixels(self.view.size_px) * 12;
-        let id = self.once("layers", |_| {
-            Resource::storage("layers", bytes, Clock::Frame)
-        });
-        self.plan.layers = Some(id);
-        id
-    }
-
-    /// Turns what was drawn into layers.
-    pub fn gather(&mut self) {
-        let targets = self.targets();
-        let layers = self.layers();
-        let bindings = vec![
-            self.frame(),
-            Binding::read("surface_words", targets.words),
-            Binding::read("surface_depth", targets.depth),
-            Binding::write("layers", layers),
-        ];
-        self.compute(
-            "gather",
-            Clock::Frame,
-            "layers are what the picture and the comparison read",
-            "passes/gather.wgsl",
-            bindings,
-            Vec::new(),
-            self.view.size_px,
-        );
-    }
-
-    /// Layers that come from elsewhere, as words: what the exact reference found.
-    pub fn given_layers(&mut self, words: &[u32]) {
-        self.once("layers", |_| {
-            Resource::upload("layers", Role::Storage, Contents::of(words), Clock::Frame)
-        });
-    }
-
-    /// Turns layers into a picture.
-    pub fn shade(&mut self) {
-        let layers = self.layers();
-        let rank_of_part = self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
-            let mut places = vec![0_u32; r.model.prepared.parts.len()];
-            for (place, rank) in r.relevance.order.iter().enumerate() {
-                places[r.model.prepared.parts[*rank].part] = place as u32;
-            }
-            Contents::of(&or_one(places))
-        });
-        let bytes = pixels(self.view.size_px) * 4;
-        let picture = self.once("picture", |_| {
-            Resource::storage("picture", bytes, Clock::Frame)
-        });
-        self.plan.picture = Some(picture);
-        let bindings = vec![
-            self.frame(),
-            self.parts(),
-            Binding::read("layers", layers),
-            rank_of_part,
-            Binding::write("picture", picture),
-        ];
-        self.compute(
-            "shade",
-            Clock::Frame,
-            "lit shading turns layers into a picture",
-            "passes/shade.wgsl",
-            bindings,
-            Vec::new(),
-            self.view.size_px,
-        );
     }
 
     /// A compute pass with one invocation per pixel (or texel) of a picture.
@@ -354,10 +283,10 @@ impl<'a> Recorder<'a> {
         });
     }
 
-    /// The words that bounded buffers report their need in.
-    pub fn need(&mut self, words: u32) -> ResourceId {
+    /// The words that bounded buffers report their need in; `clock` is that of the passes that write them.
+    pub fn need(&mut self, words: u32, clock: Clock) -> ResourceId {
         let id = self.once("need", |_| {
-            Resource::storage("need", u64::from(words) * 4, Clock::Solid)
+            Resource::storage("need", u64::from(words) * 4, clock)
         });
         self.plan.need = Some(id);
         id
@@ -384,13 +313,18 @@ pub struct DrawPass {
     pub draws: Vec<Draw>,
 }
 
+/// `1 part`, `2 parts`.
+pub fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Pixels of a picture.
 pub fn pixels(size: [u32; 2]) -> u64 {
     u64::from(size[0]) * u64::from(size[1])
 }
 
 /// WebGPU has no empty bindings: a table with no rows gets one of zeros.
-fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
+pub(super) fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
     if rows.is_empty() {
         rows.push(T::zeroed());
     }

@@ -98,7 +98,7 @@ impl Plan {
                 ),
             };
             if have > most {
-                return Err(Error::Plan(format!(
+                return Err(Error::Limit(format!(
                     "{} needs {have} {what}; WebGPU offers {most}",
                     r.name
                 )));
@@ -109,7 +109,7 @@ impl Plan {
                 && groups.iter().any(|g| *g > limits.groups_per_dimension)
             {
                 let most = limits.groups_per_dimension;
-                return Err(Error::Plan(format!(
+                return Err(Error::Limit(format!(
                     "{} dispatches {groups:?} workgroups; WebGPU offers {most}",
                     pass.name
                 )));

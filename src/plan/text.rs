@@ -19,9 +19,10 @@ impl Plan {
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "per {}: {} passes, {}",
+                "per {}: {} pass{}, {}",
                 clock.name(),
                 passes.len(),
+                if passes.len() == 1 { "" } else { "es" },
                 human_bytes(bytes)
             );
             for p in passes {
@@ -77,7 +78,8 @@ fn describe(work: &Work) -> String {
                 .iter()
                 .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
                 .sum();
-            format!("draw {triangles} triangles in {} draws", draws.len())
+            let plural = if draws.len() == 1 { "" } else { "s" };
+            format!("draw {triangles} triangles in {} draw{plural}", draws.len())
         }
     }
 }

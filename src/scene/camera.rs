@@ -76,7 +76,8 @@ pub struct Camera {
     pub up: Up,
     /// Distance of the near plane in world units; `None` picks one just before the model.
     pub near: Option<f64>,
-    /// Draw a cap where the near plane cuts a solid. Without it the solid's inside shows, as the definition says.
+    /// Draw a cap where the near plane cuts a solid. Without it exact shows what such a ray *enters* next, by the letter of
+    /// the definition, while strategies show the wall by which it leaves the solid, as a back face.
     pub near_cap: bool,
 }
 

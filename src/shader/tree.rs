@@ -19,6 +19,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/crossings.wgsl",
     "lib/crossing_list.wgsl",
     "lib/plane_crossing.wgsl",
+    "lib/decision.wgsl",
     "lib/vds.wgsl",
 ];
 
@@ -32,7 +33,8 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/surface/grid/clip.wgsl",
     "strategies/surface/grid/cap.wgsl",
     "strategies/inside/mask/solid.wgsl",
-    "strategies/inside/mask/resolve.wgsl",
+    "strategies/inside/mask/resolve_planes.wgsl",
+    "strategies/inside/mask/resolve_reliefs.wgsl",
     "strategies/inside/vds/clear.wgsl",
     "strategies/inside/vds/count.wgsl",
     "strategies/inside/vds/peel_first.wgsl",

@@ -34,7 +34,7 @@ fn scenes() -> Vec<Scene> {
 fn broken_limit(plan: &Plan) -> Option<String> {
     match plan.check(&Limits::CORE) {
         Ok(()) => None,
-        Err(Error::Plan(reason)) if reason.contains("WebGPU offers") => Some(reason),
+        Err(Error::Limit(reason)) => Some(reason),
         Err(e) => panic!("{e}\n{}", plan.to_text()),
     }
 }
@@ -157,7 +157,7 @@ fn names_and_bindings_are_checked() {
     });
     tells(
         &unbound,
-        "`mask` of strategies/inside/mask/resolve.wgsl is bound to nothing",
+        "`mask` of strategies/inside/mask/resolve_reliefs.wgsl is bound to nothing",
     );
     let unknown = refusal(mask, |p| {
         let id = id_of(p, "frame");

@@ -9,7 +9,7 @@
 //! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part. Exact for closed meshes up to ties of f32.
 //! Cannot: repair an open mesh; it marks the pixels where the total is odd.
 
-use crate::passes::{DrawPass, Recorder, pixels};
+use crate::passes::{DrawPass, Recorder, counted, pixels};
 use crate::plan::{Binding, Capacities, Clock, Resource};
 use crate::strategies::surface::raycast;
 
@@ -35,7 +35,10 @@ pub fn record(recorder: &mut Recorder<'_>, capacities: &Capacities) -> Result<()
     let ranks = recorder.relevance.cut_parts().to_vec();
     recorder.draw(DrawPass {
         name: "solid".to_owned(),
-        reason: format!("{} cut parts: each fragment marks the crossings it is behind, and stays where it is kept", ranks.len()),
+        reason: format!(
+            "{}: each fragment marks the crossings it is behind, and stays where it is kept",
+            counted(ranks.len(), "cut part")
+        ),
         shader: "strategies/inside/mask/solid.wgsl",
         bindings,
         constants: vec![("lane_bits", f64::from(lane_bits))],
@@ -51,23 +54,27 @@ pub fn record(recorder: &mut Recorder<'_>, capacities: &Capacities) -> Result<()
         recorder.frame(),
         recorder.cut_table(),
         recorder.parts(),
-        recorder.heights(),
         Binding::read("surface_words", targets.words),
         Binding::read("surface_depth", targets.depth),
         Binding::read("mask", mask),
         Binding::write("layers", layers),
     ];
     bindings.extend(crossings.bindings());
+    let shader = if raycast::has_reliefs(recorder) {
+        bindings.push(recorder.heights());
+        "strategies/inside/mask/resolve_reliefs.wgsl"
+    } else {
+        "strategies/inside/mask/resolve_planes.wgsl"
+    };
     recorder.compute(
         "resolve",
         Clock::Frame,
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
-        "strategies/inside/mask/resolve.wgsl",
+        shader,
         bindings,
         vec![
             ("lane_bits", f64::from(lane_bits)),
             ("lane_count", f64::from(lanes)),
-            ("reliefs", f64::from(u8::from(raycast::has_reliefs(recorder)))),
             ("near_inside", f64::from(u8::from(recorder.relevance.near_inside))),
         ],
         recorder.view.size_px,

@@ -59,7 +59,7 @@ pub fn record(
             Clock::Solid,
         )
     });
-    let need = recorder.need(recorder.relevance.lanes as u32);
+    let need = recorder.need(recorder.relevance.lanes as u32, Clock::Solid);
     let sprite = Binding::read("sprite", table);
 
     recorder.compute(

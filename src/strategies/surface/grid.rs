@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 
-use crate::passes::{DrawPass, Recorder};
+use crate::passes::{DrawPass, Recorder, counted};
 use crate::plan::pack::{self, Quad};
 use crate::plan::{
     Binding, Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices,
@@ -46,7 +46,10 @@ pub fn record(
     ];
     recorder.draw(DrawPass {
         name: "clip".to_owned(),
-        reason: format!("{} cut parts: chi decides at every fragment", ranks.len()),
+        reason: format!(
+            "{}: chi decides at every fragment",
+            counted(ranks.len(), "cut part")
+        ),
         shader: "strategies/surface/grid/clip.wgsl",
         bindings,
         constants: Vec::new(),

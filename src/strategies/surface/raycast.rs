@@ -83,7 +83,7 @@ pub fn record(
             },
         ),
     };
-    let need = recorder.need(1);
+    let need = recorder.need(1, Clock::Frame);
     let mut bindings = vec![
         recorder.frame(),
         recorder.cut_table(),

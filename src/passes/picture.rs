@@ -1,0 +1,77 @@
+//! From what was drawn to layers, and from layers to a picture: the end that every strategy and the exact reference share.
+
+use super::recorder::{Recorder, or_one, pixels};
+use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+
+impl Recorder<'_> {
+    /// The layers of the frame: three words per pixel.
+    pub fn layers(&mut self) -> ResourceId {
+        let bytes = pixels(self.view.size_px) * 12;
+        let id = self.once("layers", |_| {
+            Resource::storage("layers", bytes, Clock::Frame)
+        });
+        self.plan.layers = Some(id);
+        id
+    }
+
+    /// Turns what was drawn into layers.
+    pub fn gather(&mut self) {
+        let targets = self.targets();
+        let layers = self.layers();
+        let bindings = vec![
+            self.frame(),
+            Binding::read("surface_words", targets.words),
+            Binding::read("surface_depth", targets.depth),
+            Binding::write("layers", layers),
+        ];
+        self.compute(
+            "gather",
+            Clock::Frame,
+            "layers are what the picture and the comparison read",
+            "passes/gather.wgsl",
+            bindings,
+            Vec::new(),
+            self.view.size_px,
+        );
+    }
+
+    /// Layers that come from elsewhere, as words: what the exact reference found.
+    pub fn given_layers(&mut self, words: &[u32]) {
+        self.once("layers", |_| {
+            Resource::upload("layers", Role::Storage, Contents::of(words), Clock::Frame)
+        });
+    }
+
+    /// Turns layers into a picture.
+    pub fn shade(&mut self) {
+        let layers = self.layers();
+        let rank_of_part = self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
+            let mut places = vec![0_u32; r.model.prepared.parts.len()];
+            for (place, rank) in r.relevance.order.iter().enumerate() {
+                places[r.model.prepared.parts[*rank].part] = place as u32;
+            }
+            Contents::of(&or_one(places))
+        });
+        let bytes = pixels(self.view.size_px) * 4;
+        let picture = self.once("picture", |_| {
+            Resource::storage("picture", bytes, Clock::Frame)
+        });
+        self.plan.picture = Some(picture);
+        let bindings = vec![
+            self.frame(),
+            self.parts(),
+            Binding::read("layers", layers),
+            rank_of_part,
+            Binding::write("picture", picture),
+        ];
+        self.compute(
+            "shade",
+            Clock::Frame,
+            "lit shading turns layers into a picture",
+            "passes/shade.wgsl",
+            bindings,
+            Vec::new(),
+            self.view.size_px,
+        );
+    }
+}
