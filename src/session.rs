@@ -153,6 +153,11 @@ impl Session {
         Ok(drawn)
     }
 
+    /// Gives back what the programs hold on the device; the next frame of each strategy is built anew.
+    pub fn forget(&mut self) {
+        self.slots.clear();
+    }
+
     /// Runs the last frame of a strategy again on some clocks, for its times.
     pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
         self.slot(&strategy.to_string())?
