@@ -38,19 +38,35 @@ struct Cell {
     twist: f32,
 }
 
-fn cell_at(surface: u32, cell: vec2<i32>) -> Cell {
-    let first = cut_table.surfaces[surface].first_texel;
-    let size = cut_table.surfaces[surface].map_size;
-    let wrap = cut_table.surfaces[surface].wrap;
-    let x0 = wrapped(cell.x, size.x, wrap);
-    let x1 = wrapped(cell.x + 1, size.x, wrap);
-    let y0 = first + wrapped(cell.y, size.y, wrap) * size.x;
-    let y1 = first + wrapped(cell.y + 1, size.y, wrap) * size.x;
+// Where the map of a clip-surface is and how it goes on: loaded once, for a loop that writes would load it in every turn.
+struct Map {
+    first: u32,
+    size: vec2<u32>,
+    wrap: u32,
+}
+
+fn map_of(surface: u32) -> Map {
+    return Map(
+        cut_table.surfaces[surface].first_texel,
+        cut_table.surfaces[surface].map_size,
+        cut_table.surfaces[surface].wrap,
+    );
+}
+
+fn cell_of(map: Map, cell: vec2<i32>) -> Cell {
+    let x0 = wrapped(cell.x, map.size.x, map.wrap);
+    let x1 = wrapped(cell.x + 1, map.size.x, map.wrap);
+    let y0 = map.first + wrapped(cell.y, map.size.y, map.wrap) * map.size.x;
+    let y1 = map.first + wrapped(cell.y + 1, map.size.y, map.wrap) * map.size.x;
     let h00 = heights[y0 + x0];
     let h10 = heights[y0 + x1];
     let h01 = heights[y1 + x0];
     let h11 = heights[y1 + x1];
     return Cell(h00, vec2<f32>(h10 - h00, h01 - h00), (h11 - h10) - (h01 - h00));
+}
+
+fn cell_at(surface: u32, cell: vec2<i32>) -> Cell {
+    return cell_of(map_of(surface), cell);
 }
 
 fn height_in(cell: Cell, at: vec2<f32>) -> f32 {

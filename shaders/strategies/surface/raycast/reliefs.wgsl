@@ -12,7 +12,7 @@
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
-#import cutaway::relief::{cell_at, height_in}
+#import cutaway::relief::{cell_of, height_in, map_of}
 
 override capacity: u32 = 8u;
 override mask_words: u32 = 1u;
@@ -52,21 +52,23 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     let y = vec2<f32>(texel_y.x + walk.x * texel_y.y, texel_y.y);
     let over_plane = vec2<f32>(height.x + walk.x * height.y, height.y);
     let end = walk.y - walk.x;
+    let map = map_of(surface);
     let relief_scale = cut_table.surfaces[surface].scale.z;
     let step = vec2<i32>(select(-1, 1, x.y > 0.0), select(-1, 1, y.y > 0.0));
     // The border ahead of cell i is i + 1 when walking up, i when walking down.
     let ahead = vec2<i32>(select(0, 1, x.y > 0.0), select(0, 1, y.y > 0.0));
+    let cell_limit = cut_table.surfaces[surface].cell_limit;
     var cell = vec2<i32>(vec2<f32>(floor(x.x), floor(y.x)));
     var entry = 0.0;
     var kept = true;
     var begun = false;
-    for (var n = 0u; n < cut_table.surfaces[surface].cell_limit; n++) {
+    for (var n = 0u; n < cell_limit; n++) {
         let border_x = depth_at_border(cell.x + ahead.x, x);
         let border_y = depth_at_border(cell.y + ahead.y, y);
         let exit = max(entry, min(end, min(border_x, border_y)));
         let length = exit - entry;
 
-        let form = cell_at(surface, cell);
+        let form = cell_of(map, cell);
         let at = vec2<f32>(x.x + entry * x.y - f32(cell.x), y.x + entry * y.y - f32(cell.y));
         let slope = form.along + form.twist * at.yx;
         let a = relief_scale * form.twist * x.y * y.y;
