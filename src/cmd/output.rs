@@ -71,8 +71,29 @@ pub(super) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     check_folder(&culprit, path)
 }
 
-/// At most one result can be on standard output.
-pub(super) fn only_one_stdout(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
+/// The file that a path names, by whichever words.
+fn place_of(path: &Path) -> PathBuf {
+    let folder = fs::canonicalize(folder_of(path)).unwrap_or_else(|_| folder_of(path).to_owned());
+    folder.join(path.file_name().unwrap_or_default())
+}
+
+/// Every result has a place of its own: one at most is on standard output, and none replaces another.
+pub(super) fn no_place_twice(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
+    for (i, (option, output)) in outputs.iter().enumerate() {
+        let place = |o: Option<&Output>| o.and_then(Output::path).map(place_of);
+        let same = |(_, o): &&(&str, Option<&Output>)| place(*o) == place(*output);
+        if let (Some(path), Some((first, _))) = (
+            output.and_then(Output::path),
+            outputs[..i].iter().find(same),
+        ) && !is_special(path)
+        {
+            return Err(Error::input(
+                format!("{option} {}", path.display()),
+                format!("it is the file of {first}"),
+                "give each its own name",
+            ));
+        }
+    }
     let taken: Vec<&str> = outputs
         .iter()
         .filter(|(_, o)| *o == Some(&Output::Stdout))
@@ -221,10 +242,22 @@ mod tests {
     #[test]
     fn standard_output_carries_one_result() {
         let (file, stdout) = (Output::File("a".into()), Output::Stdout);
-        assert!(only_one_stdout(&[("-o", Some(&file)), ("--json", Some(&stdout))]).is_ok());
-        assert!(only_one_stdout(&[("-o", None), ("--json", Some(&stdout))]).is_ok());
-        let both = only_one_stdout(&[("-o", Some(&stdout)), ("--json", Some(&stdout))]);
+        assert!(no_place_twice(&[("-o", Some(&file)), ("--json", Some(&stdout))]).is_ok());
+        assert!(no_place_twice(&[("-o", None), ("--json", Some(&stdout))]).is_ok());
+        let both = no_place_twice(&[("-o", Some(&stdout)), ("--json", Some(&stdout))]);
         assert!(both.unwrap_err().to_string().contains("--json -"));
+    }
+
+    #[test]
+    fn no_result_replaces_another() {
+        let (plain, dotted) = (Output::File("a".into()), Output::File("./a".into()));
+        let message = no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&dotted))])
+            .unwrap_err()
+            .to_string();
+        assert!(message.contains("the file of -o"), "{message}");
+        let other = Output::File("b/a".into());
+        assert!(no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&other))]).is_ok());
+        assert!(no_place_twice(&[("-o", None), ("--json", None)]).is_ok());
     }
 
     #[cfg(unix)]

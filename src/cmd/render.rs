@@ -11,7 +11,7 @@ use super::console::{Console, ConsoleArgs};
 use super::image_test::{self, Finding};
 use super::layers_file;
 use super::open::{Opened, open};
-use super::output::{Output, only_one_stdout, write_file};
+use super::output::{Output, no_place_twice, write_file};
 use super::picture::{self, Backdrop, Drawer, Style};
 use crate::exact::evaluate;
 use crate::layers::{Kind, Layers};
@@ -176,7 +176,7 @@ impl Outputs {
             json: optional("--json", &args.json, &[])?,
             layers: optional("--layers", &args.layers, &["exr"])?,
         };
-        only_one_stdout(&[
+        no_place_twice(&[
             ("--output", Some(&outputs.picture)),
             ("--json", outputs.json.as_ref()),
             ("--layers", outputs.layers.as_ref()),
