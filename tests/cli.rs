@@ -576,6 +576,37 @@ fn a_section_that_misses_the_model_is_a_warning() {
 }
 
 #[test]
+fn whichever_half_stays_the_cut_is_seen() {
+    let folder = Scratch::new("seen");
+    for section in ["x=50%", "-x=50%", "y=50%", "-y=50%", "z=50%", "-z=50%"] {
+        let ran = folder
+            .run(&format!(
+                "render shape:sphere --section {section} --resolution 64,48 -o out.png --json -"
+            ))
+            .exits(0);
+        let cap_px = ran.json()["cap_px"].as_u64().unwrap();
+        assert!(cap_px > 100, "{section}: {cap_px} px");
+    }
+    for (options, said) in [
+        (
+            "--section x=50% --camera-azimuth-angle 90",
+            "note: no cap is seen",
+        ),
+        (
+            "--camera-position 0,0,9 --camera-focal-point 0,0,20",
+            "warning: the picture is empty",
+        ),
+    ] {
+        let ran = folder
+            .run(&format!(
+                "render shape:sphere {options} --resolution 64,48 -o out.png"
+            ))
+            .exits(0);
+        assert!(ran.stderr.contains(said), "{options}: {}", ran.stderr);
+    }
+}
+
+#[test]
 fn an_open_mesh_is_drawn_with_a_warning() {
     let folder = Scratch::new("open");
     let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";

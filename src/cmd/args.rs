@@ -6,10 +6,13 @@ use glam::DVec3;
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
-use crate::scene::{Bounds, Camera, Pose, Projection, Up};
+use crate::scene::{Bounds, Camera, Cut, Pose, Projection, Up};
 
 /// Most pixels along a side of a picture.
 const LARGEST_SIDE: u32 = 16_384;
+
+/// A cut face counts as seen if the cosine between its normal and the view is more.
+const LEAST_COSINE: f64 = 0.1;
 
 /// What is drawn, how it is cut, and where it is seen from.
 #[derive(Args)]
@@ -22,7 +25,7 @@ pub(super) struct SceneArgs {
     #[command(flatten)]
     pub(super) camera: CameraArgs,
     /// Width and height of the picture in pixels [default: that of the scene, or 1024,768]
-    #[arg(long, value_name = "W,H", value_parser = parse_resolution, help_heading = "Output")]
+    #[arg(long, value_name = "W,H", value_parser = parse_resolution, allow_hyphen_values = true, help_heading = "Output")]
     pub(super) resolution: Option<[u32; 2]>,
 }
 
@@ -59,7 +62,7 @@ pub(super) struct CameraArgs {
         help_heading = "Camera"
     )]
     view_up: Option<DVec3>,
-    /// Turn around the up axis, in degrees [default: 35]
+    /// Turn around the up axis, in degrees [default: that of the scene, or 35, mirrored to where the cut is seen]
     #[arg(
         long = "camera-azimuth-angle",
         value_name = "DEG",
@@ -68,7 +71,7 @@ pub(super) struct CameraArgs {
         help_heading = "Camera"
     )]
     azimuth_deg: Option<f64>,
-    /// Height above the horizon, in degrees [default: 25]
+    /// Height above the horizon, in degrees [default: that of the scene, or 25, from below if only so the cut is seen]
     #[arg(
         long = "camera-elevation-angle",
         value_name = "DEG",
@@ -86,6 +89,7 @@ pub(super) struct CameraArgs {
         value_name = "FACTOR",
         default_value = "1",
         value_parser = parse_zoom,
+        allow_hyphen_values = true,
         help_heading = "Camera"
     )]
     pub(super) zoom: f64,
@@ -110,6 +114,47 @@ enum UpAxis {
 }
 
 impl CameraArgs {
+    /// The usual camera, from where most of the cut's faces are seen: half of all sections would show only their backs.
+    pub(super) fn usual(&self, cuts: &[Cut], bounds: &Bounds) -> Result<Camera> {
+        let plain = self.apply(Camera::default(), bounds)?;
+        let Pose::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } = plain.pose
+        else {
+            return Ok(plain);
+        };
+        let azimuths = match self.azimuth_deg {
+            Some(given) => vec![given],
+            None => [0.0, 180.0]
+                .iter()
+                .flat_map(|back| [azimuth_deg + back, -azimuth_deg - back])
+                .collect(),
+        };
+        let elevations = match self.elevation_deg {
+            Some(given) => vec![given],
+            None => vec![elevation_deg, -elevation_deg],
+        };
+        let mut best = (0, plain);
+        for elevation_deg in elevations {
+            for azimuth_deg in &azimuths {
+                let pose = Pose::Orbit {
+                    azimuth_deg: *azimuth_deg,
+                    elevation_deg,
+                };
+                let camera = Camera { pose, ..plain };
+                let forward = camera.view(|p| p, 1.0, *bounds, [1, 1]).forward;
+                let seen = (cuts.iter().flat_map(|c| &c.surfaces))
+                    .filter(|s| s.frame().normal.dot(forward) > LEAST_COSINE)
+                    .count();
+                if seen > best.0 {
+                    best = (seen, camera);
+                }
+            }
+        }
+        Ok(best.1)
+    }
+
     /// The scene's camera with what the options say instead.
     pub(super) fn apply(&self, mut camera: Camera, bounds: &Bounds) -> Result<Camera> {
         if let Some(up) = self.up {
@@ -162,12 +207,17 @@ impl CameraArgs {
         if let Some(view_up) = self.view_up
             && view_up.normalize_or_zero().cross(forward).length() < 1e-9
         {
+            let across = if up.cross(forward).length() < 1e-9 {
+                DVec3::new(up.z, up.x, up.y)
+            } else {
+                up
+            };
             return Err(crate::Error::input(
                 "--camera-view-up",
                 "it points along the viewing direction, or nowhere",
                 format!(
                     "give a direction across it, for example {},{},{}",
-                    up.x, up.y, up.z
+                    across.x, across.y, across.z
                 ),
             ));
         }
@@ -185,7 +235,7 @@ pub(super) struct DeviceArgs {
     /// Part of the adapter's name [default: the fastest]
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
-    /// Who rasterises the mesh
+    /// Who rasterises the mesh: hardware is the only one so far
     #[arg(
         long,
         value_name = "WHO",
@@ -245,7 +295,7 @@ pub(super) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
 
 fn parse_finite(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-    number.ok_or_else(|| "it must be a finite number".to_owned())
+    number.ok_or_else(|| "it must be a finite number, for example 1.5".to_owned())
 }
 
 fn parse_zoom(text: &str) -> Result<f64, String> {

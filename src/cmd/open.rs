@@ -56,7 +56,11 @@ pub(super) fn open(args: &SceneArgs, console: &Console) -> Result<Opened> {
     };
     args.sections.apply(&mut opened.scene)?;
     let bounds = opened.scene.bounds();
-    opened.scene.camera = args.camera.apply(opened.scene.camera, &bounds)?;
+    opened.scene.camera = if args.inputs.iter().any(|i| is_scene(i)) {
+        args.camera.apply(opened.scene.camera, &bounds)?
+    } else {
+        args.camera.usual(&opened.scene.cuts, &bounds)?
+    };
     opened.size_px = args.resolution.unwrap_or(opened.size_px);
     opened.zoom = args.camera.zoom;
     warn_of_misses(&opened.scene, console);

@@ -13,11 +13,13 @@ use super::layers_file;
 use super::open::{Opened, open};
 use super::output::{Output, no_place_twice, write_file};
 use super::picture::{self, Backdrop, Drawer, Style};
+use super::sections::words_of;
 use crate::exact::evaluate;
 use crate::layers::{Kind, Layers};
 use crate::passes::Model;
 use crate::plan::Clock;
 use crate::report::PerClock;
+use crate::scene::section_misses;
 use crate::session::{Outcome, Session};
 use crate::strategies::Strategy;
 use crate::{Error, Result};
@@ -57,7 +59,8 @@ pub(super) struct RenderArgs {
     /// Outcome, times, bytes and counts of pixels as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// Depth, kind, part, clip-surface and normal of every pixel, .exr
+    /// Depth (infinite where nothing is), kind (0 nothing, 1 surface, 2 cap), part and clip-surface (numbered from 0; -1
+    /// is none) and normal of every pixel, .exr
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     layers: Option<String>,
     /// Compare the picture with this one: exit 1 and a .diff.png beside the output where it differs
@@ -110,11 +113,16 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
 
     console.step(drawer.to_string());
     let facts = Facts::of(&mut session, &model, &opened, drawer, &outputs)?;
-    if let Some(unreliable) = facts.unreliable_px() {
-        console.warn(format!(
+    match facts.unreliable_px() {
+        // What a full buffer dropped is told below, and need not be a fault of the mesh.
+        Some(unreliable) if facts.outcome == Outcome::Complete => console.warn(format!(
             "{unreliable} pixels cannot be vouched for: along their rays the mesh is open\n  mend: `cutaway inspect` \
              says where; close the holes"
-        ));
+        )),
+        _ => {}
+    }
+    if let Some(layers) = &facts.layers {
+        note_what_is_not_seen(layers, &opened, &console);
     }
     console.step("picture");
     let style = Style {
@@ -154,6 +162,26 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         }
     }
     Ok(verdict)
+}
+
+/// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
+fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &Console) {
+    let mut surfaces = opened.scene.cuts.iter().flat_map(|c| &c.surfaces);
+    let bounds = opened.scene.bounds();
+    if surfaces.any(|s| section_misses(s, &bounds)) {
+        // That has been said.
+    } else if layers.count(Kind::Background) == layers.pixels.len() {
+        console.warn(format!(
+            "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  mend: keep the \
+             other side (--flip), move the section, or leave the camera options out",
+            words_of(&bounds)
+        ));
+    } else if !opened.scene.cuts.is_empty() && layers.count(Kind::Cap) == 0 {
+        console.note(
+            "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \
+             --camera-azimuth-angle and --flip)",
+        );
+    }
 }
 
 /// Where results go.
