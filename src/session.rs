@@ -47,7 +47,8 @@ impl Outcome {
     }
 }
 
-/// A frame that was drawn.
+/// A frame that was asked for: whether it was drawn, and what that took.
+#[must_use = "a strategy may have refused the scene"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
     /// How it ended.
@@ -58,23 +59,24 @@ pub struct Drawn {
     pub times: RunTimes,
 }
 
-impl Drawn {
-    fn refused(reason: String) -> Self {
-        Self {
-            outcome: Outcome::Refused(reason),
-            clocks: ClockSet::NONE,
-            times: RunTimes::default(),
-        }
-    }
-}
-
 #[derive(Default)]
 struct Slot {
     program: Program,
     capacities: Option<Capacities>,
     size_px: [u32; 2],
-    /// The last call drew a frame, so there is something to read.
-    drawn: bool,
+    /// Why the last call left no frame to read, if it did.
+    refused: Option<String>,
+}
+
+impl Slot {
+    fn refuse(&mut self, reason: String) -> Drawn {
+        self.refused = Some(reason.clone());
+        Drawn {
+            outcome: Outcome::Refused(reason),
+            clocks: ClockSet::NONE,
+            times: RunTimes::default(),
+        }
+    }
 }
 
 /// A device and the programs on it.
@@ -101,7 +103,7 @@ impl Session {
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
         let slot = self.slots.entry(strategy.to_string()).or_default();
         slot.size_px = view.size_px;
-        slot.drawn = false;
+        slot.refused = Some("it has drawn no frame".to_owned());
         let mut overflow = String::new();
         let mut last = None;
         let mut owed = ClockSet::NONE;
@@ -109,11 +111,11 @@ impl Session {
             let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
             let plan = match strategies::record(model, view, strategy, capacities) {
                 Ok(plan) => plan,
-                Err(refusal) => return Ok(Drawn::refused(refusal.reason)),
+                Err(refusal) => return Ok(slot.refuse(refusal.reason)),
             };
             let changed = match slot.program.load(&self.gpu, plan) {
                 Ok(changed) => changed,
-                Err(Error::Limit(reason)) => return Ok(Drawn::refused(reason)),
+                Err(Error::Limit(reason)) => return Ok(slot.refuse(reason)),
                 Err(e) => return Err(e),
             };
             let clocks = changed.union(owed);
@@ -146,7 +148,7 @@ impl Session {
             owed = clocks;
         }
         let mut drawn = last.ok_or_else(|| Error::Plan("no frame was drawn".to_owned()))?;
-        slot.drawn = true;
+        slot.refused = None;
         if !overflow.is_empty() {
             drawn.outcome = Outcome::Overflowed(overflow);
         }
@@ -193,7 +195,14 @@ impl Session {
     }
 
     fn slot(&self, name: &str) -> Result<&Slot> {
-        let drawn = self.slots.get(name).filter(|slot| slot.drawn);
-        drawn.ok_or_else(|| Error::Plan(format!("{name} has drawn no frame to look at")))
+        let none = |why: &str| Error::Plan(format!("{name} has no frame to look at: {why}"));
+        let slot = self
+            .slots
+            .get(name)
+            .ok_or_else(|| none("it was never asked for one"))?;
+        match &slot.refused {
+            Some(reason) => Err(none(reason)),
+            None => Ok(slot),
+        }
     }
 }

@@ -6,7 +6,7 @@
 
 mod common;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use common::{Question, session, strategy};
 use cutaway::compare::Comparison;
@@ -46,7 +46,7 @@ fn files(folders: &[&str]) -> Vec<PathBuf> {
 }
 
 /// A file, cut through the middle of its bounds.
-fn cut(file: &PathBuf, relief: Option<&str>) -> Scene {
+fn cut(file: &Path, relief: Option<&str>) -> Scene {
     let parts = load_mesh_file(file).expect("a mesh that loads").parts;
     let mut scene = Scene {
         parts,
