@@ -3,7 +3,8 @@
 //! World space may be far from the origin, tiny or huge; f32 would lose the model. Scene space is world space moved by the
 //! bounds' centre and scaled by a power of two, so that the model has a radius between 1/2 and 1. A power of two and an
 //! offset with few bits keep simple coordinates exact: a plane through a face still goes through it. Vertices and the
-//! origins of clip-surfaces are rounded to f32 once, here, and everybody takes them from here.
+//! origins of clip-surfaces are rounded to f32 once, here, and everybody takes them from here. An origin may be far from the
+//! model all the same; there its coordinates keep their f64, since rounding them would move the cut.
 //!
 //! Parts are ranked by who wins where solids share a point: higher priority first, then the smaller solid. `parts[0]` wins
 //! over all; layers name parts by their index in [`Scene::parts`], kept in [`PreparedPart::part`].
@@ -14,8 +15,8 @@ use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, Cut, DEFAULT_CREASE_DEG, Material, OffsetMap, Part, Scene, ShadingMesh,
-    SurfaceFrame, View, Wrap,
+    Bounds, Camera, ClipSurface, Cut, DEFAULT_CREASE_DEG, Material, OffsetMap, Part, Scene,
+    ShadingMesh, SurfaceFrame, View, Wrap,
 };
 
 /// A part in scene space.
@@ -44,7 +45,7 @@ pub struct PreparedPart {
 /// A clip-surface in scene space. `T = map_from_scene * (P - origin)`, kept height `(P - origin).N + f(T).height_scale`.
 #[derive(Clone, Debug)]
 pub struct PreparedSurface {
-    /// `O`, rounded to f32.
+    /// `O`, rounded to f32 where it is near the model; of a relief that repeats, the repeat of `O` near the model.
     pub origin: DVec3,
     /// `Û`, `V̂`, `N`.
     pub frame: SurfaceFrame,
@@ -136,18 +137,11 @@ impl Prepared {
         let mut cuts = Vec::new();
         for cut in &scene.cuts {
             let first = surfaces.len();
-            surfaces.extend(cut.surfaces.iter().map(|s| PreparedSurface {
-                origin: to_scene(s.origin).as_vec3().as_dvec3(),
-                frame: s.frame(),
-                map_per_unit: [
-                    s.scale.x / (s.u.length() * scale),
-                    s.scale.y / (s.v.length() * scale),
-                ],
-                height_scale: s.scale.z * scale,
-                relief: s.relief.clone(),
-                wrap: s.wrap,
-                cut: cuts.len(),
-            }));
+            surfaces.extend(
+                cut.surfaces
+                    .iter()
+                    .map(|s| PreparedSurface::place(s, to_scene(s.origin), scale, cuts.len())),
+            );
             cuts.push(PreparedCut {
                 name: cut.name.clone(),
                 surfaces: (first..surfaces.len()).collect(),
@@ -186,6 +180,54 @@ impl Prepared {
     /// How many triangles all parts have.
     pub fn triangle_count(&self) -> usize {
         self.parts.iter().map(|p| p.triangles.len()).sum()
+    }
+}
+
+/// Coordinates up to this are rounded as those of vertices are: the model reaches to 1.
+const NEAR_MODEL: f64 = 4.0;
+
+impl PreparedSurface {
+    /// Moves a clip-surface to scene space, where its origin is `origin`.
+    fn place(surface: &ClipSurface, origin: DVec3, scale: f64, cut: usize) -> Self {
+        let mut placed = Self {
+            origin,
+            frame: surface.frame(),
+            map_per_unit: [
+                surface.scale.x / (surface.u.length() * scale),
+                surface.scale.y / (surface.v.length() * scale),
+            ],
+            height_scale: surface.scale.z * scale,
+            relief: surface.relief.clone(),
+            wrap: surface.wrap,
+            cut,
+        };
+        placed.come_near();
+        placed
+    }
+
+    /// Moves a far origin by whole repeats of the map to where f32 tells texels apart, and rounds what is near.
+    fn come_near(&mut self) {
+        let repeats = match self.wrap {
+            Wrap::Repeat => 1.0,
+            Wrap::Mirror => 2.0,
+            Wrap::Clamp => 0.0,
+        };
+        let far = self.origin.abs().max_element() > NEAR_MODEL;
+        if far && repeats > 0.0 && self.relief.is_some() {
+            let axes = [self.frame.u_hat, self.frame.v_hat];
+            for (axis, per_unit) in axes.into_iter().zip(self.map_per_unit) {
+                let period = repeats / per_unit.abs();
+                let whole = (self.origin.dot(axis) / period).round() * period;
+                if whole.is_finite() {
+                    self.origin -= axis * whole;
+                }
+            }
+        }
+        for c in self.origin.as_mut() {
+            if c.abs() <= NEAR_MODEL {
+                *c = f64::from(*c as f32);
+            }
+        }
     }
 }
 
@@ -250,6 +292,8 @@ fn normal_matrix(m: DMat3) -> DMat3 {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
+
     use super::*;
     use crate::scene::Mesh;
 
@@ -295,5 +339,41 @@ mod tests {
             DVec3::new(0.75, 0.25, 0.25),
             "the round trip moved a vertex"
         );
+    }
+
+    #[test]
+    fn a_far_origin_does_not_move_the_cut() {
+        let normal = DVec3::new(3.0, 1.0, 0.5);
+        let far = normal.cross(DVec3::Z).normalize() * 1e6;
+        for wrap in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp] {
+            for relief in [false, true] {
+                let mut scene = triangle_at(DVec3::ZERO, 1.0);
+                let mut surface = ClipSurface::plane(far, normal);
+                surface.wrap = wrap;
+                surface.scale = DVec3::new(0.3, -0.7, 0.1);
+                if relief {
+                    let map = OffsetMap::new([3, 2], vec![0.0, 0.7, 0.2, 0.9, 0.1, 0.4]);
+                    surface.relief = Some(Arc::new(map.expect("finite heights")));
+                }
+                scene.cuts = vec![Cut::of("far", vec![surface.clone()])];
+                let prepared = Prepared::of(&scene);
+                let placed = &prepared.surfaces[0];
+                for point in [DVec3::ZERO, DVec3::new(0.3, 0.6, 0.1), DVec3::NEG_ONE] {
+                    let d = (point - prepared.centre_in_world) * prepared.scale - placed.origin;
+                    let texture = DVec2::new(
+                        d.dot(placed.frame.u_hat) * placed.map_per_unit[0],
+                        d.dot(placed.frame.v_hat) * placed.map_per_unit[1],
+                    );
+                    let height = (placed.relief.as_ref())
+                        .map_or(0.0, |m| m.sample(wrap, texture).0 * placed.height_scale);
+                    let kept = (d.dot(placed.frame.normal) + height) / prepared.scale;
+                    let wanted = surface.kept_height(point);
+                    assert!(
+                        (kept - wanted).abs() < 1e-6,
+                        "{wrap:?}, relief {relief}, {point}: {kept} instead of {wanted}"
+                    );
+                }
+            }
+        }
     }
 }
