@@ -21,6 +21,8 @@ struct List {
     found: u32,
     // Sides where the ray starts.
     sides: u32,
+    // There may be more crossings than were found.
+    cut_short: bool,
 }
 
 fn put(at: u32, z: f32, surface: u32) {
@@ -65,9 +67,10 @@ fn add(list: ptr<function, List>, z: f32, surface: u32, enters_kept: bool) {
 // Writes the head of the list.
 fn finish(list: ptr<function, List>) {
     let stored = min((*list).found, (*list).capacity);
-    let overflow = (*list).found > (*list).capacity;
+    let overflow = (*list).found > (*list).capacity || (*list).cut_short;
     crossing_heads[(*list).pixel] = vec2<u32>(stored | select(0u, 0x80000000u, overflow), (*list).sides);
     if overflow {
-        atomicMax(&need[0], (*list).found);
+        // How many a list that was cut short needs is not known: more than any list holds.
+        atomicMax(&need[0], max((*list).found, select(0u, 255u, (*list).cut_short)));
     }
 }

@@ -93,6 +93,10 @@ fn cut_table(surface_count: u32) -> CutTable {
 const PER_CASE: usize = 2 + 2 * MOST + 1;
 
 fn ask(cases: &[Case], surface_count: u32) -> Vec<Vec<u32>> {
+    ask_after(cases, surface_count, false)
+}
+
+fn ask_after(cases: &[Case], surface_count: u32, cut_short: bool) -> Vec<Vec<u32>> {
     let shader = format!(
         "#import cutaway::crossing_list::{{List, add, finish, crossing_heads, crossing_z, crossing_surface, need}}
 #import cutaway::frame::pixel_count
@@ -103,7 +107,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     let pixel = id.x;
     if pixel >= pixel_count() {{ return; }}
     let capacity = cases[pixel][0];
-    var list = List(pixel, capacity, 0u, 0x80000001u);
+    var list = List(pixel, capacity, 0u, 0x80000001u, {cut_short});
     for (var i = 0u; i < cases[pixel][1]; i++) {{
         let what = cases[pixel][3u + 3u * i];
         let enters = cases[pixel][4u + 3u * i] != 0u;
@@ -324,5 +328,16 @@ fn rank_of(z: f32, pixel: u32) -> Rank {
 }";
         let (wrong, of) = wrong_ranks(planted, surface_count);
         assert!(wrong * 10 > of, "only {wrong} of {of} show it");
+    }
+}
+
+#[test]
+fn a_walk_that_is_cut_short_is_told_and_claims_no_crossing_that_was_not_stored() {
+    let cases = cases();
+    let given = ask_after(&cases, 32, true);
+    for (case, words) in cases.iter().zip(&given) {
+        let stored = case.crossings.len().min(case.capacity) as u32;
+        assert_eq!(words[0], stored | 1 << 31, "{case:?}");
+        assert!(words[PER_CASE - 1] >= 255, "{case:?} tells no need");
     }
 }

@@ -16,7 +16,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear(pixel, mask_words);
-    var list = List(pixel, capacity, 0u, 0u);
+    var list = List(pixel, capacity, 0u, 0u, false);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {

@@ -110,7 +110,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         entry = exit;
     }
     // Cells beyond the limit are not walked: say so.
-    (*list).found = max((*list).found, 255u);
+    (*list).cut_short = true;
 }
 
 @compute @workgroup_size(16, 16)
@@ -120,7 +120,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear(pixel, mask_words);
-    var list = List(pixel, capacity, 0u, 0u);
+    var list = List(pixel, capacity, 0u, 0u, false);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
