@@ -4,8 +4,17 @@
 //! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
 //! called cut though only its box is.
 
-use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
+use crate::plan::pack::{MAX_CUTS, MAX_SURFACES, flat_height};
 use crate::scene::{Bounds, Prepared, PreparedSurface, View};
+
+/// Parts that the 16 bits of a layer can name.
+const MOST_PARTS: usize = 1 << 16;
+/// Clip-surfaces that the 8 bits of a layer can name beside the near plane.
+const MOST_NAMED_SURFACES: usize = 255;
+/// Texels from an origin at which f32 still has two bits for the place within a texel.
+const MOST_TEXELS: f64 = (1 << 22) as f64;
+/// Height of a relief times texels per unit of which the square, in the discriminant of a crossing, is still an f32.
+const STEEPEST: f64 = 1e18;
 
 /// How a part is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +58,12 @@ enum Side {
 impl Relevance {
     /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
     pub fn of(prepared: &Prepared, view: &View) -> Result<Self, String> {
+        if prepared.parts.len() > MOST_PARTS {
+            return Err(format!(
+                "{} parts are more than the {MOST_PARTS} that layers can name",
+                prepared.parts.len()
+            ));
+        }
         let mut surfaces: Vec<usize> = Vec::new();
         let mut cuts: Vec<(usize, u32)> = Vec::new();
         let mut parts = Vec::with_capacity(prepared.parts.len());
@@ -109,6 +124,11 @@ impl Relevance {
         let near_inside = order[..lanes]
             .iter()
             .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
+        for number in &surfaces {
+            if let Some(reason) = beyond_words(*number, &prepared.surfaces[*number], &cut_box) {
+                return Err(reason);
+            }
+        }
         Ok(Self {
             surfaces,
             cuts: cuts.into_iter().map(|(_, bits)| bits).collect(),
@@ -142,6 +162,43 @@ impl Relevance {
     pub fn place_of(&self, rank: usize) -> usize {
         self.order.iter().position(|r| *r == rank).unwrap_or(0)
     }
+}
+
+/// Why a clip-surface is more than the words of a frame can hold, if it is.
+fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Option<String> {
+    if number >= MOST_NAMED_SURFACES {
+        return Some(format!(
+            "clip-surface {number} meets the parts, but layers can name only the first {MOST_NAMED_SURFACES}"
+        ));
+    }
+    let map = surface.relief.as_ref()?;
+    if flat_height(surface).is_some() {
+        return None;
+    }
+    let axes = [surface.frame.u_hat, surface.frame.v_hat];
+    let mut steepest = 1.0_f64;
+    for i in 0..2 {
+        let per_unit = surface.map_per_unit[i].abs() * f64::from(map.size[i]);
+        let reach = cut_box
+            .corners()
+            .map(|c| ((c - surface.origin).dot(axes[i]) * per_unit).abs())
+            .into_iter()
+            .fold(0.0, f64::max);
+        if reach > MOST_TEXELS {
+            return Some(format!(
+                "the relief of clip-surface {number} reaches {reach:.1e} texels across the parts; f32 tells \
+                 {MOST_TEXELS:.1e} apart"
+            ));
+        }
+        steepest = steepest.max(per_unit);
+    }
+    let [low, high] = map.range().map(|h| f64::from(h) * surface.height_scale);
+    let height = low.abs().max(high.abs());
+    (height * steepest > STEEPEST).then(|| {
+        format!(
+            "the relief of clip-surface {number} is {height:.1e} high, more than f32 can square"
+        )
+    })
 }
 
 fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {

@@ -5,6 +5,9 @@ use cutaway::plan::{
     Access, Binding, Contents, DepthCompare, Format, Limits, Resource, ResourceId, Role, Shape,
 };
 
+use cutaway::passes::Relevance;
+use cutaway::scene::{Mesh, Part};
+
 use super::*;
 
 const RESOLUTIONS: [[u32; 2]; 5] = [[1, 1], [64, 64], [1024, 768], [1920, 1080], [3840, 2160]];
@@ -112,6 +115,48 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
     let cuts = (0..32).map(|_| planes(0.1, 1)).collect();
     let plan = plan_of(&scene_of(&["cube"], cuts), &Strategy::RAYCAST_MASK);
     assert_eq!(broken_limit(&plan), None, "32 cuts");
+
+    // A cut beyond the 255 that layers can name is refused where it matters, and nowhere else.
+    let missing = || planes(-100.0, 1);
+    let mut cuts: Vec<Cut> = (0..255).map(|_| missing()).collect();
+    cuts.push(planes(0.1, 1));
+    let told = refusal(&scene_of(&["cube"], cuts.clone()), "raycast+mask");
+    assert!(told.contains("clip-surface 255"), "{told}");
+    cuts.swap(254, 255);
+    let plan = plan_of(&scene_of(&["cube"], cuts), &Strategy::RAYCAST_MASK);
+    assert_eq!(broken_limit(&plan), None, "clip-surface 254");
+
+    let with = |change: &dyn Fn(&mut ClipSurface)| {
+        let mut cut = reliefs(0.1, 1);
+        change(&mut cut.surfaces[0]);
+        refusal(&scene_of(&["cube"], vec![cut]), "raycast+mask")
+    };
+    let told = with(&|s| s.scale.x = 1e9);
+    assert!(told.contains("texels across"), "{told}");
+    let told = with(&|s| s.scale.z = 1e30);
+    assert!(told.contains("high"), "{told}");
+}
+
+#[test]
+fn more_parts_than_a_layer_can_name_are_refused() {
+    let corner = Mesh {
+        positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+        triangles: vec![[0, 1, 2]],
+        corner_normals: None,
+    };
+    let mut scene = Scene {
+        parts: vec![Part::new("corner", corner); 1 << 16],
+        ..Scene::default()
+    };
+    let recorded = |scene: &Scene| {
+        let model = Model::of(scene);
+        let view = model.prepared.view(SIZE);
+        Relevance::of(&model.prepared, &view).map(|_| ())
+    };
+    assert_eq!(recorded(&scene), Ok(()), "65536 parts");
+    scene.parts.push(scene.parts[0].clone());
+    let told = recorded(&scene).expect_err("65537 parts");
+    assert!(told.contains("65537 parts"), "{told}");
 }
 
 /// Why a plan that was good is refused once it is broken.
