@@ -41,7 +41,7 @@ pub struct Relevance {
     pub order: Vec<usize>,
     /// How many parts need an inside test.
     pub lanes: usize,
-    /// The near plane meets a part that needs an inside test, and is to be capped.
+    /// The near plane meets a part that needs an inside test.
     pub near_inside: bool,
     /// Box around the parts that cuts reach.
     pub cut_box: Bounds,
@@ -68,21 +68,17 @@ impl Relevance {
         let mut cuts: Vec<(usize, u32)> = Vec::new();
         let mut parts = Vec::with_capacity(prepared.parts.len());
         for part in &prepared.parts {
+            // What removes a part altogether is asked first: the other cuts of such a part do not matter.
+            let reached: Vec<(usize, bool)> = (part.cuts.iter())
+                .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, &part.bounds)?)))
+                .collect();
+            if reached.iter().any(|(_, all)| *all) {
+                parts.push(Treatment::Removed);
+                continue;
+            }
             let mut bits = 0_u32;
-            let mut removed = false;
-            for cut in &part.cuts {
+            for (cut, _) in &reached {
                 let numbers = &prepared.cuts[*cut].surfaces;
-                let sides: Vec<Side> = numbers
-                    .iter()
-                    .map(|s| side_of(&prepared.surfaces[*s], &part.bounds))
-                    .collect();
-                if sides.contains(&Side::Kept) {
-                    continue;
-                }
-                if sides.iter().all(|s| *s == Side::Removed) {
-                    removed = true;
-                    continue;
-                }
                 let index = match cuts.iter().position(|(c, _)| c == cut) {
                     Some(index) => index,
                     None => {
@@ -100,10 +96,9 @@ impl Relevance {
                 bits |= 1 << index;
             }
             let near = view.near_cap && view.near_plane_meets(&part.bounds);
-            parts.push(match (removed, bits) {
-                (true, _) => Treatment::Removed,
-                (false, 0) if !near => Treatment::Plain,
-                (false, bits) => Treatment::Cut(bits),
+            parts.push(match bits {
+                0 if !near => Treatment::Plain,
+                bits => Treatment::Cut(bits),
             });
         }
         let of_kind = |wanted: fn(&Treatment) -> bool| {
@@ -177,11 +172,11 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
     }
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     let mut steepest = 1.0_f64;
-    for i in 0..2 {
+    for (i, axis) in axes.into_iter().enumerate() {
         let per_unit = surface.map_per_unit[i].abs() * f64::from(map.size[i]);
         let reach = cut_box
             .corners()
-            .map(|c| ((c - surface.origin).dot(axes[i]) * per_unit).abs())
+            .map(|c| ((c - surface.origin).dot(axis) * per_unit).abs())
             .into_iter()
             .fold(0.0, f64::max);
         if reach > MOST_TEXELS {
@@ -199,6 +194,14 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
             "the relief of clip-surface {number} is {height:.1e} high, more than f32 can square"
         )
     })
+}
+
+/// Whether a cut removes all of a box; `None` where it does not reach it.
+fn removes_all(prepared: &Prepared, cut: usize, bounds: &Bounds) -> Option<bool> {
+    let sides: Vec<Side> = (prepared.cuts[cut].surfaces.iter())
+        .map(|s| side_of(&prepared.surfaces[*s], bounds))
+        .collect();
+    (!sides.contains(&Side::Kept)).then(|| sides.iter().all(|s| *s == Side::Removed))
 }
 
 fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {

@@ -122,6 +122,25 @@ fn what_is_removed_altogether_is_not_drawn() {
 }
 
 #[test]
+fn what_else_cuts_a_part_that_is_removed_does_not_matter() {
+    let mut ragged = reliefs(0.1, 1);
+    ragged.applies_to = vec!["* 0".to_owned()];
+    let gone = Cut::of("x", vec![ClipSurface::plane(DVec3::X * 1.5, DVec3::X)]);
+    let scene = scene_of(&["cube", "cube"], vec![ragged, gone, planes(0.1, 1)]);
+    let plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
+    let crossings = pass(&plan, "crossings");
+    assert_eq!(
+        crossings.shader, "strategies/surface/raycast/planes.wgsl",
+        "the relief of a part that is gone is walked"
+    );
+    assert!(
+        crossings.constants.contains(&("capacity", 1.0)),
+        "{:?}",
+        crossings.constants
+    );
+}
+
+#[test]
 fn planes_are_not_marched() {
     let heights = |plan: &Plan| {
         pass(plan, "crossings")
