@@ -26,4 +26,12 @@ pub mod session;
 pub mod shader;
 pub mod strategies;
 
+pub use compare::{Comparison, compare};
 pub use error::{Error, Result};
+pub use exact::Exact;
+pub use gpu::{Gpu, GpuOptions};
+pub use layers::Layers;
+pub use passes::Model;
+pub use scene::{ClipSurface, Cut, Part, Scene};
+pub use session::{Outcome, Session};
+pub use strategies::Strategy;

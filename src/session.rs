@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
-use crate::plan::{Capacities, Plan};
+use crate::plan::{Capacities, Contents, Plan};
 use crate::scene::View;
 use crate::strategies::{self, Strategy};
 use crate::{Error, Result};
@@ -64,6 +64,8 @@ struct Slot {
     program: Program,
     capacities: Option<Capacities>,
     size_px: [u32; 2],
+    /// The solids that the capacities were learnt from.
+    vertices: Option<Contents>,
     /// Why the last call left no frame to read, if it did.
     refused: Option<String>,
 }
@@ -102,6 +104,12 @@ impl Session {
     /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
         let slot = self.slots.entry(strategy.to_string()).or_default();
+        let same = slot.size_px == view.size_px && slot.vertices.as_ref() == Some(&model.vertices);
+        if !same {
+            // What one solid needed at one size says nothing of another.
+            slot.capacities = None;
+            slot.vertices = Some(model.vertices.clone());
+        }
         slot.size_px = view.size_px;
         slot.refused = Some("it has drawn no frame".to_owned());
         let mut overflow = String::new();
@@ -120,14 +128,16 @@ impl Session {
             };
             let clocks = changed.union(owed);
             slot.program.clear_needs_of_frame(&self.gpu)?;
-            let times = slot.program.run(&self.gpu, clocks)?;
+            let times = slot.program.run_changed(&self.gpu, clocks)?;
             let needs = slot.program.needs(&self.gpu)?;
             let mut grown = false;
             overflow.clear();
             for (bounded, need) in slot.program.plan().bounded.iter().zip(needs) {
                 if need > bounded.capacity || (bounded.exact && need != bounded.capacity) {
                     let before = capacities.clone();
-                    capacities.set(bounded.knob, need);
+                    if let Some(knob) = bounded.knob {
+                        capacities.set(knob, need);
+                    }
                     grown |= *capacities != before;
                 }
                 if need > bounded.capacity {

@@ -2,7 +2,7 @@
 //
 // Crossings of one clip-surface arrive nearest first, so an insertion is nearly always one read and one write; an array in
 // registers would cost its whole capacity in every pixel. Bound as @group(1) @binding(0) to (3). `need` keeps the longest
-// list asked for, so that a frame that overflowed tells the next one how much to provide.
+// list asked for and the longest walk, so that a frame that overflowed tells the next one how much to provide.
 
 #define_import_path cutaway::crossing_list
 
@@ -69,8 +69,7 @@ fn finish(list: ptr<function, List>) {
     let stored = min((*list).found, (*list).capacity);
     let overflow = (*list).found > (*list).capacity || (*list).cut_short;
     crossing_heads[(*list).pixel] = vec2<u32>(stored | select(0u, 0x80000000u, overflow), (*list).sides);
-    if overflow {
-        // How many a list that was cut short needs is not known: more than any list holds.
-        atomicMax(&need[0], max((*list).found, select(0u, 255u, (*list).cut_short)));
+    if (*list).found > (*list).capacity {
+        atomicMax(&need[0], (*list).found);
     }
 }

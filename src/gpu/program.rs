@@ -31,6 +31,8 @@ pub struct Program {
     pipelines: Pipelines,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
+    /// Clocks whose inputs changed and whose passes have not run since, be it because a run failed.
+    pending: ClockSet,
 }
 
 impl Program {
@@ -80,22 +82,31 @@ impl Program {
         }
         self.real
             .retain(|name, _| plan.resource_named(name).is_some());
-        self.plan = plan;
+        self.pending = self.pending.union(dirty);
         if rebind {
+            // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
+            self.plan = Plan::default();
             self.steps.clear();
-            for pass in &self.plan.passes {
-                let step = Step::new(gpu, &mut self.pipelines, &self.plan, pass, &self.real)?;
-                self.steps.push(step);
-            }
-            self.stopwatch = Stopwatch::new(gpu, self.plan.passes.len());
+            let step = |pass| Step::new(gpu, &mut self.pipelines, &plan, pass, &self.real);
+            let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
+            self.stopwatch = Stopwatch::new(gpu, plan.passes.len());
             gpu.complaint()?;
+            self.steps = steps;
         }
-        Ok(dirty)
+        self.plan = plan;
+        Ok(self.pending)
     }
 
     /// The loaded plan.
     pub fn plan(&self) -> &Plan {
         &self.plan
+    }
+
+    /// Runs the passes of some clocks and of all that changed, and waits for them.
+    pub fn run_changed(&mut self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        let times = self.run(gpu, clocks.union(self.pending))?;
+        self.pending = ClockSet::NONE;
+        Ok(times)
     }
 
     /// Runs the passes of some clocks and waits for them.

@@ -88,7 +88,7 @@ impl<'a> Recorder<'a> {
             for (i, bits) in r.relevance.cuts.iter().enumerate() {
                 table.surfaces_of_cut[i / 4][i % 4] = *bits;
             }
-            let reach = r.relevance.cut_box.size().length();
+            let reach = r.relevance.reach();
             for (slot, number) in table.surfaces.iter_mut().zip(&r.relevance.surfaces) {
                 let surface = &r.model.prepared.surfaces[*number];
                 *slot = pack::clip_surface(surface, *number, r.model.first_texel[*number], reach);

@@ -39,6 +39,8 @@ pub struct Relevance {
     pub parts: Vec<Treatment>,
     /// Parts in the order of the part table: those that need an inside test first, each group by rank.
     pub order: Vec<usize>,
+    /// The place of each part in `order`, by rank.
+    places: Vec<usize>,
     /// How many parts need an inside test.
     pub lanes: usize,
     /// The near plane meets a part that needs an inside test.
@@ -124,11 +126,16 @@ impl Relevance {
                 return Err(reason);
             }
         }
+        let mut places = vec![0; parts.len()];
+        for (place, rank) in order.iter().enumerate() {
+            places[*rank] = place;
+        }
         Ok(Self {
             surfaces,
             cuts: cuts.into_iter().map(|(_, bits)| bits).collect(),
             parts,
             order,
+            places,
             lanes,
             near_inside,
             cut_box,
@@ -153,9 +160,14 @@ impl Relevance {
         &self.order[self.lanes..]
     }
 
-    /// Place of a part in the part table.
+    /// Place of a part in the part table, by rank; 0 for parts that are not drawn.
     pub fn place_of(&self, rank: usize) -> usize {
-        self.order.iter().position(|r| *r == rank).unwrap_or(0)
+        self.places[rank]
+    }
+
+    /// The longest way through the box of the cut parts.
+    pub fn reach(&self) -> f64 {
+        self.cut_box.size().length()
     }
 }
 

@@ -99,7 +99,7 @@ impl Plan {
             };
             if have > most {
                 return Err(Error::Limit(format!(
-                    "{} needs {have} {what}; WebGPU offers {most}",
+                    "{} needs {have} {what}; the limit is {most}",
                     r.name
                 )));
             }
@@ -110,7 +110,7 @@ impl Plan {
             {
                 let most = limits.groups_per_dimension;
                 return Err(Error::Limit(format!(
-                    "{} dispatches {groups:?} workgroups; WebGPU offers {most}",
+                    "{} dispatches {groups:?} workgroups; the limit is {most}",
                     pass.name
                 )));
             }

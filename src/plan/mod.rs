@@ -53,8 +53,8 @@ pub struct Bounded {
     pub slot: u32,
     /// How many it holds.
     pub capacity: u32,
-    /// Which of [`Capacities`] to change when the need differs.
-    pub knob: Knob,
+    /// Which of [`Capacities`] to change when the need differs, if it can be.
+    pub knob: Option<Knob>,
     /// A need below the capacity also asks for a new plan: the structure is to be as large as the true need, not larger.
     pub exact: bool,
 }

@@ -195,6 +195,9 @@ pub const NO_RELIEF: u32 = u32::MAX;
 /// units in the last place of f32, while interpolation on the adapters tried stays under four.
 const TIE_RELATIVE: f64 = 1.0 / (1 << 20) as f64;
 
+/// How much larger than the cut solids the box around them is, so that no solid lies in a face of it.
+const BOX_MARGIN: f64 = 1e-4;
+
 /// The frame of a view; `cut_box` is the box around the solids that are cut.
 pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
     let (o0, d0) = view.ray(DVec2::ZERO);
@@ -206,7 +209,7 @@ pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
     } else {
         [dx - d0, dy - d0]
     };
-    let margin = DVec3::splat(1e-4);
+    let margin = DVec3::splat(BOX_MARGIN);
     let depth_span = view.far - view.near;
     Frame {
         clip_from_scene: matrix(view.clip_from_scene()),
@@ -253,7 +256,6 @@ pub fn clip_surface(
         let w = offset - d.dot(surface.origin);
         Vec4::new(d.x as f32, d.y as f32, d.z as f32, w as f32).to_array()
     };
-    let cells = (texels_per_unit[0].abs() + texels_per_unit[1].abs()) * reach;
     ClipSurface {
         height_row: affine(surface.frame.normal, 1.0, lift),
         texel_x_row: affine(surface.frame.u_hat, texels_per_unit[0], -0.5),
@@ -271,9 +273,16 @@ pub fn clip_surface(
         first_texel,
         wrap: surface.wrap.code(),
         map_size: texels,
-        cell_limit: (cells.min(65_536.0) as u32) + 4,
+        cell_limit: cell_limit(surface, reach),
         surface: u32::try_from(number).unwrap_or(u32::MAX),
     }
+}
+
+/// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.
+pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
+    let [x, y] = texels_per_unit(surface);
+    let cells = (x.abs() + y.abs()) * (reach + 4.0 * BOX_MARGIN);
+    cells.min(65_536.0) as u32 + 4
 }
 
 /// A clip-surface as the rays of a view see it, with the cancellation between eye and plane done in f64.

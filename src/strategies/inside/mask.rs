@@ -7,7 +7,10 @@
 //! Décoret, *Single-pass GPU solid voxelization* (2008), with uniform voxels in the place of the few depths that matter.
 //!
 //! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part. Exact for closed meshes up to ties of f32.
-//! Cannot: repair an open mesh; it marks the pixels where the total is odd.
+//! The resolve looks at every lane of a pixel, so its time grows with the number of cut parts.
+//!
+//! Cannot: repair an open mesh; it marks the pixels where the total is odd. Where the near plane meets a part's box an odd
+//! total may as well say that the ray starts inside, so there it marks nothing.
 
 use crate::passes::{DrawPass, Recorder, counted, pixels};
 use crate::plan::{Binding, Capacities, Clock, Resource};

@@ -32,15 +32,16 @@ pub fn record(
     resolution: u32,
     capacities: &Capacities,
 ) -> [Binding; 2] {
-    let place = recorder.relevance.place_of(rank) as u32;
+    // By the part's number in the scene, which no cut changes: a sprite stays when other parts begin or cease to be cut.
+    let number = recorder.model.prepared.parts[rank].part as u32;
     let name = recorder.model.prepared.parts[rank].name.clone();
     let layers = capacities.layers_of(rank).clamp(1, MOST_LAYERS);
     let bounds = recorder.model.prepared.parts[rank].bounds;
-    let contents = Contents::of(&[sprite(&bounds, resolution, layers, place)]);
+    let contents = Contents::of(&[sprite(&bounds, resolution, layers, number)]);
     let size = [resolution; 2];
-    let table = recorder.once(&format!("sprite {place}"), |_| {
+    let table = recorder.once(&format!("sprite {number}"), |_| {
         Resource::upload(
-            format!("sprite {place}"),
+            format!("sprite {number}"),
             Role::Uniform,
             contents,
             Clock::Solid,
@@ -50,20 +51,20 @@ pub fn record(
     let counts = recorder.once("sprite counts", |_| {
         Resource::storage("sprite counts", pixels(size) * 4, Clock::Solid)
     });
-    let depth = recorder.once(&format!("sprite layers {place}"), |_| {
+    let depth = recorder.once(&format!("sprite layers {number}"), |_| {
         Resource::texture(
-            format!("sprite layers {place}"),
+            format!("sprite layers {number}"),
             size,
             layers,
             Format::Depth32Float,
             Clock::Solid,
         )
     });
-    let need = recorder.need(recorder.relevance.lanes as u32, Clock::Solid);
+    let need = recorder.need(recorder.model.prepared.parts.len() as u32, Clock::Solid);
     let sprite = Binding::read("sprite", table);
 
     recorder.compute(
-        format!("sprite clear {place}"),
+        format!("sprite clear {number}"),
         Clock::Solid,
         format!("`{name}` is counted from zero"),
         "strategies/inside/vds/clear.wgsl",
@@ -83,7 +84,7 @@ pub fn record(
     draw(
         recorder,
         rank,
-        format!("sprite count {place}"),
+        format!("sprite count {number}"),
         "the sprite needs as many layers as the depth complexity at this resolution".to_owned(),
         "strategies/inside/vds/count.wgsl",
         bindings,
@@ -109,7 +110,7 @@ pub fn record(
         draw(
             recorder,
             rank,
-            format!("sprite peel {place}.{layer}"),
+            format!("sprite peel {number}.{layer}"),
             reason,
             shader,
             bindings,
@@ -123,9 +124,9 @@ pub fn record(
     }
     recorder.plan.bounded.push(Bounded {
         what: format!("layers of the sprite of `{name}`"),
-        slot: place,
+        slot: number,
         capacity: layers,
-        knob: Knob::Layers(rank),
+        knob: Some(Knob::Layers(rank)),
         exact: true,
     });
     [sprite, Binding::read("depth_layers", depth)]

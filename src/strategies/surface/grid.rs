@@ -8,6 +8,8 @@
 //! Per cut: a quad of 48 bytes and N² x 24 bytes of indices. Per frame: the mesh once, (N + 1)² vertices for each part and
 //! clip-surface, d loads for each cap fragment. Cannot: cap at the near plane.
 
+use std::sync::{Mutex, PoisonError};
+
 use glam::DVec3;
 
 use crate::passes::{DrawPass, Recorder, counted};
@@ -107,24 +109,34 @@ pub fn record(
 /// Two triangles per cell, the diagonal from the first to the last corner.
 fn indices_of_grid(recorder: &mut Recorder<'_>, cells: u32) -> ResourceId {
     recorder.once("grid indices", |_| {
-        let row = cells + 1;
-        let indices: Vec<u32> = (0..cells * cells)
-            .flat_map(|cell| {
-                let a = cell / cells * row + cell % cells;
-                [a, a + 1, a + row + 1, a, a + row + 1, a + row]
-            })
-            .collect();
-        let resource = Resource::upload(
-            "grid indices",
-            Role::Index,
-            Contents::of(&indices),
-            Clock::Cut,
-        );
+        let contents = grid_contents(cells);
+        let resource = Resource::upload("grid indices", Role::Index, contents, Clock::Cut);
         Resource {
             is_scene: false,
             ..resource
         }
     })
+}
+
+/// The indices of a grid of so many cells; the last one asked for is kept, for every frame asks again.
+fn grid_contents(cells: u32) -> Contents {
+    static LAST: Mutex<Option<(u32, Contents)>> = Mutex::new(None);
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((of, contents)) = &*last
+        && *of == cells
+    {
+        return contents.clone();
+    }
+    let row = cells + 1;
+    let indices: Vec<u32> = (0..cells * cells)
+        .flat_map(|cell| {
+            let a = cell / cells * row + cell % cells;
+            [a, a + 1, a + row + 1, a, a + row + 1, a + row]
+        })
+        .collect();
+    let contents = Contents::of(&indices);
+    *last = Some((cells, contents.clone()));
+    contents
 }
 
 fn quads(recorder: &mut Recorder<'_>, cells: u32) -> Binding {

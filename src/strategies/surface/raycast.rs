@@ -8,6 +8,7 @@
 //! Cannot: hold more than 31 crossings per pixel. A longer list keeps the nearest, marks the pixel and reports its need.
 
 use crate::passes::{Recorder, pixels};
+use crate::plan::pack;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource, ResourceId};
 
 /// Crossings that one relief is given room for until a frame reports what it needs: with its parity bit a lane of 8.
@@ -83,7 +84,7 @@ pub fn record(
             },
         ),
     };
-    let need = recorder.need(1, Clock::Frame);
+    let need = recorder.need(2, Clock::Frame);
     let mut bindings = vec![
         recorder.frame(),
         recorder.cut_table(),
@@ -122,8 +123,21 @@ pub fn record(
         what: "crossings per pixel".to_owned(),
         slot: 0,
         capacity,
-        knob: Knob::Crossings,
+        knob: Some(Knob::Crossings),
         exact: false,
     });
+    if reliefs {
+        let limits = recorder.relevance.surfaces.iter().map(|number| {
+            let surface = &recorder.model.prepared.surfaces[*number];
+            pack::cell_limit(surface, recorder.relevance.reach())
+        });
+        recorder.plan.bounded.push(Bounded {
+            what: "cells of a relief along a ray".to_owned(),
+            slot: 1,
+            capacity: limits.max().unwrap_or(0),
+            knob: None,
+            exact: false,
+        });
+    }
     crossings
 }

@@ -5,7 +5,7 @@
 // signs: the sign at a cell's entry is the one carried over from the cell before, so the number of crossings has the parity
 // that the two ends of the ray imply. Roots only locate: citardauq form, clamped to the cell.
 
-#import cutaway::crossing_list::{List, add, finish}
+#import cutaway::crossing_list::{List, add, finish, need}
 #import cutaway::cuts::{cut_table, NO_RELIEF}
 #import cutaway::frame::{frame, box_interval, buffer_from_depth, centre_of, pixel_index, ray_through}
 #import cutaway::mask::clear
@@ -111,6 +111,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     }
     // Cells beyond the limit are not walked: say so.
     (*list).cut_short = true;
+    atomicMax(&need[1], cell_limit + 1u);
 }
 
 @compute @workgroup_size(16, 16)
