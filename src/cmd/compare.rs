@@ -149,7 +149,7 @@ fn write_pictures(
 ) -> Result<()> {
     let write =
         |name: &str, image: &RgbaImage| write_file(&folder.join(name), &picture::png(image)?);
-    let view = opened.view(&model.prepared, 1);
+    let view = opened.view(&model.prepared);
     let truth = session.shade(model, &view, &judgement.exact.layers)?;
     write("exact.png", &picture::plain(&truth, view.size_px))?;
     write("legend.png", &legend_picture())?;

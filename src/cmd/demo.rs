@@ -96,7 +96,6 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
             &opened,
             &judgement,
             drawer,
-            &console,
         )?);
     }
     write(&args.out, &judgement, &pictures)?;
@@ -132,14 +131,13 @@ fn pictures_of(
     opened: &Opened,
     judgement: &Judgement,
     drawer: Drawer,
-    console: &Console,
 ) -> Result<Vec<Picture>> {
     let style = Style {
         supersample: 2,
         backdrop: Backdrop::Gradient,
     };
     let Drawer::By(strategy) = drawer else {
-        let exact = picture::draw(session, model, opened, drawer, style, console)?;
+        let exact = picture::draw(session, model, opened, drawer, style)?;
         let caption =
             "Evaluated from the definition for every pixel, on the CPU in double precision.";
         return Ok(vec![picture("exact", "exact", caption, &exact)?]);
@@ -153,7 +151,7 @@ fn pictures_of(
         return Ok(Vec::new());
     };
     let stem = file_stem(&strategy);
-    let drawn = picture::draw(session, model, opened, drawer, style, console)?;
+    let drawn = picture::draw(session, model, opened, drawer, style)?;
     let wrong = comparison.decided_wrong_px;
     let caption = match wrong {
         0 => "No pixel is wrong where the exact reference is sure.".to_owned(),

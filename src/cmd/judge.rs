@@ -67,7 +67,7 @@ pub(super) fn judge(
     rounds: usize,
     console: &Console,
 ) -> Result<Judgement> {
-    let view = opened.view(&model.prepared, 1);
+    let view = opened.view(&model.prepared);
     console.step("exact");
     let started = now();
     let exact = evaluate(&model.prepared, &view);
@@ -181,7 +181,7 @@ fn uncut(session: &Session, model: &Model, opened: &Opened) -> Result<Program> {
     uncut.prepared.surfaces.clear();
     uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
     uncut.first_texel.clear();
-    let view = opened.view(&uncut.prepared, 1);
+    let view = opened.view(&uncut.prepared);
     let plan = strategies::record(&uncut, &view, &Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
         .map_err(|refusal| Error::Plan(refusal.to_string()))?;
     let mut program = Program::default();

@@ -31,9 +31,9 @@ pub(super) struct Opened {
 }
 
 impl Opened {
-    /// The view of the scene, `finer` times as fine as the picture.
-    pub(super) fn view(&self, prepared: &Prepared, finer: u32) -> View {
-        let mut view = prepared.view(self.size_px.map(|s| s * finer));
+    /// The view of the scene.
+    pub(super) fn view(&self, prepared: &Prepared) -> View {
+        let mut view = prepared.view(self.size_px);
         view.half_height /= self.zoom;
         view
     }

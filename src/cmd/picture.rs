@@ -1,17 +1,16 @@
 //! Pictures of a scene, by a strategy or from the exact reference, smoothed by drawing them finer.
 //!
-//! Supersampling draws the picture N times as fine along each side and averages N x N pixels in linear light: mixing
-//! sRGB values would darken every edge. It costs N² the time and memory of the picture and changes nothing about what is
-//! measured: layers and times are always those of the plain resolution.
+//! Supersampling draws the picture N x N times, each time with the pixel centres elsewhere in their pixels, and averages in
+//! linear light: mixing sRGB values would darken every edge. It costs N² the time of one frame, but no larger frame on the
+//! device, and changes nothing about what is measured: layers and times are always those of the plain resolution.
 
 use std::io::Cursor;
 use std::str::FromStr;
 
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
-use super::console::Console;
 use super::open::Opened;
 use crate::exact::evaluate;
 use crate::layers::{Kind, Layers};
@@ -69,65 +68,73 @@ pub(super) struct Style {
     pub(super) backdrop: Backdrop,
 }
 
-/// Draws a picture. Where the device has no room for the fineness asked for, the next lower one is drawn and noted.
+/// Draws a picture.
 pub(super) fn draw(
     session: &mut Session,
     model: &Model,
     opened: &Opened,
     drawer: Drawer,
     style: Style,
-    console: &Console,
 ) -> Result<RgbaImage> {
-    let mut finest = String::new();
-    for supersample in (1..=style.supersample).rev() {
-        let coarser = Style {
-            supersample,
-            ..style
-        };
-        match draw_once(session, model, opened, drawer, coarser)? {
-            Ok(picture) => {
-                if supersample < style.supersample {
-                    console.note(format!(
-                        "{drawer} is supersampled {supersample} x {supersample}: for more, {finest}"
-                    ));
-                }
-                return Ok(picture);
+    let n = style.supersample;
+    let view = opened.view(&model.prepared);
+    let mut samples = Samples::new(view.size_px, n, style.backdrop != Backdrop::Gradient);
+    for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
+        let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(n);
+        let view = view.sampled_at(at);
+        let (rgba, layers) = match drawer {
+            Drawer::Exact => {
+                let layers = evaluate(&model.prepared, &view).layers;
+                (session.shade(model, &view, &layers)?, Some(layers))
             }
-            Err(reason) => finest = reason,
-        }
+            Drawer::By(strategy) => {
+                let drawn = session.draw(model, &view, &strategy)?;
+                if let Outcome::Refused(reason) = drawn.outcome {
+                    return Err(refused(drawer, &reason));
+                }
+                let wanted = samples.empty.is_some();
+                let layers = wanted.then(|| session.layers(&strategy)).transpose()?;
+                (session.picture(&strategy)?, layers)
+            }
+        };
+        samples.add([i, j], &rgba, layers.as_ref());
     }
-    Err(refused(drawer, &finest))
+    Ok(filtered(&samples, style))
 }
 
-/// A picture, or why the strategy refuses it.
-fn draw_once(
-    session: &mut Session,
-    model: &Model,
-    opened: &Opened,
-    drawer: Drawer,
-    style: Style,
-) -> Result<Result<RgbaImage, String>> {
-    let view = opened.view(&model.prepared, style.supersample);
-    let needs_kinds = style.backdrop != Backdrop::Gradient;
-    let (rgba, layers) = match drawer {
-        Drawer::Exact => {
-            let exact = evaluate(&model.prepared, &view);
-            (
-                session.shade(model, &view, &exact.layers)?,
-                Some(exact.layers),
-            )
+/// The samples of a picture: N x N in each pixel, as if it were drawn so much finer.
+struct Samples {
+    size_px: [u32; 2],
+    n: u32,
+    rgba: Vec<u8>,
+    /// Whether a sample shows nothing, where that is asked.
+    empty: Option<Vec<bool>>,
+}
+
+impl Samples {
+    fn new([width, height]: [u32; 2], n: u32, asks_for_empty: bool) -> Self {
+        let size_px = [width * n, height * n];
+        let count = size_px[0] as usize * size_px[1] as usize;
+        Self {
+            size_px,
+            n,
+            rgba: vec![0; count * 4],
+            empty: asks_for_empty.then(|| vec![false; count]),
         }
-        Drawer::By(strategy) => {
-            let drawn = session.draw(model, &view, &strategy)?;
-            if let Outcome::Refused(reason) = drawn.outcome {
-                return Ok(Err(reason));
+    }
+
+    /// Puts a frame into its place in every pixel.
+    fn add(&mut self, [i, j]: [u32; 2], rgba: &[u8], layers: Option<&Layers>) {
+        let [width, n] = [self.size_px[0], self.n].map(|v| v as usize);
+        let (i, j, columns) = (i as usize, j as usize, width / n);
+        for (pixel, color) in rgba.chunks_exact(4).enumerate() {
+            let at = (pixel / columns * n + j) * width + pixel % columns * n + i;
+            self.rgba[at * 4..at * 4 + 4].copy_from_slice(color);
+            if let (Some(empty), Some(layers)) = (&mut self.empty, layers) {
+                empty[at] = layers.pixels[pixel].kind == Kind::Background;
             }
-            let layers = needs_kinds.then(|| session.layers(&strategy)).transpose()?;
-            (session.picture(&strategy)?, layers)
         }
-    };
-    let kinds = layers.as_ref().filter(|_| needs_kinds);
-    Ok(Ok(filtered(&rgba, view.size_px, style, kinds)))
+    }
 }
 
 /// The error of a strategy that does not draw what it was asked to.
@@ -161,11 +168,13 @@ pub(super) fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
         supersample: 1,
         backdrop: Backdrop::Gradient,
     };
-    filtered(rgba, size_px, style, None)
+    let mut samples = Samples::new(size_px, 1, false);
+    samples.add([0, 0], rgba, None);
+    filtered(&samples, style)
 }
 
-fn filtered(rgba: &[u8], size_px: [u32; 2], style: Style, kinds: Option<&Layers>) -> RgbaImage {
-    let n = style.supersample;
+fn filtered(samples: &Samples, style: Style) -> RgbaImage {
+    let Samples { size_px, n, .. } = *samples;
     let [width, height] = size_px.map(|s| s / n);
     let linear: Vec<f32> = (0..=255_u8)
         .map(|v| linear_from_srgb(f32::from(v) / 255.0))
@@ -182,8 +191,8 @@ fn filtered(rgba: &[u8], size_px: [u32; 2], style: Style, kinds: Option<&Layers>
             for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
                 let (fx, fy) = (x as u32 * n + i, y as u32 * n + j);
                 let at = (fy * size_px[0] + fx) as usize;
-                let empty = kinds.is_some_and(|l| l.pixels[at].kind == Kind::Background);
-                let own = |c: usize| linear[usize::from(rgba[at * 4 + c])];
+                let empty = samples.empty.as_ref().is_some_and(|empty| empty[at]);
+                let own = |c: usize| linear[usize::from(samples.rgba[at * 4 + c])];
                 match behind {
                     Some(color) if empty => sum += color,
                     None if empty => continue,
@@ -240,6 +249,30 @@ mod tests {
         }
     }
 
+    /// A picture of one pixel from 2 x 2 samples.
+    fn of_four(rgba: [[u8; 4]; 4], layers: Option<&Layers>) -> Samples {
+        let mut samples = Samples::new([1, 1], 2, layers.is_some());
+        for (at, color) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().zip(rgba) {
+            let one = layers.map(|l| Layers {
+                size_px: [1, 1],
+                pixels: vec![*l.at(at[0], at[1])],
+            });
+            samples.add(at, &color, one.as_ref());
+        }
+        samples
+    }
+
+    #[test]
+    fn samples_find_their_places() {
+        let mut samples = Samples::new([2, 1], 2, false);
+        for (v, at) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().enumerate() {
+            let v = v as u8 * 10;
+            samples.add(at, &[v, v, v, v, v + 1, v + 1, v + 1, v + 1], None);
+        }
+        let firsts: Vec<u8> = samples.rgba.chunks_exact(4).map(|c| c[0]).collect();
+        assert_eq!(firsts, [0, 10, 1, 11, 20, 30, 21, 31]);
+    }
+
     #[test]
     fn without_supersampling_nothing_changes() {
         let rgba: Vec<u8> = (0..=255).flat_map(|v| [v, 255 - v, v / 2, 255]).collect();
@@ -254,8 +287,8 @@ mod tests {
     #[test]
     fn black_and_white_mix_in_linear_light() {
         let (black, white) = ([0, 0, 0, 255], [255, 255, 255, 255]);
-        let rgba = [black, white, white, black].concat();
-        let picture = filtered(&rgba, [2, 2], style(2, Backdrop::Gradient), None);
+        let samples = of_four([black, white, white, black], None);
+        let picture = filtered(&samples, style(2, Backdrop::Gradient));
         assert_eq!(picture.get_pixel(0, 0).0, [188, 188, 188, 255], "not 128");
     }
 
@@ -263,12 +296,10 @@ mod tests {
     fn what_shows_nothing_becomes_the_backdrop() {
         let mut layers = Layers::background([2, 2]);
         layers.pixels[0].kind = Kind::Cap;
-        let rgba = [[200, 100, 50, 255]; 4].concat();
+        let rgba = [[200, 100, 50, 255]; 4];
         let clear = filtered(
-            &rgba,
-            [2, 2],
+            &of_four(rgba, Some(&layers)),
             style(2, Backdrop::Transparent),
-            Some(&layers),
         );
         assert_eq!(
             clear.get_pixel(0, 0).0,
@@ -276,7 +307,9 @@ mod tests {
             "a quarter is covered"
         );
         let red = Backdrop::Color(Vec3::X);
-        let on_red = filtered(&rgba, [2, 2], style(1, red), Some(&layers));
+        let mut samples = Samples::new([2, 2], 1, true);
+        samples.add([0, 0], &rgba.concat(), Some(&layers));
+        let on_red = filtered(&samples, style(1, red));
         assert_eq!(on_red.get_pixel(0, 0).0, [200, 100, 50, 255]);
         assert_eq!(on_red.get_pixel(1, 1).0, [255, 0, 0, 255]);
     }

@@ -54,7 +54,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         (None, None) => Strategy::RAYCAST_MASK,
     };
     let model = Model::of(&opened.scene);
-    let view = opened.view(&model.prepared, 1);
+    let view = opened.view(&model.prepared);
     let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
     if let Some(output) = &json {

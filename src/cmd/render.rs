@@ -133,7 +133,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
             None => Backdrop::Gradient,
         },
     };
-    let drawn = picture::draw(&mut session, &model, &opened, drawer, style, &console)?;
+    let drawn = picture::draw(&mut session, &model, &opened, drawer, style)?;
 
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
@@ -241,7 +241,7 @@ impl Facts {
         drawer: Drawer,
         outputs: &Outputs,
     ) -> Result<Self> {
-        let view = opened.view(&model.prepared, 1);
+        let view = opened.view(&model.prepared);
         match drawer {
             Drawer::Exact => {
                 let started = now();

@@ -29,14 +29,13 @@ pub(super) struct Corner {
 impl Corner {
     /// Where a point of the scene lands.
     pub(super) fn of(view: &View, point: DVec3) -> Self {
-        let [width, height] = view.size_px.map(f64::from);
         let d = point - view.eye;
         let depth = d.dot(view.forward);
         let w = if view.orthographic { 1.0 } else { depth };
-        let k = 0.5 * height / view.half_height;
+        let k = 0.5 * f64::from(view.size_px[1]) / view.half_height;
         let at = DVec3::new(
-            d.dot(view.right) * k + 0.5 * width * w,
-            0.5 * height * w - d.dot(view.up) * k,
+            d.dot(view.right) * k + view.centre_px.x * w,
+            view.centre_px.y * w - d.dot(view.up) * k,
             w,
         );
         Self { at, depth }

@@ -101,6 +101,8 @@ impl Default for Camera {
 pub struct View {
     /// Width and height in pixels.
     pub size_px: [u32; 2],
+    /// Where in the picture the viewing direction points: the middle, unless the picture is shifted by parts of a pixel.
+    pub centre_px: DVec2,
     /// The eye.
     pub eye: DVec3,
     /// Unit vector to the right border.
@@ -197,6 +199,7 @@ impl Camera {
         };
         View {
             size_px,
+            centre_px: DVec2::new(f64::from(size_px[0]), f64::from(size_px[1])) * 0.5,
             eye,
             right,
             up,
@@ -232,33 +235,39 @@ impl View {
     }
 
     fn plane_x(&self, x_px: f64) -> f64 {
-        let [w, h] = self.size_px.map(f64::from);
-        (2.0 * x_px / w - 1.0) * self.half_height * w / h
+        (x_px - self.centre_px.x) * self.plane_per_px()
     }
 
     fn plane_y(&self, y_px: f64) -> f64 {
-        (1.0 - 2.0 * y_px / f64::from(self.size_px[1])) * self.half_height
+        (self.centre_px.y - y_px) * self.plane_per_px()
+    }
+
+    fn plane_per_px(&self) -> f64 {
+        2.0 * self.half_height / f64::from(self.size_px[1])
+    }
+
+    /// The view whose pixel centres lie elsewhere in the pixels of this one: `at` is (0.5, 0.5) for the same view. All the
+    /// views of a grid of such points make one picture that is finer, without a larger frame.
+    #[must_use]
+    pub fn sampled_at(&self, at: DVec2) -> Self {
+        Self {
+            centre_px: self.centre_px - (at - 0.5),
+            ..*self
+        }
     }
 
     /// Where a point lands in the picture, in pixels, and its depth. Points at depth 0 land nowhere sensible in perspective.
     pub fn project(&self, point: DVec3) -> (DVec2, f64) {
-        let [w, h] = self.size_px.map(f64::from);
         let d = point - self.eye;
         let depth = d.dot(self.forward);
-        let k = h * 0.5 / (self.half_height * if self.orthographic { 1.0 } else { depth });
-        (
-            DVec2::new(
-                w * 0.5 + d.dot(self.right) * k,
-                h * 0.5 - d.dot(self.up) * k,
-            ),
-            depth,
-        )
+        let k = 1.0 / (self.plane_per_px() * if self.orthographic { 1.0 } else { depth });
+        let at = DVec2::new(d.dot(self.right), -d.dot(self.up)) * k;
+        (self.centre_px + at, depth)
     }
 
     /// Edge length of a pixel at a depth, in scene units.
     pub fn pixel_size(&self, depth: f64) -> f64 {
-        2.0 * self.half_height / f64::from(self.size_px[1])
-            * if self.orthographic { 1.0 } else { depth }
+        self.plane_per_px() * if self.orthographic { 1.0 } else { depth }
     }
 
     /// Value of the reversed depth buffer at a depth.
@@ -310,7 +319,12 @@ impl View {
                 DVec4::new(0.0, 0.0, self.near, 0.0),
             )
         };
-        clip_from_view * view_from_scene
+        // The middle of clip space is the middle of the picture, wherever the view is centred.
+        let [w, h] = self.size_px.map(f64::from);
+        let mut shift = DMat4::IDENTITY;
+        shift.w_axis.x = 2.0 * self.centre_px.x / w - 1.0;
+        shift.w_axis.y = 1.0 - 2.0 * self.centre_px.y / h;
+        shift * clip_from_view * view_from_scene
     }
 
     /// Whether the near plane meets a box: then a solid in it may be cut by the near plane.
@@ -340,7 +354,9 @@ mod tests {
             }
             .view(|p| p, 1.0, bounds, [320, 200])
         })
-        .to_vec()
+        .into_iter()
+        .flat_map(|view| [view, view.sampled_at(DVec2::new(0.125, 0.875))])
+        .collect()
     }
 
     #[test]
@@ -379,6 +395,22 @@ mod tests {
                     "depth of {ndc}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn views_of_one_pixel_make_a_finer_picture() {
+        let bounds = Bounds {
+            min: DVec3::splat(-0.5),
+            max: DVec3::splat(0.5),
+        };
+        let of = |size| Camera::default().view(|p| p, 1.0, bounds, size);
+        let (view, finer) = (of([320, 200]), of([640, 400]));
+        for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]].map(|s| s.map(f64::from)) {
+            let sampled = view.sampled_at((DVec2::new(i, j) + 0.5) / 2.0);
+            let (_, ray) = sampled.ray(DVec2::new(17.5, 33.5));
+            let (_, expected) = finer.ray(DVec2::new(34.5 + i, 66.5 + j));
+            assert!((ray - expected).length() < 1e-12, "{ray} is not {expected}");
         }
     }
 
