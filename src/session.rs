@@ -11,7 +11,7 @@ use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};
 use crate::scene::View;
-use crate::strategies::{self, Strategy};
+use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
 
 /// How often a frame is drawn until its buffers are large enough.
@@ -80,16 +80,33 @@ struct Slot {
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
+    options: FrameOptions,
     slots: BTreeMap<String, Slot>,
 }
 
 impl Session {
-    /// A session on a device.
+    /// A session on a device, with the usual options.
     pub fn new(gpu: Gpu) -> Self {
+        Self::with_options(gpu, FrameOptions::default())
+    }
+
+    /// A session on a device.
+    pub fn with_options(gpu: Gpu, options: FrameOptions) -> Self {
         Self {
             gpu,
+            options,
             slots: BTreeMap::new(),
         }
+    }
+
+    /// The options of the frames to come, and of those that are looked at: each keeps frames of its own.
+    pub fn set_options(&mut self, options: FrameOptions) {
+        self.options = options;
+    }
+
+    /// The options in force.
+    pub fn options(&self) -> FrameOptions {
+        self.options
     }
 
     /// The device.
@@ -99,7 +116,9 @@ impl Session {
 
     /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
-        let slot = self.slots.entry(strategy.to_string()).or_default();
+        let name = self.slot_name(strategy);
+        let options = self.options;
+        let slot = self.slots.entry(name).or_default();
         slot.size_px = view.size_px;
         slot.drawn = false;
         let mut overflow = String::new();
@@ -107,7 +126,7 @@ impl Session {
         let mut owed = ClockSet::NONE;
         for _ in 0..MOST_TRIES {
             let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
-            let plan = match strategies::record(model, view, strategy, capacities) {
+            let plan = match strategies::record_with(model, view, strategy, &options, capacities) {
                 Ok(plan) => plan,
                 Err(refusal) => return Ok(Drawn::refused(refusal.reason)),
             };
@@ -155,25 +174,23 @@ impl Session {
 
     /// Runs the last frame of a strategy again on some clocks, for its times.
     pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
-        self.slot(&strategy.to_string())?
-            .program
-            .run(&self.gpu, clocks)
+        self.slot(strategy)?.program.run(&self.gpu, clocks)
     }
 
     /// The layers of the last frame of a strategy.
     pub fn layers(&self, strategy: &Strategy) -> Result<Layers> {
-        let slot = self.slot(&strategy.to_string())?;
+        let slot = self.slot(strategy)?;
         slot.program.layers(&self.gpu, slot.size_px)
     }
 
     /// The picture of the last frame of a strategy: RGBA8, rows from the top.
     pub fn picture(&self, strategy: &Strategy) -> Result<Vec<u8>> {
-        self.slot(&strategy.to_string())?.program.picture(&self.gpu)
+        self.slot(strategy)?.program.picture(&self.gpu)
     }
 
     /// The plan of the last frame of a strategy.
     pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
-        Ok(self.slot(&strategy.to_string())?.program.plan())
+        Ok(self.slot(strategy)?.program.plan())
     }
 
     /// Shades layers that come from elsewhere, by the same pass as a strategy's.
@@ -187,8 +204,18 @@ impl Session {
         program.picture(&self.gpu)
     }
 
-    fn slot(&self, name: &str) -> Result<&Slot> {
-        let drawn = self.slots.get(name).filter(|slot| slot.drawn);
-        drawn.ok_or_else(|| Error::Plan(format!("{name} has drawn no frame to look at")))
+    fn slot_name(&self, strategy: &Strategy) -> String {
+        format!("{strategy} by {}", self.options.rasteriser)
+    }
+
+    fn slot(&self, strategy: &Strategy) -> Result<&Slot> {
+        let drawn = self.slots.get(&self.slot_name(strategy));
+        let drawn = drawn.filter(|slot| slot.drawn);
+        drawn.ok_or_else(|| Error::Plan(format!("{strategy} has drawn no frame to look at")))
+    }
+
+    /// The words of a buffer of the last frame of a strategy, by name: for tests.
+    pub fn words(&self, strategy: &Strategy, buffer: &str) -> Result<Vec<u32>> {
+        self.slot(strategy)?.program.words(&self.gpu, buffer)
     }
 }

@@ -184,6 +184,44 @@ shared! {
     }
 }
 
+shared! {
+    /// A sweep of the compute rasteriser: `shaders/lib/sweep.wgsl`.
+    Sweep {
+        /// Triangles of all parts that are drawn.
+        triangle_count: u32,
+        /// Vertices of all parts.
+        vertex_count: u32,
+        /// Steps of the search for a triangle's part.
+        search_steps: u32,
+        /// 0 marks, 1 claims.
+        claims: u32,
+    }
+}
+
+shared! {
+    /// A part as the compute rasteriser draws it: `shaders/lib/sweep.wgsl`.
+    DrawnPart {
+        /// Number of its first triangle among all that are drawn.
+        first_triangle: u32,
+        /// Its place in the indices.
+        first_index: u32,
+        /// Added to each index.
+        base_vertex: u32,
+        /// Bits of the cuts that apply.
+        cuts: u32,
+        /// Word of the inside mask.
+        lane_word: u32,
+        /// First bit in that word.
+        lane_shift: u32,
+        /// 1 where the part has bits in the mask.
+        has_lane: u32,
+        /// Index in the scene.
+        part: u32,
+    }
+}
+
+/// Most parts that the compute rasteriser draws: a uniform table of fixed length.
+pub const MOST_DRAWN_PARTS: usize = 1024;
 /// Most clip-surfaces in a scene: one bit each.
 pub const MAX_SURFACES: usize = 32;
 /// Most cuts in a scene: one bit each.

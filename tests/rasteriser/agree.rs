@@ -1,0 +1,177 @@
+//! Frames of the compute rasteriser against exact and against those of the GPU's own.
+
+use cutaway::layers::Layer;
+use cutaway::passes::NEAREST_PLANES;
+use cutaway::scene::{Camera, Cut, Scene, section_surface};
+use cutaway::session::Outcome;
+use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+
+use crate::common::meshes;
+use crate::common::{Judged, Question, class_of, scenes, session};
+
+const SIZE: [u32; 2] = [160, 120];
+
+const COMPUTE: FrameOptions = FrameOptions {
+    rasteriser: Rasteriser::Compute,
+};
+
+const SHAPES: [&str; 9] = [
+    "cube",
+    "sphere?subdivisions=3",
+    "torus?segments=40&sides=20",
+    "comb?teeth=8",
+    "sponge?level=2",
+    "earth?subdivisions=3",
+    "gears?flank=2",
+    "conduit?segments=16&sides=24",
+    "crank?throws=2&detail=16",
+];
+
+/// Gives a scene its cuts.
+type Cutting = fn(&mut Scene);
+
+const CUTS: [(&str, Cutting); 3] = [
+    ("plane", |s| {
+        s.cuts = vec![Cut::of("cut", vec![section(s, "-1,-2,-1.5@50%,45%,60%")])];
+    }),
+    ("relief", |s| {
+        let rough = "fractal:size=64,amplitude=8%";
+        let surface = scenes::relief(s, "-0.4,-0.3,-1@50%,50%,55%", rough);
+        s.cuts = vec![Cut::of("cut", vec![surface])];
+    }),
+    ("two cuts", |s| {
+        let rough = scenes::relief(s, "-z=70%", "waves:size=32,amplitude=5%");
+        let plane = section(s, "-1,0.2,0.1@65%,50%,50%");
+        s.cuts = vec![Cut::of("one", vec![rough]), Cut::of("two", vec![plane])];
+    }),
+];
+
+fn section(scene: &Scene, text: &str) -> cutaway::scene::ClipSurface {
+    section_surface(text, &scene.bounds()).unwrap_or_else(|e| panic!("{text}: {e}"))
+}
+
+fn scene_of(shape: &str, cutting: Cutting) -> Scene {
+    let mut scene = scenes::of_parts(shape, meshes::parts(shape), Vec::new());
+    cutting(&mut scene);
+    scene
+}
+
+/// The answer by a rasteriser, and the words of the lanes of the mask.
+fn answer(question: &Question, options: FrameOptions) -> (Judged, Vec<u32>) {
+    let strategy = Strategy::RAYCAST_MASK;
+    let mut session = session();
+    session.set_options(options);
+    let drawn = session
+        .draw(&question.model, &question.view, &strategy)
+        .unwrap_or_else(|e| panic!("{e}"));
+    let layers = session.layers(&strategy).expect("layers of a drawn frame");
+    // Where nothing is cut there is no mask.
+    let mut mask = session.words(&strategy, "mask").unwrap_or_default();
+    // The session is shared: other tests expect the usual options.
+    session.set_options(FrameOptions::default());
+    if options == COMPUTE && !mask.is_empty() {
+        mask.truncate(mask.len() - NEAREST_PLANES as usize * layers.pixels.len());
+    }
+    let judged = Judged {
+        comparison: question.compare(&layers),
+        exact: question.exact.clone(),
+        layers,
+        outcome: drawn.outcome,
+    };
+    (judged, mask)
+}
+
+/// How far two depths of one pixel may be apart: rasterisers find depth with vertices snapped to 1/256 px or not, which moves
+/// it by that much along the slope of the surface.
+fn depth_bound(question: &Question, layer: &Layer) -> f64 {
+    // Shading normals of coarse round shapes lean from those of their faces.
+    let facing = layer.normal.as_dvec3().dot(question.view.forward).abs();
+    let facing = (facing - 0.15).max(0.01);
+    question.view.pixel_size(layer.depth) / 128.0 / facing + 1e-5 * layer.depth
+}
+
+fn questions() -> impl Iterator<Item = (String, Question)> {
+    SHAPES.into_iter().flat_map(|shape| {
+        CUTS.into_iter()
+            .enumerate()
+            .map(move |(i, (name, cutting))| {
+                let scene = scene_of(shape, cutting);
+                let orthographic = (i + shape.len()) % 2 == 0;
+                let camera = scenes::orbit(30.0, 25.0, orthographic);
+                let told = format!("{shape}, {name}, orthographic: {orthographic}");
+                (told, Question::through(&scene, &camera, SIZE))
+            })
+    })
+}
+
+#[test]
+fn frames_are_exact_and_those_of_the_hardware() {
+    let mut faults = Vec::new();
+    let (mut compared, mut words_that_differ) = (0, 0);
+    for (told, question) in questions() {
+        let (hardware, hardware_mask) = answer(&question, FrameOptions::default());
+        let (compute, compute_mask) = answer(&question, COMPUTE);
+        assert_eq!(compute.outcome, Outcome::Complete, "{told}");
+        if let Some(fault) = compute.fault_of_exact() {
+            faults.push(format!("{told}: {fault}"));
+        }
+        assert_eq!(hardware_mask.len(), compute_mask.len(), "{told}: lanes");
+        let pixels = hardware.layers.pixels.len();
+        for (i, (a, b)) in hardware_mask.iter().zip(&compute_mask).enumerate() {
+            compared += usize::from(*a != 0);
+            if a != b {
+                words_that_differ += 1;
+                if !question.exact.undecided[i % pixels] {
+                    faults.push(format!(
+                        "{told}: mask of decided pixel {} is {b:b} not {a:b}",
+                        i % pixels
+                    ));
+                }
+            }
+        }
+        for (i, (a, b)) in hardware
+            .layers
+            .pixels
+            .iter()
+            .zip(&compute.layers.pixels)
+            .enumerate()
+        {
+            if question.exact.undecided[i] {
+                continue;
+            }
+            if class_of(a) != class_of(b) || a.back_face != b.back_face {
+                faults.push(format!(
+                    "{told}: {} by hardware {}",
+                    compute.told(i),
+                    hardware.told(i)
+                ));
+            }
+            if a.depth.is_finite() && (a.depth - b.depth).abs() > depth_bound(&question, a) {
+                faults.push(format!("{told}: pixel {i} at {} and {}", a.depth, b.depth));
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{} faults\n{}",
+        faults.len(),
+        faults[..faults.len().min(20)].join("\n")
+    );
+    assert!(
+        compared > 20_000,
+        "only {compared} words of the masks say anything"
+    );
+    println!("{words_that_differ} of {compared} words differ, all of undecided pixels");
+}
+
+#[test]
+fn fifty_frames_are_the_same_to_the_bit() {
+    let scene = scene_of("crank?throws=2&detail=16", CUTS[2].1);
+    let question = Question::through(&scene, &Camera::default(), SIZE);
+    let (first, mask) = answer(&question, COMPUTE);
+    for repeat in 1..50 {
+        let (again, its_mask) = answer(&question, COMPUTE);
+        assert!(its_mask == mask, "masks of frame {repeat}");
+        assert!(again.layers == first.layers, "layers of frame {repeat}");
+    }
+}
