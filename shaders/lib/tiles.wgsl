@@ -6,6 +6,7 @@
 #define_import_path cutaway::tiles
 
 #import cutaway::screen::edge_bias
+#import cutaway::span::narrowed
 #import cutaway::wide::{FARTHEST, wide_cross, wide_float, wide_floor}
 
 struct TileEdge {
@@ -34,14 +35,9 @@ fn growth(edge: TileEdge, step: vec2<i32>) -> i32 {
     return edge.direction.x * step.y - edge.direction.y * step.x;
 }
 
-fn is_inside(edge: TileEdge, step: vec2<i32>) -> bool {
-    return edge.biased + growth(edge, step) >= 0;
-}
-
-// Whether some sample up to `last` may be inside.
-fn may_be_inside(edge: TileEdge, last: vec2<i32>) -> bool {
-    let most = max(edge.direction.x, 0) * last.y + max(-edge.direction.y, 0) * last.x;
-    return edge.biased + most >= 0;
+// Of the samples of a row from span.x to span.y those inside.
+fn row_inside(edge: TileEdge, row: i32, span: vec2<i32>) -> vec2<i32> {
+    return narrowed(span, edge.biased + edge.direction.x * row, -edge.direction.y);
 }
 
 // The edge function, rounded once where 32 bits can tell.

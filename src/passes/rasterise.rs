@@ -25,7 +25,7 @@ pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup that owns triangles or vertices.
 const GROUP: u32 = 64;
 /// Workgroups that share the queue of large triangles, and the rows of tiles of each: `large.wgsl` steps by them.
-const QUEUE_GROUPS: [u32; 3] = [64, 8, 1];
+const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
 
 /// The mask that a rasterised frame writes.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,10 @@ pub struct MaskTarget {
     pub lane_bits: u32,
 }
 
+/// No point this near to the upper left corner is beyond the guard band of `screen.wgsl`, 16,000 px wide to the right and
+/// below, and to the left and above by as much less as the picture is wide.
+const SAFE_PX: f64 = 7000.0;
+
 struct Mesh {
     drawn_parts: Binding,
     indices: Binding,
@@ -47,6 +51,8 @@ struct Mesh {
     triangle_count: u32,
     vertex_count: u32,
     search_steps: u32,
+    /// Some part may reach beyond the near plane or the guard band.
+    may_clip: bool,
 }
 
 impl Recorder<'_> {
@@ -155,14 +161,25 @@ impl Recorder<'_> {
             indices,
             vertices,
             screen: made("screen", u64::from(vertex_count) * 4),
-            queue: made("queue", u64::from(triangle_count) + 1),
+            queue: made("queue", u64::from(triangle_count) + 2),
             triangle_count,
             vertex_count,
             search_steps: order.len().next_power_of_two().ilog2(),
+            may_clip: order.iter().any(|rank| self.may_clip(*rank)),
         })
     }
 
-    /// Small triangles, then large ones.
+    /// Whether a part reaches beyond the near plane or anywhere near the guard band, by its box.
+    fn may_clip(&self, rank: usize) -> bool {
+        let corners = self.model.prepared.parts[rank].bounds.corners();
+        corners.into_iter().any(|corner| {
+            let (at, depth) = self.view.project(corner);
+            // Rounding is kept far away from: what is clipped needlessly costs an empty pass.
+            depth < self.view.near * 1.001 || !at.abs().cmplt(glam::DVec2::splat(SAFE_PX)).all()
+        })
+    }
+
+    /// Small triangles, then the others.
     fn sweep(
         &mut self,
         name: &str,
@@ -207,14 +224,24 @@ impl Recorder<'_> {
             constants.clone(),
             groups_along(mesh.triangle_count),
         );
-        let mut large = bindings;
-        large.push(Binding::read("queue", mesh.queue));
-        large.push(mesh.vertices.clone());
+        bindings.push(Binding::read("queue", mesh.queue));
+        if mesh.may_clip {
+            let mut clipped = bindings.clone();
+            clipped.push(mesh.vertices.clone());
+            self.over(
+                &format!("{name} clipped"),
+                "the same for triangles that the near plane or the guard band cuts",
+                "passes/rasterise/clipped.wgsl",
+                clipped,
+                constants.clone(),
+                QUEUE_GROUPS,
+            );
+        }
         self.over(
             &format!("{name} large"),
-            "the same for triangles of many samples, and for those that the near plane cuts",
+            "the same for triangles of many samples",
             "passes/rasterise/large.wgsl",
-            large,
+            bindings,
             constants,
             QUEUE_GROUPS,
         );

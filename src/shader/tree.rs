@@ -24,9 +24,11 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/wide.wgsl",
     "lib/screen.wgsl",
     "lib/clipping.wgsl",
+    "lib/span.wgsl",
     "lib/tiles.wgsl",
     "lib/sweep.wgsl",
     "lib/sample.wgsl",
+    "lib/cover.wgsl",
     "lib/vds.wgsl",
 ];
 
@@ -38,6 +40,7 @@ pub const SHADERS: &[(&str, &str)] = files![
     "passes/rasterise/transform.wgsl",
     "passes/rasterise/small.wgsl",
     "passes/rasterise/large.wgsl",
+    "passes/rasterise/clipped.wgsl",
     "passes/rasterise/surfaces.wgsl",
     "strategies/surface/raycast/planes.wgsl",
     "strategies/surface/raycast/reliefs.wgsl",

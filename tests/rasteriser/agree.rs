@@ -2,6 +2,7 @@
 
 use cutaway::layers::Layer;
 use cutaway::passes::NEAREST_PLANES;
+use cutaway::plan::Plan;
 use cutaway::scene::{Camera, Cut, Scene, section_surface};
 use cutaway::session::Outcome;
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
@@ -56,8 +57,22 @@ fn scene_of(shape: &str, cutting: Cutting) -> Scene {
     scene
 }
 
-/// The answer by a rasteriser, and the words of the lanes of the mask.
-fn answer(question: &Question, options: FrameOptions) -> (Judged, Vec<u32>) {
+/// The lanes of a mask.
+#[derive(PartialEq)]
+struct Mask {
+    words: Vec<u32>,
+    lane_bits: u32,
+}
+
+impl Mask {
+    /// The bits of a word that hold the total parity of a lane.
+    fn totals(&self) -> u32 {
+        (1..=32 / self.lane_bits).fold(0, |bits, lane| bits | 1 << (lane * self.lane_bits - 1))
+    }
+}
+
+/// The answer by a rasteriser, and its mask.
+fn answer(question: &Question, options: FrameOptions) -> (Judged, Mask) {
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
     session.set_options(options);
@@ -65,12 +80,19 @@ fn answer(question: &Question, options: FrameOptions) -> (Judged, Vec<u32>) {
         .draw(&question.model, &question.view, &strategy)
         .unwrap_or_else(|e| panic!("{e}"));
     let layers = session.layers(&strategy).expect("layers of a drawn frame");
-    // Where nothing is cut there is no mask.
-    let mut mask = session.words(&strategy, "mask").unwrap_or_default();
+    let words = |name: &str| {
+        let words = session.words(&strategy, name);
+        words.unwrap_or_else(|e| panic!("{e}"))
+    };
+    let mut mask = Mask {
+        words: words("mask"),
+        lane_bits: lane_bits(session.plan(&strategy).expect("the plan of a drawn frame")),
+    };
     // The session is shared: other tests expect the usual options.
     session.set_options(FrameOptions::default());
-    if options == COMPUTE && !mask.is_empty() {
-        mask.truncate(mask.len() - NEAREST_PLANES as usize * layers.pixels.len());
+    if options == COMPUTE {
+        let planes = NEAREST_PLANES as usize * layers.pixels.len();
+        mask.words.truncate(mask.words.len() - planes);
     }
     let judged = Judged {
         comparison: question.compare(&layers),
@@ -79,6 +101,13 @@ fn answer(question: &Question, options: FrameOptions) -> (Judged, Vec<u32>) {
         outcome: drawn.outcome,
     };
     (judged, mask)
+}
+
+fn lane_bits(plan: &Plan) -> u32 {
+    let resolve = plan.passes.iter().find(|p| p.name == "resolve");
+    let constants = &resolve.expect("a frame with a mask").constants;
+    let found = constants.iter().find(|(name, _)| *name == "lane_bits");
+    found.expect("how wide a lane is").1 as u32
 }
 
 /// How far two depths of one pixel may be apart: rasterisers find depth with vertices snapped to 1/256 px or not, which moves
@@ -107,7 +136,7 @@ fn questions() -> impl Iterator<Item = (String, Question)> {
 #[test]
 fn frames_are_exact_and_those_of_the_hardware() {
     let mut faults = Vec::new();
-    let (mut compared, mut words_that_differ) = (0, 0);
+    let (mut compared, mut open_bits) = (0, 0);
     for (told, question) in questions() {
         let (hardware, hardware_mask) = answer(&question, FrameOptions::default());
         let (compute, compute_mask) = answer(&question, COMPUTE);
@@ -115,18 +144,18 @@ fn frames_are_exact_and_those_of_the_hardware() {
         if let Some(fault) = compute.fault_of_exact() {
             faults.push(format!("{told}: {fault}"));
         }
-        assert_eq!(hardware_mask.len(), compute_mask.len(), "{told}: lanes");
-        let pixels = hardware.layers.pixels.len();
-        for (i, (a, b)) in hardware_mask.iter().zip(&compute_mask).enumerate() {
+        assert_eq!(
+            hardware_mask.words.len(),
+            compute_mask.words.len(),
+            "{told}: lanes"
+        );
+        let pixels = compute.layers.pixels.len();
+        for (i, (a, b)) in (hardware_mask.words.iter().zip(&compute_mask.words)).enumerate() {
             compared += usize::from(*a != 0);
-            if a != b {
-                words_that_differ += 1;
-                if !question.exact.undecided[i % pixels] {
-                    faults.push(format!(
-                        "{told}: mask of decided pixel {} is {b:b} not {a:b}",
-                        i % pixels
-                    ));
-                }
+            let decided = !question.exact.undecided[i % pixels];
+            open_bits += usize::from(a != b && decided);
+            if decided && (a ^ b) & compute_mask.totals() != 0 {
+                faults.push(format!("{told}: totals of pixel {} differ", i % pixels));
             }
         }
         for (i, (a, b)) in hardware
@@ -161,7 +190,13 @@ fn frames_are_exact_and_those_of_the_hardware() {
         compared > 20_000,
         "only {compared} words of the masks say anything"
     );
-    println!("{words_that_differ} of {compared} words differ, all of undecided pixels");
+    // What a decided pixel shows is decided, and was compared above. A crossing that cannot show, behind what does or on the
+    // way out of the kept side, may still be as deep as a face of the mesh, and its bit is anybody's.
+    assert!(
+        open_bits * 5_000 < compared,
+        "{open_bits} of {compared} words differ in decided pixels"
+    );
+    println!("{open_bits} of {compared} words differ in decided pixels");
 }
 
 #[test]

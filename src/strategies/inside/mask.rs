@@ -78,22 +78,21 @@ fn resolve(
     rasteriser: Rasteriser,
 ) {
     let layers = recorder.layers();
-    let mut bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
-        Binding::read("mask", target.mask),
-    ];
+    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
     match rasteriser {
         Rasteriser::Hardware => {
             let targets = recorder.targets();
             bindings.extend([
                 Binding::read("surface_words", targets.words),
                 Binding::read("surface_depth", targets.depth),
+                Binding::read("mask", target.mask),
                 Binding::write("layers", layers),
             ]);
         }
-        Rasteriser::Compute => bindings.push(Binding::update("layers", layers)),
+        Rasteriser::Compute => bindings.extend([
+            Binding::read("mask", target.mask),
+            Binding::update("layers", layers),
+        ]),
     }
     bindings.extend(crossings.bindings());
     let reliefs = raycast::has_reliefs(recorder);
