@@ -6,3 +6,5 @@ mod common;
 mod agree;
 #[path = "rasteriser/coverage.rs"]
 mod coverage;
+#[path = "rasteriser/plans.rs"]
+mod plans;

@@ -32,14 +32,14 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
                 .collect(),
             ..Mesh::default()
         };
-        Part::new(&format!("part {i}"), mesh)
+        Part::new(format!("part {i}"), mesh)
     });
     let plane = ClipSurface::plane(DVec3::X * 0.01, DVec3::X);
     let scene = Scene {
         name: "soup".to_owned(),
         parts: made.collect(),
         cuts: vec![Cut::of("cut", vec![plane])],
-        camera: camera.clone(),
+        camera: *camera,
     };
     let model = Model::of(&scene);
     let view = model.prepared.view_of(camera, SIZE);
