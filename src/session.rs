@@ -11,7 +11,7 @@ use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Contents, Plan};
 use crate::scene::View;
-use crate::strategies::{self, Strategy};
+use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
 
 /// How often a frame is drawn until its buffers are large enough.
@@ -84,16 +84,33 @@ impl Slot {
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
+    options: FrameOptions,
     slots: BTreeMap<String, Slot>,
 }
 
 impl Session {
-    /// A session on a device.
+    /// A session on a device, with the usual options.
     pub fn new(gpu: Gpu) -> Self {
+        Self::with_options(gpu, FrameOptions::default())
+    }
+
+    /// A session on a device.
+    pub fn with_options(gpu: Gpu, options: FrameOptions) -> Self {
         Self {
             gpu,
+            options,
             slots: BTreeMap::new(),
         }
+    }
+
+    /// The options of the frames to come, and of those that are looked at: each keeps frames of its own.
+    pub fn set_options(&mut self, options: FrameOptions) {
+        self.options = options;
+    }
+
+    /// The options in force.
+    pub fn options(&self) -> FrameOptions {
+        self.options
     }
 
     /// The device.
@@ -103,7 +120,9 @@ impl Session {
 
     /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
-        let slot = self.slots.entry(strategy.to_string()).or_default();
+        let name = self.slot_name(strategy);
+        let options = self.options;
+        let slot = self.slots.entry(name).or_default();
         let same = slot.size_px == view.size_px && slot.vertices.as_ref() == Some(&model.vertices);
         if !same {
             // What one solid needed at one size says nothing of another.
@@ -117,7 +136,7 @@ impl Session {
         let mut owed = ClockSet::NONE;
         for _ in 0..MOST_TRIES {
             let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
-            let plan = match strategies::record(model, view, strategy, capacities) {
+            let plan = match strategies::record_with(model, view, strategy, &options, capacities) {
                 Ok(plan) => plan,
                 Err(refusal) => return Ok(slot.refuse(refusal.reason)),
             };
@@ -172,25 +191,23 @@ impl Session {
 
     /// Runs the last frame of a strategy again on some clocks, for its times.
     pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
-        self.slot(&strategy.to_string())?
-            .program
-            .run(&self.gpu, clocks)
+        self.slot(strategy)?.program.run(&self.gpu, clocks)
     }
 
     /// The layers of the last frame of a strategy.
     pub fn layers(&self, strategy: &Strategy) -> Result<Layers> {
-        let slot = self.slot(&strategy.to_string())?;
+        let slot = self.slot(strategy)?;
         slot.program.layers(&self.gpu, slot.size_px)
     }
 
     /// The picture of the last frame of a strategy: RGBA8, rows from the top.
     pub fn picture(&self, strategy: &Strategy) -> Result<Vec<u8>> {
-        self.slot(&strategy.to_string())?.program.picture(&self.gpu)
+        self.slot(strategy)?.program.picture(&self.gpu)
     }
 
     /// The plan of the last frame of a strategy.
     pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
-        Ok(self.slot(&strategy.to_string())?.program.plan())
+        Ok(self.slot(strategy)?.program.plan())
     }
 
     /// Shades layers that come from elsewhere, by the same pass as a strategy's.
@@ -204,15 +221,24 @@ impl Session {
         program.picture(&self.gpu)
     }
 
-    fn slot(&self, name: &str) -> Result<&Slot> {
-        let none = |why: &str| Error::Plan(format!("{name} has no frame to look at: {why}"));
+    fn slot_name(&self, strategy: &Strategy) -> String {
+        format!("{strategy} by {}", self.options.rasteriser)
+    }
+
+    fn slot(&self, strategy: &Strategy) -> Result<&Slot> {
+        let none = |why: &str| Error::Plan(format!("{strategy} has no frame to look at: {why}"));
         let slot = self
             .slots
-            .get(name)
+            .get(&self.slot_name(strategy))
             .ok_or_else(|| none("it was never asked for one"))?;
         match &slot.refused {
             Some(reason) => Err(none(reason)),
             None => Ok(slot),
         }
+    }
+
+    /// The words of a buffer of the last frame of a strategy, by name: for tests.
+    pub fn words(&self, strategy: &Strategy, buffer: &str) -> Result<Vec<u32>> {
+        self.slot(strategy)?.program.words(&self.gpu, buffer)
     }
 }

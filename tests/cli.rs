@@ -465,8 +465,12 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
             vec!["--resolution", "1024,768"],
         ),
         (
-            "render shape:cube -o out.png --rasteriser compute",
+            "render shape:cube -o out.png --rasteriser computer",
             vec!["--rasteriser", "compute", "mend:"],
+        ),
+        (
+            "render shape:cube -o out.png --section z=50% --strategy grid:8+vds:64 --rasteriser compute",
+            vec!["strategy grid:8+vds:64", "compute rasteriser", "mend:"],
         ),
         (
             "render shape:cube -o out.png --supersample 9",

@@ -17,7 +17,5 @@ mod planes;
 mod reliefs;
 #[path = "exact/solids.rs"]
 mod solids;
-#[path = "exact/speed.rs"]
-mod speed;
 #[path = "exact/undecided.rs"]
 mod undecided;

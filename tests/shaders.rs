@@ -4,10 +4,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::Model;
+use cutaway::passes::{INVOCATIONS_PER_ROW, Model};
 use cutaway::plan::pack::{
-    ClipSurface, CutTable, Frame, Layout, MAX_CUTS, MAX_SURFACES, NO_RELIEF, Part, Quad, RayRow,
-    RaySurface, Sprite,
+    ClipSurface, CutTable, DrawnPart, Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DRAWN_PARTS,
+    NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -130,11 +130,13 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<RaySurface>(&modules);
     holds_in_all_shaders::<Sprite>(&modules);
     holds_in_all_shaders::<Quad>(&modules);
+    holds_in_all_shaders::<Sweep>(&modules);
+    holds_in_all_shaders::<DrawnPart>(&modules);
     // The list above is all there is: a struct added to the file must be added here.
     let declared = include_str!("../src/plan/pack.rs")
         .matches("\nshared! {")
         .count();
-    assert_eq!(declared, 8, "structs in src/plan/pack.rs");
+    assert_eq!(declared, 10, "structs in src/plan/pack.rs");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -293,6 +295,9 @@ fn constants_have_one_value_on_both_sides() {
         // No clip-surface: known to the shaders alone, and no number of one.
         ("NONE", u32::MAX),
         ("REPEAT", Wrap::Repeat.code()),
+        ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
+        // The near plane and four sides: known to the shaders alone.
+        ("BORDERS", 5),
         ("MIRROR", Wrap::Mirror.code()),
     ];
     for (name, value) in expected {
@@ -318,6 +323,7 @@ fn constants_have_one_value_on_both_sides() {
         ("CutTable", "surfaces", MAX_SURFACES as u32),
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
         ("RayTable", "surfaces", MAX_SURFACES as u32),
+        ("DrawnParts", "parts", MOST_DRAWN_PARTS as u32),
     ] {
         let found = lengths.get(&(of.to_owned(), field.to_owned()));
         assert_eq!(found, Some(&length), "length of {of}.{field}");

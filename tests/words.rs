@@ -9,6 +9,8 @@ use cutaway::gpu::{Gpu, GpuOptions, POISON, run_words};
 
 #[path = "words/depths.rs"]
 mod depths;
+#[path = "words/fixed_point.rs"]
+mod fixed_point;
 #[path = "words/lists.rs"]
 mod lists;
 #[path = "words/normals.rs"]

@@ -2,7 +2,7 @@
 // crossing is inside it, or the surface that survived, whichever comes first in the list's own order. Normals of caps are left to
 // the shader, since only reliefs need heights for them.
 //
-// Bound as @group(1) @binding(0) to (3).
+// Bound as @group(1) @binding(2) and (3). Who drew the surfaces gives them as `Drawn`.
 
 #define_import_path cutaway::decision
 
@@ -11,8 +11,6 @@
 #import cutaway::frame::{frame, depth_from_buffer, pixel_count, pixel_index}
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
-@group(1) @binding(0) var surface_words: texture_2d<u32>;
-@group(1) @binding(1) var surface_depth: texture_depth_2d;
 @group(1) @binding(2) var<storage, read> mask: array<u32>;
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
@@ -22,6 +20,13 @@ struct Lanes {
     bits: u32,
     count: u32,
     near_inside: bool,
+}
+
+// The nearest surface that survived: the first two words of its layer, and its depth-buffer value.
+struct Drawn {
+    word: u32,
+    normal: u32,
+    z: f32,
 }
 
 struct Decision {
@@ -67,19 +72,18 @@ fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
 }
 
 // Decides a pixel.
-fn decide(at: vec2<u32>, lanes: Lanes) -> Decision {
+fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     let pixel = pixel_index(at);
     let head = crossing_heads[pixel];
-    let drawn = textureLoad(surface_words, at, 0).xy;
-    var word = drawn.x;
-    var normal = drawn.y;
-    var depth = depth_from_buffer(textureLoad(surface_depth, at, 0));
+    var word = drawn.word;
+    var normal = drawn.normal;
+    var depth = depth_from_buffer(drawn.z);
     var limit = head.x & 0xffu;
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
         limit = clip_surface_of(word);
         if limit == UNRANKED {
-            limit = rank_of(textureLoad(surface_depth, at, 0), pixel).behind;
+            limit = rank_of(drawn.z, pixel).behind;
         }
         word &= 0xffff00ffu;
     }
@@ -112,6 +116,12 @@ fn decide(at: vec2<u32>, lanes: Lanes) -> Decision {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);
+}
+
+// The surface that the compute rasteriser left in the layers.
+fn drawn_in_layers(at: vec2<u32>) -> Drawn {
+    let first = pixel_index(at) * WORDS_PER_PIXEL;
+    return Drawn(layers[first], layers[first + 1u], bitcast<f32>(layers[first + 2u]));
 }
 
 // Writes a decision, with the normal of its cap where one was wanted.

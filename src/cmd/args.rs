@@ -7,6 +7,8 @@ use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::{Bounds, Camera, Cut, Pose, Projection, Up};
+use crate::session::Session;
+use crate::strategies::{FrameOptions, Rasteriser};
 
 /// Most pixels along a side of a picture.
 const LARGEST_SIDE: u32 = 16_384;
@@ -235,7 +237,25 @@ pub(super) struct DeviceArgs {
     /// Part of the adapter's name [default: the fastest]
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
-    /// Who rasterises the mesh: hardware is the only one so far
+    #[command(flatten)]
+    pub(super) rasteriser: RasteriserArgs,
+}
+
+impl DeviceArgs {
+    /// A session on the device.
+    pub(super) fn open(&self) -> Result<Session> {
+        let gpu = Gpu::open(&GpuOptions {
+            adapter: self.adapter.clone(),
+            prefer_software: false,
+        })?;
+        Ok(Session::with_options(gpu, self.rasteriser.options()))
+    }
+}
+
+/// Who rasterises the mesh.
+#[derive(Args)]
+pub(super) struct RasteriserArgs {
+    /// Who rasterises the mesh: hardware, or compute (raycast+mask only)
     #[arg(
         long,
         value_name = "WHO",
@@ -246,31 +266,19 @@ pub(super) struct DeviceArgs {
     rasteriser: Rasteriser,
 }
 
-/// Who rasterises the mesh: there is one answer so far.
-#[derive(Clone, Copy)]
-struct Rasteriser;
-
-impl DeviceArgs {
-    /// The device.
-    pub(super) fn open(&self) -> Result<Gpu> {
-        // Parsing admits no other rasteriser than the device's own, which needs no option.
-        let Rasteriser = self.rasteriser;
-        Gpu::open(&GpuOptions {
-            adapter: self.adapter.clone(),
-            prefer_software: false,
-        })
+impl RasteriserArgs {
+    /// As options of frames.
+    pub(super) fn options(&self) -> FrameOptions {
+        FrameOptions {
+            rasteriser: self.rasteriser,
+        }
     }
 }
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
-    match text {
-        "hardware" => Ok(Rasteriser),
-        "compute" => Err(
-            "this version has no compute rasteriser\n  mend: leave the option out, or say hardware"
-                .to_owned(),
-        ),
-        _ => Err("there is no such rasteriser\n  mend: say hardware".to_owned()),
-    }
+    text.parse().map_err(|_: crate::Error| {
+        "there is no such rasteriser\n  mend: say hardware or compute".to_owned()
+    })
 }
 
 /// Reads `W,H`.

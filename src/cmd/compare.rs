@@ -75,7 +75,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 1 + judge::steps(strategies.len(), rounds));
     console.step("opening");
     let opened = open(&args.scene, &console)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = args.device.open()?;
     let model = Model::of(&opened.scene);
     let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
 

@@ -83,7 +83,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     let console = Console::new(args.console, steps);
     console.step("opening");
     let opened = open_scene(args.resolution, &console)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = args.device.open()?;
     let model = Model::of(&opened.scene);
     let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
 

@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::Verdict;
-use super::args::SceneArgs;
+use super::args::{RasteriserArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::open::open;
 use super::output::{Output, write_stdout};
@@ -34,6 +34,8 @@ pub(super) struct PlanArgs {
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
+    rasteriser: RasteriserArgs,
+    #[command(flatten)]
     console: ConsoleArgs,
 }
 
@@ -55,8 +57,14 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     };
     let model = Model::of(&opened.scene);
     let view = opened.view(&model.prepared);
-    let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
-        .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
+    let plan = strategies::record_with(
+        &model,
+        &view,
+        &strategy,
+        &args.rasteriser.options(),
+        &Capacities::UNKNOWN,
+    )
+    .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
     if let Some(output) = &json {
         let mut value = plan.to_json();
         value["strategy"] = strategy.to_string().into();

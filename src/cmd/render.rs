@@ -102,13 +102,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         (None, Some(name)) => name.parse()?,
         (None, None) => Drawer::By(Strategy::RAYCAST_MASK),
     };
-    let gpu = args.device.open()?;
+    let mut session = args.device.open()?;
     console.detail(format!(
         "adapter: {}, {}",
-        gpu.report().name,
-        gpu.report().driver
+        session.gpu().report().name,
+        session.gpu().report().driver
     ));
-    let mut session = Session::new(gpu);
     let model = Model::of(&opened.scene);
 
     console.step(drawer.to_string());
@@ -296,6 +295,7 @@ impl Facts {
             "supersample": args.supersample,
             "adapter": session.gpu().report(),
             "strategy": drawer.to_string(),
+            "rasteriser": session.options().rasteriser.to_string(),
             "outcome": self.outcome.name(),
             "reason": self.outcome.reason(),
             "cap_px": count(Kind::Cap),

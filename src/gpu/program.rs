@@ -291,8 +291,9 @@ fn make(gpu: &Gpu, resource: &Resource) -> Real {
     let usage = |role| match role {
         Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         Role::Uniform => wgpu::BufferUsages::UNIFORM,
-        Role::Vertex => wgpu::BufferUsages::VERTEX,
-        Role::Index => wgpu::BufferUsages::INDEX,
+        // The compute rasteriser reads the mesh from the same buffers as the GPU's own.
+        Role::Vertex => wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE,
+        Role::Index => wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE,
     };
     match (resource.shape, &resource.contents) {
         (Shape::Buffer { role, .. }, Some(contents)) => {

@@ -179,6 +179,20 @@ impl Plan {
                     pass.name, pass.shader, b.name
                 )));
             };
+            let bytes = self.resource(b.resource).shape.bytes();
+            let is_storage = matches!(
+                w.kind,
+                BindingKind::StorageRead | BindingKind::StorageReadWrite
+            );
+            // Vertices and indices are larger in a vertex buffer than a shader may see of them.
+            if is_storage && bytes > limits.storage_binding_bytes {
+                return Err(Error::Limit(format!(
+                    "{} needs {bytes} bytes in a storage binding of {}; WebGPU offers {}",
+                    self.resource(b.resource).name,
+                    pass.name,
+                    limits.storage_binding_bytes
+                )));
+            }
             if w.kind != BindingKind::StorageReadWrite && b.access != Access::Read {
                 return Err(Error::Plan(format!(
                     "{}: `{}` is only read by {}",

@@ -4,9 +4,13 @@
 //! what naga says of the composed shaders. No `vec3`: rows of four.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat4, DVec2, DVec3, Mat4, Vec3, Vec4};
+use glam::{DMat4, DVec2, DVec3, Mat4, Vec4};
 
 use crate::scene::{Bounds, PreparedSurface, View};
+
+mod normal;
+
+pub use normal::{pack_normal, unpack_normal};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
 pub trait Layout: Pod {
@@ -184,6 +188,44 @@ shared! {
     }
 }
 
+shared! {
+    /// A sweep of the compute rasteriser: `shaders/lib/sweep.wgsl`.
+    Sweep {
+        /// Triangles of all parts that are drawn.
+        triangle_count: u32,
+        /// Vertices of all parts.
+        vertex_count: u32,
+        /// Steps of the search for a triangle's part.
+        search_steps: u32,
+        /// 0 marks, 1 claims.
+        claims: u32,
+    }
+}
+
+shared! {
+    /// A part as the compute rasteriser draws it: `shaders/lib/sweep.wgsl`.
+    DrawnPart {
+        /// Number of its first triangle among all that are drawn.
+        first_triangle: u32,
+        /// Its place in the indices.
+        first_index: u32,
+        /// Added to each index.
+        base_vertex: u32,
+        /// Bits of the cuts that apply.
+        cuts: u32,
+        /// Word of the inside mask.
+        lane_word: u32,
+        /// First bit in that word.
+        lane_shift: u32,
+        /// 1 where the part has bits in the mask.
+        has_lane: u32,
+        /// Index in the scene.
+        part: u32,
+    }
+}
+
+/// Most parts that the compute rasteriser draws: a uniform table of fixed length.
+pub const MOST_DRAWN_PARTS: usize = 1024;
 /// Most clip-surfaces in a scene: one bit each.
 pub const MAX_SURFACES: usize = 32;
 /// Most cuts in a scene: one bit each.
@@ -338,37 +380,4 @@ fn row(v: DVec3) -> [f32; 4] {
 
 fn matrix(m: DMat4) -> [f32; 16] {
     Mat4::to_cols_array(&m.as_mat4())
-}
-
-/// A unit vector as two 16-bit signed fractions, octahedral: the twin of `pack_normal` in `shaders/lib/layers.wgsl`, which a
-/// test compares word by word.
-pub fn pack_normal(n: Vec3) -> u32 {
-    let sum = n.x.abs() + n.y.abs() + n.z.abs();
-    let (mut x, mut y) = if sum > 0.0 {
-        (n.x / sum, n.y / sum)
-    } else {
-        (0.0, 0.0)
-    };
-    if n.z < 0.0 {
-        let sign = |c: f32| if c >= 0.0 { 1.0 } else { -1.0 };
-        (x, y) = ((1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y));
-    }
-    let snorm =
-        |c: f32| u32::from(((c.clamp(-1.0, 1.0) * 32_767.0).round() as i16).cast_unsigned());
-    snorm(x) | (snorm(y) << 16)
-}
-
-/// The unit vector of [`pack_normal`].
-pub fn unpack_normal(word: u32) -> Vec3 {
-    let part =
-        |shift: u32| (f32::from(((word >> shift) & 0xffff) as u16 as i16) / 32_767.0).max(-1.0);
-    let (x, y) = (part(0), part(16));
-    let z = 1.0 - x.abs() - y.abs();
-    let sign = |c: f32| if c >= 0.0 { 1.0 } else { -1.0 };
-    let (x, y) = if z < 0.0 {
-        ((1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y))
-    } else {
-        (x, y)
-    };
-    Vec3::new(x, y, z).normalize_or_zero()
 }

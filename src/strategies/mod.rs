@@ -7,8 +7,10 @@ pub mod inside;
 pub mod surface;
 
 mod name;
+mod rasteriser;
 
 pub use name::{CapSurface, InsideTest, Strategy};
+pub use rasteriser::{FrameOptions, Rasteriser};
 
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};
@@ -24,7 +26,7 @@ pub struct Refusal {
     pub reason: String,
 }
 
-/// The plan of a frame by a strategy.
+/// The plan of a frame by a strategy, with the usual options.
 ///
 /// The plan is the minimum for the scene and the view: where nothing is cut, it is the same for every strategy.
 pub fn record(
@@ -33,10 +35,30 @@ pub fn record(
     strategy: &Strategy,
     capacities: &Capacities,
 ) -> Result<Plan, Refusal> {
+    record_with(model, view, strategy, &FrameOptions::default(), capacities)
+}
+
+/// The plan of a frame by a strategy.
+///
+/// Where nothing is cut there is no mask to write, and the GPU's own rasteriser draws whatever the options say.
+pub fn record_with(
+    model: &Model,
+    view: &View,
+    strategy: &Strategy,
+    options: &FrameOptions,
+    capacities: &Capacities,
+) -> Result<Plan, Refusal> {
     let refuse = |reason: String| Refusal {
         strategy: strategy.to_string(),
         reason,
     };
+    let rasteriser = options.rasteriser;
+    if rasteriser == Rasteriser::Compute && strategy.inside != InsideTest::Mask {
+        return Err(refuse(format!(
+            "the compute rasteriser writes the mask, and {} is drawn by the hardware rasteriser alone",
+            strategy.inside
+        )));
+    }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
     if recorder.relevance.lanes == 0 {
         recorder.draw_plain_parts(false);
@@ -44,7 +66,7 @@ pub fn record(
     } else {
         match (strategy.surface, strategy.inside) {
             (CapSurface::Raycast, InsideTest::Mask) => {
-                inside::mask::record(&mut recorder, capacities).map_err(refuse)?
+                inside::mask::record(&mut recorder, rasteriser, capacities).map_err(refuse)?
             }
             (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
                 surface::grid::record(&mut recorder, cells, resolution, capacities)

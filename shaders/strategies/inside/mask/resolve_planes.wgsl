@@ -2,6 +2,7 @@
 
 #import cutaway::cuts::cut_table
 #import cutaway::decision::{Lanes, NONE, decide, write}
+#import cutaway::drawn::drawn_in_targets
 #import cutaway::frame::frame
 #import cutaway::layers::pack_normal
 
@@ -14,7 +15,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if any(id.xy >= frame.size_px) {
         return;
     }
-    let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside));
+    let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside), drawn_in_targets(id.xy));
     var normal = 0u;
     if decision.surface != NONE {
         normal = pack_normal(-cut_table.surfaces[decision.surface].normal.xyz);

@@ -1,0 +1,58 @@
+// Covers the samples of a triangle of any size, tile by tile. A workgroup takes every eighth row of tiles, an invocation one
+// row of samples of each tile.
+
+#define_import_path cutaway::cover
+
+#import cutaway::frame::pixel_index
+#import cutaway::sample::take_sample
+#import cutaway::screen::{first_pixel, last_pixel}
+#import cutaway::tiles::{edge_value, row_inside, tile_edge}
+#import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
+
+struct Where {
+    triangle: u32,
+    place: u32,
+    // Which rows of tiles, and which row of a tile.
+    tiles: i32,
+    row: i32,
+    // Of the mask.
+    lane_bits: u32,
+    mask_words: u32,
+}
+
+fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
+    let first = first_pixel(min(a.xy, min(second.xy, third.xy)));
+    let last = last_pixel(max(a.xy, max(second.xy, third.xy)));
+    let whole = wide_cross(second.xy - a.xy, third.xy - a.xy);
+    if any(first > last) || (whole.x | whole.y) == 0u {
+        return;
+    }
+    let turned = wide_is_negative(whole);
+    let b = select(second, third, turned);
+    let c = select(third, second, turned);
+    let z = bitcast<f32>(a.z);
+    let rise = vec2<f32>(bitcast<f32>(b.z) - z, bitcast<f32>(c.z) - z) / abs(wide_float(whole));
+    let last_tile = last >> vec2<u32>(6u);
+    let first_tile = first >> vec2<u32>(6u);
+    let first_row = first_tile.y + ((at.tiles - first_tile.y) & 7);
+    for (var tile_y = first_row; tile_y <= last_tile.y; tile_y += 8) {
+        for (var tile_x = first_tile.x; tile_x <= last_tile.x; tile_x++) {
+            let from_px = max(64 * vec2<i32>(tile_x, tile_y), first);
+            let span = min(64 * vec2<i32>(tile_x, tile_y) + 63, last) - from_px;
+            let sample = 256 * from_px + 128;
+            let bc = tile_edge(b.xy, c.xy, sample);
+            let ca = tile_edge(c.xy, a.xy, sample);
+            let ab = tile_edge(a.xy, b.xy, sample);
+            var row = vec2<i32>(0, select(span.x, -1, at.row > span.y));
+            row = row_inside(bc, at.row, row);
+            row = row_inside(ca, at.row, row);
+            row = row_inside(ab, at.row, row);
+            for (var x = row.x; x <= row.y; x++) {
+                let step = vec2<i32>(x, at.row);
+                let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
+                let pixel = pixel_index(vec2<u32>(from_px + step));
+                take_sample(pixel, z + dot(weights, rise), at.triangle, at.place, at.lane_bits, at.mask_words);
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+// One sweep of the compute rasteriser over the triangles of all parts. Bound as @group(2) @binding(0), (1) and (2).
+//
+// There are two sweeps, marking and claiming, run by the same pipelines: only a value in `sweep` differs. So both compute the
+// same depth for the same sample, bit for bit, which two pipelines would not promise.
+
+#define_import_path cutaway::sweep
+
+struct Sweep {
+    triangle_count: u32,
+    vertex_count: u32,
+    // Steps of the search for a triangle's part.
+    search_steps: u32,
+    // 0 marks, 1 claims.
+    claims: u32,
+}
+
+struct DrawnPart {
+    // Number of its first triangle among all that are drawn.
+    first_triangle: u32,
+    first_index: u32,
+    base_vertex: u32,
+    // Bits of the cuts that apply.
+    cuts: u32,
+    // Where its bits are in the inside mask, if has_lane is 1.
+    lane_word: u32,
+    lane_shift: u32,
+    has_lane: u32,
+    // Index of the part in the scene.
+    part: u32,
+}
+
+struct DrawnParts {
+    // In order of their first triangles; those after the last begin beyond every triangle.
+    parts: array<DrawnPart, 1024>,
+}
+
+@group(2) @binding(0) var<uniform> sweep: Sweep;
+@group(2) @binding(1) var<uniform> drawn_parts: DrawnParts;
+@group(2) @binding(2) var<storage, read> indices: array<u32>;
+
+// Invocations along x of a dispatch that is folded into two dimensions.
+const INVOCATIONS_PER_ROW: u32 = 2097152u;
+
+fn number_of(id: vec3<u32>) -> u32 {
+    return id.y * INVOCATIONS_PER_ROW + id.x;
+}
+
+// Place of the part that a triangle belongs to.
+fn part_of_triangle(triangle: u32) -> u32 {
+    var place = 0u;
+    for (var i = 0u; i < sweep.search_steps; i++) {
+        let ahead = place + (1u << (sweep.search_steps - 1u - i));
+        if drawn_parts.parts[ahead].first_triangle <= triangle {
+            place = ahead;
+        }
+    }
+    return place;
+}
+
+// Vertices of a triangle.
+fn corners_of(triangle: u32, place: u32) -> vec3<u32> {
+    let first = drawn_parts.parts[place].first_index + 3u * (triangle - drawn_parts.parts[place].first_triangle);
+    return vec3<u32>(indices[first], indices[first + 1u], indices[first + 2u]) + drawn_parts.parts[place].base_vertex;
+}

@@ -1,0 +1,49 @@
+//! Who turns triangles into samples.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::Error;
+use crate::error::did_you_mean;
+
+/// Who rasterises the mesh of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rasteriser {
+    /// The GPU's own.
+    #[default]
+    Hardware,
+    /// The passes of [`crate::passes`]: the same coverage, from integers, by compute shaders.
+    Compute,
+}
+
+/// What of a frame is neither scene nor strategy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrameOptions {
+    /// Who rasterises the mesh.
+    pub rasteriser: Rasteriser,
+}
+
+impl fmt::Display for Rasteriser {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Hardware => "hardware",
+            Self::Compute => "compute",
+        })
+    }
+}
+
+impl FromStr for Rasteriser {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        match text {
+            "hardware" => Ok(Self::Hardware),
+            "compute" => Ok(Self::Compute),
+            _ => Err(Error::input(
+                format!("rasteriser `{text}`"),
+                "there is no such rasteriser",
+                did_you_mean(text, ["hardware", "compute"]),
+            )),
+        }
+    }
+}

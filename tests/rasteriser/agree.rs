@@ -1,0 +1,212 @@
+//! Frames of the compute rasteriser against exact and against those of the GPU's own.
+
+use cutaway::layers::Layer;
+use cutaway::passes::NEAREST_PLANES;
+use cutaway::plan::Plan;
+use cutaway::scene::{Camera, Cut, Scene, section_surface};
+use cutaway::session::Outcome;
+use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+
+use crate::common::meshes;
+use crate::common::{Judged, Question, class_of, scenes, session};
+
+const SIZE: [u32; 2] = [160, 120];
+
+const COMPUTE: FrameOptions = FrameOptions {
+    rasteriser: Rasteriser::Compute,
+};
+
+const SHAPES: [&str; 9] = [
+    "cube",
+    "sphere?subdivisions=3",
+    "torus?segments=40&sides=20",
+    "comb?teeth=8",
+    "sponge?level=2",
+    "earth?subdivisions=3",
+    "gears?flank=2",
+    "conduit?segments=16&sides=24",
+    "crank?throws=2&detail=16",
+];
+
+/// Gives a scene its cuts.
+type Cutting = fn(&mut Scene);
+
+const CUTS: [(&str, Cutting); 3] = [
+    ("plane", |s| {
+        s.cuts = vec![Cut::of("cut", vec![section(s, "-1,-2,-1.5@50%,45%,60%")])];
+    }),
+    ("relief", |s| {
+        let rough = "fractal:size=64,amplitude=8%";
+        let surface = scenes::relief(s, "-0.4,-0.3,-1@50%,50%,55%", rough);
+        s.cuts = vec![Cut::of("cut", vec![surface])];
+    }),
+    ("two cuts", |s| {
+        let rough = scenes::relief(s, "-z=70%", "waves:size=32,amplitude=5%");
+        let plane = section(s, "-1,0.2,0.1@65%,50%,50%");
+        s.cuts = vec![Cut::of("one", vec![rough]), Cut::of("two", vec![plane])];
+    }),
+];
+
+fn section(scene: &Scene, text: &str) -> cutaway::scene::ClipSurface {
+    section_surface(text, &scene.bounds()).unwrap_or_else(|e| panic!("{text}: {e}"))
+}
+
+fn scene_of(shape: &str, cutting: Cutting) -> Scene {
+    let mut scene = scenes::of_parts(shape, meshes::parts(shape), Vec::new());
+    cutting(&mut scene);
+    scene
+}
+
+/// The lanes of a mask.
+#[derive(PartialEq)]
+struct Mask {
+    words: Vec<u32>,
+    lane_bits: u32,
+}
+
+impl Mask {
+    /// The bits of a word that hold the total parity of a lane.
+    fn totals(&self) -> u32 {
+        (1..=32 / self.lane_bits).fold(0, |bits, lane| bits | 1 << (lane * self.lane_bits - 1))
+    }
+}
+
+/// The answer by a rasteriser, and its mask.
+fn answer(question: &Question, options: FrameOptions) -> (Judged, Mask) {
+    let strategy = Strategy::RAYCAST_MASK;
+    let mut session = session();
+    session.set_options(options);
+    let drawn = session
+        .draw(&question.model, &question.view, &strategy)
+        .unwrap_or_else(|e| panic!("{e}"));
+    let layers = session.layers(&strategy).expect("layers of a drawn frame");
+    let words = |name: &str| {
+        let words = session.words(&strategy, name);
+        words.unwrap_or_else(|e| panic!("{e}"))
+    };
+    let mut mask = Mask {
+        words: words("mask"),
+        lane_bits: lane_bits(session.plan(&strategy).expect("the plan of a drawn frame")),
+    };
+    // The session is shared: other tests expect the usual options.
+    session.set_options(FrameOptions::default());
+    if options == COMPUTE {
+        let planes = NEAREST_PLANES as usize * layers.pixels.len();
+        mask.words.truncate(mask.words.len() - planes);
+    }
+    let judged = Judged {
+        comparison: question.compare(&layers),
+        exact: question.exact.clone(),
+        layers,
+        outcome: drawn.outcome,
+    };
+    (judged, mask)
+}
+
+fn lane_bits(plan: &Plan) -> u32 {
+    let resolve = plan.passes.iter().find(|p| p.name == "resolve");
+    let constants = &resolve.expect("a frame with a mask").constants;
+    let found = constants.iter().find(|(name, _)| *name == "lane_bits");
+    found.expect("how wide a lane is").1 as u32
+}
+
+/// How far two depths of one pixel may be apart: rasterisers find depth with vertices snapped to 1/256 px or not, which moves
+/// it by that much along the slope of the surface.
+fn depth_bound(question: &Question, layer: &Layer) -> f64 {
+    // Shading normals of coarse round shapes lean from those of their faces.
+    let facing = layer.normal.as_dvec3().dot(question.view.forward).abs();
+    let facing = (facing - 0.15).max(0.01);
+    question.view.pixel_size(layer.depth) / 128.0 / facing + 1e-5 * layer.depth
+}
+
+fn questions() -> impl Iterator<Item = (String, Question)> {
+    SHAPES.into_iter().flat_map(|shape| {
+        CUTS.into_iter()
+            .enumerate()
+            .map(move |(i, (name, cutting))| {
+                let scene = scene_of(shape, cutting);
+                let orthographic = (i + shape.len()) % 2 == 0;
+                let camera = scenes::orbit(30.0, 25.0, orthographic);
+                let told = format!("{shape}, {name}, orthographic: {orthographic}");
+                (told, Question::through(&scene, &camera, SIZE))
+            })
+    })
+}
+
+#[test]
+fn frames_are_exact_and_those_of_the_hardware() {
+    let mut faults = Vec::new();
+    let (mut compared, mut open_bits) = (0, 0);
+    for (told, question) in questions() {
+        let (hardware, hardware_mask) = answer(&question, FrameOptions::default());
+        let (compute, compute_mask) = answer(&question, COMPUTE);
+        assert_eq!(compute.outcome, Outcome::Complete, "{told}");
+        if let Some(fault) = compute.fault_of_exact() {
+            faults.push(format!("{told}: {fault}"));
+        }
+        assert_eq!(
+            hardware_mask.words.len(),
+            compute_mask.words.len(),
+            "{told}: lanes"
+        );
+        let pixels = compute.layers.pixels.len();
+        for (i, (a, b)) in (hardware_mask.words.iter().zip(&compute_mask.words)).enumerate() {
+            compared += usize::from(*a != 0);
+            let decided = !question.exact.undecided[i % pixels];
+            open_bits += usize::from(a != b && decided);
+            if decided && (a ^ b) & compute_mask.totals() != 0 {
+                faults.push(format!("{told}: totals of pixel {} differ", i % pixels));
+            }
+        }
+        for (i, (a, b)) in hardware
+            .layers
+            .pixels
+            .iter()
+            .zip(&compute.layers.pixels)
+            .enumerate()
+        {
+            if question.exact.undecided[i] {
+                continue;
+            }
+            if class_of(a) != class_of(b) || a.back_face != b.back_face {
+                faults.push(format!(
+                    "{told}: {} by hardware {}",
+                    compute.told(i),
+                    hardware.told(i)
+                ));
+            }
+            if a.depth.is_finite() && (a.depth - b.depth).abs() > depth_bound(&question, a) {
+                faults.push(format!("{told}: pixel {i} at {} and {}", a.depth, b.depth));
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{} faults\n{}",
+        faults.len(),
+        faults[..faults.len().min(20)].join("\n")
+    );
+    assert!(
+        compared > 20_000,
+        "only {compared} words of the masks say anything"
+    );
+    // What a decided pixel shows is decided, and was compared above. A crossing that cannot show, behind what does or on the
+    // way out of the kept side, may still be as deep as a face of the mesh, and its bit is anybody's.
+    assert!(
+        open_bits * 5_000 < compared,
+        "{open_bits} of {compared} words differ in decided pixels"
+    );
+    println!("{open_bits} of {compared} words differ in decided pixels");
+}
+
+#[test]
+fn fifty_frames_are_the_same_to_the_bit() {
+    let scene = scene_of("crank?throws=2&detail=16", CUTS[2].1);
+    let question = Question::through(&scene, &Camera::default(), SIZE);
+    let (first, mask) = answer(&question, COMPUTE);
+    for repeat in 1..50 {
+        let (again, its_mask) = answer(&question, COMPUTE);
+        assert!(its_mask == mask, "masks of frame {repeat}");
+        assert!(again.layers == first.layers, "layers of frame {repeat}");
+    }
+}

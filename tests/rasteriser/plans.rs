@@ -1,0 +1,132 @@
+//! Plans of the compute rasteriser: no target of the GPU's own, and no pass that the scene does not call for.
+
+use cutaway::passes::Model;
+use cutaway::plan::{Capacities, Limits, Plan, Work};
+use cutaway::scene::{Camera, Scene};
+use cutaway::strategies::{self, FrameOptions, Rasteriser, Refusal, Strategy};
+use glam::DVec3;
+
+use crate::common::{scenes, strategy};
+
+fn recorded(
+    scene: &Scene,
+    camera: &Camera,
+    strategy: &Strategy,
+    rasteriser: Rasteriser,
+) -> Result<Plan, Refusal> {
+    let model = Model::of(scene);
+    let view = model.prepared.view_of(camera, [320, 200]);
+    let options = FrameOptions { rasteriser };
+    strategies::record_with(&model, &view, strategy, &options, &Capacities::UNKNOWN)
+}
+
+fn plan(scene: &Scene, camera: &Camera, rasteriser: Rasteriser) -> Plan {
+    let plan = recorded(scene, camera, &Strategy::RAYCAST_MASK, rasteriser)
+        .unwrap_or_else(|e| panic!("{e}"));
+    plan.check(&Limits::CORE).unwrap_or_else(|e| panic!("{e}"));
+    plan
+}
+
+fn names(plan: &Plan) -> Vec<&str> {
+    plan.passes.iter().map(|p| p.name.as_str()).collect()
+}
+
+#[test]
+fn a_computed_frame_has_no_target_to_draw_into() {
+    for sections in [&["-z=50%"][..], &["-z=50%", "-x=60%"]] {
+        let scene = scenes::sectioned("earth?subdivisions=3", sections);
+        let camera = Camera::default();
+        let computed = plan(&scene, &camera, Rasteriser::Compute);
+        let expected = [
+            "crossings",
+            "transform",
+            "mark small",
+            "mark large",
+            "claim small",
+            "claim large",
+            "surfaces",
+            "resolve",
+            "shade",
+        ];
+        assert_eq!(names(&computed), expected, "{sections:?}");
+        assert!(
+            computed
+                .passes
+                .iter()
+                .all(|p| matches!(p.work, Work::Compute { .. })),
+            "{sections:?}"
+        );
+        for target in ["surface_words", "surface_depth"] {
+            assert_eq!(computed.resource_named(target), None, "{sections:?}");
+        }
+        // The control: the other rasteriser has both.
+        let drawn = plan(&scene, &camera, Rasteriser::Hardware);
+        assert!(
+            drawn.resource_named("surface_depth").is_some(),
+            "{sections:?}"
+        );
+        assert!(drawn.resource_named("screen").is_none(), "{sections:?}");
+    }
+}
+
+#[test]
+fn both_sweeps_run_the_same_pipelines() {
+    let plan = plan(
+        &scenes::sectioned("cube", &["-z=50%"]),
+        &Camera::default(),
+        Rasteriser::Compute,
+    );
+    let pass = |name: &str| {
+        plan.passes
+            .iter()
+            .find(|p| p.name == name)
+            .unwrap_or_else(|| panic!("{name}"))
+    };
+    for size in ["small", "large"] {
+        let (mark, claim) = (
+            pass(&format!("mark {size}")),
+            pass(&format!("claim {size}")),
+        );
+        assert_eq!(
+            (mark.shader, &mark.constants),
+            (claim.shader, &claim.constants),
+            "{size}"
+        );
+        assert_ne!(mark.bindings, claim.bindings, "{size}: another sweep");
+    }
+}
+
+#[test]
+fn only_a_near_plane_or_a_guard_band_calls_for_clipping() {
+    let scene = scenes::sectioned("cube", &["-z=50%"]);
+    for (camera, clips) in [
+        (Camera::default(), false),
+        (scenes::looking(DVec3::Z * 0.1, DVec3::X, 60.0), true),
+        (scenes::parallel(DVec3::Z * 5.0, DVec3::ZERO, 0.01), true),
+        (scenes::parallel(DVec3::Z * 5.0, DVec3::ZERO, 1.0), false),
+    ] {
+        let plan = plan(&scene, &camera, Rasteriser::Compute);
+        assert_eq!(names(&plan).contains(&"mark clipped"), clips, "{camera:?}");
+        assert_eq!(names(&plan).contains(&"claim clipped"), clips, "{camera:?}");
+    }
+}
+
+#[test]
+fn nothing_cut_is_drawn_as_ever_and_the_paper_is_refused() {
+    let plain = scenes::sectioned("cube", &[]);
+    let camera = Camera::default();
+    assert_eq!(
+        plan(&plain, &camera, Rasteriser::Compute),
+        plan(&plain, &camera, Rasteriser::Hardware),
+        "without a cut"
+    );
+    let cut = scenes::sectioned("cube", &["-z=50%"]);
+    let refusal = recorded(
+        &cut,
+        &camera,
+        &strategy("grid:8+vds:64"),
+        Rasteriser::Compute,
+    )
+    .expect_err("a refusal");
+    assert!(refusal.reason.contains("vds:64"), "{refusal}");
+}
