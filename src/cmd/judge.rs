@@ -176,11 +176,7 @@ fn measure(
 
 /// The program that draws the scene with nothing cut: where there is nothing to cut, all strategies record the same plan.
 fn uncut(session: &Session, model: &Model, opened: &Opened) -> Result<Program> {
-    let mut uncut = model.clone();
-    uncut.prepared.cuts.clear();
-    uncut.prepared.surfaces.clear();
-    uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
-    uncut.first_texel.clear();
+    let uncut = model.without_cuts();
     let view = opened.view(&uncut.prepared);
     let plan = strategies::record(&uncut, &view, &Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
         .map_err(|refusal| Error::Plan(refusal.to_string()))?;

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::Gpu;
-use super::program::{Real, is_draw, texel_format};
+use super::program::{Real, texel_format};
 use super::timing::Stopwatch;
 use crate::plan::{DepthCompare, Format, Pass, Plan, ResourceId, Shape, Vertices, Work};
 use crate::shader::{self, BindingKind, ShaderBinding};
@@ -221,7 +221,7 @@ impl Pipelines {
                 label: Some(pass.shader),
                 source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
             });
-        let pipeline = std::sync::Arc::new(if is_draw(&pass.work) {
+        let pipeline = std::sync::Arc::new(if matches!(pass.work, Work::Draw { .. }) {
             Pipeline::Render(render_pipeline(gpu, plan, pass, &module))
         } else {
             Pipeline::Compute(gpu.device.create_compute_pipeline(

@@ -12,7 +12,7 @@ use super::draw::{Pipelines, Step};
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, Format, Pass, Plan, Resource, ResourceId, Role, Shape, Work};
+use crate::plan::{Clock, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
 use crate::{Error, Result};
 
 /// A resource on the device.
@@ -69,14 +69,7 @@ impl Program {
             }
         }
         for clock in Clock::ALL {
-            let of = |p: &Plan| {
-                p.passes
-                    .iter()
-                    .filter(|p| p.clock == clock)
-                    .cloned()
-                    .collect::<Vec<_>>()
-            };
-            if of(&plan) != of(&self.plan) {
+            if !plan.passes_on(clock).eq(self.plan.passes_on(clock)) {
                 dirty = dirty.with(clock);
             }
         }
@@ -234,13 +227,10 @@ fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
 
 /// Whether two plans differ in nothing but the contents of their uploads.
 fn same_structure(a: &Plan, b: &Plan) -> bool {
-    let shapes = |p: &Plan| {
-        p.resources
-            .iter()
-            .map(|r| (r.name.clone(), r.shape))
-            .collect::<Vec<_>>()
-    };
-    a.passes == b.passes && shapes(a) == shapes(b)
+    let same = |(a, b): (&Resource, &Resource)| a.name == b.name && a.shape == b.shape;
+    a.passes == b.passes
+        && a.resources.len() == b.resources.len()
+        && a.resources.iter().zip(&b.resources).all(same)
 }
 
 /// The words of one pixel as [`Layer`]; the other direction is `shaders/lib/layers.wgsl`.
@@ -336,9 +326,4 @@ pub(super) fn texel_format(format: Format) -> wgpu::TextureFormat {
         Format::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
         Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
     }
-}
-
-/// Whether a pass draws.
-pub(super) fn is_draw(work: &Work) -> bool {
-    matches!(work, Work::Draw { .. })
 }

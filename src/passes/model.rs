@@ -115,6 +115,17 @@ impl Model {
         }
     }
 
+    /// The same scene with nothing removed, sharing what is packed: what `draw_only_ms` measures.
+    #[must_use]
+    pub fn without_cuts(&self) -> Self {
+        let mut uncut = self.clone();
+        uncut.prepared.cuts.clear();
+        uncut.prepared.surfaces.clear();
+        uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
+        uncut.first_texel.clear();
+        uncut
+    }
+
     /// Whether a clip-surface is a true relief rather than a plane or a flat map.
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF

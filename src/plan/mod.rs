@@ -150,6 +150,11 @@ impl Plan {
             .map(ResourceId)
     }
 
+    /// The passes of a clock, in order.
+    pub fn passes_on(&self, clock: Clock) -> impl Iterator<Item = &Pass> {
+        self.passes.iter().filter(move |pass| pass.clock == clock)
+    }
+
     /// Bytes of what the passes of a clock produce: resources of that clock, without uploads of the scene itself.
     pub fn bytes_on(&self, clock: Clock) -> u64 {
         self.resources

@@ -11,7 +11,7 @@ impl Plan {
     pub fn to_text(&self) -> String {
         let mut text = String::new();
         for clock in Clock::ALL {
-            let passes: Vec<&Pass> = self.passes.iter().filter(|p| p.clock == clock).collect();
+            let passes: Vec<&Pass> = self.passes_on(clock).collect();
             let bytes = self.bytes_on(clock);
             if passes.is_empty() && bytes == 0 {
                 continue;

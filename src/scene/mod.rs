@@ -59,12 +59,4 @@ impl Scene {
             .map(Part::bounds_in_world)
             .fold(Bounds::EMPTY, Bounds::union)
     }
-
-    /// The same scene with nothing removed: what `draw_only_ms` measures.
-    pub fn without_cuts(&self) -> Self {
-        Self {
-            cuts: Vec::new(),
-            ..self.clone()
-        }
-    }
 }
