@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cutaway::error::Result;
 use cutaway::scene::relief::{Procedure, ProcedureKind, read_offset_map};
 use cutaway::scene::{
-    Mesh, Part, Pose, Projection, ReliefSpec, Role, SceneFile, Up, Wrap, apply_relief,
+    Mesh, Part, Projection, ReliefSpec, Role, SceneFile, Up, Viewpoint, Wrap, apply_relief,
     load_scene_file, section_misses, section_surface,
 };
 use glam::{DVec3, Vec3};
@@ -144,12 +144,12 @@ values = [[0, 0, -1], [0, 0, 1]]
 
     let camera = scene.camera;
     assert_eq!(
-        camera.pose,
-        Pose::Orbit {
+        camera.viewpoint,
+        Viewpoint::Orbit {
             azimuth_deg: 10.0,
             elevation_deg: -20.5
         },
-        "pose"
+        "viewpoint"
     );
     assert_eq!(
         camera.projection,
@@ -247,12 +247,12 @@ fn a_camera_can_be_placed_outright() {
         .expect("a sound scene")
         .scene
         .camera;
-    let pose = Pose::Explicit {
+    let viewpoint = Viewpoint::Explicit {
         position: DVec3::new(0.0, 0.0, 5.0),
         focal_point: DVec3::ZERO,
         view_up: Some(DVec3::X),
     };
-    assert_eq!(camera.pose, pose, "pose");
+    assert_eq!(camera.viewpoint, viewpoint, "viewpoint");
     assert_eq!(
         camera.projection,
         Projection::Perspective { fov_y_deg: 45.0 },

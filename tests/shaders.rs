@@ -226,6 +226,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
         parts,
         cuts: vec![Cut::of("c", vec![plane])],
         camera: Camera::default(),
+        stage: None,
         name: String::new(),
     };
     let model = Model::of(&scene);

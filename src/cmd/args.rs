@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
-use crate::scene::{Bounds, Camera, Cut, Pose, Projection, Up};
+use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
 use crate::session::Session;
 use crate::strategies::{FrameOptions, Rasteriser};
 
@@ -119,10 +119,10 @@ impl CameraArgs {
     /// The usual camera, from where most of the cut's faces are seen: half of all sections would show only their backs.
     pub(super) fn usual(&self, cuts: &[Cut], bounds: &Bounds) -> Result<Camera> {
         let plain = self.apply(Camera::default(), bounds)?;
-        let Pose::Orbit {
+        let Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
-        } = plain.pose
+        } = plain.viewpoint
         else {
             return Ok(plain);
         };
@@ -140,11 +140,11 @@ impl CameraArgs {
         let mut best = (0, plain);
         for elevation_deg in elevations {
             for azimuth_deg in &azimuths {
-                let pose = Pose::Orbit {
+                let viewpoint = Viewpoint::Orbit {
                     azimuth_deg: *azimuth_deg,
                     elevation_deg,
                 };
-                let camera = Camera { pose, ..plain };
+                let camera = Camera { viewpoint, ..plain };
                 let forward = camera.view(|p| p, 1.0, *bounds, [1, 1]).forward;
                 let seen = (cuts.iter().flat_map(|c| &c.surfaces))
                     .filter(|s| s.frame().normal.dot(forward) > LEAST_COSINE)
@@ -169,11 +169,11 @@ impl CameraArgs {
             camera.projection = Projection::Orthographic { height: None };
         }
         if let Some(position) = self.position {
-            camera.pose = self.explicit_pose(position, bounds, camera.up.axis())?;
+            camera.viewpoint = self.explicit_viewpoint(position, bounds, camera.up.axis())?;
         } else if self.azimuth_deg.is_some() || self.elevation_deg.is_some() {
-            let (azimuth, elevation) = match (camera.pose, Camera::default().pose) {
+            let (azimuth, elevation) = match (camera.viewpoint, Camera::default().viewpoint) {
                 (
-                    Pose::Orbit {
+                    Viewpoint::Orbit {
                         azimuth_deg,
                         elevation_deg,
                     },
@@ -181,14 +181,14 @@ impl CameraArgs {
                 )
                 | (
                     _,
-                    Pose::Orbit {
+                    Viewpoint::Orbit {
                         azimuth_deg,
                         elevation_deg,
                     },
                 ) => (azimuth_deg, elevation_deg),
                 _ => (0.0, 0.0),
             };
-            camera.pose = Pose::Orbit {
+            camera.viewpoint = Viewpoint::Orbit {
                 azimuth_deg: self.azimuth_deg.unwrap_or(azimuth),
                 elevation_deg: self.elevation_deg.unwrap_or(elevation),
             };
@@ -196,7 +196,7 @@ impl CameraArgs {
         Ok(camera)
     }
 
-    fn explicit_pose(&self, position: DVec3, bounds: &Bounds, up: DVec3) -> Result<Pose> {
+    fn explicit_viewpoint(&self, position: DVec3, bounds: &Bounds, up: DVec3) -> Result<Viewpoint> {
         let focal_point = self.focal_point.unwrap_or(bounds.centre());
         if focal_point == position {
             return Err(crate::Error::input(
@@ -223,7 +223,7 @@ impl CameraArgs {
                 ),
             ));
         }
-        Ok(Pose::Explicit {
+        Ok(Viewpoint::Explicit {
             position,
             focal_point,
             view_up: self.view_up,

@@ -139,6 +139,7 @@ fn plain(parts: Vec<Part>, inputs: &[String]) -> Opened {
             parts,
             cuts: Vec::new(),
             camera: Camera::default(),
+            stage: None,
         },
         strategy: None,
         size_px: USUAL_SIZE_PX,

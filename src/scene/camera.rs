@@ -46,7 +46,7 @@ impl Up {
 
 /// Where the eye is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pose {
+pub enum Viewpoint {
     /// On a sphere around the model, far enough to show all of it.
     Orbit {
         /// Turn about the up axis, from the front.
@@ -69,7 +69,7 @@ pub enum Pose {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Where the eye is.
-    pub pose: Pose,
+    pub viewpoint: Viewpoint,
     /// How depth narrows the picture.
     pub projection: Projection,
     /// Which axis is up.
@@ -84,7 +84,7 @@ pub struct Camera {
 impl Default for Camera {
     fn default() -> Self {
         Self {
-            pose: Pose::Orbit {
+            viewpoint: Viewpoint::Orbit {
                 azimuth_deg: 35.0,
                 elevation_deg: 25.0,
             },
@@ -143,12 +143,12 @@ impl Camera {
         let up_axis = self.up.axis();
         let aspect = f64::from(size_px[0]) / f64::from(size_px[1]);
         let orthographic = matches!(self.projection, Projection::Orthographic { .. });
-        let forward = match self.pose {
-            Pose::Orbit {
+        let forward = match self.viewpoint {
+            Viewpoint::Orbit {
                 azimuth_deg,
                 elevation_deg,
             } => -orbit_direction(self.up, azimuth_deg, elevation_deg),
-            Pose::Explicit {
+            Viewpoint::Explicit {
                 position,
                 focal_point,
                 ..
@@ -156,8 +156,8 @@ impl Camera {
                 (scene_from_world(focal_point) - scene_from_world(position)).normalize_or(-DVec3::Z)
             }
         };
-        let up_hint = match self.pose {
-            Pose::Explicit {
+        let up_hint = match self.viewpoint {
+            Viewpoint::Explicit {
                 view_up: Some(up), ..
             } => up,
             _ => up_axis,
@@ -182,10 +182,10 @@ impl Camera {
                 reach.iter().map(height_for).fold(1e-9, f64::max)
             }
         };
-        let eye = match self.pose {
-            Pose::Explicit { position, .. } => scene_from_world(position),
-            Pose::Orbit { .. } if orthographic => centre - forward * (radius * 2.0),
-            Pose::Orbit { .. } => {
+        let eye = match self.viewpoint {
+            Viewpoint::Explicit { position, .. } => scene_from_world(position),
+            Viewpoint::Orbit { .. } if orthographic => centre - forward * (radius * 2.0),
+            Viewpoint::Orbit { .. } => {
                 let distances = reach.iter().map(|r| height_for(r) / half_height - r.z);
                 centre - forward * distances.fold(1e-6, f64::max)
             }

@@ -12,6 +12,7 @@ mod file;
 mod load;
 mod material;
 mod mesh;
+mod motion;
 mod offset_map;
 mod part;
 mod prepared;
@@ -19,23 +20,29 @@ pub mod relief;
 mod section;
 pub mod shapes;
 mod smooth;
+mod timeline;
 mod topology;
 mod weld;
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 pub use bounds::Bounds;
-pub use camera::{Camera, Pose, Projection, Up, View};
+pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
 pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
+pub use motion::{Axis, Deformer, Motion, Pose, Pull};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
 pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
+pub use timeline::Timeline;
 pub use topology::{DepthComplexity, Extent, Topology};
 
 /// Everything a frame shows, in world space.
@@ -49,11 +56,34 @@ pub struct Scene {
     pub cuts: Vec<Cut>,
     /// Where it is seen from.
     pub camera: Camera,
+    /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
+    /// its times, so that pictures do not jump.
+    pub stage: Option<Bounds>,
 }
 
 impl Scene {
-    /// Bounds of all parts in world space.
+    /// The stage, or else the bounds of all parts in world space.
     pub fn bounds(&self) -> Bounds {
+        self.stage.unwrap_or_else(|| self.bounds_of_parts())
+    }
+
+    /// The same scene with every pose baked into its mesh in f64, on the same stage: what exact is asked about.
+    #[must_use]
+    pub fn posed(&self) -> Self {
+        let mut posed = self.clone();
+        posed.stage = Some(self.bounds());
+        for part in &mut posed.parts {
+            if let Cow::Owned(mesh) = part.posed_mesh() {
+                part.mesh = Arc::new(mesh);
+            }
+            part.motion = None;
+            part.pose = Pose::default();
+        }
+        posed
+    }
+
+    /// Bounds of all parts in world space.
+    pub fn bounds_of_parts(&self) -> Bounds {
         self.parts
             .iter()
             .map(Part::bounds_in_world)

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::{Bounds, Material, Mesh};
+use super::{Bounds, Material, Mesh, Motion, Pose};
 
 /// What a cut does to a part (Diepstraten et al. 2003, rule R1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -31,6 +31,10 @@ pub struct Part {
     pub role: Role,
     /// Who wins where solids share a point: higher first; parts without one follow, the smaller solid first.
     pub priority: Option<i32>,
+    /// What can move its vertices.
+    pub motion: Option<Arc<Motion>>,
+    /// How they stand now.
+    pub pose: Pose,
 }
 
 impl Part {
@@ -43,13 +47,15 @@ impl Part {
             material: Material::default(),
             role: Role::Exterior,
             priority: None,
+            motion: None,
+            pose: Pose::default(),
         }
     }
 
-    /// Bounds of the placed mesh.
+    /// Bounds of the posed and placed mesh.
     pub fn bounds_in_world(&self) -> Bounds {
         Bounds::of(
-            self.mesh
+            self.posed_mesh()
                 .positions
                 .iter()
                 .map(|p| self.world_from_part.transform_point3(*p)),

@@ -81,7 +81,7 @@ pub struct Prepared {
     pub surfaces: Vec<PreparedSurface>,
     /// Cuts in order.
     pub cuts: Vec<PreparedCut>,
-    /// Bounds of all parts.
+    /// The stage, or else the bounds of all parts.
     pub bounds: Bounds,
     /// Centre of scene space in world space.
     pub centre_in_world: DVec3,
@@ -149,10 +149,10 @@ impl Prepared {
         }
         Self {
             name: scene.name.clone(),
-            bounds: parts
-                .iter()
-                .map(|p| p.bounds)
-                .fold(Bounds::EMPTY, Bounds::union),
+            bounds: match scene.stage {
+                Some(stage) => Bounds::of([stage.min, stage.max].map(to_scene)),
+                None => (parts.iter().map(|p| p.bounds)).fold(Bounds::EMPTY, Bounds::union),
+            },
             parts,
             surfaces,
             cuts,

@@ -1,7 +1,7 @@
 //! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
 //! numbered regression as they print.
 
-use cutaway::scene::{Camera, ClipSurface, Cut, Part, Pose, Projection, Role, Scene, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Viewpoint, Wrap};
 use glam::{DAffine3, DVec3};
 
 use crate::common::numbers::Numbers;
@@ -129,7 +129,7 @@ impl Recipe {
             parts: parts.collect(),
             cuts: cuts.collect(),
             camera: Camera {
-                pose: Pose::Explicit {
+                viewpoint: Viewpoint::Explicit {
                     position: DVec3::from_array(self.from),
                     focal_point: DVec3::from_array(self.to),
                     view_up: None,
@@ -141,6 +141,7 @@ impl Recipe {
                 near: self.near,
                 ..Camera::default()
             },
+            stage: None,
         }
     }
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use cutaway::scene::{
-    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Pose, Projection, ReliefSpec, Scene, Wrap,
-    apply_relief, section_surface,
+    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, ReliefSpec, Scene, Viewpoint,
+    Wrap, apply_relief, section_surface,
 };
 use glam::DVec3;
 
@@ -27,6 +27,7 @@ pub(crate) fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>)
         parts,
         cuts,
         camera: Camera::default(),
+        stage: None,
     }
 }
 
@@ -80,7 +81,7 @@ pub(crate) fn map(size: [u32; 2], height: impl Fn(u32, u32) -> f32) -> OffsetMap
 /// A camera at a place that looks at another.
 pub(crate) fn looking(from: DVec3, to: DVec3, fov_y_deg: f64) -> Camera {
     Camera {
-        pose: Pose::Explicit {
+        viewpoint: Viewpoint::Explicit {
             position: from,
             focal_point: to,
             view_up: None,
@@ -103,7 +104,7 @@ pub(crate) fn parallel(from: DVec3, to: DVec3, height: f64) -> Camera {
 /// The usual view from another side.
 pub(crate) fn orbit(azimuth_deg: f64, elevation_deg: f64, orthographic: bool) -> Camera {
     Camera {
-        pose: Pose::Orbit {
+        viewpoint: Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
         },

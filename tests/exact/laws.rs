@@ -2,7 +2,7 @@
 
 use cutaway::exact::Exact;
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, ClipSurface, Mesh, Pose, Projection, Scene};
+use cutaway::scene::{Camera, ClipSurface, Mesh, Projection, Scene, Viewpoint};
 use glam::{DQuat, DVec3, dvec3};
 
 use crate::solids::{
@@ -22,7 +22,7 @@ fn meshes() -> Vec<Mesh> {
 
 fn camera(turn: DQuat) -> Camera {
     Camera {
-        pose: Pose::Explicit {
+        viewpoint: Viewpoint::Explicit {
             position: turn * dvec3(1.5, 1.0, 3.0),
             focal_point: turn * dvec3(0.1, 0.0, 0.0),
             view_up: Some(turn * DVec3::Y),

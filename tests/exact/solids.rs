@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cutaway::exact::{Exact, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{
-    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Pose, Prepared, Projection, Scene, Wrap,
+    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Prepared, Projection, Scene, Viewpoint, Wrap,
 };
 use glam::{DVec3, dvec3};
 
@@ -130,13 +130,14 @@ pub(crate) fn scene(meshes: Vec<Mesh>, cuts: Vec<Vec<ClipSurface>>, camera: Came
             .map(|(i, s)| Cut::of(format!("c{i}"), s))
             .collect(),
         camera,
+        stage: None,
     }
 }
 
 /// Parallel rays from `position` toward `focus`, `height` world units high.
 pub(crate) fn parallel(position: DVec3, focus: DVec3, height: f64) -> Camera {
     Camera {
-        pose: Pose::Explicit {
+        viewpoint: Viewpoint::Explicit {
             position,
             focal_point: focus,
             view_up: None,
@@ -151,7 +152,7 @@ pub(crate) fn parallel(position: DVec3, focus: DVec3, height: f64) -> Camera {
 /// A perspective camera.
 pub(crate) fn eye(position: DVec3, focus: DVec3, fov_y_deg: f64) -> Camera {
     Camera {
-        pose: Pose::Explicit {
+        viewpoint: Viewpoint::Explicit {
             position,
             focal_point: focus,
             view_up: None,
@@ -164,7 +165,7 @@ pub(crate) fn eye(position: DVec3, focus: DVec3, fov_y_deg: f64) -> Camera {
 /// An orbit of the default distance.
 pub(crate) fn orbit(azimuth_deg: f64, elevation_deg: f64) -> Camera {
     Camera {
-        pose: Pose::Orbit {
+        viewpoint: Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
         },

@@ -1,6 +1,6 @@
 //! Scenes of the table whose mesh, plane or camera is what is hard.
 
-use cutaway::scene::{Camera, ClipSurface, Pose, Projection, Scene};
+use cutaway::scene::{Camera, ClipSurface, Projection, Scene, Viewpoint};
 use glam::DVec3;
 
 use crate::common::{meshes, scenes};
@@ -57,7 +57,7 @@ pub(crate) fn centred(towards: DVec3, px: u32) -> Camera {
     let up = right.cross(-towards);
     let shift = (right - up) * half_pixel;
     Camera {
-        pose: Pose::Explicit {
+        viewpoint: Viewpoint::Explicit {
             position: towards * 4.0 + shift,
             focal_point: shift,
             view_up: Some(up),

@@ -1,6 +1,6 @@
 //! What changes when the view, a cut or a mesh does.
 
-use cutaway::scene::{Camera, Mesh, Pose};
+use cutaway::scene::{Camera, Mesh, Viewpoint};
 
 use super::*;
 
@@ -13,7 +13,7 @@ fn scene() -> Scene {
 
 fn turned(mut scene: Scene) -> Scene {
     scene.camera = Camera {
-        pose: Pose::Orbit {
+        viewpoint: Viewpoint::Orbit {
             azimuth_deg: 50.0,
             elevation_deg: 10.0,
         },

@@ -3,7 +3,7 @@
 
 use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
-use cutaway::scene::{Camera, Mesh, Pose};
+use cutaway::scene::{Camera, Mesh, Viewpoint};
 use cutaway::session::{Outcome, Session};
 
 use super::*;
@@ -40,7 +40,7 @@ fn draw(session: &mut Session, scene: &Scene, strategy: &Strategy) -> (ClockSet,
 /// From the side that is removed, where the caps show.
 fn seen_from_behind(mut scene: Scene, azimuth_deg: f64) -> Scene {
     scene.camera = Camera {
-        pose: Pose::Orbit {
+        viewpoint: Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg: 25.0,
         },

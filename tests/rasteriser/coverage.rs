@@ -41,6 +41,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         parts: made.collect(),
         cuts: vec![Cut::of("cut", vec![plane])],
         camera: *camera,
+        stage: None,
     };
     let model = Model::of(&scene);
     let view = model.prepared.view_of(camera, SIZE);

@@ -10,7 +10,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, pack};
 use cutaway::scene::{
-    Camera, ClipSurface, Cut, OffsetMap, Pose, Prepared, Projection, Scene, Wrap, shapes,
+    Camera, ClipSurface, Cut, OffsetMap, Prepared, Projection, Scene, Viewpoint, Wrap, shapes,
 };
 use cutaway::strategies::{self, Strategy};
 use glam::{DVec2, DVec3};
@@ -163,7 +163,7 @@ fn interval(frame: &pack::Frame, origin: DVec3, direction: DVec3) -> Option<[f64
 
 fn camera(azimuth_deg: f64, elevation_deg: f64, orthographic: bool) -> Camera {
     Camera {
-        pose: Pose::Orbit {
+        viewpoint: Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
         },
@@ -214,11 +214,11 @@ fn the_list_of_a_ray_agrees_with_the_surface() {
             assert!(
                 found.is_empty(),
                 "{what}, {:?}: {} faults: {:#?}",
-                camera.pose,
+                camera.viewpoint,
                 found.len(),
                 &found[..found.len().min(5)]
             );
-            assert_eq!(overflows, 0, "{what}, {:?}: overflows", camera.pose);
+            assert_eq!(overflows, 0, "{what}, {:?}: overflows", camera.viewpoint);
             met += crossings;
         }
     }

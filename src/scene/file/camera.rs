@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::reader::{Entry, Table};
 use crate::error::Result;
-use crate::scene::{Camera, Pose, Projection, Up};
+use crate::scene::{Camera, Projection, Up, Viewpoint};
 
 const KEYS: &[&str] = &[
     "azimuth_deg",
@@ -26,7 +26,7 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Camera> {
     if let Some(up) = table.get("up") {
         camera.up = up.choice(&[("+Y", Up::PlusY), ("+Z", Up::PlusZ)])?;
     }
-    camera.pose = pose(&table, camera.pose, camera.up)?;
+    camera.viewpoint = viewpoint(&table, camera.viewpoint, camera.up)?;
     camera.projection = projection(&table)?;
     camera.near = table.get("near").map(|n| n.positive()).transpose()?;
     if let Some(cap) = table.get("near_cap") {
@@ -35,12 +35,12 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Camera> {
     Ok(camera)
 }
 
-fn pose(table: &Table<'_>, usual: Pose, up: Up) -> Result<Pose> {
+fn viewpoint(table: &Table<'_>, usual: Viewpoint, up: Up) -> Result<Viewpoint> {
     let explicit = ["position", "focal_point", "view_up"]
         .iter()
         .find_map(|key| table.get(key));
     let Some(first) = explicit else {
-        let Pose::Orbit {
+        let Viewpoint::Orbit {
             mut azimuth_deg,
             mut elevation_deg,
         } = usual
@@ -53,7 +53,7 @@ fn pose(table: &Table<'_>, usual: Pose, up: Up) -> Result<Pose> {
         if let Some(entry) = table.get("elevation_deg") {
             elevation_deg = entry.number()?;
         }
-        return Ok(Pose::Orbit {
+        return Ok(Viewpoint::Orbit {
             azimuth_deg,
             elevation_deg,
         });
@@ -87,7 +87,7 @@ fn pose(table: &Table<'_>, usual: Pose, up: Up) -> Result<Pose> {
             Some(view_up)
         }
     };
-    Ok(Pose::Explicit {
+    Ok(Viewpoint::Explicit {
         position,
         focal_point,
         view_up,

@@ -120,6 +120,7 @@ fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFil
         camera: root
             .get("camera")
             .map_or(Ok(Camera::default()), |c| camera::read(&c))?,
+        stage: None,
     };
     let maps = match root.get("relief") {
         Some(reliefs) => reliefs::read(&reliefs, &folder)?,
