@@ -71,7 +71,7 @@ pub(super) fn read(
         .transpose()?;
     let look = table.get("material").map(|m| look(&m)).transpose()?;
     for part in &mut parts {
-        part.world_from_part = placed * part.world_from_part;
+        part.place(placed);
         part.role = role.unwrap_or(part.role);
         part.priority = priority.or(part.priority);
         if let Some(look) = &look {

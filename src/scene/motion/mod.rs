@@ -9,8 +9,10 @@
 
 mod deform;
 mod pose;
+mod rig;
 
 pub use deform::{Axis, Deformer};
+pub use rig::Clip;
 
 use glam::{DAffine3, DVec3};
 
