@@ -38,14 +38,9 @@ const MEANT_EQUALITIES: &[(&str, &str)] = &[
 ];
 
 fn composed() -> Vec<(&'static str, Module)> {
-    shader::SHADERS
+    shader::compositions()
         .iter()
-        .map(|(path, _)| {
-            (
-                *path,
-                shader::compose(path).unwrap_or_else(|e| panic!("{e}")),
-            )
-        })
+        .map(|s| (s.path, shader::compose(s).unwrap_or_else(|e| panic!("{e}"))))
         .collect()
 }
 
@@ -56,17 +51,49 @@ fn undecorated(name: &str) -> &str {
 #[test]
 fn every_shader_composes() {
     let mut faults = Vec::new();
-    for (path, _) in shader::SHADERS {
-        match shader::compose(path) {
-            Ok(module) => assert!(!module.entry_points.is_empty(), "{path} has no entry point"),
+    let all = shader::compositions();
+    for shader in &all {
+        match shader::compose(shader) {
+            Ok(module) => assert!(
+                !module.entry_points.is_empty(),
+                "{shader} has no entry point"
+            ),
             Err(e) => faults.push(e.to_string()),
         }
     }
-    assert!(
-        shader::SHADERS.len() > 10,
-        "the list of shaders is suspiciously short"
-    );
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    // Each shader at least once, and each file of the library that fills an open module in some shader.
+    for (path, _) in shader::SHADERS {
+        assert!(
+            all.iter().any(|s| s.path == *path),
+            "{path} is not composed"
+        );
+    }
+    let resolves = all.iter().filter(|s| s.path == "passes/resolve.wgsl");
+    assert!(
+        resolves.count() >= 4,
+        "two ways to draw times two kinds of caps"
+    );
+}
+
+#[test]
+fn open_modules_want_to_be_filled_once() {
+    let resolve = shader::Shader::from("passes/resolve.wgsl");
+    let unfilled = shader::compose(&resolve)
+        .expect_err("nothing fills it")
+        .to_string();
+    assert!(
+        unfilled.contains("is open: fill it with one of lib/"),
+        "{unfilled}"
+    );
+    let idle = shader::Shader::from("passes/shade.wgsl").with("lib/store/mask.wgsl");
+    let idle = shader::compose(&idle)
+        .expect_err("it has no such module")
+        .to_string();
+    assert!(
+        idle.contains("no open module that lib/store/mask.wgsl"),
+        "{idle}"
+    );
 }
 
 #[test]
@@ -236,7 +263,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
     let pass = plan
         .passes
         .iter()
-        .find(|p| p.shader == shader)
+        .find(|p| p.shader.path == shader)
         .unwrap_or_else(|| panic!("the plan has no pass of {shader}"));
     assert!(
         matches!(pass.work, Work::Draw { .. }),

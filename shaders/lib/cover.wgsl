@@ -4,7 +4,7 @@
 #define_import_path cutaway::cover
 
 #import cutaway::frame::pixel_index
-#import cutaway::sample::take_sample
+#import cutaway::sample::{Sample, take}
 #import cutaway::screen::{first_pixel, last_pixel}
 #import cutaway::tiles::{edge_value, row_inside, tile_edge}
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
@@ -17,7 +17,6 @@ struct Where {
     row: i32,
     // Of the mask.
     lane_bits: u32,
-    mask_words: u32,
 }
 
 fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
@@ -51,7 +50,7 @@ fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
                 let step = vec2<i32>(x, at.row);
                 let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
                 let pixel = pixel_index(vec2<u32>(from_px + step));
-                take_sample(pixel, z + dot(weights, rise), at.triangle, at.place, at.lane_bits, at.mask_words);
+                take(Sample(pixel, z + dot(weights, rise), at.triangle, at.place, turned, at.lane_bits));
             }
         }
     }

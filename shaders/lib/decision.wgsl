@@ -1,26 +1,19 @@
-// What a pixel shows, decided: the nearest crossing at which some part goes from removed to kept while the mask says that the
-// crossing is inside it, or the surface that survived, whichever comes first in the list's own order. Normals of caps are left to
-// the shader, since only reliefs need heights for them.
+// What a pixel shows, decided: the nearest crossing at which some part goes from removed to kept while the inside test says that
+// it is inside it, or the surface that survived, whichever comes first in the list's own order. Normals of caps are left to the
+// shader, since only reliefs need heights for them.
 //
-// Bound as @group(1) @binding(2) and (3). Who drew the surfaces gives them as `Drawn`.
+// Bound as @group(1) @binding(3). Who drew the surfaces gives them as `Drawn`; the open module `inside` answers the inside test.
 
 #define_import_path cutaway::decision
 
 #import cutaway::crossings::{crossing_heads, rank_of, surface_at, z_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
-#import cutaway::frame::{frame, depth_from_buffer, pixel_count, pixel_index}
+#import cutaway::frame::{frame, depth_from_buffer, pixel_index}
+#import cutaway::inside::{is_inside, starts_inside}
+#import cutaway::lanes::Lanes
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
-@group(1) @binding(2) var<storage, read> mask: array<u32>;
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
-
-// How the mask is laid out, and whether the near plane meets a solid: then an odd total says that the ray starts inside, not that
-// the mesh is open.
-struct Lanes {
-    bits: u32,
-    count: u32,
-    near_inside: bool,
-}
 
 // The nearest surface that survived: the first two words of its layer, and its depth-buffer value.
 struct Drawn {
@@ -39,16 +32,6 @@ struct Decision {
 
 const NONE: u32 = 0xffffffffu;
 
-// The lane of a part, aligned to bit 0.
-fn lane_of(lanes: Lanes, rank: u32, pixel: u32) -> u32 {
-    let word = mask[parts[rank].lane_word * pixel_count() + pixel];
-    return (word >> parts[rank].lane_shift) & (0xffffffffu >> (32u - lanes.bits));
-}
-
-fn total_is_odd(lanes: Lanes, lane: u32) -> bool {
-    return (lane >> (lanes.bits - 1u)) != 0u;
-}
-
 struct Cap {
     found: bool,
     rank: u32,
@@ -61,8 +44,8 @@ fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
     for (var i = 0u; i < limit; i++) {
         let after = sides ^ (1u << surface_at(i, pixel));
         for (var rank = 0u; rank < lanes.count; rank++) {
-            let inside = ((lane_of(lanes, rank, pixel) >> i) & 1u) != 0u;
-            if inside && is_removed(sides, parts[rank].cuts) && !is_removed(after, parts[rank].cuts) {
+            let enters = is_removed(sides, parts[rank].cuts) && !is_removed(after, parts[rank].cuts);
+            if enters && is_inside(lanes, rank, pixel, i) {
                 return Cap(true, rank, i);
             }
         }
@@ -101,7 +84,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
 
     var odd = false;
     for (var rank = lanes.count; rank > 0u; rank--) {
-        if total_is_odd(lanes, lane_of(lanes, rank - 1u, pixel)) {
+        if starts_inside(lanes, rank - 1u, pixel) {
             odd = true;
             if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[rank - 1u].cuts) {
                 depth = frame.near;
@@ -116,12 +99,6 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);
-}
-
-// The surface that the compute rasteriser left in the layers.
-fn drawn_in_layers(at: vec2<u32>) -> Drawn {
-    let first = pixel_index(at) * WORDS_PER_PIXEL;
-    return Drawn(layers[first], layers[first + 1u], bitcast<f32>(layers[first + 2u]));
 }
 
 // Writes a decision, with the normal of its cap where one was wanted.

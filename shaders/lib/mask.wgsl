@@ -6,7 +6,8 @@
 
 @group(1) @binding(4) var<storage, read_write> mask: array<atomic<u32>>;
 
-fn clear(pixel: u32, words: u32) {
+fn clear(pixel: u32) {
+    let words = arrayLength(&mask) / pixel_count();
     for (var w = 0u; w < words; w++) {
         atomicStore(&mask[w * pixel_count() + pixel], 0u);
     }

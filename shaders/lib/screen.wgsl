@@ -46,6 +46,30 @@ fn snapped(clip: vec4<f32>) -> vec3<i32> {
     return vec3<i32>(steps, bitcast<i32>(clip.z / clip.w));
 }
 
+// A vertex as it is kept: snapped, or in clip space with the borders it is beyond. Of clip space three numbers are kept: one of z
+// and w is the same everywhere, w in parallel views, z in others.
+fn kept(clip: vec4<f32>) -> vec4<i32> {
+    let beyond = borders_beyond(clip);
+    if beyond == 0u {
+        return vec4<i32>(snapped(clip), 0);
+    }
+    let third = select(clip.w, clip.z, frame.orthographic != 0u);
+    return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond));
+}
+
+// Clip space of a vertex that was kept, up to the snapping.
+fn clip_of_kept(vertex: vec4<i32>) -> vec4<f32> {
+    let third = bitcast<f32>(vertex.z);
+    if vertex.w != 0 {
+        let at = bitcast<vec2<f32>>(vertex.xy);
+        return select(vec4<f32>(at, frame.near, third), vec4<f32>(at, third, 1.0), frame.orthographic != 0u);
+    }
+    let size = vec2<f32>(frame.size_px);
+    let at = (vec2<f32>(vertex.xy) / 256.0 - 0.5 * size) / (vec2<f32>(0.5, -0.5) * size);
+    let w = select(frame.near / third, 1.0, frame.orthographic != 0u);
+    return vec4<f32>(at, third, 1.0) * w;
+}
+
 // The pixels whose samples may be inside a box of steps: first and last, of the picture.
 fn first_pixel(low: vec2<i32>) -> vec2<i32> {
     return max((low + 127) >> vec2<u32>(8u), vec2<i32>(0));

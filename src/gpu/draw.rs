@@ -213,12 +213,12 @@ impl Pipelines {
         if let Some((pipeline, bindings)) = self.made.get(&key) {
             return Ok((pipeline.clone(), bindings.clone()));
         }
-        let composed = shader::compose(pass.shader)?;
+        let composed = shader::compose(&pass.shader)?;
         let bindings = shader::bindings(&composed);
         let module = gpu
             .device
             .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(pass.shader),
+                label: Some(pass.shader.path),
                 source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
             });
         let pipeline = std::sync::Arc::new(if matches!(pass.work, Work::Draw { .. }) {

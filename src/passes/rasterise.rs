@@ -14,29 +14,20 @@
 
 use bytemuck::Zeroable;
 
-use super::recorder::Recorder;
+use super::recorder::{Recorder, pixels};
+use super::{Crossings, Store};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Access, Binding, Clock, Contents, Pass, Resource, ResourceId, Role, Work};
+use crate::shader::Shader;
 
-/// Planes of one word per pixel that the mask has after its lanes: the nearest depth and who claims it.
-pub const NEAREST_PLANES: u32 = 2;
 /// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup that owns triangles or vertices.
 const GROUP: u32 = 64;
+/// Planes of one word per pixel: the nearest depth and who claims it.
+const NEAREST_PLANES: u64 = 2;
 /// Workgroups that share the queue of large triangles, and the rows of tiles of each: `large.wgsl` steps by them.
 const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
-
-/// The mask that a rasterised frame writes.
-#[derive(Clone, Copy, Debug)]
-pub struct MaskTarget {
-    /// Lanes, then [`NEAREST_PLANES`].
-    pub mask: ResourceId,
-    /// Words per pixel that the lanes take.
-    pub words: u32,
-    /// Bits of a lane.
-    pub lane_bits: u32,
-}
 
 /// No point this near to the upper left corner is beyond the guard band of `screen.wgsl`, 16,000 px wide to the right and
 /// below, and to the left and above by as much less as the picture is wide.
@@ -47,6 +38,7 @@ struct Mesh {
     indices: Binding,
     vertices: Binding,
     screen: ResourceId,
+    nearest: ResourceId,
     queue: ResourceId,
     triangle_count: u32,
     vertex_count: u32,
@@ -56,9 +48,9 @@ struct Mesh {
 }
 
 impl Recorder<'_> {
-    /// Rasterises all parts into the mask and what the nearest kept surfaces are into the layers, where they wait for the
+    /// Rasterises all parts into what an inside test wants, and what the nearest kept surfaces are into the layers, where they wait for the
     /// resolve with depth-buffer values for depths; the reason where there are too many parts.
-    pub fn rasterise(&mut self, target: MaskTarget, crossings: &[Binding]) -> Result<(), String> {
+    pub(super) fn rasterise(&mut self, store: &Store, crossings: &Crossings) -> Result<(), String> {
         let mesh = self.mesh_in_compute()?;
         let [marking, claiming] =
             [("sweep marking", 0), ("sweep claiming", 1)].map(|(name, claims)| {
@@ -74,22 +66,24 @@ impl Recorder<'_> {
                 Binding::read("sweep", id)
             });
         let frame = self.frame();
+        let pixel_count = pixels(self.view.size_px) as u32;
         self.over(
             "transform",
-            "each vertex goes to fixed point once; the queue of large triangles begins empty",
+            "each vertex goes to fixed point once; depths and the queue of large triangles begin empty",
             "passes/rasterise/transform.wgsl",
             vec![
                 frame,
                 marking.clone(),
                 mesh.vertices.clone(),
                 Binding::write("screen", mesh.screen),
+                Binding::write("nearest", mesh.nearest),
                 Binding::write("queue", mesh.queue),
             ],
             Vec::new(),
-            groups_along(mesh.vertex_count),
+            groups_along(mesh.vertex_count.max(pixel_count)),
         );
-        self.sweep("mark", &mesh, &marking, target, crossings);
-        self.sweep("claim", &mesh, &claiming, target, crossings);
+        self.sweep("mark", &mesh, &marking, store, crossings);
+        self.sweep("claim", &mesh, &claiming, store, crossings);
 
         let layers = self.layers();
         let bindings = vec![
@@ -99,7 +93,7 @@ impl Recorder<'_> {
             mesh.indices,
             mesh.vertices,
             Binding::read("screen", mesh.screen),
-            Binding::read("mask", target.mask),
+            Binding::read("nearest", mesh.nearest),
             Binding::write("layers", layers),
         ];
         self.compute(
@@ -108,7 +102,7 @@ impl Recorder<'_> {
             "the triangle that claimed a pixel gives it part, side and normal",
             "passes/rasterise/surfaces.wgsl",
             bindings,
-            vec![("mask_words", f64::from(target.words))],
+            Vec::new(),
             self.view.size_px,
         );
         Ok(())
@@ -153,6 +147,7 @@ impl Recorder<'_> {
             r.model.indices.clone()
         });
         let vertex_count = (self.model.vertices.0.len() / 16) as u32;
+        let size_px = self.view.size_px;
         let mut made = |name, words: u64| {
             self.once(name, |_| Resource::storage(name, words * 4, Clock::Frame))
         };
@@ -161,6 +156,7 @@ impl Recorder<'_> {
             indices,
             vertices,
             screen: made("screen", u64::from(vertex_count) * 4),
+            nearest: made("nearest", NEAREST_PLANES * pixels(size_px)),
             queue: made("queue", u64::from(triangle_count) + 2),
             triangle_count,
             vertex_count,
@@ -185,14 +181,16 @@ impl Recorder<'_> {
         name: &str,
         mesh: &Mesh,
         sweep: &Binding,
-        target: MaskTarget,
-        crossings: &[Binding],
+        store: &Store,
+        crossings: &Crossings,
     ) {
         let marks = name == "mark";
-        let constants = vec![
-            ("lane_bits", f64::from(target.lane_bits)),
-            ("mask_words", f64::from(target.words)),
-        ];
+        let constants = vec![("lane_bits", f64::from(self.lane_bits))];
+        let shader = |path: &'static str| {
+            Shader::from(path)
+                .with("lib/sample/ranked.wgsl")
+                .with(store.file)
+        };
         let mut bindings = vec![
             self.frame(),
             self.cut_table(),
@@ -200,9 +198,10 @@ impl Recorder<'_> {
             mesh.drawn_parts.clone(),
             mesh.indices.clone(),
             Binding::read("screen", mesh.screen),
-            Binding::update("mask", target.mask),
+            Binding::update("nearest", mesh.nearest),
         ];
-        bindings.extend_from_slice(crossings);
+        bindings.extend(store.bindings.iter().cloned());
+        bindings.extend(crossings.bindings());
         let mut small = bindings.clone();
         small.push(Binding {
             access: if marks {
@@ -219,20 +218,18 @@ impl Recorder<'_> {
             } else {
                 "the first triangle at the depth of a pixel claims it"
             },
-            "passes/rasterise/small.wgsl",
+            shader("passes/rasterise/small.wgsl"),
             small,
             constants.clone(),
             groups_along(mesh.triangle_count),
         );
         bindings.push(Binding::read("queue", mesh.queue));
         if mesh.may_clip {
-            let mut clipped = bindings.clone();
-            clipped.push(mesh.vertices.clone());
             self.over(
                 &format!("{name} clipped"),
                 "the same for triangles that the near plane or the guard band cuts",
-                "passes/rasterise/clipped.wgsl",
-                clipped,
+                shader("passes/rasterise/clipped.wgsl"),
+                bindings.clone(),
                 constants.clone(),
                 QUEUE_GROUPS,
             );
@@ -240,7 +237,7 @@ impl Recorder<'_> {
         self.over(
             &format!("{name} large"),
             "the same for triangles of many samples",
-            "passes/rasterise/large.wgsl",
+            shader("passes/rasterise/large.wgsl"),
             bindings,
             constants,
             QUEUE_GROUPS,
@@ -251,7 +248,7 @@ impl Recorder<'_> {
         &mut self,
         name: &str,
         reason: &str,
-        shader: &'static str,
+        shader: impl Into<Shader>,
         bindings: Vec<Binding>,
         constants: Vec<(&'static str, f64)>,
         groups: [u32; 3],
@@ -260,7 +257,7 @@ impl Recorder<'_> {
             name: name.to_owned(),
             clock: Clock::Frame,
             reason: reason.to_owned(),
-            shader,
+            shader: shader.into(),
             bindings,
             constants,
             work: Work::Compute { groups },

@@ -8,6 +8,7 @@ use crate::plan::{
     Resource, ResourceId, Role, Vertices, Work, groups_over,
 };
 use crate::scene::View;
+use crate::shader::Shader;
 
 /// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
 const UNRANKED: f64 = 254.0;
@@ -121,6 +122,12 @@ impl<'a> Recorder<'a> {
                 .collect();
             Contents::of(&or_one(rows))
         })
+    }
+
+    /// Whether some clip-surface that matters is a relief.
+    pub fn has_reliefs(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_relief(*s))
     }
 
     /// The heights of all reliefs.
@@ -242,7 +249,7 @@ impl<'a> Recorder<'a> {
         self.draw(DrawPass {
             name: "surface".to_owned(),
             reason,
-            shader: "passes/surface.wgsl",
+            shader: "passes/surface.wgsl".into(),
             bindings,
             constants: if ranked {
                 vec![("place", UNRANKED)]
@@ -265,7 +272,7 @@ impl<'a> Recorder<'a> {
         name: impl Into<String>,
         clock: Clock,
         reason: impl Into<String>,
-        shader: &'static str,
+        shader: impl Into<Shader>,
         bindings: Vec<Binding>,
         constants: Vec<(&'static str, f64)>,
         size: [u32; 2],
@@ -274,7 +281,7 @@ impl<'a> Recorder<'a> {
             name: name.into(),
             clock,
             reason: reason.into(),
-            shader,
+            shader: shader.into(),
             bindings,
             constants,
             work: Work::Compute {
@@ -299,8 +306,8 @@ pub struct DrawPass {
     pub name: String,
     /// Why it is there.
     pub reason: String,
-    /// Path of the shader.
-    pub shader: &'static str,
+    /// The shader.
+    pub shader: Shader,
     /// Resources by name.
     pub bindings: Vec<Binding>,
     /// Override constants.

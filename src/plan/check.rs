@@ -171,7 +171,7 @@ impl Plan {
     }
 
     fn check_bindings(&self, pass: &super::Pass, limits: &Limits) -> Result<()> {
-        let wanted = shader::bindings(&shader::compose(pass.shader)?);
+        let wanted = shader::bindings(&shader::compose(&pass.shader)?);
         for b in &pass.bindings {
             let Some(w) = wanted.iter().find(|w| w.name == b.name) else {
                 return Err(Error::Plan(format!(

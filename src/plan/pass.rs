@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::{Clock, ResourceId};
+use crate::shader::Shader;
 
 /// How a pass uses a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,8 +156,8 @@ pub struct Pass {
     pub clock: Clock,
     /// Why it is there, for the reader of `cutaway plan`.
     pub reason: String,
-    /// Path of the shader in the tree.
-    pub shader: &'static str,
+    /// The shader.
+    pub shader: Shader,
     /// Resources by the names of the shader.
     pub bindings: Vec<Binding>,
     /// Values of the shader's `override` constants.

@@ -46,7 +46,7 @@ impl Plan {
             .passes
             .iter()
             .map(|p| {
-                json!({ "name": p.name, "clock": p.clock, "shader": p.shader, "work": describe(&p.work),
+                json!({ "name": p.name, "clock": p.clock, "shader": p.shader.to_string(), "work": describe(&p.work),
                     "reads": list(p.reads()), "writes": list(p.writes()), "reason": p.reason })
             })
             .collect();

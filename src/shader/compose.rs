@@ -1,41 +1,102 @@
 //! Composition of one shader from the tree.
+//!
+//! A module that several files of the library define is *open*: `cutaway::store`, what a fragment leaves for the inside test,
+//! has a file for each inside test. A [`Shader`] says which file fills each open module that it needs; so what differs between
+//! two shaders is one file, and a pass over the mesh is written once for all inside tests and both rasterisers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
 
-use super::tree::{LIBRARY, source};
+use super::tree::{LIBRARY, SHADERS, source};
 use crate::{Error, Result};
 
+/// A shader of the tree and the files that fill its open modules.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Shader {
+    /// Path in the tree.
+    pub path: &'static str,
+    /// Paths of library files, one for each open module that the shader needs, sorted.
+    pub with: Vec<&'static str>,
+}
+
+impl Shader {
+    /// Fills one more open module.
+    #[must_use]
+    pub fn with(mut self, file: &'static str) -> Self {
+        self.with.push(file);
+        self.with.sort_unstable();
+        self.with.dedup();
+        self
+    }
+}
+
+impl From<&'static str> for Shader {
+    fn from(path: &'static str) -> Self {
+        Self {
+            path,
+            with: Vec::new(),
+        }
+    }
+}
+
+impl fmt::Display for Shader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.path)?;
+        if self.with.is_empty() {
+            return Ok(());
+        }
+        write!(f, " with {}", self.with.join(", "))
+    }
+}
+
 /// Modules composed so far: plans are checked, reflected and compiled from the same one.
-static COMPOSED: Mutex<BTreeMap<String, naga::Module>> = Mutex::new(BTreeMap::new());
+static COMPOSED: Mutex<BTreeMap<Shader, naga::Module>> = Mutex::new(BTreeMap::new());
 
 /// The composed and validated module of a shader, validated with naga's default capabilities: what core WebGPU offers.
-pub fn compose(path: &str) -> Result<naga::Module> {
+pub fn compose(shader: &Shader) -> Result<naga::Module> {
     let mut composed = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(module) = composed.get(path) {
+    if let Some(module) = composed.get(shader) {
         return Ok(module.clone());
     }
-    let text = source(path).ok_or_else(|| Error::Shader {
-        name: path.to_owned(),
+    let text = source(shader.path).ok_or_else(|| Error::Shader {
+        name: shader.path.to_owned(),
         what: "there is no such shader".to_owned(),
     })?;
-    let module = compose_text(path, text)?;
-    composed.insert(path.to_owned(), module.clone());
+    let module = compose_text_with(&shader.to_string(), text, &shader.with)?;
+    composed.insert(shader.clone(), module.clone());
     Ok(module)
 }
 
 /// As [`compose`], of a text that is not in the tree: tests wrap library functions in small shaders this way.
 pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
+    compose_text_with(name, text, &[])
+}
+
+/// As [`compose_text`], with files that fill open modules.
+pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::Module> {
     let mut composer = Composer::default();
     let report = |composer: &Composer, e: ComposerError| Error::Shader {
         name: name.to_owned(),
         what: e.emit_to_string(composer),
     };
-    for (path, source) in LIBRARY {
+    let mut files = Vec::new();
+    let mut idle: BTreeSet<&str> = with.iter().copied().collect();
+    gather(text, with, &mut files, &mut idle).map_err(|what| Error::Shader {
+        name: name.to_owned(),
+        what,
+    })?;
+    if let Some(file) = idle.first() {
+        return Err(Error::Shader {
+            name: name.to_owned(),
+            what: format!("it has no open module that {file} could fill"),
+        });
+    }
+    for (path, source) in files {
         let descriptor = ComposableModuleDescriptor {
             source,
             file_path: path,
@@ -54,4 +115,104 @@ pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
     composer
         .make_naga_module(descriptor)
         .map_err(|e| report(&composer, e))
+}
+
+/// Every way to compose a shader of the tree: each file in each open module that it needs.
+pub fn compositions() -> Vec<Shader> {
+    let mut all = Vec::new();
+    for (path, text) in SHADERS {
+        let mut open = vec![Shader::from(*path)];
+        while let Some(shader) = open.pop() {
+            match first_open(text, &shader.with, &mut BTreeSet::new()) {
+                Some(files) => open.extend(files.into_iter().map(|f| shader.clone().with(f))),
+                None => all.push(shader),
+            }
+        }
+    }
+    all.sort();
+    all
+}
+
+type File = (&'static str, &'static str);
+
+/// The files of the library that define a module.
+fn files_of(module: &str) -> Vec<File> {
+    let defines = |text: &str| {
+        text.lines()
+            .any(|l| l.strip_prefix("#define_import_path ").map(str::trim) == Some(module))
+    };
+    let files = LIBRARY.iter().filter(|(_, text)| defines(text));
+    files.copied().collect()
+}
+
+/// The modules that a text imports: `cutaway::NAME` of each import.
+fn imports(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter_map(|line| {
+        let path = line.strip_prefix("#import ")?;
+        let end = path
+            .match_indices("::")
+            .nth(1)
+            .map_or(path.len(), |(at, _)| at);
+        Some(path[..end].trim())
+    })
+}
+
+/// The files that a text needs, each after those it needs itself.
+fn gather<'a>(
+    text: &str,
+    with: &[&'a str],
+    files: &mut Vec<File>,
+    idle: &mut BTreeSet<&'a str>,
+) -> Result<(), String> {
+    for module in imports(text) {
+        let candidates = files_of(module);
+        let chosen = with
+            .iter()
+            .find_map(|w| candidates.iter().find(|(path, _)| path == w));
+        let file = match (chosen, candidates.as_slice()) {
+            (Some(file), _) => {
+                idle.remove(file.0);
+                *file
+            }
+            (None, [only]) => *only,
+            (None, []) => return Err(format!("there is no module {module}")),
+            (None, several) => {
+                let paths: Vec<&str> = several.iter().map(|(path, _)| *path).collect();
+                return Err(format!(
+                    "{module} is open: fill it with one of {}",
+                    paths.join(", ")
+                ));
+            }
+        };
+        if !files.contains(&file) {
+            gather(file.1, with, files, idle)?;
+            if !files.contains(&file) {
+                files.push(file);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The files that could fill the first open module that nothing fills yet.
+fn first_open(
+    text: &'static str,
+    with: &[&'static str],
+    seen: &mut BTreeSet<&'static str>,
+) -> Option<Vec<&'static str>> {
+    for module in imports(text) {
+        let candidates = files_of(module);
+        let chosen = candidates.iter().find(|(path, _)| with.contains(path));
+        let file = match (chosen, candidates.as_slice()) {
+            (Some(file), _) => file,
+            (None, [only]) => only,
+            (None, several) => return Some(several.iter().map(|(path, _)| *path).collect()),
+        };
+        if seen.insert(file.0)
+            && let Some(files) = first_open(file.1, with, seen)
+        {
+            return Some(files);
+        }
+    }
+    None
 }

@@ -6,7 +6,7 @@ macro_rules! files {
     };
 }
 
-/// Modules, each after the modules it imports.
+/// Modules. A module path that several files define is *open*: who composes a shader says which of them fills it.
 pub const LIBRARY: &[(&str, &str)] = files![
     "lib/frame.wgsl",
     "lib/layers.wgsl",
@@ -15,19 +15,26 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/rays.wgsl",
     "lib/quadratic.wgsl",
     "lib/mesh.wgsl",
+    "lib/lanes.wgsl",
     "lib/mask.wgsl",
+    "lib/store/mask.wgsl",
+    "lib/inside/mask.wgsl",
     "lib/crossings.wgsl",
     "lib/crossing_list.wgsl",
     "lib/plane_crossing.wgsl",
     "lib/decision.wgsl",
-    "lib/drawn.wgsl",
+    "lib/drawn/targets.wgsl",
+    "lib/drawn/layers.wgsl",
+    "lib/cap_normal/planes.wgsl",
+    "lib/cap_normal/reliefs.wgsl",
     "lib/wide.wgsl",
     "lib/screen.wgsl",
     "lib/clipping.wgsl",
     "lib/span.wgsl",
     "lib/tiles.wgsl",
     "lib/sweep.wgsl",
-    "lib/sample.wgsl",
+    "lib/nearest.wgsl",
+    "lib/sample/ranked.wgsl",
     "lib/cover.wgsl",
     "lib/vds.wgsl",
 ];
@@ -37,6 +44,8 @@ pub const SHADERS: &[(&str, &str)] = files![
     "passes/surface.wgsl",
     "passes/gather.wgsl",
     "passes/shade.wgsl",
+    "passes/solid.wgsl",
+    "passes/resolve.wgsl",
     "passes/rasterise/transform.wgsl",
     "passes/rasterise/small.wgsl",
     "passes/rasterise/large.wgsl",
@@ -46,11 +55,6 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/surface/raycast/reliefs.wgsl",
     "strategies/surface/grid/clip.wgsl",
     "strategies/surface/grid/cap.wgsl",
-    "strategies/inside/mask/solid.wgsl",
-    "strategies/inside/mask/resolve_planes.wgsl",
-    "strategies/inside/mask/resolve_reliefs.wgsl",
-    "strategies/inside/mask/compute/resolve_planes.wgsl",
-    "strategies/inside/mask/compute/resolve_reliefs.wgsl",
     "strategies/inside/vds/clear.wgsl",
     "strategies/inside/vds/count.wgsl",
     "strategies/inside/vds/peel_first.wgsl",

@@ -7,10 +7,11 @@ pub mod inside;
 pub mod surface;
 
 mod name;
-mod rasteriser;
+mod options;
 
+pub use crate::passes::Rasteriser;
 pub use name::{CapSurface, InsideTest, Strategy};
-pub use rasteriser::{FrameOptions, Rasteriser};
+pub use options::FrameOptions;
 
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};

@@ -130,7 +130,7 @@ fn what_else_cuts_a_part_that_is_removed_does_not_matter() {
     let plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
     let crossings = pass(&plan, "crossings");
     assert_eq!(
-        crossings.shader, "strategies/surface/raycast/planes.wgsl",
+        crossings.shader.path, "strategies/surface/raycast/planes.wgsl",
         "the relief of a part that is gone is walked"
     );
     assert!(
@@ -154,7 +154,7 @@ fn planes_are_not_marched() {
             &Strategy::RAYCAST_MASK,
         );
         assert_eq!(
-            pass(&plan, "crossings").shader,
+            pass(&plan, "crossings").shader.path,
             "strategies/surface/raycast/planes.wgsl",
             "{count} planes"
         );
@@ -164,7 +164,7 @@ fn planes_are_not_marched() {
             &Strategy::RAYCAST_MASK,
         );
         assert_eq!(
-            pass(&plan, "crossings").shader,
+            pass(&plan, "crossings").shader.path,
             "strategies/surface/raycast/reliefs.wgsl",
             "a relief among {count} planes"
         );

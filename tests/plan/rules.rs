@@ -202,7 +202,7 @@ fn names_and_bindings_are_checked() {
     });
     tells(
         &unbound,
-        "`mask` of strategies/inside/mask/resolve_reliefs.wgsl is bound to nothing",
+        "`mask` of passes/resolve.wgsl with lib/cap_normal/reliefs.wgsl, lib/drawn/targets.wgsl, lib/inside/mask.wgsl is bound to nothing",
     );
     let unknown = refusal(mask, |p| {
         let id = id_of(p, "frame");
@@ -219,7 +219,9 @@ fn names_and_bindings_are_checked() {
         }
     });
     tells(&read_only, "is only read by");
-    let absent = refusal(mask, |p| pass_mut(p, "shade").shader = "no/such.wgsl");
+    let absent = refusal(mask, |p| {
+        pass_mut(p, "shade").shader = "no/such.wgsl".into()
+    });
     tells(&absent, "there is no such shader");
 }
 

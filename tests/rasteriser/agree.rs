@@ -1,7 +1,6 @@
 //! Frames of the compute rasteriser against exact and against those of the GPU's own.
 
 use cutaway::layers::Layer;
-use cutaway::passes::NEAREST_PLANES;
 use cutaway::plan::Plan;
 use cutaway::scene::{Camera, Cut, Scene, section_surface};
 use cutaway::session::Outcome;
@@ -84,16 +83,12 @@ fn answer(question: &Question, options: FrameOptions) -> (Judged, Mask) {
         let words = session.words(&strategy, name);
         words.unwrap_or_else(|e| panic!("{e}"))
     };
-    let mut mask = Mask {
+    let mask = Mask {
         words: words("mask"),
         lane_bits: lane_bits(session.plan(&strategy).expect("the plan of a drawn frame")),
     };
     // The session is shared: other tests expect the usual options.
     session.set_options(FrameOptions::default());
-    if options == COMPUTE {
-        let planes = NEAREST_PLANES as usize * layers.pixels.len();
-        mask.words.truncate(mask.words.len() - planes);
-    }
     let judged = Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),

@@ -88,8 +88,8 @@ fn both_sweeps_run_the_same_pipelines() {
             pass(&format!("claim {size}")),
         );
         assert_eq!(
-            (mark.shader, &mark.constants),
-            (claim.shader, &claim.constants),
+            (&mark.shader, &mark.constants),
+            (&claim.shader, &claim.constants),
             "{size}"
         );
         assert_ne!(mark.bindings, claim.bindings, "{size}: another sweep");

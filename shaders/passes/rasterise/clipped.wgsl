@@ -3,20 +3,13 @@
 
 #import cutaway::clipping::clipped
 #import cutaway::cover::{Where, cover}
-#import cutaway::mesh::clip_position
-#import cutaway::screen::snapped
+#import cutaway::screen::{clip_of_kept, snapped}
 #import cutaway::sweep::{corners_of, part_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
-override mask_words: u32 = 1u;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 @group(2) @binding(4) var<storage, read> queue: array<u32>;
-@group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
-
-fn clip_of(vertex: u32) -> vec4<f32> {
-    return clip_position(bitcast<vec3<f32>>(vertices[vertex].xyz));
-}
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) row: u32) {
@@ -28,9 +21,9 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         let a = screen[corners.x];
         let b = screen[corners.y];
         let c = screen[corners.z];
-        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits, mask_words);
+        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits);
         let beyond = vec3<u32>(vec3<i32>(a.w, b.w, c.w));
-        var polygon = clipped(clip_of(corners.x), clip_of(corners.y), clip_of(corners.z), beyond);
+        var polygon = clipped(clip_of_kept(a), clip_of_kept(b), clip_of_kept(c), beyond);
         var points: array<vec3<i32>, 8>;
         for (var k = 0u; k < min(polygon.count, 8u); k++) {
             switch polygon.source[k] {

@@ -5,7 +5,6 @@
 #import cutaway::sweep::{corners_of, part_of_triangle}
 
 override lane_bits: u32 = 32u;
-override mask_words: u32 = 1u;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 @group(2) @binding(4) var<storage, read> queue: array<u32>;
@@ -17,7 +16,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         let triangle = queue[2u + i];
         let place = part_of_triangle(triangle);
         let corners = corners_of(triangle, place);
-        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits, mask_words);
+        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits);
         cover(screen[corners.x].xyz, screen[corners.y].xyz, screen[corners.z].xyz, at);
     }
 }

@@ -4,13 +4,12 @@
 // at most 2^14 steps keeps edge functions below 2^30 in magnitude.
 
 #import cutaway::frame::pixel_index
-#import cutaway::sample::take_sample
+#import cutaway::sample::{Sample, take}
 #import cutaway::screen::{edge_bias, first_pixel, last_pixel}
 #import cutaway::span::narrowed
 #import cutaway::sweep::{corners_of, number_of, part_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
-override mask_words: u32 = 1u;
 // Longest side of the box of a small triangle, in pixels; at most 64.
 override small_px: i32 = 64;
 
@@ -65,7 +64,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if area == 0 {
         return;
     }
-    if area < 0 {
+    let front = area < 0;
+    if front {
         area = -area;
         let kept = b;
         b = c;
@@ -92,7 +92,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         for (var x = span.x; x <= span.y; x++) {
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
             let pixel = pixel_index(vec2<u32>(vec2<i32>(first.x + x, y)));
-            take_sample(pixel, z + dot(weights, rise), triangle, place, lane_bits, mask_words);
+            take(Sample(pixel, z + dot(weights, rise), triangle, place, front, lane_bits));
         }
         row += down;
     }

@@ -10,9 +10,7 @@
 #import cutaway::sweep::{corners_of, drawn_parts, part_of_triangle}
 #import cutaway::wide::{wide_cross, wide_is_negative}
 
-override mask_words: u32 = 1u;
-
-@group(1) @binding(2) var<storage, read> mask: array<u32>;
+@group(1) @binding(2) var<storage, read> nearest: array<u32>;
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 @group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
@@ -41,8 +39,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     let first = pixel * WORDS_PER_PIXEL;
-    let z = mask[mask_words * pixel_count() + pixel];
-    let claim = mask[(mask_words + 1u) * pixel_count() + pixel];
+    let z = nearest[pixel];
+    let claim = nearest[pixel_count() + pixel];
     layers[first] = BACKGROUND;
     layers[first + 1u] = 0u;
     layers[first + 2u] = 0u;

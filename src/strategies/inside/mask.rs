@@ -12,10 +12,9 @@
 //! Cannot: repair an open mesh; it marks the pixels where the total is odd. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
-use crate::passes::{DrawPass, MaskTarget, NEAREST_PLANES, Recorder, counted, pixels};
+use crate::passes::{Inside, Rasteriser, Recorder, Store, pixels};
 use crate::plan::{Binding, Capacities, Clock, Resource};
-use crate::strategies::Rasteriser;
-use crate::strategies::surface::raycast::{self, Crossings};
+use crate::strategies::surface::raycast;
 
 /// Records the frame of `raycast+mask`.
 pub fn record(
@@ -24,103 +23,20 @@ pub fn record(
     capacities: &Capacities,
 ) -> Result<(), String> {
     let capacity = raycast::capacity(recorder, capacities);
-    let lane_bits = (capacity + 1).next_power_of_two().max(2);
-    recorder.lane_bits = lane_bits;
-    let words = (recorder.relevance.lanes as u32).div_ceil(32 / lane_bits);
-    let all_words = match rasteriser {
-        Rasteriser::Hardware => words,
-        Rasteriser::Compute => words + NEAREST_PLANES,
-    };
-    let bytes = pixels(recorder.view.size_px) * 4 * u64::from(all_words);
+    recorder.lane_bits = (capacity + 1).next_power_of_two().max(2);
+    let words = (recorder.relevance.lanes as u32).div_ceil(32 / recorder.lane_bits);
+    let bytes = pixels(recorder.view.size_px) * 4 * u64::from(words);
     let mask = recorder.once("mask", |_| Resource::storage("mask", bytes, Clock::Frame));
-    let target = MaskTarget {
-        mask,
-        words,
-        lane_bits,
+    let store = Store {
+        file: "lib/store/mask.wgsl",
+        bindings: vec![Binding::update("mask", mask)],
     };
-    let crossings = raycast::record(recorder, capacity, mask, all_words);
-    match rasteriser {
-        Rasteriser::Hardware => draw(recorder, target, &crossings),
-        Rasteriser::Compute => recorder.rasterise(target, &crossings.bindings())?,
-    }
-    resolve(recorder, target, &crossings, rasteriser);
+    let crossings = raycast::record(recorder, capacity, &store);
+    recorder.over_mesh(rasteriser, &store, &crossings)?;
+    let inside = Inside {
+        file: "lib/inside/mask.wgsl",
+        bindings: vec![Binding::read("mask", mask)],
+    };
+    recorder.resolve(rasteriser, inside, &crossings);
     Ok(())
-}
-
-/// The pass over the mesh by the GPU's own rasteriser.
-fn draw(recorder: &mut Recorder<'_>, target: MaskTarget, crossings: &Crossings) {
-    let (vertices, indices) = recorder.mesh();
-    let mut bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
-        Binding::update("mask", target.mask),
-    ];
-    bindings.extend(crossings.bindings());
-    let ranks = recorder.relevance.cut_parts().to_vec();
-    recorder.draw(DrawPass {
-        name: "solid".to_owned(),
-        reason: format!(
-            "{}: each fragment marks the crossings it is behind, and stays where it is kept",
-            counted(ranks.len(), "cut part")
-        ),
-        shader: "strategies/inside/mask/solid.wgsl",
-        bindings,
-        constants: vec![("lane_bits", f64::from(target.lane_bits))],
-        vertices,
-        indices,
-        draws: recorder.draws_of(&ranks),
-    });
-    recorder.draw_plain_parts(true);
-}
-
-fn resolve(
-    recorder: &mut Recorder<'_>,
-    target: MaskTarget,
-    crossings: &Crossings,
-    rasteriser: Rasteriser,
-) {
-    let layers = recorder.layers();
-    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
-    match rasteriser {
-        Rasteriser::Hardware => {
-            let targets = recorder.targets();
-            bindings.extend([
-                Binding::read("surface_words", targets.words),
-                Binding::read("surface_depth", targets.depth),
-                Binding::read("mask", target.mask),
-                Binding::write("layers", layers),
-            ]);
-        }
-        Rasteriser::Compute => bindings.extend([
-            Binding::read("mask", target.mask),
-            Binding::update("layers", layers),
-        ]),
-    }
-    bindings.extend(crossings.bindings());
-    let reliefs = raycast::has_reliefs(recorder);
-    if reliefs {
-        bindings.push(recorder.heights());
-    }
-    recorder.compute(
-        "resolve",
-        Clock::Frame,
-        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
-        match (rasteriser, reliefs) {
-            (Rasteriser::Hardware, false) => "strategies/inside/mask/resolve_planes.wgsl",
-            (Rasteriser::Hardware, true) => "strategies/inside/mask/resolve_reliefs.wgsl",
-            (Rasteriser::Compute, false) => "strategies/inside/mask/compute/resolve_planes.wgsl",
-            (Rasteriser::Compute, true) => "strategies/inside/mask/compute/resolve_reliefs.wgsl",
-        },
-        bindings,
-        vec![
-            ("lane_bits", f64::from(target.lane_bits)),
-            ("lane_count", recorder.relevance.lanes as f64),
-            (
-                "near_inside",
-                f64::from(u8::from(recorder.relevance.near_inside)),
-            ),
-        ],
-        recorder.view.size_px,
-    );
 }

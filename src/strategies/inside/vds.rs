@@ -158,7 +158,7 @@ fn draw(
         name,
         clock: Clock::Solid,
         reason,
-        shader,
+        shader: shader.into(),
         bindings,
         constants: Vec::new(),
         work,

@@ -52,7 +52,7 @@ pub fn record(
             "{}: chi decides at every fragment",
             counted(ranks.len(), "cut part")
         ),
-        shader: "strategies/surface/grid/clip.wgsl",
+        shader: "strategies/surface/grid/clip.wgsl".into(),
         bindings,
         constants: Vec::new(),
         vertices,
@@ -94,7 +94,7 @@ pub fn record(
                 "the displaced grid of `{}`, cut to the solid by its sprite",
                 recorder.model.prepared.parts[*rank].name
             ),
-            shader: "strategies/surface/grid/cap.wgsl",
+            shader: "strategies/surface/grid/cap.wgsl".into(),
             bindings,
             constants: vec![("cells", f64::from(cells))],
             vertices: Vertices::None,

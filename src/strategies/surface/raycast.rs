@@ -7,34 +7,13 @@
 //!
 //! Cannot: hold more than 31 crossings per pixel. A longer list keeps the nearest, marks the pixel and reports its need.
 
-use crate::passes::{Recorder, pixels};
+use crate::passes::{Crossings, Recorder, Store, pixels};
 use crate::plan::pack;
-use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource, ResourceId};
+use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource};
+use crate::shader::Shader;
 
 /// Crossings that one relief is given room for until a frame reports what it needs: with its parity bit a lane of 8.
 const FIRST_PER_RELIEF: u32 = 7;
-
-/// The list of crossings.
-#[derive(Clone, Copy, Debug)]
-pub struct Crossings {
-    /// Count and starting sides, 8 bytes per pixel.
-    pub heads: ResourceId,
-    /// Depth-buffer values.
-    pub z: ResourceId,
-    /// Clip-surfaces.
-    pub surfaces: ResourceId,
-}
-
-impl Crossings {
-    /// The bindings of `shaders/lib/crossings.wgsl`.
-    pub fn bindings(&self) -> [Binding; 3] {
-        [
-            Binding::read("crossing_heads", self.heads),
-            Binding::read("crossing_z", self.z),
-            Binding::read("crossing_surface", self.surfaces),
-        ]
-    }
-}
 
 /// How many crossings a pixel is given room for.
 pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
@@ -53,22 +32,11 @@ pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
     most.clamp(1, Capacities::MOST_CROSSINGS)
 }
 
-/// Whether some clip-surface that matters is a relief.
-pub fn has_reliefs(recorder: &Recorder<'_>) -> bool {
-    let surfaces = &recorder.relevance.surfaces;
-    surfaces.iter().any(|s| recorder.model.is_relief(*s))
-}
-
-/// Records the pass that writes the list, and clears `mask` on the way.
-pub fn record(
-    recorder: &mut Recorder<'_>,
-    capacity: u32,
-    mask: ResourceId,
-    mask_words: u32,
-) -> Crossings {
+/// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way.
+pub fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Crossings {
     let count = pixels(recorder.view.size_px);
     let one_surface = recorder.relevance.surfaces.len() < 2;
-    let reliefs = has_reliefs(recorder);
+    let reliefs = recorder.has_reliefs();
     let mut buffer = |name: &str, bytes: u64| {
         recorder.once(name, |_| Resource::storage(name, bytes, Clock::Frame))
     };
@@ -93,8 +61,8 @@ pub fn record(
         Binding::write("crossing_z", crossings.z),
         Binding::write("crossing_surface", crossings.surfaces),
         Binding::write("need", need),
-        Binding::write("mask", mask),
     ];
+    bindings.extend(store.begun());
     let (shader, reason) = if reliefs {
         bindings.push(recorder.heights());
         (
@@ -111,12 +79,9 @@ pub fn record(
         "crossings",
         Clock::Frame,
         reason,
-        shader,
+        Shader::from(shader).with(store.file),
         bindings,
-        vec![
-            ("capacity", f64::from(capacity)),
-            ("mask_words", f64::from(mask_words)),
-        ],
+        vec![("capacity", f64::from(capacity))],
         recorder.view.size_px,
     );
     recorder.plan.bounded.push(Bounded {

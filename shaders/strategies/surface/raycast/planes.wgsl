@@ -4,10 +4,9 @@
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
-#import cutaway::mask::clear
+#import cutaway::store::begin
 
 override capacity: u32 = 1u;
-override mask_words: u32 = 1u;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -15,7 +14,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let pixel = pixel_index(id.xy);
-    clear(pixel, mask_words);
+    begin(pixel);
     var list = List(pixel, capacity, 0u, 0u, false);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));

@@ -8,14 +8,13 @@
 #import cutaway::crossing_list::{List, add, finish, need}
 #import cutaway::cuts::{cut_table, NO_RELIEF}
 #import cutaway::frame::{frame, box_interval, buffer_from_depth, centre_of, pixel_index, ray_through}
-#import cutaway::mask::clear
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{cell_of, height_in, map_of}
+#import cutaway::store::begin
 
 override capacity: u32 = 8u;
-override mask_words: u32 = 1u;
 
 // Depth at which a linear value reaches a border of cells, counted by integers; infinite where it never does.
 fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
@@ -120,7 +119,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let pixel = pixel_index(id.xy);
-    clear(pixel, mask_words);
+    begin(pixel);
     var list = List(pixel, capacity, 0u, 0u, false);
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));

@@ -12,15 +12,8 @@ pub enum Rasteriser {
     /// The GPU's own.
     #[default]
     Hardware,
-    /// The passes of [`crate::passes`]: the same coverage, from integers, by compute shaders.
+    /// The passes of `rasterise`: the same coverage, from integers, by compute shaders.
     Compute,
-}
-
-/// What of a frame is neither scene nor strategy.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct FrameOptions {
-    /// Who rasterises the mesh.
-    pub rasteriser: Rasteriser,
 }
 
 impl fmt::Display for Rasteriser {

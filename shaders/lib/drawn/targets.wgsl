@@ -1,4 +1,4 @@
-// The surfaces that the GPU's own rasteriser drew. Bound as @group(1) @binding(0) and (1).
+// The nearest kept surfaces as the GPU's own rasteriser drew them. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::drawn
 
@@ -7,7 +7,7 @@
 @group(1) @binding(0) var surface_words: texture_2d<u32>;
 @group(1) @binding(1) var surface_depth: texture_depth_2d;
 
-fn drawn_in_targets(at: vec2<u32>) -> Drawn {
+fn drawn(at: vec2<u32>) -> Drawn {
     let words = textureLoad(surface_words, at, 0).xy;
     return Drawn(words.x, words.y, textureLoad(surface_depth, at, 0));
 }

@@ -1,13 +1,14 @@
-// The one pass over the mesh: every fragment ranks itself in its pixel's list of crossings, marks the crossings it lies
-// behind, and survives if the side it lies on is kept. Which crossings are in front of the nearest survivor is written
+// The one pass over the mesh: every fragment ranks itself in its pixel's list of crossings, leaves to the inside test what that
+// wants of it (the open module `store`), and survives if the side it lies on is kept. Which crossings are in front of the nearest survivor is written
 // instead of compared again later, so the decisions of this pass are the only ones.
 
 #import cutaway::crossings::rank_of
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::pixel_index
+#import cutaway::lanes::{Fragment, Lane}
 #import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
-#import cutaway::mask::add_fragment
 #import cutaway::mesh::{Vertex, clip_position, facing}
+#import cutaway::store::store
 
 override lane_bits: u32 = 32u;
 
@@ -27,7 +28,8 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
     let rank = rank_of(corner.position.z, pixel);
     let part = parts[corner.rank];
-    add_fragment(pixel, part.lane_word, part.lane_shift, lane_bits, rank.behind);
+    let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
+    store(Fragment(pixel, lane, corner.rank, corner.position.z, rank.behind, front));
     if is_removed(rank.sides, part.cuts) {
         discard;
     }

@@ -1,0 +1,10 @@
+// Normals of caps where all clip-surfaces are planes: the plane's, turned to the removed side.
+
+#define_import_path cutaway::cap_normal
+
+#import cutaway::cuts::cut_table
+#import cutaway::layers::pack_normal
+
+fn packed_cap_normal(at: vec2<u32>, surface: u32, depth: f32) -> u32 {
+    return pack_normal(-cut_table.surfaces[surface].normal.xyz);
+}

@@ -1,0 +1,32 @@
+// Lanes: the bits of one part among the words of a pixel.
+
+#define_import_path cutaway::lanes
+
+// Where the bits of a part are, and how many.
+struct Lane {
+    word: u32,
+    shift: u32,
+    bits: u32,
+}
+
+// A fragment of a part that needs an inside test.
+struct Fragment {
+    pixel: u32,
+    lane: Lane,
+    // Place of the part in the table.
+    place: u32,
+    // Value of the depth buffer.
+    z: f32,
+    // How many crossings are in front of it.
+    behind: u32,
+    // Whether it shows the outside of its triangle.
+    front: bool,
+}
+
+// How lanes are laid out, and whether the near plane meets a solid: then an odd total says that the ray starts inside, not that
+// the mesh is open.
+struct Lanes {
+    bits: u32,
+    count: u32,
+    near_inside: bool,
+}

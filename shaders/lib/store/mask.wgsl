@@ -1,0 +1,16 @@
+// What a fragment leaves for the inside test `mask`: the thermometer of the crossings it is behind.
+
+#define_import_path cutaway::store
+
+#import cutaway::lanes::Fragment
+#import cutaway::mask::{add_fragment, clear}
+
+fn store(fragment: Fragment) {
+    let lane = fragment.lane;
+    add_fragment(fragment.pixel, lane.word, lane.shift, lane.bits, fragment.behind);
+}
+
+// Makes a pixel ready for the first fragment.
+fn begin(pixel: u32) {
+    clear(pixel);
+}
