@@ -105,7 +105,7 @@ impl Driver {
     fn rest(&mut self) {
         self.file_from_part = match self.hold {
             Hold::Node => self.rig.world(self.node, None),
-            Hold::Joint { skin, joint } => self.rig.palette(skin, None)[joint],
+            Hold::Joint { skin, joint } => self.rig.joint(skin, joint, None),
             Hold::Skin { .. } => self.common_place().unwrap_or(DAffine3::IDENTITY),
         };
         let mut pose = Pose {
@@ -180,7 +180,7 @@ impl Driver {
         };
         let file_from_part = match self.hold {
             Hold::Node => self.rig.world(self.node, Some(moment)),
-            Hold::Joint { skin, joint } => self.rig.palette(skin, Some(moment))[joint],
+            Hold::Joint { skin, joint } => self.rig.joint(skin, joint, Some(moment)),
             Hold::Skin { .. } => self.file_from_part,
         };
         if file_from_part.is_finite() {

@@ -191,6 +191,17 @@ impl Rig {
             .collect()
     }
 
+    /// Where one joint of a skin takes what it pulls.
+    pub(in crate::scene) fn joint(
+        &self,
+        skin: usize,
+        joint: usize,
+        moment: Option<Moment>,
+    ) -> DAffine3 {
+        let (node, inverse) = self.skins[skin].joints[joint];
+        self.world(node, moment) * inverse
+    }
+
     /// Whether a clip moves any joint of a skin.
     pub(in crate::scene) fn moves_skin(&self, clip: usize, skin: usize) -> bool {
         let joints = &self.skins[skin].joints;

@@ -48,6 +48,7 @@ pub(super) fn read(
     let skins = skin::read(document, &nodes, buffers);
     let of_rig = skins.iter().map(|s| s.clone().unwrap_or_default());
     let mut rig = Rig::new(nodes.of_rig.clone(), of_rig.collect());
+    notes.extend(skin::flat_joints(&rig));
     clips::Reader {
         document,
         nodes: &nodes,

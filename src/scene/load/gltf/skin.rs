@@ -7,7 +7,7 @@ use gltf::{Document, Primitive, Semantic, Skin};
 
 use super::accessor::{JOINTS, MAT4, WEIGHTS, check, items};
 use super::nodes::Nodes;
-use crate::scene::motion::RigSkin;
+use crate::scene::motion::{Rig, RigSkin};
 
 /// What moves each vertex: joint and weight, up to four per set.
 pub(super) type Pulls = Vec<(u16, f32)>;
@@ -54,6 +54,25 @@ fn one(skin: &Skin<'_>, nodes: &Nodes<'_>, buffers: &[Vec<u8>]) -> Result<RigSki
         skin.joints.push((place, inverse));
     }
     Ok(skin)
+}
+
+/// A joint whose matrix has less volume than this, as a share of what its columns could span, flattens what it pulls.
+const FLAT: f64 = 1e-12;
+
+/// Notes on joints that flatten what they pull at rest.
+pub(super) fn flat_joints(rig: &Rig) -> Vec<String> {
+    let is_flat = |joint: &DAffine3| {
+        let m = joint.matrix3;
+        let columns = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
+        m.determinant().abs() <= FLAT * columns
+    };
+    let flat = |skin: usize| {
+        let joint = rig.palette(skin, None).iter().position(is_flat)?;
+        Some(format!(
+            "skin {skin}: joint {joint} flattens what it pulls: what follows it alone has no volume"
+        ))
+    };
+    (0..rig.skins.len()).filter_map(flat).collect()
 }
 
 /// A 4 x 4 matrix as an item of an accessor.
