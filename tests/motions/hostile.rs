@@ -439,6 +439,23 @@ const REFUSED: &[(Whole, Fault)] = &[
         ),
     ),
     (
+        bending_bar,
+        (
+            "a skin that leads nowhere",
+            |d| {
+                let mut parent = 2;
+                for _ in 0..8 {
+                    let child = d.push("nodes", json!({"scale": [1e38, 1e38, 1e38]}));
+                    d.json["nodes"][parent]["children"] = json!([child]);
+                    parent = child;
+                }
+                let inverse = d.floats(&[[1e38; 16]; 2]);
+                d.json["skins"][0] = json!({"joints": [1, parent], "inverseBindMatrices": inverse});
+            },
+            &["bar: it is bent to places that are not finite"],
+        ),
+    ),
+    (
         morphing_cube,
         (
             "a target beyond its buffer",

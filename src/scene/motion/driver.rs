@@ -103,18 +103,19 @@ impl Driver {
 
     /// Finds out where the part is at rest, and how its mesh stands there.
     fn rest(&mut self) {
-        self.file_from_part = match self.hold {
-            Hold::Node => self.rig.world(self.node, None),
-            Hold::Joint { skin, joint } => self.rig.joint(skin, joint, None),
-            Hold::Skin { .. } => self.common_place().unwrap_or(DAffine3::IDENTITY),
-        };
         let mut pose = Pose {
             weights: self.rest_weights.clone(),
             ..Pose::default()
         };
-        let is_whole = !matches!(self.hold, Hold::Skin { .. }) || self.common_place().is_some();
-        if !is_whole {
-            pose.joints = self.joints(None);
+        match self.hold {
+            Hold::Node => self.file_from_part = self.rig.world(self.node, None),
+            Hold::Joint { skin, joint } => {
+                self.file_from_part = self.rig.joint(skin, joint, None);
+            }
+            Hold::Skin { .. } => match self.common_place() {
+                Some(place) => self.file_from_part = place,
+                None => pose.joints = self.joints(None),
+            },
         }
         if let Some(motion) = self.bound.motion.as_deref().filter(|_| !pose.is_rest()) {
             self.rest_mesh = Arc::new(pose::posed(&self.bound.mesh, motion, &pose));
@@ -156,6 +157,13 @@ impl Driver {
             Arc::clone(&self.rest_mesh),
             self.placed * self.file_from_part,
         )
+    }
+
+    /// Whether the mesh and its place at rest are finite.
+    pub(in crate::scene) fn is_finite(&self) -> bool {
+        let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
+        let positions = &self.rest_mesh.positions;
+        self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
     }
 
     /// What a part with the mesh and motion of the file reaches.

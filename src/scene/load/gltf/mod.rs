@@ -78,10 +78,14 @@ pub(super) fn read(
             }
         };
         let weights = weights(node, &mut said);
+        let label = name.clone();
+        let label = label.unwrap_or_else(|| format!("node {}", node.index()));
         for shape in shapes.iter() {
-            placed.push(shape.at(&rig, place, name.clone(), &weights));
+            let shown = shape.at(&rig, place, name.clone(), &weights);
+            placed.push(shown.ok_or_else(|| {
+                wrong(format!("{label}: it is bent to places that are not finite"))
+            })?);
         }
-        let label = name.unwrap_or_else(|| format!("node {}", node.index()));
         notes.extend(said.into_iter().map(|s| format!("{label}: {s}")));
     }
     if placed.is_empty() {
@@ -164,16 +168,23 @@ impl Shape {
         }
     }
 
-    fn at(&self, rig: &Arc<Rig>, node: usize, name: Option<String>, weights: &[f64]) -> Placed {
+    /// The shape at a node; `None` if it reaches to infinity there.
+    fn at(
+        &self,
+        rig: &Arc<Rig>,
+        node: usize,
+        name: Option<String>,
+        weights: &[f64],
+    ) -> Option<Placed> {
         let driver = Driver::new(rig, node, self.hold.clone(), &self.bound, weights.to_vec());
         let (mesh, world_from_part) = driver.at_rest();
-        Placed {
+        driver.is_finite().then(|| Placed {
             name,
             color: self.color,
             mesh,
             world_from_part,
             driver: driver.is_needed().then(|| Arc::new(driver)),
-        }
+        })
     }
 }
 
