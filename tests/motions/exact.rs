@@ -398,3 +398,35 @@ fn a_file_without_clips_has_none() {
     assert!(made.clips().is_empty());
     assert_eq!(made.at_time(0, 1.0).world_from_part, DAffine3::IDENTITY);
 }
+
+#[test]
+fn motion_goes_with_vertices_that_are_dropped_and_parts_that_come_apart() {
+    let mut document = Document::new();
+    let (corners, triangles) = cube();
+    let mut primitives = Vec::new();
+    // A vertex that no triangle uses comes first; the second cube stands at x = 5 and goes the other way.
+    for (x, by) in [(0.0, 1.0), (5.0, -2.0)] {
+        let mut positions = vec![[9.0; 3]];
+        positions.extend(corners.iter().map(|[px, y, z]| [px + x, *y, *z]));
+        let mut lifts = vec![[7.0; 3]];
+        lifts.extend(corners.iter().map(|[px, _, _]| [0.0, by * px, 0.0]));
+        let indices: Vec<[u32; 3]> = triangles.iter().map(|t| t.map(|i| i + 1)).collect();
+        let (at, lift) = (document.floats(&positions), document.floats(&lifts));
+        let indices = document.indices(&indices);
+        primitives.push(json!({
+            "attributes": {"POSITION": at}, "indices": indices, "targets": [{"POSITION": lift}],
+        }));
+    }
+    document.push("meshes", json!({ "primitives": primitives }));
+    let weights = document.floats(&[[0.0], [1.0]]);
+    document.clip(0, "weights", "LINEAR", &[0.0, 1.0], weights);
+    let loaded = document.load();
+    let said = loaded.notes.join("\n");
+    assert!(said.contains("left out 2 vertices"), "{said}");
+    assert_eq!(loaded.parts.len(), 2, "two cubes");
+    for (part, (x, by)) in loaded.parts.iter().zip([(0.0, 1.0), (5.0, -2.0)]) {
+        let moved = |p: &DVec3| *p + DVec3::new(x, by * p.x, 0.0);
+        let wanted: Vec<DVec3> = wide(&corners).iter().map(moved).collect();
+        near(&world(&part.at_time(0, 1.0)), &wanted);
+    }
+}
