@@ -351,6 +351,19 @@ const MENDED: &[(Whole, Fault)] = &[
     (
         morphing_cube,
         (
+            "a primitive without targets",
+            |d| {
+                let mut second = d.json["meshes"][0]["primitives"][0].clone();
+                second.as_object_mut().unwrap().remove("targets");
+                let all = d.json["meshes"][0]["primitives"].as_array_mut();
+                all.unwrap().push(second);
+            },
+            &["one: its primitives differ in their number of morph targets"],
+        ),
+    ),
+    (
+        morphing_cube,
+        (
             "a target that is too short",
             |d| {
                 let short = d.floats(&[[1.0_f32; 3]; 7]);

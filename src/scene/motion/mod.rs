@@ -1,10 +1,13 @@
 //! What moves the vertices of a part: morph targets, a skin and deformers, and the pose they take at one time.
 //!
 //! A [`Motion`] is what is known beforehand, per position of the part's mesh; a [`Pose`] is the small rest that changes from
-//! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`](super::Part::posed_mesh) in f64 on the CPU, which the exact reference is given,
+//! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference is given,
 //! and the pose pass of a frame in f32 on the GPU. They share the numbers of the pose and nothing else.
 //!
-//! The files of parts bring a rig with them: nodes, skins and clips, which give a pose for a time ([`Part::at_time`](super::Part::at_time)).
+//! The files of parts bring a rig with them: nodes, skins and clips, which give a pose for a time ([`Part::at_time`]).
+//!
+//! [`Part::posed_mesh`]: super::Part::posed_mesh
+//! [`Part::at_time`]: super::Part::at_time
 //!
 //! The order is fixed: rest, plus weighted targets, then the blend of the joints (linear blend skinning), then deformers in
 //! their order; all in part space. The placement of the part follows. Normals go with the cofactors of what was applied.

@@ -1,7 +1,7 @@
 //! Poses applied on the CPU, in f64: what the exact reference is given.
 //!
-//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the other.
-//! Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
+//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the
+//! other. Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
 //! lacks is zero, a joint that the pose lacks is the identity, a weight without a target does nothing.
 
 use std::borrow::Cow;

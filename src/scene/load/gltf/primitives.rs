@@ -72,6 +72,13 @@ pub(super) fn draft(
         let wide = positions.into_iter().map(|p| DVec3::from(p.map(f64::from)));
         draft.mesh.positions.extend(wide);
     }
+    let mut targets = mesh.primitives().map(|p| p.morph_targets().len());
+    let first = targets.next().unwrap_or(0);
+    if targets.any(|more| more != first) {
+        notes.push(
+            "its primitives differ in their number of morph targets: what is missing stays".into(),
+        );
+    }
     draft.mesh.corner_normals = normals;
     draft.motion = followers.finish(draft.mesh.positions.len(), notes);
     if left_out > 0 {
