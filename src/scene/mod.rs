@@ -35,7 +35,7 @@ pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
-pub use motion::{Axis, Clip, Deformer, Motion, Pose, Pull};
+pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
 pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
@@ -77,6 +77,7 @@ impl Scene {
                 part.mesh = Arc::new(mesh);
             }
             part.motion = None;
+            part.driver = None;
             part.pose = Pose::default();
         }
         posed

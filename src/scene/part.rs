@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::{Bounds, Material, Mesh, Motion, Pose};
+use super::{Bounds, Driver, Material, Mesh, Motion, Pose};
 
 /// What a cut does to a part (Diepstraten et al. 2003, rule R1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -35,6 +35,8 @@ pub struct Part {
     pub motion: Option<Arc<Motion>>,
     /// How they stand now.
     pub pose: Pose,
+    /// What the part's file says of how it moves; see [`Part::at_time`].
+    pub driver: Option<Arc<Driver>>,
 }
 
 impl Part {
@@ -49,6 +51,7 @@ impl Part {
             priority: None,
             motion: None,
             pose: Pose::default(),
+            driver: None,
         }
     }
 

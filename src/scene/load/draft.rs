@@ -12,7 +12,9 @@ use glam::{DVec3, Vec3};
 use crate::error::{Error, Result};
 use crate::scene::topology::{Edges, Sets};
 use crate::scene::weld::{has_three, thousands, weld};
-use crate::scene::{Mesh, MeshDefect};
+use crate::scene::{Mesh, MeshDefect, Motion};
+
+use super::welded;
 
 /// Indices of vertices must leave one bit of 32 for the direction of an edge.
 const MOST_VERTICES: usize = 1 << 31;
@@ -21,6 +23,8 @@ const MOST_VERTICES: usize = 1 << 31;
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub(super) mesh: Mesh,
+    /// What can move the mesh's positions.
+    pub(super) motion: Motion,
     /// Index into `groups` per triangle; empty if there is one group at most.
     pub(super) group_of_triangle: Vec<u32>,
     pub(super) groups: Vec<Group>,
@@ -39,6 +43,7 @@ pub(super) struct Solid {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
     pub(super) mesh: Mesh,
+    pub(super) motion: Motion,
 }
 
 impl Draft {
@@ -49,7 +54,7 @@ impl Draft {
         notes: &mut Vec<String>,
     ) -> Result<Vec<Solid>> {
         refuse_defects(path, &self.mesh)?;
-        let unused = self.mesh.positions.len() - drop_unused(&mut self.mesh);
+        let unused = self.mesh.positions.len() - self.drop_unused();
         if unused > 0 {
             notes.push(format!(
                 "left out {} vertices that no triangle uses",
@@ -57,6 +62,7 @@ impl Draft {
             ));
         }
         if let Some(welded) = weld(&self.mesh.positions, &self.mesh.triangles) {
+            self.motion = welded::motion(&self.mesh, &self.motion, &welded.new_from_old, notes);
             self.mesh.positions = welded.positions;
             for t in &mut self.mesh.triangles {
                 *t = t.map(|i| welded.new_from_old[i as usize]);
@@ -71,7 +77,7 @@ impl Draft {
                 "left out {} triangles with a repeated corner: they cover nothing",
                 thousands(flat)
             ));
-            drop_unused(&mut self.mesh);
+            self.drop_unused();
         }
         refuse_defects(path, &self.mesh)?;
         Ok(self.split(notes))
@@ -87,6 +93,31 @@ impl Draft {
         if let Some(normals) = &mut self.mesh.corner_normals {
             retain(normals, &kept);
         }
+    }
+
+    /// Drops vertices that no triangle uses, keeps the order of the others, returns how many are left.
+    fn drop_unused(&mut self) -> usize {
+        let mesh = &mut self.mesh;
+        let mut used = vec![false; mesh.positions.len()];
+        for i in mesh.triangles.iter().flatten() {
+            used[*i as usize] = true;
+        }
+        if used.iter().any(|u| !u) {
+            let mut left = Vec::new();
+            let mut number = Vec::with_capacity(used.len());
+            for (i, used) in (0..).zip(&used) {
+                number.push(left.len() as u32);
+                if *used {
+                    left.push(i);
+                }
+            }
+            retain(&mut mesh.positions, &used);
+            for t in &mut mesh.triangles {
+                *t = t.map(|i| number[i as usize]);
+            }
+            self.motion = self.motion.of_positions(&left);
+        }
+        self.mesh.positions.len()
     }
 
     fn split(self, notes: &mut Vec<String>) -> Vec<Solid> {
@@ -124,16 +155,19 @@ impl Draft {
             let members = || (0..groups).filter(|g| solid_of_group[*g] as usize == solid);
             let by_size = |g: &usize| (size[*g], std::cmp::Reverse(*g));
             let colored = members().filter(|g| self.groups[*g].color.is_some());
+            let (mesh, motion) = if count == 1 {
+                (self.mesh.clone(), self.motion.clone())
+            } else {
+                let (mesh, vertices) = picked(&self.mesh, triangles);
+                (mesh, self.motion.of_positions(&vertices))
+            };
             solids.push(Solid {
                 name: members().find_map(|g| self.groups[g].name.clone()),
                 color: colored
                     .max_by_key(by_size)
                     .and_then(|g| self.groups[g].color),
-                mesh: if count == 1 {
-                    self.mesh.clone()
-                } else {
-                    picked(&self.mesh, triangles)
-                },
+                mesh,
+                motion,
             });
         }
         solids
@@ -164,7 +198,7 @@ impl Draft {
             .enumerate()
             .filter(|(_, triangles)| !triangles.is_empty())
             .map(|(g, triangles)| {
-                let mesh = picked(&self.mesh, triangles);
+                let (mesh, _) = picked(&self.mesh, triangles);
                 let closed = Edges::of(&mesh.triangles).count().open == 0;
                 (g as u32, mesh.volume(), mesh.bounds(), closed)
             })
@@ -214,37 +248,14 @@ fn retain<T>(items: &mut Vec<T>, kept: &[bool]) {
     items.retain(|_| flags.next().is_none_or(|k| *k));
 }
 
-/// Drops vertices that no triangle uses, keeps the order of the others, returns how many are left.
-fn drop_unused(mesh: &mut Mesh) -> usize {
-    let mut used = vec![false; mesh.positions.len()];
-    for i in mesh.triangles.iter().flatten() {
-        used[*i as usize] = true;
-    }
-    if used.iter().any(|u| !u) {
-        let mut next = 0;
-        let number: Vec<u32> = used
-            .iter()
-            .map(|u| {
-                next += u32::from(*u);
-                next.wrapping_sub(1)
-            })
-            .collect();
-        retain(&mut mesh.positions, &used);
-        for t in &mut mesh.triangles {
-            *t = t.map(|i| number[i as usize]);
-        }
-    }
-    mesh.positions.len()
-}
-
-/// Some triangles as a mesh of their own.
-fn picked(mesh: &Mesh, triangles: &[u32]) -> Mesh {
+/// Some triangles as a mesh of their own, and the vertices that it has of the whole.
+fn picked(mesh: &Mesh, triangles: &[u32]) -> (Mesh, Vec<u32>) {
     let corners = triangles.iter().map(|t| mesh.triangles[*t as usize]);
     let mut vertices: Vec<u32> = corners.clone().flatten().collect();
     vertices.sort_unstable();
     vertices.dedup();
     let number = |i: u32| vertices.partition_point(|v| *v < i) as u32;
-    Mesh {
+    let picked = Mesh {
         positions: vertices
             .iter()
             .map(|v| mesh.positions[*v as usize])
@@ -254,7 +265,8 @@ fn picked(mesh: &Mesh, triangles: &[u32]) -> Mesh {
             .corner_normals
             .as_ref()
             .map(|n| triangles.iter().map(|t| n[*t as usize]).collect()),
-    }
+    };
+    (picked, vertices)
 }
 
 #[cfg(test)]

@@ -5,15 +5,13 @@
 //! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
 //! could not use it says in [`Loaded::notes`].
 
-mod accessor;
 mod draft;
 mod gltf;
 mod mtl;
 mod obj;
 mod ply;
-mod skin;
 mod stl;
-mod uri;
+mod welded;
 
 use std::collections::HashSet;
 use std::io::Read;
@@ -24,7 +22,7 @@ use flate2::read::MultiGzDecoder;
 use glam::{DAffine3, Vec3};
 
 use super::topology::Edges;
-use super::{Material, Mesh, Part};
+use super::{Driver, Material, Mesh, Part};
 use crate::error::{Error, Result, did_you_mean};
 
 use draft::{Draft, Group, Solid};
@@ -108,6 +106,7 @@ struct Placed {
     color: Option<Vec3>,
     mesh: Arc<Mesh>,
     world_from_part: DAffine3,
+    driver: Option<Arc<Driver>>,
 }
 
 impl Placed {
@@ -117,6 +116,7 @@ impl Placed {
             color: solid.color,
             mesh: Arc::new(solid.mesh),
             world_from_part: DAffine3::IDENTITY,
+            driver: None,
         }
     }
 }
@@ -144,6 +144,7 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
         .map(|(i, p)| {
             let mut part = Part::new(name_of(p.name, &mut taken), p.mesh);
             part.world_from_part = p.world_from_part;
+            part.driver = p.driver;
             part.material = Material::of_index(i);
             if let Some(color) = p.color {
                 part.material.color = color;
@@ -224,6 +225,7 @@ fn read(path: &Path) -> Result<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Motion;
 
     #[test]
     fn extensions_name_the_format() {
@@ -243,6 +245,7 @@ mod tests {
                 name: name.map(str::to_owned),
                 color: None,
                 mesh: Mesh::default(),
+                motion: Motion::default(),
             })
         };
         let names = |placed| -> Vec<String> {

@@ -4,15 +4,29 @@
 //! time to time, in f64. Two paths apply a pose: [`Part::posed_mesh`] in f64 on the CPU, which the exact reference is given,
 //! and the pose pass of a frame in f32 on the GPU. They share the numbers of the pose and nothing else.
 //!
+//! The files of parts bring a rig with them: nodes, skins and clips, which give a pose for a time ([`Part::at_time`]).
+//!
+//! [`Part::posed_mesh`]: super::Part::posed_mesh
+//! [`Part::at_time`]: super::Part::at_time
+//!
 //! The order is fixed: rest, plus weighted targets, then the blend of the joints (linear blend skinning), then deformers in
 //! their order; all in part space. The placement of the part follows. Normals go with the cofactors of what was applied.
 
+mod bounds;
+mod defect;
 mod deform;
+mod driver;
 mod pose;
 mod rig;
+mod track;
 
+pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
+pub use driver::Driver;
+pub(super) use driver::{Bound, Hold};
 pub use rig::Clip;
+pub(super) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
+pub(super) use track::{Track, Way};
 
 use glam::{DAffine3, DVec3};
 
@@ -37,15 +51,45 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The pulls on a position; none without a skin.
+    /// The pulls on a position; none without a skin, or where the lists are not what they should be.
     pub fn pulls_of(&self, position: usize) -> &[Pull] {
-        match (
-            self.first_pull.get(position),
-            self.first_pull.get(position + 1),
-        ) {
-            (Some(first), Some(end)) => &self.pulls[*first as usize..*end as usize],
-            _ => &[],
+        let bounds = self.first_pull.get(position..position + 2);
+        let Some(&[first, end]) = bounds else {
+            return &[];
+        };
+        let pulls = self.pulls.get(first as usize..end as usize);
+        pulls.unwrap_or_default()
+    }
+
+    /// How far a target moves a position at weight 1; nowhere if it says nothing about it.
+    pub(super) fn displacement(&self, target: usize, position: usize) -> DVec3 {
+        let of_target = self.targets.get(target);
+        of_target
+            .and_then(|t| t.get(position))
+            .copied()
+            .unwrap_or_default()
+    }
+
+    /// What moves a choice of the positions, in the order of the choice.
+    pub(super) fn of_positions(&self, chosen: &[u32]) -> Self {
+        let of_target = |t| {
+            chosen
+                .iter()
+                .map(|i| self.displacement(t, *i as usize))
+                .collect()
+        };
+        let mut motion = Self {
+            targets: (0..self.targets.len()).map(of_target).collect(),
+            ..Self::default()
+        };
+        if !self.first_pull.is_empty() {
+            motion.first_pull.push(0);
+            for i in chosen {
+                motion.pulls.extend_from_slice(self.pulls_of(*i as usize));
+                motion.first_pull.push(motion.pulls.len() as u32);
+            }
         }
+        motion
     }
 }
 

@@ -1,52 +1,89 @@
 //! Poses applied on the CPU, in f64: what the exact reference is given.
 //!
-//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the other.
-//! Cost: time in proportion to positions times targets and pulls.
+//! Written from the definitions alone and sharing nothing with the GPU's pose pass, so that each can be held against the
+//! other. Cost: time in proportion to positions times targets and pulls. Applying a pose is total: a displacement that a target
+//! lacks is zero, a joint that the pose lacks is the identity, a weight without a target does nothing.
 
 use std::borrow::Cow;
 
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{Motion, Pose};
 use crate::scene::{Mesh, Part};
 
 impl Part {
-    /// The mesh as it stands in the part's pose, in part space. Corner normals are those of the rest pose: they shade and
-    /// decide nothing.
+    /// The mesh as it stands in the part's pose, in part space. Corner normals turn with the joints; morph targets leave
+    /// them as they are: they shade and decide nothing.
     pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
         if self.pose.is_rest() {
             return Cow::Borrowed(&self.mesh);
         }
         let still = Motion::default();
         let motion = self.motion.as_deref().unwrap_or(&still);
-        let positions = (0..self.mesh.positions.len())
-            .into_par_iter()
-            .map(|i| posed(motion, &self.pose, i, self.mesh.positions[i]))
-            .collect();
-        Cow::Owned(Mesh {
-            positions,
-            triangles: self.mesh.triangles.clone(),
-            corner_normals: self.mesh.corner_normals.clone(),
-        })
+        Cow::Owned(posed(&self.mesh, motion, &self.pose))
     }
 }
 
-fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
-    let mut point = rest;
-    for (target, weight) in motion.targets.iter().zip(&pose.weights) {
-        point += target[index] * *weight;
-    }
-    let pulls = motion.pulls_of(index);
-    if !pulls.is_empty() && !pose.joints.is_empty() {
-        let mut linear = DMat3::ZERO;
-        let mut moved = DVec3::ZERO;
-        for pull in pulls {
-            let joint = &pose.joints[usize::from(pull.joint)];
-            linear += joint.matrix3 * f64::from(pull.weight);
-            moved += joint.translation * f64::from(pull.weight);
+/// A mesh in a pose.
+pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
+    let blends: Vec<DAffine3> = (0..mesh.positions.len())
+        .into_par_iter()
+        .map(|i| blend(motion, pose, i))
+        .collect();
+    let positions = mesh
+        .positions
+        .par_iter()
+        .enumerate()
+        .map(|(i, rest)| blends[i].transform_point3(morphed(motion, pose, i, *rest)))
+        .collect();
+    let turned = |corner: (&u32, Vec3)| {
+        let (vertex, normal) = corner;
+        match blends.get(*vertex as usize) {
+            Some(blend) => turned(blend.matrix3, normal),
+            None => normal,
         }
-        point = linear * point + moved;
+    };
+    let corner_normals = mesh.corner_normals.as_ref().map(|all| {
+        let both = all.iter().zip(&mesh.triangles);
+        both.map(|(n, t)| std::array::from_fn(|k| turned((&t[k], n[k]))))
+            .collect()
+    });
+    Mesh {
+        positions,
+        triangles: mesh.triangles.clone(),
+        corner_normals,
     }
-    point
+}
+
+fn morphed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
+    let weights = pose.weights.iter().enumerate();
+    weights.fold(rest, |point, (target, weight)| {
+        point + motion.displacement(target, index) * *weight
+    })
+}
+
+/// Where the joints together take a position.
+fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
+    let pulls = motion.pulls_of(index);
+    if pulls.is_empty() || pose.joints.is_empty() {
+        return DAffine3::IDENTITY;
+    }
+    let mut blend = DAffine3::ZERO;
+    for pull in pulls {
+        let joint = pose.joints.get(usize::from(pull.joint));
+        let joint = joint.copied().unwrap_or(DAffine3::IDENTITY);
+        blend.matrix3 += joint.matrix3 * f64::from(pull.weight);
+        blend.translation += joint.translation * f64::from(pull.weight);
+    }
+    blend
+}
+
+/// Normals go with the cofactors: they stay at right angles to what the matrix makes of the surface.
+fn turned(matrix: DMat3, normal: Vec3) -> Vec3 {
+    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+    (cofactors * normal.as_dvec3())
+        .normalize_or_zero()
+        .as_vec3()
 }

@@ -1,32 +1,210 @@
-//! Clips: what a file says about how its parts move.
+//! Rigs: the nodes of a file, the skins that hang on them, and the clips that move them.
+//!
+//! A rig answers where a node is at a moment; it is shared by all parts of a file. One node costs its ancestors, a skin all
+//! nodes of the file. Nodes that a clip does not move stand as the file has them.
 
-use glam::DAffine3;
+use std::collections::BTreeMap;
 
-use crate::scene::Part;
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::track::Track;
 
 /// One animation of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
-    /// Name in the file.
+    /// Name in the file, made unique; `clip_N` without one.
     pub name: String,
     /// Time of its last key.
     pub duration_s: f64,
 }
 
-impl Part {
-    /// The animations that the part's file has.
-    pub fn clips(&self) -> &[Clip] {
-        &[]
+/// A time in a clip.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) struct Moment {
+    pub(in crate::scene) clip: usize,
+    pub(in crate::scene) time_s: f64,
+}
+
+/// How a node stands in its parent.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) struct Stand {
+    pub(in crate::scene) translation: DVec3,
+    pub(in crate::scene) rotation: DQuat,
+    pub(in crate::scene) scale: DVec3,
+}
+
+impl Stand {
+    pub(in crate::scene) fn affine(self) -> DAffine3 {
+        DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
+    }
+}
+
+/// A node of the file.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct RigNode {
+    /// Index into [`Rig::nodes`], less than that of the node itself.
+    pub(in crate::scene) parent: Option<usize>,
+    /// Where it is while no clip moves it.
+    pub(in crate::scene) rest: DAffine3,
+    /// The same in pieces; `None` for a matrix that does not come apart.
+    pub(in crate::scene) stand: Option<Stand>,
+}
+
+/// What pulls at the vertices of a mesh.
+#[derive(Clone, Debug, Default)]
+pub(in crate::scene) struct RigSkin {
+    /// Nodes and their inverse bind matrices.
+    pub(in crate::scene) joints: Vec<(usize, DAffine3)>,
+}
+
+/// What a clip changes of one node.
+#[derive(Clone, Debug, Default)]
+pub(in crate::scene) struct NodeTracks {
+    pub(in crate::scene) translation: Option<Track<DVec3>>,
+    pub(in crate::scene) rotation: Option<Track<DQuat>>,
+    pub(in crate::scene) scale: Option<Track<DVec3>>,
+    pub(in crate::scene) weights: Option<Track<Vec<f64>>>,
+}
+
+impl NodeTracks {
+    fn moves(&self) -> bool {
+        self.translation.is_some() || self.rotation.is_some() || self.scale.is_some()
+    }
+}
+
+/// What a clip changes.
+#[derive(Clone, Debug, Default)]
+struct Moves {
+    of_node: BTreeMap<usize, NodeTracks>,
+    /// Per node: whether it or a node above it moves.
+    is_moved: Vec<bool>,
+}
+
+/// What moves the parts of a file.
+#[derive(Clone, Debug, Default)]
+pub(in crate::scene) struct Rig {
+    /// Parents first.
+    pub(in crate::scene) nodes: Vec<RigNode>,
+    pub(in crate::scene) skins: Vec<RigSkin>,
+    clips: Vec<Clip>,
+    moves: Vec<Moves>,
+}
+
+impl Rig {
+    /// Nodes and skins without clips.
+    pub(in crate::scene) fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
+        Self {
+            nodes,
+            skins,
+            ..Self::default()
+        }
     }
 
-    /// The part as a clip has it at a time: placed and posed.
-    #[must_use]
-    pub fn at_time(&self, _clip: usize, _time_s: f64) -> Self {
-        self.clone()
+    /// The clips of the file.
+    pub(in crate::scene) fn clips(&self) -> &[Clip] {
+        &self.clips
     }
 
-    /// Places the part as a whole, in all poses and at all times.
-    pub fn place(&mut self, placed: DAffine3) {
-        self.world_from_part = placed * self.world_from_part;
+    /// Adds a clip by what it changes of each node. A node may have tracks only if it comes apart.
+    pub(in crate::scene) fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
+        let mut is_moved: Vec<bool> = Vec::with_capacity(self.nodes.len());
+        for (index, node) in self.nodes.iter().enumerate() {
+            let above = node.parent.is_some_and(|p| is_moved[p]);
+            is_moved.push(above || of_node.get(&index).is_some_and(NodeTracks::moves));
+        }
+        self.clips.push(clip);
+        self.moves.push(Moves { of_node, is_moved });
+    }
+
+    /// Removes the clip that was added last.
+    pub(in crate::scene) fn take_back(&mut self) {
+        self.clips.pop();
+        self.moves.pop();
+    }
+
+    /// Whether a clip moves a node, by itself or with its parent.
+    pub(in crate::scene) fn moves(&self, clip: usize, node: usize) -> bool {
+        let moves = self.moves.get(clip);
+        moves.is_some_and(|m| m.is_moved.get(node) == Some(&true))
+    }
+
+    /// Weights of a node's morph targets, if the clip changes them.
+    pub(in crate::scene) fn weights(&self, node: usize, moment: Moment) -> Option<Vec<f64>> {
+        let tracks = self.tracks(node, moment.clip)?.weights.as_ref()?;
+        Some(tracks.at(moment.time_s))
+    }
+
+    fn tracks(&self, node: usize, clip: usize) -> Option<&NodeTracks> {
+        self.moves.get(clip)?.of_node.get(&node)
+    }
+
+    fn local(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
+        let node_at_rest = &self.nodes[node];
+        let moved = moment.and_then(|m| Some((self.tracks(node, m.clip)?, m.time_s)));
+        let (Some((tracks, time_s)), Some(mut stand)) = (moved, node_at_rest.stand) else {
+            return node_at_rest.rest;
+        };
+        if !tracks.moves() {
+            return node_at_rest.rest;
+        }
+        if let Some(track) = &tracks.translation {
+            stand.translation = track.at(time_s);
+        }
+        if let Some(track) = &tracks.rotation {
+            stand.rotation = track.at(time_s);
+        }
+        if let Some(track) = &tracks.scale {
+            stand.scale = track.at(time_s);
+        }
+        stand.affine()
+    }
+
+    /// Where a node is; at rest without a moment.
+    pub(in crate::scene) fn world(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
+        // From the root down, as `worlds` multiplies: the same node must not be in two places by a rounding.
+        let above = |n: &usize| self.nodes[*n].parent;
+        let mut chain: Vec<usize> = std::iter::successors(Some(node), above).collect();
+        let root = chain.pop().unwrap_or(node);
+        let root_world = self.local(root, moment);
+        chain
+            .iter()
+            .rev()
+            .fold(root_world, |world, n| world * self.local(*n, moment))
+    }
+
+    /// Where all nodes are.
+    pub(in crate::scene) fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
+        let mut worlds: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
+        for (index, node) in self.nodes.iter().enumerate() {
+            let local = self.local(index, moment);
+            worlds.push(node.parent.map_or(local, |p| worlds[p] * local));
+        }
+        worlds
+    }
+
+    /// Where the joints of a skin take what they pull, from bind space to the file's world.
+    pub(in crate::scene) fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
+        let worlds = self.worlds(moment);
+        let joints = self.skins[skin].joints.iter();
+        joints
+            .map(|(node, inverse)| worlds[*node] * *inverse)
+            .collect()
+    }
+
+    /// Where one joint of a skin takes what it pulls.
+    pub(in crate::scene) fn joint(
+        &self,
+        skin: usize,
+        joint: usize,
+        moment: Option<Moment>,
+    ) -> DAffine3 {
+        let (node, inverse) = self.skins[skin].joints[joint];
+        self.world(node, moment) * inverse
+    }
+
+    /// Whether a clip moves any joint of a skin.
+    pub(in crate::scene) fn moves_skin(&self, clip: usize, skin: usize) -> bool {
+        let joints = &self.skins[skin].joints;
+        joints.iter().any(|(node, _)| self.moves(clip, *node))
     }
 }

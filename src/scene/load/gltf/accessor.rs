@@ -46,6 +46,43 @@ pub(super) const WEIGHTS: Wanted = Wanted {
     dimensions: Dimensions::Vec4,
 };
 
+/// Times of keys.
+pub(super) const TIMES: Wanted = Wanted {
+    what: "times",
+    types: &[DataType::F32],
+    dimensions: Dimensions::Scalar,
+};
+
+/// Keys of translations and scales.
+pub(super) const TRIPLES: Wanted = Wanted {
+    what: "translations or scales",
+    types: &[DataType::F32],
+    dimensions: Dimensions::Vec3,
+};
+
+/// Number types of rotations and weights of targets; whole numbers are shares of the greatest.
+const SHARES: &[DataType] = &[
+    DataType::F32,
+    DataType::I8,
+    DataType::U8,
+    DataType::I16,
+    DataType::U16,
+];
+
+/// Keys of rotations.
+pub(super) const ROTATIONS: Wanted = Wanted {
+    what: "rotations",
+    types: SHARES,
+    dimensions: Dimensions::Vec4,
+};
+
+/// Keys of the weights of morph targets.
+pub(super) const TARGET_WEIGHTS: Wanted = Wanted {
+    what: "weights of morph targets",
+    types: SHARES,
+    dimensions: Dimensions::Scalar,
+};
+
 /// Inverse bind matrices.
 pub(super) const MAT4: Wanted = Wanted {
     what: "inverse bind matrices",

@@ -1,0 +1,150 @@
+//! The document of a glTF file and the bytes behind it: what can be refused before geometry is looked at.
+//!
+//! Animations are taken out before the crate validates the rest: a clip that is broken must not take the mesh away. They
+//! are checked where they are read.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use gltf::json::{Animation, Root};
+use gltf::{Document, Glb};
+use serde_json::Value;
+
+use super::{DAMAGED, uri};
+use crate::error::{Error, Result};
+
+/// A file without faults that could be found so far.
+pub(super) struct Opened {
+    pub(super) document: Document,
+    /// By index.
+    pub(super) buffers: Vec<Vec<u8>>,
+    /// The file's animations, which `document` lacks.
+    pub(super) animations: Vec<Animation>,
+}
+
+/// Opens a file. Animations that are not even JSON of the right form are left out with a note.
+pub(super) fn open(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Opened> {
+    let wrong = |what: String| Error::file(path, what, DAMAGED);
+    check_glb(bytes).map_err(wrong)?;
+    let broken = |e: gltf::Error| wrong(format!("glTF: {}", reason(&e)));
+    let (mut root, blob) = root(bytes, notes).map_err(broken)?;
+    check_attributes(&root).map_err(wrong)?;
+    let animations = std::mem::take(&mut root.animations);
+    let document = Document::from_json(root).map_err(broken)?;
+    let buffers = buffers(path, &document, blob)?;
+    Ok(Opened {
+        document,
+        buffers,
+        animations,
+    })
+}
+
+fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>), gltf::Error> {
+    let (json, blob) = if bytes.starts_with(b"glTF") {
+        let glb = Glb::from_slice(bytes)?;
+        (glb.json, glb.bin.map(Cow::into_owned))
+    } else {
+        (Cow::Borrowed(bytes), None)
+    };
+    let root = Root::from_slice(&json).or_else(|e| without_odd_clips(&json, notes).ok_or(e));
+    Ok((root.map_err(gltf::Error::Deserialize)?, blob))
+}
+
+/// The document without the animations that are no animations, if those are all that is wrong with it.
+fn without_odd_clips(json: &[u8], notes: &mut Vec<String>) -> Option<Root> {
+    let mut value: Value = serde_json::from_slice(json).ok()?;
+    let mut said = Vec::new();
+    let mut number = 0;
+    let animations = value.get_mut("animations")?.as_array_mut()?;
+    animations.retain(|animation| {
+        let read = serde_json::from_value::<Animation>(animation.clone());
+        if let Err(why) = &read {
+            let name = animation.get("name").and_then(Value::as_str);
+            let name = name.map_or(format!("clip_{number}"), str::to_owned);
+            said.push(format!("left out clip `{name}`: {why}"));
+        }
+        number += 1;
+        read.is_ok()
+    });
+    let root = serde_json::from_value(value).ok()?;
+    notes.extend(said);
+    Some(root)
+}
+
+/// The reason in one line: of a list of faults, the first.
+fn reason(error: &gltf::Error) -> String {
+    match error {
+        gltf::Error::Validation(faults) => {
+            faults.first().map_or("invalid".to_owned(), |(at, what)| {
+                format!("{at}: {what} (and {} more)", faults.len().saturating_sub(1))
+            })
+        }
+        other => other.to_string(),
+    }
+}
+
+/// The header of a binary file, before the crate computes with it.
+fn check_glb(bytes: &[u8]) -> Result<(), String> {
+    if !bytes.starts_with(b"glTF") {
+        return Ok(());
+    }
+    let word = |at: usize| {
+        let bytes = bytes.get(at..at + 4)?.first_chunk()?;
+        Some(u32::from_le_bytes(*bytes) as usize)
+    };
+    let (Some(version), Some(length)) = (word(4), word(8)) else {
+        return Err(format!(
+            "it ends after {} bytes, in the header",
+            bytes.len()
+        ));
+    };
+    if version != 2 {
+        return Err(format!("it is of version {version}, only 2 is read"));
+    }
+    if length > bytes.len() {
+        return Err(format!("it holds {} of {length} bytes", bytes.len()));
+    }
+    if length < 20 {
+        return Err(format!("its header states a length of {length} bytes"));
+    }
+    Ok(())
+}
+
+/// The crate's own validation looks positions up before it checks that they are there.
+fn check_attributes(root: &Root) -> Result<(), String> {
+    let primitives = root.meshes.iter().flat_map(|m| &m.primitives);
+    let there = root.accessors.len();
+    match primitives
+        .flat_map(|p| p.attributes.values())
+        .find(|a| a.value() >= there)
+    {
+        Some(a) => Err(format!(
+            "a primitive refers to accessor {}, but there are only {there}",
+            a.value()
+        )),
+        None => Ok(()),
+    }
+}
+
+fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
+    let mut blob = blob;
+    document
+        .buffers()
+        .map(|buffer| {
+            let bytes = match buffer.source() {
+                gltf::buffer::Source::Bin => blob.take().unwrap_or_default(),
+                gltf::buffer::Source::Uri(at) => uri::read(path, at)?,
+            };
+            if bytes.len() < buffer.length() {
+                let what = format!(
+                    "buffer {} holds {} of {} bytes",
+                    buffer.index(),
+                    bytes.len(),
+                    buffer.length()
+                );
+                return Err(Error::file(path, what, DAMAGED));
+            }
+            Ok(bytes)
+        })
+        .collect()
+}

@@ -1,0 +1,206 @@
+//! glTF 2.0 and GLB: geometry, placement, base colours, and what moves it: nodes, skins, morph targets, clips. No images.
+//!
+//! Every node with a mesh becomes a part, or several if the mesh's primitives are closed solids of their own. Nodes that
+//! show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the default weights of its
+//! morph targets. Vertices are welded as they were bound, so that a mesh that is closed stays closed in every pose; what
+//! is welded follows the first of its vertices.
+//!
+//! What the still picture needs is refused if it is broken. What only motion needs is left out with a note.
+
+mod accessor;
+mod clips;
+mod document;
+mod follow;
+mod nodes;
+mod primitives;
+mod skin;
+mod uri;
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::path::Path;
+use std::sync::Arc;
+
+use gltf::Node;
+
+use super::{Placed, Solid};
+use crate::error::{Error, Result};
+use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
+
+use document::Opened;
+
+const DAMAGED: &str =
+    "the file is cut off, damaged or uses an extension: export it again as plain glTF 2.0";
+
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    notes: &mut Vec<String>,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Vec<Placed>> {
+    let wrong = |what: String| Error::file(path, what, DAMAGED);
+    let opened = document::open(path, bytes, notes)?;
+    stage("welding");
+    let Opened {
+        document, buffers, ..
+    } = &opened;
+    let nodes = nodes::read(document).map_err(wrong)?;
+    let skins = skin::read(document, &nodes, buffers);
+    let of_rig = skins.iter().map(|s| s.clone().unwrap_or_default());
+    let mut rig = Rig::new(nodes.of_rig.clone(), of_rig.collect());
+    notes.extend(skin::flat_joints(&rig));
+    clips::Reader {
+        document,
+        nodes: &nodes,
+        buffers,
+    }
+    .read(&opened.animations, &mut rig, notes);
+    let rig = Arc::new(rig);
+    let mut placed = Vec::new();
+    let mut shared: BTreeMap<(usize, Option<usize>), Vec<Shape>> = BTreeMap::new();
+    for (place, node) in nodes.nodes.iter().enumerate() {
+        let Some(mesh) = node.mesh() else { continue };
+        let name = node.name().or(mesh.name()).map(str::to_owned);
+        let mut said = Vec::new();
+        let skin = usable_skin(node, &skins, &mut said);
+        let key = (mesh.index(), skin);
+        let shapes = match shared.entry(key) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => {
+                let joints = skin.map(|s| rig.skins[s].joints.len());
+                let draft = primitives::draft(&mesh, joints, buffers, &mut said).map_err(wrong)?;
+                let solids = match draft.mesh.triangles.is_empty() {
+                    true => Vec::new(),
+                    false => draft.into_solids(path, &mut said)?,
+                };
+                let shape = |solid| Shape::of(solid, skin, &rig);
+                new.insert(solids.into_iter().map(shape).collect())
+            }
+        };
+        let weights = weights(node, &mut said);
+        let label = name.clone();
+        let label = label.unwrap_or_else(|| format!("node {}", node.index()));
+        for shape in shapes.iter() {
+            let shown = shape.at(&rig, place, name.clone(), &weights);
+            placed.push(shown.ok_or_else(|| {
+                wrong(format!("{label}: it is bent to places that are not finite"))
+            })?);
+        }
+        notes.extend(said.into_iter().map(|s| format!("{label}: {s}")));
+    }
+    if placed.is_empty() {
+        return Err(Error::file(
+            path,
+            "no node of its scene has triangles",
+            "export it with meshes; points, lines and curves are not cut",
+        ));
+    }
+    Ok(placed)
+}
+
+/// The skin that a node's mesh hangs on, if it can be used.
+fn usable_skin<T>(
+    node: &Node<'_>,
+    skins: &[Result<T, String>],
+    notes: &mut Vec<String>,
+) -> Option<usize> {
+    let index = node.skin()?.index();
+    let why = match skins.get(index)? {
+        Err(why) => why.clone(),
+        Ok(_) if !node.mesh().is_some_and(|m| skin::pulls_at(&m)) => {
+            format!("skin {index}: the mesh does not say what its joints pull")
+        }
+        Ok(_) => return Some(index),
+    };
+    notes.push(format!("shown where its node is: {why}"));
+    None
+}
+
+/// Default weights of a node's morph targets, one each.
+fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
+    let targets = clips::targets(node);
+    let mesh = node.mesh();
+    let given = node
+        .weights()
+        .or(mesh.as_ref().and_then(gltf::Mesh::weights));
+    let mut weights: Vec<f64> = given
+        .unwrap_or_default()
+        .iter()
+        .map(|w| f64::from(*w))
+        .collect();
+    if !weights.is_empty() && weights.len() != targets {
+        let given = weights.len();
+        notes.push(format!(
+            "{given} weights for {targets} morph targets: those that are missing are 0"
+        ));
+    }
+    weights.resize(targets, 0.0);
+    if let Some(bad) = weights.iter_mut().find(|w| !w.is_finite()) {
+        notes.push(format!("a weight of its morph targets is {bad}: all are 0"));
+        weights.fill(0.0);
+    }
+    weights
+}
+
+/// A solid of a mesh, wherever it is shown.
+struct Shape {
+    color: Option<glam::Vec3>,
+    bound: Arc<Bound>,
+    hold: Hold,
+}
+
+impl Shape {
+    fn of(mut solid: Solid, skin: Option<usize>, rig: &Rig) -> Self {
+        let motion = &mut solid.motion;
+        let still = |t: &Vec<glam::DVec3>| t.iter().all(|d| d.abs().max_element() <= 0.0);
+        if motion.targets.iter().all(still) {
+            motion.targets.clear();
+        }
+        let hold = skin.map_or(Hold::Node, |skin| hold(motion, skin, rig));
+        if !matches!(hold, Hold::Skin { .. }) {
+            motion.first_pull.clear();
+            motion.pulls.clear();
+        }
+        Self {
+            color: solid.color,
+            bound: Arc::new(Bound::new(solid.mesh, solid.motion)),
+            hold,
+        }
+    }
+
+    /// The shape at a node; `None` if it reaches to infinity there.
+    fn at(
+        &self,
+        rig: &Arc<Rig>,
+        node: usize,
+        name: Option<String>,
+        weights: &[f64],
+    ) -> Option<Placed> {
+        let driver = Driver::new(rig, node, self.hold.clone(), &self.bound, weights.to_vec());
+        let (mesh, world_from_part) = driver.at_rest();
+        driver.is_finite().then(|| Placed {
+            name,
+            color: self.color,
+            mesh,
+            world_from_part,
+            driver: driver.is_needed().then(|| Arc::new(driver)),
+        })
+    }
+}
+
+/// What takes a skinned solid to its place: one joint, if all of it hangs on that one.
+fn hold(motion: &Motion, skin: usize, rig: &Rig) -> Hold {
+    let beyond = rig.skins[skin].joints.len();
+    let joints = motion.pulls.iter().map(|pull| usize::from(pull.joint));
+    let Some(first) = joints.clone().next() else {
+        return Hold::Node;
+    };
+    if joints.clone().any(|joint| joint != first) {
+        let with_node = joints.max() == Some(beyond);
+        return Hold::Skin { skin, with_node };
+    }
+    if first == beyond {
+        return Hold::Node;
+    }
+    Hold::Joint { skin, joint: first }
+}

@@ -1,0 +1,160 @@
+//! Bounds of a posed part without posing it.
+//!
+//! A skin moves every position to a weighted mean of where its joints take it, so the mesh stays within the boxes that the
+//! joints make of the boxes of what they pull. Morph targets widen those by the boxes of their displacements, times their
+//! weights. The boxes are measured once per mesh and motion; a pose then costs joints times targets. Bounds are never too
+//! small; they are too large where a joint turns its box, or pulls a little at what is far away.
+//!
+//! Deformers have no such shortcut here: with one, all positions are posed.
+
+use glam::{DAffine3, DVec3};
+
+use super::{Motion, Pose};
+use crate::scene::{Bounds, Mesh, Part};
+
+/// Roundings of posing and of this, as a share of the largest number on the way.
+const ROUNDING: f64 = 1e-13;
+
+/// Positions that one joint pulls, or none.
+#[derive(Clone, Debug)]
+struct Pulled {
+    joint: Option<u16>,
+    rest: Bounds,
+    /// Per target: where it moves them at weight 1.
+    moves: Vec<Bounds>,
+}
+
+/// Where the positions of a mesh can go.
+#[derive(Clone, Debug)]
+pub(super) struct Reach {
+    pulled: Vec<Pulled>,
+    /// Least and greatest sum of the weights of a position.
+    weight_sum: [f64; 2],
+    /// Whether a weight is negative or NaN, so that positions leave the boxes.
+    is_wild: bool,
+}
+
+impl Reach {
+    /// Measures a mesh.
+    pub(super) fn of(mesh: &Mesh, motion: Option<&Motion>) -> Self {
+        let still = Motion::default();
+        let motion = motion.unwrap_or(&still);
+        let mut reach = Self {
+            pulled: Vec::new(),
+            weight_sum: [1.0, 1.0],
+            is_wild: false,
+        };
+        // By joint; the last is for positions that none pulls.
+        let joints = motion.pulls.iter().map(|p| usize::from(p.joint) + 1);
+        let free = joints.max().unwrap_or(0);
+        let mut slot_of = vec![usize::MAX; free + 1];
+        for (index, position) in mesh.positions.iter().enumerate() {
+            let pulls = motion.pulls_of(index);
+            let mut add = |key: usize, joint| {
+                let slot = reach.slot(&mut slot_of[key], joint, motion.targets.len());
+                let point = Bounds::of([*position]);
+                slot.rest = slot.rest.union(point);
+                for (target, moves) in slot.moves.iter_mut().enumerate() {
+                    let by = motion.displacement(target, index);
+                    *moves = moves.union(Bounds::of([by]));
+                }
+            };
+            if pulls.is_empty() {
+                add(free, None);
+                continue;
+            }
+            // A pull of weight 0 makes no difference.
+            for pull in pulls.iter().filter(|p| p.weight.abs() > 0.0) {
+                add(usize::from(pull.joint), Some(pull.joint));
+            }
+            let weights = pulls.iter().map(|p| f64::from(p.weight));
+            let sum: f64 = weights.clone().sum();
+            reach.weight_sum[0] = reach.weight_sum[0].min(sum);
+            reach.weight_sum[1] = reach.weight_sum[1].max(sum);
+            // Written so that NaN is wild, too.
+            let is_tame = weights.clone().all(|w| w >= 0.0) && sum > 0.0;
+            reach.is_wild |= !is_tame;
+        }
+        reach
+    }
+
+    fn slot(&mut self, slot: &mut usize, joint: Option<u16>, targets: usize) -> &mut Pulled {
+        if *slot == usize::MAX {
+            *slot = self.pulled.len();
+            self.pulled.push(Pulled {
+                joint,
+                rest: Bounds::EMPTY,
+                moves: vec![Bounds::EMPTY; targets],
+            });
+        }
+        &mut self.pulled[*slot]
+    }
+
+    /// Bounds in a pose without its deformers; `None` if the boxes say nothing.
+    fn posed(&self, pose: &Pose) -> Option<Bounds> {
+        if self.is_wild {
+            return None;
+        }
+        let mut all = Bounds::EMPTY;
+        for pulled in &self.pulled {
+            let mut bounds = pulled.rest;
+            for (moves, weight) in pulled.moves.iter().zip(&pose.weights) {
+                let ends = Bounds::of([moves.min * *weight, moves.max * *weight]);
+                bounds.min += ends.min;
+                bounds.max += ends.max;
+            }
+            let joint = pulled.joint.filter(|_| !pose.joints.is_empty());
+            let taken = match joint {
+                Some(joint) => {
+                    let by = pose.joints.get(usize::from(joint));
+                    let taken = moved(bounds, by.copied().unwrap_or(DAffine3::IDENTITY));
+                    let scaled = self.weight_sum.map(|s| [taken.min * s, taken.max * s]);
+                    Bounds::of(scaled.into_iter().flatten())
+                }
+                None => bounds,
+            };
+            let largest = bounds.min.abs().max(bounds.max.abs());
+            all = all.union(widened(taken, largest * ROUNDING));
+        }
+        let is_finite = all.is_empty() || all.min.is_finite() && all.max.is_finite();
+        is_finite.then_some(all)
+    }
+}
+
+/// The box of a moved box.
+fn moved(bounds: Bounds, by: DAffine3) -> Bounds {
+    let (centre, half) = (
+        (bounds.min + bounds.max) * 0.5,
+        (bounds.max - bounds.min) * 0.5,
+    );
+    let size = by.matrix3.abs();
+    let (centre_then, half_then) = (by.transform_point3(centre), size * half);
+    let taken = Bounds {
+        min: centre_then - half_then,
+        max: centre_then + half_then,
+    };
+    let numbers = size * (centre.abs() + half) + by.translation.abs();
+    widened(taken, numbers * ROUNDING)
+}
+
+fn widened(bounds: Bounds, by: DVec3) -> Bounds {
+    Bounds {
+        min: bounds.min - by,
+        max: bounds.max + by,
+    }
+}
+
+impl Part {
+    /// Bounds of the posed mesh in part space: they hold every posed position, and may be a little larger than needed.
+    /// Cheap for parts of files, whose meshes are measured once; others are measured anew.
+    pub fn posed_bounds(&self) -> Bounds {
+        let measured = self.driver.as_ref().and_then(|d| d.reach_of(self));
+        let posed = match measured {
+            _ if !self.pose.deformers.is_empty() => None,
+            Some(reach) => reach.posed(&self.pose),
+            None if self.pose.is_rest() => Some(self.mesh.bounds()),
+            None => Reach::of(&self.mesh, self.motion.as_deref()).posed(&self.pose),
+        };
+        posed.unwrap_or_else(|| self.posed_mesh().bounds())
+    }
+}

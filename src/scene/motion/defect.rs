@@ -1,0 +1,86 @@
+//! What can be wrong with a [`Motion`] that was put together by hand.
+//!
+//! Nothing panics over a motion with defects: what is missing moves nothing, a joint that the pose lacks stays where it was
+//! bound. It is only not what was meant, which this finds.
+
+use super::Motion;
+
+/// Pulls of a position may sum to 1 with this tolerance: some roundings of f32.
+const WEIGHT_SUM: f64 = 1e-5;
+
+/// Why a motion does not fit its mesh.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MotionDefect {
+    /// A target that is shorter or longer than the mesh.
+    #[error("morph target {target} moves {found} positions, the mesh has {positions}")]
+    Target {
+        /// Index of the target.
+        target: usize,
+        /// How many positions it moves.
+        found: usize,
+        /// How many there are.
+        positions: usize,
+    },
+    /// A displacement that is NaN or infinite.
+    #[error("morph target {target} moves position {position} to where nothing is")]
+    NotFinite {
+        /// Index of the target.
+        target: usize,
+        /// Index of the position.
+        position: usize,
+    },
+    /// Beginnings of pulls that are too few, too many, do not ascend, or lie outside the list of pulls.
+    #[error("the pulls of position {position} are not in the list of pulls")]
+    Pulls {
+        /// The first such position.
+        position: usize,
+    },
+    /// Weights that are negative or do not sum to 1.
+    #[error("the weights of position {position} sum to {sum}, or one of them is negative")]
+    Weights {
+        /// Index of the position.
+        position: usize,
+        /// Their sum.
+        sum: f64,
+    },
+}
+
+impl Motion {
+    /// The first reason why it is not a motion of a mesh with so many positions, if any.
+    pub fn defect(&self, positions: usize) -> Option<MotionDefect> {
+        for (target, moves) in self.targets.iter().enumerate() {
+            if moves.len() != positions {
+                let found = moves.len();
+                return Some(MotionDefect::Target {
+                    target,
+                    found,
+                    positions,
+                });
+            }
+            if let Some(position) = moves.iter().position(|d| !d.is_finite()) {
+                return Some(MotionDefect::NotFinite { target, position });
+            }
+        }
+        if self.first_pull.is_empty() && self.pulls.is_empty() {
+            return None;
+        }
+        let starts = &self.first_pull;
+        if let Some(position) = starts.windows(2).position(|w| w[0] > w[1]) {
+            return Some(MotionDefect::Pulls { position });
+        }
+        let ends = starts.last().map(|end| *end as usize) == Some(self.pulls.len());
+        if starts.len() != positions + 1 || starts[0] != 0 || !ends {
+            let position = starts.len().saturating_sub(1).min(positions);
+            return Some(MotionDefect::Pulls { position });
+        }
+        (0..positions).find_map(|position| {
+            let weights = self.pulls_of(position).iter().map(|p| f64::from(p.weight));
+            let sum: f64 = weights.clone().sum();
+            // Written so that NaN is a defect, too; a position without pulls stays where it is.
+            let is_whole = weights.clone().all(|w| w >= 0.0) && (sum - 1.0).abs() <= WEIGHT_SUM;
+            let is_fine = is_whole || weights.count() == 0;
+            (!is_fine).then_some(MotionDefect::Weights { position, sum })
+        })
+    }
+}

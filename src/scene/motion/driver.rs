@@ -1,0 +1,262 @@
+//! Drivers: what ties a part to the rig of its file, and puts it where a clip has it at a time.
+//!
+//! A part shows its rest as a plain mesh: a skin or morph targets that bend it at rest are applied when it is loaded. At a
+//! time it shows the mesh as it was bound and a [`Pose`], so that the mesh stays the same from time to time and only a few
+//! matrices change. Part space is the same at rest and at all times: that of the mesh where its node or a single joint
+//! places it as a whole, else that in which it was posed at rest. Deformers therefore mean the same at all times.
+//!
+//! A clip that leaves a part alone leaves it at rest, so nothing is posed that does not move. Where a clip takes a part to
+//! places that are not finite, the part stays at rest.
+
+use std::sync::{Arc, OnceLock};
+
+use glam::DAffine3;
+
+use super::bounds::Reach;
+use super::rig::{Clip, Moment, Rig};
+use super::{Motion, pose};
+use crate::scene::{Mesh, Part, Pose};
+
+/// A mesh as it was bound, and what can move it.
+#[derive(Debug)]
+pub(in crate::scene) struct Bound {
+    pub(in crate::scene) mesh: Arc<Mesh>,
+    pub(in crate::scene) motion: Option<Arc<Motion>>,
+    /// Measured when somebody asks.
+    reach: OnceLock<Reach>,
+}
+
+impl Bound {
+    pub(in crate::scene) fn new(mesh: Mesh, motion: Motion) -> Self {
+        Self {
+            mesh: Arc::new(mesh),
+            motion: (motion != Motion::default()).then(|| Arc::new(motion)),
+            reach: OnceLock::new(),
+        }
+    }
+
+    /// What a part with this very mesh and motion reaches; `None` if it has others by now.
+    pub(super) fn reach_of(&self, part: &Part) -> Option<&Reach> {
+        let same_mesh = Arc::ptr_eq(&self.mesh, &part.mesh);
+        let same_motion = match (&self.motion, &part.motion) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        (same_mesh && same_motion).then(|| {
+            self.reach
+                .get_or_init(|| Reach::of(&self.mesh, self.motion.as_deref()))
+        })
+    }
+}
+
+/// What takes a part to where it is.
+#[derive(Clone, Debug)]
+pub(in crate::scene) enum Hold {
+    /// Its node, as a whole.
+    Node,
+    /// One joint of a skin, as a whole.
+    Joint { skin: usize, joint: usize },
+    /// The joints of a skin, vertex by vertex. If `with_node`, the node follows the last joint as one more, for vertices
+    /// that no joint pulls.
+    Skin { skin: usize, with_node: bool },
+}
+
+/// A part's place in the rig of its file.
+#[derive(Clone, Debug)]
+pub struct Driver {
+    rig: Arc<Rig>,
+    node: usize,
+    hold: Hold,
+    bound: Arc<Bound>,
+    rest_weights: Vec<f64>,
+    /// The mesh that is shown at rest.
+    rest_mesh: Arc<Mesh>,
+    /// Where it is shown: from part space to the file's world.
+    file_from_part: DAffine3,
+    /// Where the user has put the file's world.
+    placed: DAffine3,
+}
+
+impl Driver {
+    /// Ties a bound mesh to a node. `rest_weights` are those of its morph targets.
+    pub(in crate::scene) fn new(
+        rig: &Arc<Rig>,
+        node: usize,
+        hold: Hold,
+        bound: &Arc<Bound>,
+        rest_weights: Vec<f64>,
+    ) -> Self {
+        let mut driver = Self {
+            rig: Arc::clone(rig),
+            node,
+            hold,
+            bound: Arc::clone(bound),
+            rest_weights,
+            rest_mesh: Arc::clone(&bound.mesh),
+            file_from_part: DAffine3::IDENTITY,
+            placed: DAffine3::IDENTITY,
+        };
+        driver.rest();
+        driver
+    }
+
+    /// Finds out where the part is at rest, and how its mesh stands there.
+    fn rest(&mut self) {
+        let mut pose = Pose {
+            weights: self.rest_weights.clone(),
+            ..Pose::default()
+        };
+        match self.hold {
+            Hold::Node => self.file_from_part = self.rig.world(self.node, None),
+            Hold::Joint { skin, joint } => {
+                self.file_from_part = self.rig.joint(skin, joint, None);
+            }
+            Hold::Skin { .. } => match self.common_place() {
+                Some(place) => self.file_from_part = place,
+                None => pose.joints = self.joints(None),
+            },
+        }
+        if let Some(motion) = self.bound.motion.as_deref().filter(|_| !pose.is_rest()) {
+            self.rest_mesh = Arc::new(pose::posed(&self.bound.mesh, motion, &pose));
+        }
+    }
+
+    /// Where all joints in use take the mesh at rest, if that is the same place and there is a way back from it.
+    fn common_place(&self) -> Option<DAffine3> {
+        let joints = self.file_joints(None);
+        let motion = self.bound.motion.as_deref()?;
+        let mut used = (motion.pulls.iter()).map(|pull| joints.get(usize::from(pull.joint)));
+        let first = used.next().flatten()?;
+        let all_alike = used.all(|joint| joint.is_some_and(|joint| alike(joint, first)));
+        (all_alike && first.inverse().is_finite()).then_some(*first)
+    }
+
+    /// Where the joints of the skin take the bound mesh, in the file's world.
+    fn file_joints(&self, moment: Option<Moment>) -> Vec<DAffine3> {
+        let Hold::Skin { skin, with_node } = self.hold else {
+            return Vec::new();
+        };
+        let mut joints = self.rig.palette(skin, moment);
+        if with_node {
+            joints.push(self.rig.world(self.node, moment));
+        }
+        joints
+    }
+
+    /// The same in part space.
+    fn joints(&self, moment: Option<Moment>) -> Vec<DAffine3> {
+        let part_from_file = self.file_from_part.inverse();
+        let joints = self.file_joints(moment).into_iter();
+        joints.map(|joint| part_from_file * joint).collect()
+    }
+
+    /// The mesh and its place at rest.
+    pub(in crate::scene) fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
+        (
+            Arc::clone(&self.rest_mesh),
+            self.placed * self.file_from_part,
+        )
+    }
+
+    /// Whether the mesh and its place at rest are finite.
+    pub(in crate::scene) fn is_finite(&self) -> bool {
+        let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
+        let positions = &self.rest_mesh.positions;
+        self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
+    }
+
+    /// What a part with the mesh and motion of the file reaches.
+    pub(super) fn reach_of(&self, part: &Part) -> Option<&Reach> {
+        self.bound.reach_of(part)
+    }
+
+    /// Whether the file has anything that could move the part.
+    pub(in crate::scene) fn is_needed(&self) -> bool {
+        !self.rig.clips().is_empty() || self.bound.motion.is_some()
+    }
+
+    fn drive(&self, part: &mut Part, moment: Moment) {
+        (part.mesh, part.world_from_part) = self.at_rest();
+        part.motion = None;
+        part.pose.weights.clear();
+        part.pose.joints.clear();
+        let moment = Moment {
+            // NaN is the beginning, too.
+            time_s: moment.time_s.max(0.0),
+            ..moment
+        };
+        let file_from_part = match self.hold {
+            Hold::Node => self.rig.world(self.node, Some(moment)),
+            Hold::Joint { skin, joint } => self.rig.joint(skin, joint, Some(moment)),
+            Hold::Skin { .. } => self.file_from_part,
+        };
+        if file_from_part.is_finite() {
+            part.world_from_part = self.placed * file_from_part;
+        }
+        let Some(motion) = &self.bound.motion else {
+            return;
+        };
+        let weights = self.rig.weights(self.node, moment);
+        let joints_move = match self.hold {
+            Hold::Skin { skin, with_node } => {
+                self.rig.moves_skin(moment.clip, skin)
+                    || with_node && self.rig.moves(moment.clip, self.node)
+            }
+            Hold::Node | Hold::Joint { .. } => false,
+        };
+        if !joints_move && weights.is_none() {
+            return;
+        }
+        let weights = weights.unwrap_or_else(|| self.rest_weights.clone());
+        let joints = self.joints(Some(moment));
+        let is_finite =
+            joints.iter().all(|j| j.is_finite()) && weights.iter().all(|w| w.is_finite());
+        if is_finite {
+            part.mesh = Arc::clone(&self.bound.mesh);
+            part.motion = Some(Arc::clone(motion));
+            part.pose.weights = weights;
+            part.pose.joints = joints;
+        }
+    }
+}
+
+/// Joints whose matrices differ by less move the mesh as one; relative to the matrix' largest entry.
+const SAME_MATRIX: f64 = 1e-5;
+
+fn alike(a: &DAffine3, b: &DAffine3) -> bool {
+    let (a, b) = (a.to_cols_array(), b.to_cols_array());
+    let largest = a.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    a.iter()
+        .zip(b)
+        .all(|(a, b)| (a - b).abs() <= SAME_MATRIX * largest)
+}
+
+impl Part {
+    /// The animations that the part's file has.
+    pub fn clips(&self) -> &[Clip] {
+        self.driver.as_ref().map_or(&[], |d| d.rig.clips())
+    }
+
+    /// The part as a clip of [`Part::clips`] has it at a time: placed and posed, its deformers kept. Before a clip begins
+    /// it is as at the first key, after its end as at the last. A clip that the file lacks leaves the part at rest, and so
+    /// does one that does not move it. Changes to the mesh or to `world_from_part` that were not made by [`Part::place`]
+    /// are lost, unless the part comes from no file.
+    #[must_use]
+    pub fn at_time(&self, clip: usize, time_s: f64) -> Self {
+        let mut part = self.clone();
+        if let Some(driver) = &self.driver {
+            driver.drive(&mut part, Moment { clip, time_s });
+        }
+        part
+    }
+
+    /// Places the part as a whole, in all poses and at all times.
+    pub fn place(&mut self, placed: DAffine3) {
+        self.world_from_part = placed * self.world_from_part;
+        if let Some(driver) = &mut self.driver {
+            let driver = Arc::make_mut(driver);
+            driver.placed = placed * driver.placed;
+        }
+    }
+}
