@@ -13,6 +13,7 @@ mod pose;
 mod rig;
 
 pub use deform::{Axis, Deformer};
+pub(super) use outward::Outwards;
 pub use rig::Clip;
 
 use glam::{DAffine3, DVec3};

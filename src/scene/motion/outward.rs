@@ -5,11 +5,11 @@
 //! Cost: once per mesh, in proportion to its triangles; 24 bytes a position. A mesh whose triangles are turned inside out
 //! gets inward directions; a position that only flat triangles use, or none, gets zero.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::DVec3;
 
-use super::Deformer;
+use super::{Deformer, Motion};
 use crate::scene::{Mesh, Part};
 
 impl Mesh {
@@ -33,7 +33,7 @@ impl Mesh {
 
 impl Part {
     /// Whether the pose inflates the mesh, but nobody has said yet where outward is.
-    pub fn lacks_outward(&self) -> bool {
+    fn lacks_outward(&self) -> bool {
         let known = self.motion.as_ref().map_or(0, |m| m.outward.len());
         let deformers = self.pose.deformers.iter();
         known != self.mesh.positions.len()
@@ -49,5 +49,46 @@ impl Part {
             let outward = self.mesh.outward();
             Arc::make_mut(self.motion.get_or_insert_default()).outward = outward;
         }
+    }
+}
+
+/// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
+/// times.
+#[derive(Debug, Default)]
+pub(in crate::scene) struct Outwards(Mutex<Vec<Known>>);
+
+/// Of which mesh and motion, and the motion with its directions.
+type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
+
+impl Outwards {
+    /// Gives a part the directions that its pose asks for.
+    pub(in crate::scene) fn complete(&self, part: &mut Part) {
+        if !part.lacks_outward() {
+            return;
+        }
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = |motion: &Option<Arc<Motion>>| match (motion, &part.motion) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        let found = known
+            .iter()
+            .find(|(mesh, motion, _)| Arc::ptr_eq(mesh, &part.mesh) && same(motion));
+        let whole = match found {
+            Some((.., whole)) => Arc::clone(whole),
+            None => {
+                let mut whole = part.motion.as_deref().cloned().unwrap_or_default();
+                whole.outward = part.mesh.outward();
+                let whole = Arc::new(whole);
+                known.push((
+                    Arc::clone(&part.mesh),
+                    part.motion.clone(),
+                    Arc::clone(&whole),
+                ));
+                whole
+            }
+        };
+        part.motion = Some(whole);
     }
 }
