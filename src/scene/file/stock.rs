@@ -151,7 +151,7 @@ impl Opened<'_> {
             }
         };
         let path = self.folder.join(text);
-        if is_mesh && !path.is_file() && Pattern::is_in(text) {
+        if is_mesh && !path.is_file() && text.contains('%') {
             return self.frames(&origin, table, notes);
         }
         for key in ["fps", "first", "loop"] {
