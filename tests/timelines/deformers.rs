@@ -340,3 +340,38 @@ deform = [
     let rest = &scene.parts[0].mesh.positions;
     assert!(same != *rest, "nothing was deformed");
 }
+
+/// Normals for shading stay at right angles to the deformed surface.
+#[test]
+fn corner_normals_go_with_the_surface() {
+    let mut ball = meshes::shape("sphere?radius=1&subdivisions=5");
+    let smooth = |t: &[u32; 3]| t.map(|i| ball.positions[i as usize].normalize().as_vec3());
+    ball.corner_normals = Some(ball.triangles.iter().map(smooth).collect());
+    let bent = deformed(
+        ball.clone(),
+        vec![
+            Deformer::Inflate { by: 0.1 },
+            Deformer::Twist {
+                axis: upright(DVec3::ZERO),
+                turn_per_unit: 0.8,
+            },
+            Deformer::Bend {
+                axis: upright(DVec3::X),
+                turn_per_unit: 0.6,
+            },
+        ],
+    );
+    let worst = |normals: &[[glam::Vec3; 3]]| {
+        let faces = normals.iter().enumerate().map(|(t, corners)| {
+            let [a, b, c] = bent.corners(t);
+            let face = (b - a).cross(c - a).normalize();
+            let off = corners.map(|n| 1.0 - n.as_dvec3().dot(face));
+            off.into_iter().fold(0.0, f64::max)
+        });
+        faces.fold(0.0, f64::max)
+    };
+    let carried = bent.corner_normals.as_ref().expect("normals");
+    assert!(worst(carried) < 0.01, "off by {}", worst(carried));
+    let rest = ball.corner_normals.as_ref().expect("normals");
+    assert!(worst(rest) > 0.1, "the planted fault: normals at rest");
+}

@@ -230,3 +230,24 @@ fn clips_that_are_not_there_are_refused() {
         "{error}"
     );
 }
+
+/// The scenes that the repository shows to users are sound at all times.
+#[test]
+fn the_scenes_of_the_repository_move() {
+    let folder = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
+        let path = entry.expect("an entry of it").path();
+        let timeline = Timeline::of_file(&path, &super::open_mesh, &shapes::shape);
+        let timeline = timeline.unwrap_or_else(|e| panic!("{e}"));
+        let duration_s = timeline.duration_s().expect("it moves");
+        let [first, later] = [0.0, duration_s * 0.4].map(|t| at(&timeline, t));
+        assert!(
+            first.bounds_of_parts() != later.bounds_of_parts(),
+            "{} stands still",
+            path.display()
+        );
+        count += 1;
+    }
+    assert!(count > 0, "no scene");
+}

@@ -39,11 +39,16 @@ pub struct Key {
 }
 
 impl Key {
-    /// The numbers at a time.
+    /// The numbers at a time; none of a key without times.
     pub fn at(&self, time_s: f64) -> Vec<f64> {
         let next = self.times_s.partition_point(|t| *t <= time_s);
         let (Some(last), true) = (next.checked_sub(1), next < self.times_s.len()) else {
-            return self.values[next.min(self.values.len() - 1)].clone();
+            let end = if next == 0 {
+                self.values.first()
+            } else {
+                self.values.last()
+            };
+            return end.cloned().unwrap_or_default();
         };
         let [from, to] = [self.times_s[last], self.times_s[next]];
         let share = (time_s - from) / (to - from);

@@ -84,9 +84,10 @@ pub(super) fn read(
         }
         let deformers = part.pose.deformers.iter();
         let reach = deformers.fold(*rest, |reach, deformer| deformer.bounds(reach));
-        let corners = reach.corners().into_iter();
-        let placed = Bounds::of(corners.map(|c| part.world_from_part.transform_point3(c)));
-        if !placed.size().length().is_finite() {
+        let corners = reach.corners();
+        let corners = corners.map(|c| part.world_from_part.transform_point3(c));
+        let diagonal = Bounds::of(corners).size().length();
+        if !(diagonal.is_finite() && corners.iter().all(|c| c.is_finite())) {
             let what = format!("part `{}` reaches to infinity once it is placed", part.name);
             return Err(entry.fault(what, "use a smaller scale, translation or deformation"));
         }

@@ -14,6 +14,7 @@ use super::reliefs::Resolved;
 use super::stock::Held;
 use super::{Contents, KEYS};
 use crate::error::{Error, Result};
+use crate::scene::frames::Sequence;
 use crate::scene::motion::Outwards;
 use crate::scene::{Bounds, Key, Part, Scene};
 
@@ -49,10 +50,8 @@ impl Script {
         self.keys.iter().map(|k| &k.key)
     }
 
-    /// Beginnings of all frames of all sequences, and where each sequence ends.
-    pub(in crate::scene) fn sequences(
-        &self,
-    ) -> impl Iterator<Item = &crate::scene::frames::Sequence> {
+    /// The sequences of all parts.
+    pub(in crate::scene) fn sequences(&self) -> impl Iterator<Item = &Sequence> {
         self.stock.iter().filter_map(Held::sequence)
     }
 
@@ -127,6 +126,14 @@ impl Script {
         else {
             return error;
         };
+        if self.keys.is_empty() {
+            return Error::File {
+                path,
+                line,
+                what,
+                mend,
+            };
+        }
         let place = what.split('`').nth(1).unwrap_or_default();
         let touches = |keyed: &&Keyed| {
             let (short, long) = if place.len() < keyed.path.len() {

@@ -8,6 +8,7 @@
 //! their order; all in part space. The placement of the part follows. Normals go with the cofactors of what was applied.
 
 mod deform;
+mod deformed;
 mod outward;
 mod pose;
 mod rig;

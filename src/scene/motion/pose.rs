@@ -8,33 +8,37 @@ use std::borrow::Cow;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
+use super::deformed::deform;
 use super::{Motion, Pose};
 use crate::scene::{Mesh, Part};
 
 impl Part {
-    /// The mesh as it stands in the part's pose, in part space. Corner normals are those of the rest pose: they shade and
-    /// decide nothing.
+    /// The mesh as it stands in the part's pose, in part space. Corner normals go with the deformers and with nothing else:
+    /// they shade and decide nothing.
     pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
         if self.pose.is_rest() {
             return Cow::Borrowed(&self.mesh);
         }
         let still = Motion::default();
         let motion = self.motion.as_deref().unwrap_or(&still);
-        let positions = (0..self.mesh.positions.len())
+        let (positions, outward): (Vec<DVec3>, Vec<DVec3>) = (0..self.mesh.positions.len())
             .into_par_iter()
             .map(|i| posed(motion, &self.pose, i, self.mesh.positions[i]))
-            .collect();
-        Cow::Owned(Mesh {
+            .unzip();
+        let mut mesh = Mesh {
             positions,
             triangles: self.mesh.triangles.clone(),
             corner_normals: self.mesh.corner_normals.clone(),
-        })
+        };
+        deform(&mut mesh, &outward, &self.pose.deformers);
+        Cow::Owned(mesh)
     }
 }
 
-fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
+/// A position, and the way out of the mesh there, before deformers.
+fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> (DVec3, DVec3) {
     let mut point = rest;
-    let mut normal = motion.outward.get(index).copied().unwrap_or_default();
+    let mut outward = motion.outward.get(index).copied().unwrap_or_default();
     for (target, weight) in motion.targets.iter().zip(&pose.weights) {
         point += target[index] * *weight;
     }
@@ -48,12 +52,9 @@ fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
             moved += joint.translation * f64::from(pull.weight);
         }
         point = linear * point + moved;
-        normal = cofactors(linear) * normal;
+        outward = cofactors(linear) * outward;
     }
-    for deformer in &pose.deformers {
-        (point, normal) = deformer.apply(point, normal);
-    }
-    point
+    (point, outward)
 }
 
 /// What takes normals where a matrix takes points.

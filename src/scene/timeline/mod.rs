@@ -261,3 +261,16 @@ fn looped(time_s: f64, duration_s: f64) -> f64 {
         time_s.rem_euclid(duration_s)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::looped;
+
+    #[test]
+    fn clips_begin_anew_after_their_end() {
+        for (time_s, expected) in [(0.0, 0.0), (1.5, 1.5), (2.0, 2.0), (2.5, 0.5), (9.0, 1.0)] {
+            assert_eq!(looped(time_s, 2.0), expected, "at {time_s} s");
+        }
+        assert_eq!(looped(3.0, 0.0), 0.0, "a clip that is a pose");
+    }
+}
