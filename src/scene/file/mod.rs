@@ -16,6 +16,42 @@
 //! name = "front"
 //! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
 //! ```
+//!
+//! # What moves
+//!
+//! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
+//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay.
+//!
+//! ```toml
+//! [[part]]
+//! name = "bar"
+//! shape = "cube?divisions=20"
+//! pivot = "centre"                      # about which it is scaled and turned; or a point; the origin otherwise
+//! rotate_deg = [0, 0, 0]
+//! deform = [
+//!   { kind = "twist", axis = "y", turn_deg = 90 },     # from one end of the part to the other
+//!   { kind = "bend", turn_deg = 45, across = "x" },    # along the longest side, rolled towards x
+//!   { kind = "wave", amplitude = "2%", period = 0.5, phase_deg = 0 },
+//!   { kind = "inflate", by = 0.01 },
+//! ]
+//!
+//! [[part]]
+//! name = "walker"
+//! mesh = "frames/walk_%04d.ply"         # one mesh per frame
+//! fps = 24
+//! first = 1                             # without it 0 or 1
+//! loop = false                          # true without it
+//!
+//! [[part]]
+//! name = "left"
+//! mesh = "gearbox.glb"
+//! only = ["gear 2"]                     # or `except`: some of the solids of a file
+//!
+//! [[key]]
+//! target = "part.bar.deform.0.turn_deg"
+//! times_s = [0, 2]
+//! values = [0, 360]
+//! ```
 
 mod camera;
 mod cuts;

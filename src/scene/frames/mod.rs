@@ -175,7 +175,7 @@ impl Sequence {
 
 /// A frame that can be drawn.
 fn whole(
-    path: &PathBuf,
+    path: &Path,
     (parts, notes): (Vec<Part>, Vec<String>),
 ) -> Result<(Vec<Part>, Vec<String>)> {
     let mend = "export the frame again, or leave out this and later ones";
