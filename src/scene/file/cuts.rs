@@ -11,7 +11,7 @@ use super::reader::{Entry, Table};
 use super::reliefs::Maps;
 use crate::error::{Result, did_you_mean};
 use crate::scene::relief::{Placement, parse_wrap, place_map};
-use crate::scene::section::{Amount, section_surface};
+use crate::scene::section::section_surface;
 use crate::scene::{Bounds, ClipSurface, Cut, OffsetMap, Part, Wrap};
 
 const KEYS: &[&str] = &["name", "applies_to", "except", "surfaces"];
@@ -30,6 +30,8 @@ const NORMAL: &[&str] = &[
 /// What a cut may refer to.
 pub(super) struct Context<'a> {
     pub(super) parts: &'a [Part],
+    /// Names of all parts that there are at any time.
+    pub(super) names: &'a [String],
     pub(super) bounds: Bounds,
     pub(super) maps: &'a Maps,
 }
@@ -71,7 +73,7 @@ pub(super) fn read(
 /// Globs; one without a wildcard has to be the name of a part, for it can be nothing but a slip otherwise.
 fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
     let globs = entry.texts()?;
-    let names = || context.parts.iter().map(|p| p.name.as_str());
+    let names = || context.names.iter().map(String::as_str);
     for glob in &globs {
         if !glob.contains(['*', '?']) && !names().any(|n| n == glob) {
             let what = format!("there is no part `{glob}`");
@@ -135,7 +137,7 @@ fn on_plane(plane: ClipSurface, table: &Table<'_>, context: &Context<'_>) -> Res
         }
         return Ok(plane);
     };
-    let amount = |key: &str| table.get(key).map(|e| amount(&e)).transpose();
+    let amount = |key: &str| table.get(key).map(|e| e.amount()).transpose();
     let placement = Placement {
         amplitude: amount("amplitude")?.unwrap_or(Placement::default().amplitude),
         period: amount("period")?,
@@ -173,12 +175,4 @@ fn wrap_of(table: &Table<'_>) -> Result<Wrap> {
     };
     let name = entry.text()?;
     parse_wrap(name).map_err(|mend| entry.fault(format_args!("{name:?} is no wrap mode"), mend))
-}
-
-fn amount(entry: &Entry<'_>) -> Result<Amount> {
-    if entry.is_text() {
-        let mend = "write a number, or text such as \"6%\"";
-        return Amount::parse(entry.text()?).map_err(|what| entry.fault(what, mend));
-    }
-    entry.number().map(Amount::Units)
 }

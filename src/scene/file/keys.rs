@@ -1,10 +1,29 @@
 //! `[[key]]`: numbers of the scene over time.
+//!
+//! A key finds its numbers in the text of the file ([`target`](super::target)). At a time the text is read again with other
+//! numbers in their place, so whatever the file can say in numbers can move, and every check of the readers holds at every
+//! time. Before the first and after the last of its times a key stays at its end.
 
-use super::reader::Entry;
+use super::reader::{Entry, Source, Table};
+use super::target::{self, Slot, Target};
 use crate::error::{Result, did_you_mean};
-use crate::scene::{Cut, Part};
 
-const KEYS: &[&str] = &["target", "times_s", "values"];
+const KEYS: &[&str] = &["target", "times_s", "values", "interpolation"];
+
+/// Tables whose numbers can move: the rest of a file is no part of the scene.
+const MOVABLE: [&str; 4] = ["camera", "part", "cut", "relief"];
+
+/// What lies between two values of a key.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// A straight line.
+    #[default]
+    Linear,
+    /// The earlier value, up to the later time.
+    Step,
+    /// A cubic that sets out and arrives at rest.
+    Smooth,
+}
 
 /// A number field of the scene, or a vector of numbers, over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,65 +32,146 @@ pub struct Key {
     pub target: String,
     /// Ascending times.
     pub times_s: Vec<f64>,
-    /// One value for each time, all of the same length; a single number has length 1.
+    /// One value for each time, all of the same length; a single number has length 1, and rows of a matrix follow each other.
     pub values: Vec<Vec<f64>>,
+    /// What lies between.
+    pub interpolation: Interpolation,
 }
 
-/// Reads one key; its target must begin with something the scene has.
-pub(super) fn read(entry: &Entry<'_>, parts: &[Part], cuts: &[Cut]) -> Result<Key> {
+impl Key {
+    /// The numbers at a time; none of a key without times.
+    pub fn at(&self, time_s: f64) -> Vec<f64> {
+        let next = self.times_s.partition_point(|t| *t <= time_s);
+        let (Some(last), true) = (next.checked_sub(1), next < self.times_s.len()) else {
+            let end = if next == 0 {
+                self.values.first()
+            } else {
+                self.values.last()
+            };
+            return end.cloned().unwrap_or_default();
+        };
+        let [from, to] = [self.times_s[last], self.times_s[next]];
+        let share = (time_s - from) / (to - from);
+        let share = match self.interpolation {
+            Interpolation::Linear => share,
+            Interpolation::Step => 0.0,
+            Interpolation::Smooth => share * share * (3.0 - 2.0 * share),
+        };
+        let pairs = self.values[last].iter().zip(&self.values[next]);
+        pairs.map(|(a, b)| a + (b - a) * share).collect()
+    }
+}
+
+/// A key and what it moves.
+#[derive(Clone, Debug)]
+pub(super) struct Keyed {
+    pub(super) key: Key,
+    /// Its own path, `key.3`.
+    pub(super) own_path: String,
+    /// Path of its target, entries by name.
+    pub(super) path: String,
+    pub(super) slots: Vec<Slot>,
+}
+
+/// Reads all keys of a file.
+pub(super) fn read(root: &Table<'_>, source: &Source<'_>) -> Result<Vec<Keyed>> {
+    let mut all: Vec<Keyed> = Vec::new();
+    for entry in root.tables("key")? {
+        let keyed = read_one(&entry, root, source)?;
+        let starts = |k: &Keyed| k.slots.iter().map(|s| s.span.start).collect::<Vec<_>>();
+        let own = starts(&keyed);
+        if let Some(other) = all
+            .iter()
+            .find(|k| starts(k).iter().any(|s| own.contains(s)))
+        {
+            let target = entry.table(KEYS)?.need("target", "\"camera.near\"")?;
+            let what = format!("`{}` moves it too", other.own_path);
+            return Err(target.fault(what, "make one key of the two"));
+        }
+        all.push(keyed);
+    }
+    Ok(all)
+}
+
+fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<Keyed> {
     let table = entry.table(KEYS)?;
     let target = table.need("target", "\"cut.front.surfaces.0.origin\"")?;
-    let path: Vec<&str> = target.text()?.split('.').collect();
-    let field = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
-    let shortest = match path[0] {
-        "camera" => 2,
-        "part" | "cut" => 3,
-        kind => {
-            let mend = did_you_mean(kind, ["camera", "part", "cut"]);
-            return Err(target.fault(format_args!("nothing called `{kind}` can move"), mend));
-        }
-    };
-    if path.len() < shortest || path.iter().any(|step| step.is_empty()) {
-        return Err(target.fault("it names no number of the scene", field));
-    }
-    let names: Vec<&str> = match path[0] {
-        "part" => parts.iter().map(|p| p.name.as_str()).collect(),
-        "cut" => cuts.iter().map(|c| c.name.as_str()).collect(),
-        _ => vec![path[1]],
-    };
-    if !names.contains(&path[1]) {
-        let what = format!("there is no {} `{}`", path[0], path[1]);
-        return Err(target.fault(what, did_you_mean(path[1], names)));
-    }
+    let path = target.text()?;
+    movable(&target, path)?;
     let times = table.need("times_s", "[0, 2]")?;
     let times_s = times.numbers()?;
     if times_s.is_empty() || times_s.windows(2).any(|w| w[0] >= w[1]) {
         return Err(times.fault("times must ascend", "sort them and remove doubles"));
     }
     let list = table.need("values", "[[0, 0, -1], [0, 0, 1]]")?;
-    let values: Vec<Vec<f64>> = list
-        .list()?
-        .iter()
-        .map(Entry::numbers)
-        .collect::<Result<_>>()?;
-    if values.len() != times_s.len() {
+    let given = list.list()?;
+    if given.len() != times_s.len() {
         let what = format!(
             "there are {} values for {} times",
-            values.len(),
+            given.len(),
             times_s.len()
         );
         return Err(list.fault(what, "give one value for each time"));
     }
-    if values
+    let (values, shapes): (Vec<_>, Vec<_>) = given
         .iter()
-        .any(|v| v.is_empty() || v.len() != values[0].len())
-    {
+        .map(Entry::nested)
+        .collect::<Result<Vec<_>>>()?
+        .into_iter()
+        .unzip();
+    if values[0].is_empty() || shapes.iter().any(|s| *s != shapes[0]) {
         let mend = "make all values numbers, or all lists of the same length";
-        return Err(list.fault("the values differ in length", mend));
+        return Err(list.fault("the values differ in length, or have none", mend));
     }
-    Ok(Key {
-        target: target.text()?.to_owned(),
-        times_s,
-        values,
+    let example = match values[0].as_slice() {
+        [one] => format!("{one}"),
+        several => format!("{several:?}"),
+    };
+    let Target {
+        path: full,
+        slots,
+        shape,
+    } = target::find(root.entry.value, source, path, &example)
+        .map_err(|(what, mend)| target.fault(what, mend))?;
+    if shape != shapes[0] {
+        let what = format!("the values are {} each, but `{full}` is {shape}", shapes[0]);
+        return Err(list.fault(what, "write both alike, here or there"));
+    }
+    let interpolation = table.get("interpolation").map(|i| {
+        i.choice(&[
+            ("linear", Interpolation::Linear),
+            ("step", Interpolation::Step),
+            ("smooth", Interpolation::Smooth),
+        ])
+    });
+    Ok(Keyed {
+        key: Key {
+            target: path.to_owned(),
+            times_s,
+            values,
+            interpolation: interpolation.transpose()?.unwrap_or_default(),
+        },
+        own_path: entry.key.clone(),
+        path: full,
+        slots,
     })
+}
+
+/// Refuses what is no part of the scene, and what says which files are loaded.
+fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
+    let (root, below) = path.split_once('.').unwrap_or((path, ""));
+    if !MOVABLE.contains(&root) {
+        let what = format!("nothing called `{root}` can move");
+        return Err(target.fault(what, did_you_mean(root, MOVABLE)));
+    }
+    if below.is_empty() || path.split('.').any(str::is_empty) {
+        let mend = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
+        return Err(target.fault("it names no number of the scene", mend));
+    }
+    let last = path.rsplit('.').next();
+    if root == "part" && matches!(last, Some("fps" | "first")) {
+        let what = "it says how files are played, which cannot change while they play";
+        return Err(target.fault(what, "move another number"));
+    }
+    Ok(())
 }

@@ -16,24 +16,66 @@
 //! name = "front"
 //! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
 //! ```
+//!
+//! # What moves
+//!
+//! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
+//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay.
+//!
+//! ```toml
+//! [[part]]
+//! name = "bar"
+//! shape = "cube?divisions=20"
+//! pivot = "centre"                      # about which it is scaled and turned; or a point; the origin otherwise
+//! rotate_deg = [0, 0, 0]
+//! deform = [
+//!   { kind = "twist", axis = "y", turn_deg = 90 },     # from one end of the part to the other
+//!   { kind = "bend", turn_deg = 45, across = "x" },    # along the longest side, rolled towards x
+//!   { kind = "wave", amplitude = "2%", period = 0.5, phase_deg = 0 },
+//!   { kind = "inflate", by = 0.01 },
+//! ]
+//!
+//! [[part]]
+//! name = "walker"
+//! mesh = "frames/walk_%04d.ply"         # one mesh per frame
+//! fps = 24
+//! first = 1                             # without it 0 or 1
+//! loop = false                          # true without it
+//!
+//! [[part]]
+//! name = "left"
+//! mesh = "gearbox.glb"
+//! only = ["gear 2"]                     # or `except`: some of the solids of a file
+//!
+//! [[key]]
+//! target = "part.bar.deform.0.turn_deg"
+//! times_s = [0, 2]
+//! values = [0, 360]
+//! ```
 
 mod camera;
 mod cuts;
+mod deform;
 mod keys;
 mod parts;
 mod reader;
 mod reliefs;
+mod script;
+mod stock;
+mod target;
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::{Arc, Mutex};
 
 use glam::Vec3;
-use toml::de::{DeTable, DeValue};
 
-pub use keys::Key;
+pub use keys::{Interpolation, Key};
 use reader::{Entry, Source, Table};
+pub(super) use script::Script;
 
-use super::{Camera, Part, Scene};
+use super::motion::Outwards;
+use super::{Bounds, Camera, Part, Scene, Timeline};
 use crate::error::{Error, Result};
 
 const KEYS: &[&str] = &[
@@ -50,8 +92,10 @@ const KEYS: &[&str] = &[
 /// Everything a scene file says.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
-    /// What is drawn.
+    /// What is drawn where nobody asks for a time: the numbers as they are written, frames at their first.
     pub scene: Scene,
+    /// The scene at any time.
+    pub timeline: Timeline,
     /// Name of the strategy it asks for; whether there is such a one is for others to say.
     pub strategy: Option<String>,
     /// Width and height in pixels it asks for.
@@ -67,17 +111,20 @@ pub struct SceneFile {
 /// What the reader of a mesh file gives: the parts, and notes about what was mended in them.
 pub type OpenedMesh = Result<(Vec<Part>, Vec<String>)>;
 
+/// A reader of mesh files; frames are read in parallel.
+pub type OpenMesh<'a> = dyn Fn(&Path) -> OpenedMesh + Sync + 'a;
+
 /// The readers handed in by the caller.
 struct Loaders<'a> {
-    open_mesh: &'a dyn Fn(&Path) -> OpenedMesh,
+    open_mesh: &'a OpenMesh<'a>,
     open_shape: &'a dyn Fn(&str) -> Result<Vec<Part>>,
 }
 
-/// Reads a scene file. `open_mesh` gives the parts of a mesh file and notes about them, `open_shape` the parts of a
-/// built-in shape such as `crank?holes=3`.
+/// Reads a scene file, and opens all that it names. `open_mesh` gives the parts of a mesh file and notes about them,
+/// `open_shape` the parts of a built-in shape such as `crank?holes=3`. Keys are tried at all their times and between.
 pub fn load_scene_file(
     path: &Path,
-    open_mesh: &dyn Fn(&Path) -> OpenedMesh,
+    open_mesh: &OpenMesh<'_>,
     open_shape: &dyn Fn(&str) -> Result<Vec<Part>>,
 ) -> Result<SceneFile> {
     let text = std::fs::read_to_string(path).map_err(|e| {
@@ -85,66 +132,28 @@ pub fn load_scene_file(
         Error::file(path, format!("cannot be read: {e}"), mend)
     })?;
     let source = Source { path, text: &text };
-    let root = DeTable::parse(&text).map_err(|e| {
-        let line = source.line(e.span().map_or(0, |s| s.start));
-        let mend = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
-        Error::file_line(path, line, e.message().trim_end(), mend)
-    })?;
-    let root = DeValue::Table(root.into_inner());
     let loaders = Loaders {
         open_mesh,
         open_shape,
     };
-    read(&Table::of_file(&source, &root, KEYS)?, path, &loaders)
+    script::with_table(&source, |root| read(root, &source, &loaders))
 }
 
-fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFile> {
-    let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<SceneFile> {
+    let path = source.path;
     let mut notes = Vec::new();
-    let mut parts = Vec::new();
     let entries = root.tables("part")?;
     names_differ(&entries)?;
-    for entry in &entries {
-        parts.extend(parts::read(entry, &folder, loaders, &mut notes)?);
-    }
-    if parts.is_empty() {
-        let mend = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
-        return Err(Error::file(path, "the scene has no part", mend));
-    }
-    let mut scene = Scene {
-        name: path
-            .file_stem()
-            .map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
-        parts,
-        cuts: Vec::new(),
-        camera: root
-            .get("camera")
-            .map_or(Ok(Camera::default()), |c| camera::read(&c))?,
-        stage: None,
+    let script = Script {
+        path: path.to_owned(),
+        text: source.text.to_owned(),
+        stock: stock::open(&entries, folder(path), loaders, &mut notes)?,
+        keys: Vec::new(),
+        reliefs: Mutex::default(),
+        outwards: Outwards::default(),
     };
-    let maps = match root.get("relief") {
-        Some(reliefs) => reliefs::read(&reliefs, &folder)?,
-        None => reliefs::Maps::new(),
-    };
-    let context = cuts::Context {
-        bounds: scene.bounds(),
-        parts: &scene.parts,
-        maps: &maps,
-    };
-    let entries = root.tables("cut")?;
-    names_differ(&entries)?;
-    let numbered = entries.iter().enumerate();
-    scene.cuts = numbered
-        .map(|(i, entry)| cuts::read(entry, i, &context, &mut notes))
-        .collect::<Result<_>>()?;
-    let keys: Vec<Key> = root
-        .tables("key")?
-        .iter()
-        .map(|entry| keys::read(entry, &scene.parts, &scene.cuts))
-        .collect::<Result<_>>()?;
-    if !keys.is_empty() {
-        notes.push("keys are read but not yet evaluated: the scene is shown as it stands".into());
-    }
+    let contents = read_parts(root, &script, 0.0, &mut notes)?;
+    let scene = script.scene_of(root, contents, None, &mut notes)?;
     let strategy = match root.get("strategy") {
         Some(entry) => {
             let name = entry.table(&["name"])?.need("name", "\"raycast+mask\"")?;
@@ -152,6 +161,8 @@ fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFil
         }
         None => None,
     };
+    let keys = keys::read(root, source)?;
+    let script = Script { keys, ..script };
     Ok(SceneFile {
         scene,
         strategy,
@@ -160,9 +171,82 @@ fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFil
             .get("background")
             .map(|e| parts::color(&e))
             .transpose()?,
-        keys,
+        keys: script.keys().cloned().collect(),
         notes,
+        timeline: Timeline::of_script(Arc::new(script))?,
     })
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or_else(|| Path::new(""))
+}
+
+/// Parts at a time, and the names of those that there are at any time.
+struct Contents {
+    parts: Vec<Part>,
+    names: Vec<String>,
+}
+
+fn read_parts(
+    root: &Table<'_>,
+    script: &Script,
+    time_s: f64,
+    notes: &mut Vec<String>,
+) -> Result<Contents> {
+    let mut contents = Contents {
+        parts: Vec::new(),
+        names: Vec::new(),
+    };
+    for (entry, held) in root.tables("part")?.iter().zip(&script.stock) {
+        let name = entry.open_table()?.get("name");
+        let name = name.map(|n| n.text()).transpose()?;
+        contents.names.extend(held.names(name));
+        let parts = parts::read(entry, held, time_s, &script.outwards, notes)?;
+        contents.parts.extend(parts);
+    }
+    if contents.parts.is_empty() {
+        let mend = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
+        return Err(Error::file(&script.path, "the scene has no part", mend));
+    }
+    Ok(contents)
+}
+
+fn read_scene(
+    root: &Table<'_>,
+    path: &Path,
+    contents: Contents,
+    stage: Option<Bounds>,
+    reliefs: &mut reliefs::Resolved,
+    notes: &mut Vec<String>,
+) -> Result<Scene> {
+    let mut scene = Scene {
+        name: path
+            .file_stem()
+            .map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        parts: contents.parts,
+        cuts: Vec::new(),
+        camera: root
+            .get("camera")
+            .map_or(Ok(Camera::default()), |c| camera::read(&c))?,
+        stage,
+    };
+    let maps = match root.get("relief") {
+        Some(entry) => reliefs::read(&entry, folder(path), reliefs)?,
+        None => reliefs::Maps::new(),
+    };
+    let context = cuts::Context {
+        bounds: scene.bounds(),
+        parts: &scene.parts,
+        names: &contents.names,
+        maps: &maps,
+    };
+    let entries = root.tables("cut")?;
+    names_differ(&entries)?;
+    let numbered = entries.iter().enumerate();
+    scene.cuts = numbered
+        .map(|(i, entry)| cuts::read(entry, i, &context, notes))
+        .collect::<Result<_>>()?;
+    Ok(scene)
 }
 
 /// Names tell entries apart in globs, errors and animation keys.

@@ -1,18 +1,26 @@
-//! `[[part]]`: meshes and built-in shapes, placed and coloured.
-
-use std::path::Path;
+//! `[[part]]`: meshes and built-in shapes, deformed, placed and coloured.
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
-use super::Loaders;
+use super::deform;
 use super::reader::{Entry, Table};
+use super::stock::Held;
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::{Part, Role};
+use crate::scene::motion::Outwards;
+use crate::scene::{Bounds, Part, Role};
 
-const KEYS: &[&str] = &[
+/// Keys of a part.
+pub(super) const KEYS: &[&str] = &[
     "name",
     "mesh",
     "shape",
+    "only",
+    "except",
+    "fps",
+    "first",
+    "loop",
+    "deform",
+    "pivot",
     "translate",
     "rotate_deg",
     "scale",
@@ -38,29 +46,18 @@ const HATCHES: &[&str] = &[
     "earth",
 ];
 
-/// Reads one entry, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
+/// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
 pub(super) fn read(
     entry: &Entry<'_>,
-    folder: &Path,
-    loaders: &Loaders<'_>,
+    held: &Held,
+    time_s: f64,
+    outwards: &Outwards,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Part>> {
     let table = entry.table(KEYS)?;
-    let mut parts = load(&table, folder, loaders, notes)?;
-    if let Some(name) = table.get("name") {
-        let text = name.text()?;
-        if text.is_empty() {
-            return Err(name.fault("it is empty", "give the part a name, or leave the key out"));
-        }
-        if let [one] = parts.as_mut_slice() {
-            one.name = text.to_owned();
-        } else {
-            for part in &mut parts {
-                part.name = format!("{text}/{}", part.name);
-            }
-        }
-    }
-    let placed = placement(&table)?;
+    let name = table.get("name").map(|n| n.text()).transpose()?;
+    let solids = held.at(time_s);
+    let placed = placement(&table, held.rest)?;
     let role = table
         .get("role")
         .map(|r| r.choice(&[("exterior", Role::Exterior), ("interior", Role::Interior)]));
@@ -70,7 +67,9 @@ pub(super) fn read(
         .map(|p| p.whole::<i32>())
         .transpose()?;
     let look = table.get("material").map(|m| look(&m)).transpose()?;
-    for part in &mut parts {
+    let mut parts = solids.parts.clone();
+    for (part, rest) in parts.iter_mut().zip(&solids.rest) {
+        part.name = held.name(name, &part.name);
         part.place(placed);
         part.role = role.unwrap_or(part.role);
         part.priority = priority.or(part.priority);
@@ -78,11 +77,19 @@ pub(super) fn read(
             part.material.color = look.color.unwrap_or(part.material.color);
             part.material.cap_color = look.cap_color.or(part.material.cap_color);
         }
-        let bounds = part.bounds_in_world();
-        let finite = bounds.min.is_finite() && bounds.max.is_finite();
-        if !(finite || bounds.is_empty()) {
+        let whole = if held.share_a_space { held.rest } else { *rest };
+        if let Some(list) = table.get("deform") {
+            part.pose.deformers = deform::read(&list, whole)?;
+            outwards.complete(part);
+        }
+        let deformers = part.pose.deformers.iter();
+        let reach = deformers.fold(*rest, |reach, deformer| deformer.bounds(reach));
+        let corners = reach.corners();
+        let corners = corners.map(|c| part.world_from_part.transform_point3(c));
+        let diagonal = Bounds::of(corners).size().length();
+        if !(diagonal.is_finite() && corners.iter().all(|c| c.is_finite())) {
             let what = format!("part `{}` reaches to infinity once it is placed", part.name);
-            return Err(entry.fault(what, "use a smaller scale or translation"));
+            return Err(entry.fault(what, "use a smaller scale, translation or deformation"));
         }
     }
     if let Some(hatch) = look.and_then(|l| l.hatch) {
@@ -94,52 +101,16 @@ pub(super) fn read(
     Ok(parts)
 }
 
-fn load(
-    table: &Table<'_>,
-    folder: &Path,
-    loaders: &Loaders<'_>,
-    notes: &mut Vec<String>,
-) -> Result<Vec<Part>> {
-    let (origin, parts) = match (table.get("mesh"), table.get("shape")) {
-        (Some(mesh), None) => {
-            let file = mesh.text()?;
-            let path = folder.join(file);
-            if !path.is_file() {
-                let what = format!("there is no file {}", path.display());
-                return Err(mesh.fault(what, "check the name; it is relative to the scene file"));
-            }
-            let (parts, said) = (loaders.open_mesh)(&path)?;
-            notes.extend(said);
-            (mesh, parts)
-        }
-        (None, Some(shape)) => {
-            let parts = (loaders.open_shape)(shape.text()?).map_err(|e| shape.place(e))?;
-            (shape, parts)
-        }
-        (Some(_), Some(shape)) => {
-            return Err(shape.fault("the part has a mesh too", "keep one of the two"));
-        }
-        (None, None) => {
-            let mend = "add `mesh = \"FILE\"` or `shape = \"crank\"`";
-            return Err(table.entry.fault("it has neither a mesh nor a shape", mend));
-        }
-    };
-    if parts.is_empty() {
-        return Err(origin.fault("it holds no solid", "use a file or shape with triangles"));
-    }
-    Ok(parts)
-}
-
-/// Scaled first, then turned about x, y and z of the world in that order, then moved.
-fn placement(table: &Table<'_>) -> Result<DAffine3> {
-    let steps = ["translate", "rotate_deg", "scale"].map(|key| table.get(key));
+/// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
+fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
+    let steps = ["translate", "rotate_deg", "scale", "pivot"].map(|key| table.get(key));
     if let Some(matrix) = table.get("matrix") {
         if let Some(step) = steps.iter().flatten().next() {
             return Err(step.fault("the part has a matrix too", "keep one of the two"));
         }
         return affine(&matrix);
     }
-    let [translate, rotate, scale] = steps;
+    let [translate, rotate, scale, pivot] = steps;
     let mut placed = DMat3::IDENTITY;
     if let Some(entry) = scale {
         let factors = if entry.is_list() {
@@ -159,7 +130,13 @@ fn placement(table: &Table<'_>) -> Result<DAffine3> {
         placed = turn * placed;
     }
     let moved = translate.map_or(Ok([0.0; 3]), |entry| entry.vector())?;
-    Ok(DAffine3::from_mat3_translation(placed, moved.into()))
+    let pivot = match pivot {
+        None => DVec3::ZERO,
+        Some(entry) if entry.is_text() => entry.choice(&[("centre", rest.centre())])?,
+        Some(entry) => DVec3::from(entry.vector()?),
+    };
+    let moved = DVec3::from(moved) + (pivot - placed * pivot);
+    Ok(DAffine3::from_mat3_translation(placed, moved))
 }
 
 fn affine(entry: &Entry<'_>) -> Result<DAffine3> {

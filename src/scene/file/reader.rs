@@ -8,7 +8,9 @@ use std::path::Path;
 
 use toml::de::{DeTable, DeValue};
 
+use super::target::Shape;
 use crate::error::{Error, Result, did_you_mean};
+use crate::scene::section::Amount;
 
 /// The text of a file, for finding lines.
 pub(super) struct Source<'a> {
@@ -31,7 +33,7 @@ pub(super) struct Entry<'a> {
     /// Dotted path, as keys of animations write it.
     pub(super) key: String,
     at: usize,
-    value: &'a DeValue<'a>,
+    pub(super) value: &'a DeValue<'a>,
 }
 
 /// A table whose keys are all known.
@@ -185,6 +187,29 @@ impl<'a> Entry<'a> {
             DeValue::Array(_) => self.list()?.iter().map(Self::number).collect(),
             _ => Ok(vec![self.number()?]),
         }
+    }
+
+    /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested.
+    pub(super) fn nested(&self) -> Result<(Vec<f64>, Shape)> {
+        if !self.is_list() {
+            return Ok((vec![self.number()?], Shape::Number));
+        }
+        let elements: Vec<_> = self
+            .list()?
+            .iter()
+            .map(Self::nested)
+            .collect::<Result<_>>()?;
+        let (numbers, shapes): (Vec<_>, Vec<_>) = elements.into_iter().unzip();
+        Ok((numbers.concat(), Shape::List(shapes)))
+    }
+
+    /// A length, or text with a percentage.
+    pub(super) fn amount(&self) -> Result<Amount> {
+        if self.is_text() {
+            let mend = "write a number, or text such as \"6%\"";
+            return Amount::parse(self.text()?).map_err(|what| self.fault(what, mend));
+        }
+        self.number().map(Amount::Units)
     }
 
     /// Texts of a list.

@@ -15,16 +15,40 @@ const BLEND_KEYS: &[&str] = &["kind", "blend", "op", "share"];
 /// Offset maps by name.
 pub(super) type Maps = BTreeMap<String, Arc<OffsetMap>>;
 
-/// Reads and computes all reliefs of `[relief]`.
-pub(super) fn read(entry: &Entry<'_>, folder: &Path) -> Result<Maps> {
-    let mut reliefs = BTreeMap::new();
-    for (name, relief) in entry.open_table()?.all() {
-        reliefs.insert(name.to_owned(), describe(&relief, folder)?);
+/// Reliefs as they were when they were last computed.
+#[derive(Debug, Default)]
+pub(super) struct Resolved {
+    described: BTreeMap<String, Relief>,
+    maps: Maps,
+}
+
+impl Resolved {
+    /// Whether a relief, and all that it is blended from, is what it was.
+    fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
+        let relief = described.get(name);
+        relief == self.described.get(name)
+            && match relief {
+                Some(Relief::Blend { of, .. }) => of.iter().all(|n| self.still_holds(n, described)),
+                _ => self.maps.contains_key(name),
+            }
     }
-    let mut maps = Maps::new();
+}
+
+/// Reads all reliefs of `[relief]` and computes those that are not what they were: maps of the others stay the same.
+pub(super) fn read(entry: &Entry<'_>, folder: &Path, last: &mut Resolved) -> Result<Maps> {
+    let mut described = BTreeMap::new();
     for (name, relief) in entry.open_table()?.all() {
-        resolve(name, &reliefs, &mut maps).map_err(|e| relief.place(e))?;
+        described.insert(name.to_owned(), describe(&relief, folder)?);
     }
+    let mut maps = last.maps.clone();
+    maps.retain(|name, _| last.still_holds(name, &described));
+    for (name, relief) in entry.open_table()?.all() {
+        resolve(name, &described, &mut maps).map_err(|e| relief.place(e))?;
+    }
+    *last = Resolved {
+        described,
+        maps: maps.clone(),
+    };
     Ok(maps)
 }
 

@@ -15,7 +15,9 @@
 mod bounds;
 mod defect;
 mod deform;
+mod deformed;
 mod driver;
+mod outward;
 mod pose;
 mod rig;
 mod track;
@@ -24,6 +26,7 @@ pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
 pub use driver::Driver;
 pub(super) use driver::{Bound, Hold};
+pub(super) use outward::Outwards;
 pub use rig::Clip;
 pub(super) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
 pub(super) use track::{Track, Way};
@@ -48,6 +51,9 @@ pub struct Motion {
     pub first_pull: Vec<u32>,
     /// Pulls of all positions, one after the other.
     pub pulls: Vec<Pull>,
+    /// Unit vectors out of the rest mesh, as [`Mesh::outward`](super::Mesh::outward) finds them; empty unless something
+    /// inflates the part.
+    pub outward: Vec<DVec3>,
 }
 
 impl Motion {

@@ -9,11 +9,12 @@ use std::borrow::Cow;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
+use super::deformed::deform;
 use super::{Motion, Pose};
 use crate::scene::{Mesh, Part};
 
 impl Part {
-    /// The mesh as it stands in the part's pose, in part space. Corner normals turn with the joints; morph targets leave
+    /// The mesh as it stands in the part's pose, in part space. Corner normals go with joints and deformers; morph targets leave
     /// them as they are: they shade and decide nothing.
     pub fn posed_mesh(&self) -> Cow<'_, Mesh> {
         if self.pose.is_rest() {
@@ -40,7 +41,9 @@ pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
     let turned = |corner: (&u32, Vec3)| {
         let (vertex, normal) = corner;
         match blends.get(*vertex as usize) {
-            Some(blend) => turned(blend.matrix3, normal),
+            Some(blend) => (cofactors(blend.matrix3) * normal.as_dvec3())
+                .normalize_or_zero()
+                .as_vec3(),
             None => normal,
         }
     };
@@ -49,11 +52,21 @@ pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
         both.map(|(n, t)| std::array::from_fn(|k| turned((&t[k], n[k]))))
             .collect()
     });
-    Mesh {
+    let mut posed = Mesh {
         positions,
         triangles: mesh.triangles.clone(),
         corner_normals,
+    };
+    if !pose.deformers.is_empty() {
+        let outward: Vec<DVec3> = (blends.iter().enumerate())
+            .map(|(i, blend)| {
+                let rest = motion.outward.get(i).copied().unwrap_or_default();
+                cofactors(blend.matrix3) * rest
+            })
+            .collect();
+        deform(&mut posed, &outward, &pose.deformers);
     }
+    posed
 }
 
 fn morphed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
@@ -79,11 +92,8 @@ fn blend(motion: &Motion, pose: &Pose, index: usize) -> DAffine3 {
     blend
 }
 
-/// Normals go with the cofactors: they stay at right angles to what the matrix makes of the surface.
-fn turned(matrix: DMat3, normal: Vec3) -> Vec3 {
-    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
-    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-    (cofactors * normal.as_dvec3())
-        .normalize_or_zero()
-        .as_vec3()
+/// What takes normals where a matrix takes points: they stay at right angles to what the matrix makes of the surface.
+fn cofactors(m: DMat3) -> DMat3 {
+    let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis];
+    DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b))
 }

@@ -1,0 +1,110 @@
+//! What is asked of a timeline as a whole: the box of all its times, and whether its keys make sense at all of them.
+//!
+//! Cost: reading the scene at every sample, and the bounds of each part that changed since the sample before.
+
+use std::sync::Arc;
+
+use super::{Source, Timeline};
+use crate::error::Result;
+use crate::scene::{Bounds, Part};
+
+/// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
+const SPREAD: u32 = 65;
+
+/// Most times of keys and frames that are looked at besides; of more, as many spread over them.
+const MOST_SINGLED_OUT: usize = 512;
+
+/// Shares of the way between two times of keys at which the keys are tried.
+const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
+
+impl Timeline {
+    /// Times at which the bounds of a scene are looked at.
+    pub(super) fn sampled_times_s(&self, duration_s: f64) -> Vec<f64> {
+        let spread = (0..SPREAD).map(|i| duration_s * f64::from(i) / f64::from(SPREAD - 1));
+        let frames = self.all_sequences().flat_map(|s| s.times_s());
+        let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
+        singled.retain(|t| (0.0..=duration_s).contains(t));
+        spread.chain(few(singled)).collect()
+    }
+
+    /// The box of all parts at many times, and of parts without the poses of their clips.
+    pub(super) fn find_stage(&self, duration_s: f64) -> Result<Bounds> {
+        let mut last: Vec<(Part, Bounds)> = Vec::new();
+        let mut stage = Bounds::EMPTY;
+        let mut look_at = |parts: Vec<Part>| {
+            let seen = parts.into_iter().enumerate().map(|(i, part)| {
+                let bounds = match last.get(i) {
+                    Some((before, bounds)) if stands_alike(before, &part) => *bounds,
+                    _ => part.bounds_in_world(),
+                };
+                (part, bounds)
+            });
+            last = seen.collect();
+            stage = last.iter().fold(stage, |all, (_, b)| all.union(*b));
+        };
+        let mut rest = self.unposed_at(0.0)?;
+        rest.iter_mut().for_each(|p| self.outwards.complete(p));
+        look_at(rest);
+        for time_s in self.sampled_times_s(duration_s) {
+            let mut parts = self.unposed_at(time_s)?;
+            parts.iter_mut().for_each(|p| self.pose(p, time_s));
+            look_at(parts);
+        }
+        Ok(stage)
+    }
+
+    /// Reads the scene at all times of keys and between them, so that what makes no sense is told before anything is drawn.
+    pub(super) fn try_keys(&self) -> Result<()> {
+        let Source::File(script) = &self.source else {
+            return Ok(());
+        };
+        if self.keys().next().is_none() {
+            return Ok(());
+        }
+        let mut times: Vec<f64> = self.key_times_s().filter(|t| *t >= 0.0).collect();
+        times.push(0.0);
+        let times = few(times);
+        let between = times
+            .windows(2)
+            .flat_map(|w| BETWEEN.map(|share| w[0] + (w[1] - w[0]) * share));
+        let all: Vec<f64> = times.iter().copied().chain(between).collect();
+        // The parts first: the stage is made of them.
+        for time_s in &all {
+            script.parts_at(*time_s)?;
+        }
+        let stage = self.stage()?;
+        for time_s in &all {
+            script.scene_at(*time_s, stage)?;
+        }
+        Ok(())
+    }
+
+    fn key_times_s(&self) -> impl Iterator<Item = f64> {
+        self.keys().flat_map(|k| k.times_s.iter().copied())
+    }
+}
+
+/// Times in their order without doubles, or some of them spread over all if there are too many.
+fn few(mut times: Vec<f64>) -> Vec<f64> {
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    if times.len() <= MOST_SINGLED_OUT {
+        return times;
+    }
+    let last = times.len() - 1;
+    let spread = (0..MOST_SINGLED_OUT).map(|i| times[i * last / (MOST_SINGLED_OUT - 1)]);
+    spread.collect()
+}
+
+/// Whether two parts fill the same place because everything that places them is the same.
+fn stands_alike(a: &Part, b: &Part) -> bool {
+    let same_motion = match (&a.motion, &b.motion) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        _ => false,
+    };
+    same_motion
+        && Arc::ptr_eq(&a.mesh, &b.mesh)
+        && a.world_from_part == b.world_from_part
+        && a.pose == b.pose
+}
