@@ -114,7 +114,8 @@ impl Ffmpeg {
             .args(["-framerate", &fps.to_string(), "-i", "pipe:0", "-an"])
             .args([
                 "-vf",
-                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,\
+                 setparams=color_primaries=bt709:color_trc=bt709",
             ])
             .args(["-colorspace", "bt709", "-color_primaries", "bt709"])
             .args(["-color_trc", "bt709", "-color_range", "tv"])

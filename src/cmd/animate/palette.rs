@@ -244,7 +244,7 @@ mod tests {
             palette.dither
         );
         for i in 0..5000_u32 {
-            let color = [i * 7919, i * 104_729, i * 1_299_709].map(|v| (v >> 4) as u8);
+            let color = [7919, 104_729, 1_299_709].map(|k| (i.wrapping_mul(k) >> 4) as u8);
             let found = palette.colors[usize::from(palette.nearest(color))];
             let least = palette.colors.iter().map(|c| distance(color, *c)).min();
             assert_eq!(Some(distance(color, found)), least, "{color:?}");

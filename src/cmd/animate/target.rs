@@ -111,7 +111,7 @@ mod tests {
     fn what_cannot_be_written_is_refused_with_a_mend() {
         for (value, said) in [
             ("-", "standard output"),
-            ("a.gfi", "did you mean `gif`"),
+            ("a.giff", "did you mean `gif`"),
             ("a", "gif"),
             ("", "gif"),
             ("a.webm", "mp4"),
