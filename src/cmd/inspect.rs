@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::open::{at_the_time, open_inputs};
+use super::open::Inputs;
 use super::output::{Output, write_stdout};
 use super::sections::round;
 use super::when::TimeArgs;
@@ -47,8 +47,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let rest = open_inputs(&args.inputs, &console)?.scene;
-    let (scene, timeline) = at_the_time(&args.inputs, rest, &args.when)?;
+    let (scene, timeline) = Inputs::open(&args.inputs, &console)?.at(&args.when)?;
     args.when.note_of_still(&timeline, &console);
     let parts = scene.posed().parts;
     console.step("inspecting");

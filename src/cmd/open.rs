@@ -11,8 +11,8 @@ use super::sections::warn_of_misses;
 use super::when::TimeArgs;
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Cut, Material, OpenedMesh, Part, Prepared, Scene, SceneFile, Timeline, View,
-    load_mesh_file, load_scene_file,
+    Camera, Cut, Material, OpenedMesh, Part, Prepared, Scene, Timeline, View, load_mesh_file,
+    load_scene_file,
 };
 use crate::{Error, Result};
 
@@ -75,8 +75,8 @@ pub(super) fn open(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Resu
 
 /// [`open`] without a word where nothing moves.
 pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
-    let file = open_inputs(&args.inputs, console)?;
-    let (mut scene, timeline) = at_the_time(&args.inputs, file.scene, when)?;
+    let inputs = Inputs::open(&args.inputs, console)?;
+    let (mut scene, timeline) = inputs.at(when)?;
     let of_file = scene.cuts.len();
     args.sections.apply(&mut scene)?;
     let bounds = scene.bounds();
@@ -92,49 +92,86 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     Ok(Opened {
         scene,
         timeline,
-        strategy: file.strategy,
-        size_px: args.resolution.or(file.resolution).unwrap_or(USUAL_SIZE_PX),
-        background: file.background,
+        strategy: inputs.strategy,
+        size_px: args
+            .resolution
+            .or(inputs.resolution)
+            .unwrap_or(USUAL_SIZE_PX),
+        background: inputs.background,
         cuts,
         usual_camera,
         camera: args.camera.clone(),
     })
 }
 
-/// What the inputs show at the time that is meant, and over time. Without a time it is what they show at rest, framed by
-/// itself: nobody pays for times that nobody asks for.
-pub(super) fn at_the_time(
-    inputs: &[String],
-    rest: Scene,
-    when: &TimeArgs,
-) -> Result<(Scene, Timeline)> {
-    let Some(time_s) = when.time_s() else {
-        return Ok((rest.clone(), Timeline::still(rest)));
-    };
-    let mut timeline = timeline_of(inputs, rest)?;
-    when.clip.choose(&mut timeline)?;
-    Ok((timeline.at(time_s)?, timeline))
-}
-
-/// The inputs over time.
-fn timeline_of(_inputs: &[String], rest: Scene) -> Result<Timeline> {
-    Ok(Timeline::of_scene(rest))
-}
-
 /// What the inputs hold, before the options have their say.
-pub(super) fn open_inputs(inputs: &[String], console: &Console) -> Result<SceneFile> {
-    match inputs {
-        [one] if is_scene(one) => open_scene(one, console),
-        inputs => {
-            if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
-                return Err(Error::input(
-                    scene.as_str(),
-                    "a scene file stands alone",
-                    "give it by itself, and name the meshes in it as [[part]] entries",
-                ));
+pub(super) struct Inputs {
+    /// The scene at rest.
+    rest: Scene,
+    strategy: Option<String>,
+    resolution: Option<[u32; 2]>,
+    background: Option<Vec3>,
+}
+
+impl Inputs {
+    /// Opens them.
+    pub(super) fn open(inputs: &[String], console: &Console) -> Result<Self> {
+        match inputs {
+            [one] if is_scene(one) => Self::of_scene_file(one, console),
+            inputs => {
+                if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
+                    return Err(Error::input(
+                        scene.as_str(),
+                        "a scene file stands alone",
+                        "give it by itself, and name the meshes in it as [[part]] entries",
+                    ));
+                }
+                Self::of_meshes(inputs, console)
             }
-            Ok(plain(open_parts(inputs, console)?, inputs))
         }
+    }
+
+    fn of_scene_file(input: &str, console: &Console) -> Result<Self> {
+        let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
+        for note in &file.notes {
+            console.note(format!("{input}: {note}"));
+        }
+        Ok(Self {
+            rest: file.scene,
+            strategy: file.strategy,
+            resolution: file.resolution,
+            background: file.background,
+        })
+    }
+
+    fn of_meshes(inputs: &[String], console: &Console) -> Result<Self> {
+        let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
+        Ok(Self {
+            rest: Scene {
+                name: names.join("+"),
+                parts: open_parts(inputs, console)?,
+                ..Scene::default()
+            },
+            strategy: None,
+            resolution: None,
+            background: None,
+        })
+    }
+
+    /// What they show at the time that is meant, and over time. Without a time it is what they show at rest, framed by
+    /// itself: nobody pays for times that nobody asks for.
+    pub(super) fn at(&self, when: &TimeArgs) -> Result<(Scene, Timeline)> {
+        let rest = self.rest.clone();
+        let Some(time_s) = when.time_s() else {
+            return Ok((rest.clone(), Timeline::still(rest)));
+        };
+        let mut timeline = self.timeline();
+        when.clip.choose(&mut timeline)?;
+        Ok((timeline.at(time_s)?, timeline))
+    }
+
+    fn timeline(&self) -> Timeline {
+        Timeline::of_scene(self.rest.clone())
     }
 }
 
@@ -170,15 +207,6 @@ fn is_scene(input: &str) -> bool {
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
 }
 
-/// Opens a scene file.
-fn open_scene(input: &str, console: &Console) -> Result<SceneFile> {
-    let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
-    for note in &file.notes {
-        console.note(format!("{input}: {note}"));
-    }
-    Ok(file)
-}
-
 fn open_model(input: &str) -> OpenedMesh {
     if input.starts_with("shape:") {
         return Ok((shape(input)?, Vec::new()));
@@ -201,22 +229,6 @@ fn open_model(input: &str) -> OpenedMesh {
 fn open_mesh(path: &Path) -> OpenedMesh {
     let loaded = load_mesh_file(path)?;
     Ok((loaded.parts, loaded.notes))
-}
-
-fn plain(parts: Vec<Part>, inputs: &[String]) -> SceneFile {
-    let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
-    SceneFile {
-        scene: Scene {
-            name: names.join("+"),
-            parts,
-            ..Scene::default()
-        },
-        strategy: None,
-        resolution: None,
-        background: None,
-        keys: Vec::new(),
-        notes: Vec::new(),
-    }
 }
 
 fn short_name(input: &str) -> String {
