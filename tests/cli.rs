@@ -3,90 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
 use serde_json::Value;
 
-/// A folder that is removed with everything in it.
-struct Scratch(PathBuf);
+#[path = "common/command.rs"]
+mod command;
 
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder =
-            std::env::temp_dir().join(format!("cutaway-cli-{name}-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-
-    fn files(&self) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(&self.0)
-            .unwrap()
-            .map(|e| e.unwrap().file_name().to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    }
-
-    /// Runs the command in the folder; words are separated by spaces.
-    fn run(&self, line: &str) -> Ran {
-        let output = self.command(line).output().unwrap();
-        Ran::of(line, output)
-    }
-
-    fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_cutaway"));
-        command.args(line.split_whitespace()).current_dir(&self.0);
-        command
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-struct Ran {
-    line: String,
-    code: Option<i32>,
-    stdout: Vec<u8>,
-    stderr: String,
-}
-
-impl Ran {
-    fn of(line: &str, output: Output) -> Self {
-        Self {
-            line: line.to_owned(),
-            code: output.status.code(),
-            stdout: output.stdout,
-            stderr: String::from_utf8(output.stderr).unwrap(),
-        }
-    }
-
-    #[track_caller]
-    fn exits(self, code: i32) -> Self {
-        assert_eq!(self.code, Some(code), "{}\n{}", self.line, self.stderr);
-        self
-    }
-
-    fn text(&self) -> &str {
-        std::str::from_utf8(&self.stdout).unwrap()
-    }
-
-    fn json(&self) -> Value {
-        serde_json::from_slice(&self.stdout)
-            .unwrap_or_else(|e| panic!("{}: {e}\n{}", self.line, self.text()))
-    }
-}
+use command::{Ran, Scratch};
 
 fn json_of(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
@@ -698,7 +622,7 @@ fn help_has_examples() {
         "{}",
         ran.text()
     );
-    for command in ["render", "compare", "inspect", "plan", "demo"] {
+    for command in ["render", "compare", "animate", "inspect", "plan", "demo"] {
         let ran = folder.run(&format!("{command} --help")).exits(0);
         assert!(ran.text().contains("Examples:"), "{}", ran.text());
         assert!(

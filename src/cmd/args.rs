@@ -32,7 +32,7 @@ pub(super) struct SceneArgs {
 }
 
 /// Where a scene is seen from.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct CameraArgs {
     /// Where the eye is
     #[arg(
@@ -301,7 +301,7 @@ pub(super) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-fn parse_finite(text: &str) -> Result<f64, String> {
+pub(super) fn parse_finite(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
     number.ok_or_else(|| "it must be a finite number, for example 1.5".to_owned())
 }

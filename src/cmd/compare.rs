@@ -12,6 +12,8 @@ use super::judge::{self, Judgement, judge};
 use super::open::{Opened, open};
 use super::output::{Output, checked_folder, write_file, write_stdout};
 use super::picture;
+use super::shown::Shown;
+use super::when::TimeArgs;
 use crate::compare::legend;
 use crate::passes::Model;
 use crate::report;
@@ -24,6 +26,7 @@ Examples:
   cutaway compare shape:crank --section -z=50% --relief fractal
   cutaway compare part.stl --section x=50% --strategies raycast+mask,grid:64+vds:512 --rounds 25
   cutaway compare scene.toml --json result.json --heatmaps wrong/
+  cutaway compare walk.glb --time 0.5 --section x=50%                         # the mesh as it stands then
   cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
 
 Columns: `decided wrong` counts wrong pixels where the exact reference is sure; an exact strategy has none. `x draw only`
@@ -34,6 +37,8 @@ is the frame time over that of the same scene drawn with nothing cut, measured i
 pub(super) struct CompareArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
     /// Strategies to measure, or all that are built with their usual parameters
     #[arg(long, value_name = "A,B,..|all", default_value = "all")]
     strategies: String,
@@ -74,13 +79,13 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     }
     let console = Console::new(args.console, 1 + judge::steps(strategies.len(), rounds));
     console.step("opening");
-    let opened = open(&args.scene, &console)?;
+    let opened = open(&args.scene, &args.when, &console)?;
     let mut session = args.device.open()?;
-    let model = Model::of(&opened.scene);
-    let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
+    let shown = Shown::of(&opened.scene);
+    let judgement = judge(&mut session, &shown, &opened, &strategies, rounds, &console)?;
 
     if let Some(folder) = &args.heatmaps {
-        write_pictures(folder, &mut session, &model, &opened, &judgement)?;
+        write_pictures(folder, &mut session, &shown.model, &opened, &judgement)?;
     }
     let report = &judgement.report;
     if let Some(output) = &json {

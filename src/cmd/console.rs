@@ -57,6 +57,29 @@ impl Console {
         self.bar.inc(1);
     }
 
+    /// From here on steps are frames.
+    pub(super) fn expect_frames(&self, count: u32) {
+        if let Ok(style) = ProgressStyle::with_template(
+            "{bar:24.cyan/dim} {pos}/{len} frames  {per_sec}  {eta} left  {msg}",
+        ) {
+            self.bar.set_style(style);
+        }
+        self.bar.reset();
+        self.bar.set_length(u64::from(count));
+        self.bar.set_message("");
+    }
+
+    /// A frame is done.
+    pub(super) fn frame_done(&self) {
+        self.bar.inc(1);
+    }
+
+    /// What is done after the last frame.
+    pub(super) fn say_step(&self, what: &'static str) {
+        self.detail(what);
+        self.bar.set_message(what);
+    }
+
     /// What may interest: left out by `--quiet`.
     pub(super) fn note(&self, text: impl AsRef<str>) {
         if !self.args.quiet {

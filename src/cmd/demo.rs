@@ -13,8 +13,9 @@ use super::judge::{self, Judgement, judge};
 use super::open::{Opened, open};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture::{self, Backdrop, Drawer, Style};
+use super::shown::Shown;
+use super::when::TimeArgs;
 use crate::Result;
-use crate::passes::Model;
 use crate::report::{self, Figure};
 use crate::session::Session;
 use crate::strategies::Strategy;
@@ -84,15 +85,15 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     console.step("opening");
     let opened = open_scene(args.resolution, &console)?;
     let mut session = args.device.open()?;
-    let model = Model::of(&opened.scene);
-    let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
+    let shown = Shown::of(&opened.scene);
+    let judgement = judge(&mut session, &shown, &opened, &strategies, rounds, &console)?;
 
     let mut pictures = Vec::new();
     for drawer in std::iter::once(Drawer::Exact).chain(strategies.map(Drawer::By)) {
         console.step(format!("picture by {drawer}"));
         pictures.extend(pictures_of(
             &mut session,
-            &model,
+            &shown,
             &opened,
             &judgement,
             drawer,
@@ -111,7 +112,7 @@ fn open_scene(size_px: [u32; 2], console: &Console) -> Result<Opened> {
     // The words are a constant, and a test parses them.
     let words = SceneWords::try_parse_from(words)
         .map_err(|e| crate::Error::input("the scene of the demo", e.to_string(), "report this"))?;
-    let mut opened = open(&words.scene, console)?;
+    let mut opened = open(&words.scene, &TimeArgs::default(), console)?;
     opened.size_px = size_px;
     Ok(opened)
 }
@@ -127,7 +128,7 @@ struct Picture {
 /// The picture of a drawer and, for a strategy, its heat map. A strategy that refuses the scene has none.
 fn pictures_of(
     session: &mut Session,
-    model: &Model,
+    shown: &Shown,
     opened: &Opened,
     judgement: &Judgement,
     drawer: Drawer,
@@ -136,8 +137,9 @@ fn pictures_of(
         supersample: 2,
         backdrop: Backdrop::Gradient,
     };
+    let view = opened.view(&shown.model.prepared);
     let Drawer::By(strategy) = drawer else {
-        let exact = picture::draw(session, model, opened, drawer, style)?;
+        let exact = picture::draw(session, shown, &view, drawer, style)?.image;
         let caption =
             "Evaluated from the definition for every pixel, on the CPU in double precision.";
         return Ok(vec![picture("exact", "exact", caption, &exact)?]);
@@ -151,7 +153,7 @@ fn pictures_of(
         return Ok(Vec::new());
     };
     let stem = file_stem(&strategy);
-    let drawn = picture::draw(session, model, opened, drawer, style)?;
+    let drawn = picture::draw(session, shown, &view, drawer, style)?.image;
     let wrong = comparison.decided_wrong_px;
     let caption = match wrong {
         0 => "No pixel is wrong where the exact reference is sure.".to_owned(),

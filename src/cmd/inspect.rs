@@ -5,9 +5,10 @@ use serde_json::{Value, json};
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::open::{is_scene, open_parts, open_scene};
+use super::open::Inputs;
 use super::output::{Output, write_stdout};
 use super::sections::round;
+use super::when::TimeArgs;
 use crate::report::Table;
 use crate::scene::{Part, Topology};
 use crate::{Error, Result};
@@ -16,6 +17,7 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   cutaway inspect bracket.stl
   cutaway inspect shape:gears
+  cutaway inspect walk.glb --clip run --time 0.5
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
 A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Depth complexity
@@ -27,6 +29,8 @@ pub(super) struct InspectArgs {
     /// Meshes, `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    when: TimeArgs,
     /// The same as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
@@ -43,20 +47,9 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let parts = match args.inputs.as_slice() {
-        [scene] if is_scene(scene) => open_scene(scene, &console)?.scene.parts,
-        inputs => {
-            if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
-                let mend = "inspect it by itself";
-                return Err(Error::input(
-                    scene.as_str(),
-                    "a scene file stands alone",
-                    mend,
-                ));
-            }
-            open_parts(inputs, &console)?
-        }
-    };
+    let (scene, timeline) = Inputs::open(&args.inputs, &console)?.at(&args.when)?;
+    args.when.note_of_still(&timeline, &console);
+    let parts = scene.posed().parts;
     console.step("inspecting");
     let facts: Vec<(&str, Topology)> = parts
         .iter()

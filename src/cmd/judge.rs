@@ -7,13 +7,13 @@
 //!
 //! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]).
 
-use std::time::Instant;
-
 use image::RgbaImage;
 
 use super::console::Console;
 use super::open::Opened;
 use super::picture;
+use super::shown::Shown;
+use super::stopwatch::Stopwatch;
 use crate::compare::{Comparison, compare, heatmap};
 use crate::exact::{Exact, evaluate};
 use crate::gpu::{ClockSet, Program, RunTimes};
@@ -61,17 +61,18 @@ pub(super) fn steps(strategies: usize, rounds: usize) -> usize {
 /// Judges strategies on a scene.
 pub(super) fn judge(
     session: &mut Session,
-    model: &Model,
+    shown: &Shown,
     opened: &Opened,
     strategies: &[Strategy],
     rounds: usize,
     console: &Console,
 ) -> Result<Judgement> {
+    let model = &shown.model;
     let view = opened.view(&model.prepared);
     console.step("exact");
-    let started = now();
-    let exact = evaluate(&model.prepared, &view);
-    let exact_ms = started.elapsed().as_secs_f64() * 1e3;
+    let watch = Stopwatch::start();
+    let exact = evaluate(shown.truth(), &view);
+    let exact_ms = watch.ms();
 
     let mut frames = Vec::with_capacity(strategies.len());
     for strategy in strategies {
@@ -255,12 +256,4 @@ fn command_line() -> String {
         .chain(words)
         .collect::<Vec<_>>()
         .join(" ")
-}
-
-#[allow(
-    clippy::disallowed_methods,
-    reason = "the time of the reference is measured here"
-)]
-fn now() -> Instant {
-    Instant::now()
 }

@@ -6,6 +6,7 @@
 //!
 //! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.
 
+mod animate;
 mod args;
 mod compare;
 mod console;
@@ -15,12 +16,17 @@ mod image_test;
 mod inspect;
 mod judge;
 mod layers_file;
+mod look;
+mod notes;
 mod open;
 mod output;
 mod picture;
 mod plan;
 mod render;
 mod sections;
+mod shown;
+mod stopwatch;
+mod when;
 
 use std::process::ExitCode;
 
@@ -43,6 +49,7 @@ Examples:
   cutaway render bracket.stl --section x=50% -o cut.png
   cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
   cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
+  cutaway animate shape:crank --section -z=50% --turntable -o crank.gif
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
   cutaway demo
@@ -70,6 +77,9 @@ enum Command {
     /// Measure strategies against the exact reference and against each other
     #[command(after_help = compare::EXAMPLES, after_long_help = with_shapes(compare::EXAMPLES))]
     Compare(compare::CompareArgs),
+    /// Draw a scene over time, or from all sides, to a GIF, an animated PNG, a film or numbered pictures
+    #[command(after_help = animate::EXAMPLES, after_long_help = with_shapes(animate::EXAMPLES))]
+    Animate(animate::AnimateArgs),
     /// Say what a model is like: closed or not, how many pieces, how deep
     #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
     Inspect(inspect::InspectArgs),
@@ -88,6 +98,7 @@ pub fn main() -> ExitCode {
     let ended = match cli.command {
         Command::Render(args) => render::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Animate(args) => animate::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Demo(args) => demo::run(&args),

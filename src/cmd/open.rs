@@ -5,12 +5,15 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::args::SceneArgs;
+use super::args::{CameraArgs, SceneArgs};
 use super::console::Console;
 use super::sections::warn_of_misses;
+use super::when::TimeArgs;
+use crate::scene::frames::{Pattern, Sequence};
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Material, OpenedMesh, Part, Prepared, Scene, View, load_mesh_file, load_scene_file,
+    Camera, Cut, Material, OpenedMesh, Part, Prepared, Scene, Timeline, View, load_mesh_file,
+    load_scene_file,
 };
 use crate::{Error, Result};
 
@@ -19,56 +22,185 @@ const USUAL_SIZE_PX: [u32; 2] = [1024, 768];
 
 /// A scene as the command line asks for it.
 pub(super) struct Opened {
-    /// What is drawn.
+    /// What is drawn: the scene at the time that was asked for, or as it stands.
     pub(super) scene: Scene,
+    /// The same over time, without what the options add.
+    pub(super) timeline: Timeline,
     /// Name of the strategy that the scene file asks for.
     pub(super) strategy: Option<String>,
     /// Size of the picture.
     pub(super) size_px: [u32; 2],
     /// Colour behind everything that the scene file asks for, sRGB.
     pub(super) background: Option<Vec3>,
-    zoom: f64,
+    /// Cuts of the command line, the same at all times.
+    cuts: Vec<Cut>,
+    /// Camera of the command line, where the scene has none of its own.
+    usual_camera: Option<Camera>,
+    camera: CameraArgs,
 }
 
 impl Opened {
     /// The view of the scene.
     pub(super) fn view(&self, prepared: &Prepared) -> View {
-        let mut view = prepared.view(self.size_px);
-        view.half_height /= self.zoom;
+        self.zoomed(prepared.view(self.size_px))
+    }
+
+    /// The view of the scene by another camera.
+    pub(super) fn view_of(&self, prepared: &Prepared, camera: &Camera) -> View {
+        self.zoomed(prepared.view_of(camera, self.size_px))
+    }
+
+    fn zoomed(&self, mut view: View) -> View {
+        view.half_height /= self.camera.zoom;
         view
+    }
+
+    /// The scene at a time in seconds, with everything that the options say.
+    pub(super) fn at(&self, time_s: f64) -> Result<Scene> {
+        let mut scene = self.timeline.at(time_s)?;
+        scene.cuts.extend(self.cuts.iter().cloned());
+        scene.camera = match self.usual_camera {
+            Some(camera) => camera,
+            None => self.camera.apply(scene.camera, &scene.bounds())?,
+        };
+        Ok(scene)
     }
 }
 
 /// Opens the inputs and applies what the options say about them.
-pub(super) fn open(args: &SceneArgs, console: &Console) -> Result<Opened> {
-    let mut opened = match args.inputs.as_slice() {
-        [one] if is_scene(one) => open_scene(one, console)?,
-        inputs => {
-            if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
-                return Err(Error::input(
-                    scene.as_str(),
-                    "a scene file stands alone",
-                    "name the meshes in the scene file, as [[part]] entries",
-                ));
-            }
-            plain(open_parts(inputs, console)?, inputs)
-        }
-    };
-    args.sections.apply(&mut opened.scene)?;
-    let bounds = opened.scene.bounds();
-    opened.scene.camera = if args.inputs.iter().any(|i| is_scene(i)) {
-        args.camera.apply(opened.scene.camera, &bounds)?
-    } else {
-        args.camera.usual(&opened.scene.cuts, &bounds)?
-    };
-    opened.size_px = args.resolution.unwrap_or(opened.size_px);
-    opened.zoom = args.camera.zoom;
-    warn_of_misses(&opened.scene, console);
+pub(super) fn open(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
+    let opened = open_at(args, when, console)?;
+    when.note_of_still(&opened.timeline, console);
     Ok(opened)
 }
 
+/// [`open`] without a word where nothing moves.
+pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
+    let inputs = Inputs::open(&args.inputs, console)?;
+    let (mut scene, timeline) = inputs.at(when)?;
+    let of_file = scene.cuts.len();
+    args.sections.apply(&mut scene)?;
+    let bounds = scene.bounds();
+    let cuts = scene.cuts[of_file..].to_vec();
+    let usual_camera = if args.inputs.iter().any(|i| is_scene(i)) {
+        scene.camera = args.camera.apply(scene.camera, &bounds)?;
+        None
+    } else {
+        scene.camera = args.camera.usual(&scene.cuts, &bounds)?;
+        Some(scene.camera)
+    };
+    warn_of_misses(&scene, console);
+    Ok(Opened {
+        scene,
+        timeline,
+        strategy: inputs.strategy,
+        size_px: args
+            .resolution
+            .or(inputs.resolution)
+            .unwrap_or(USUAL_SIZE_PX),
+        background: inputs.background,
+        cuts,
+        usual_camera,
+        camera: args.camera.clone(),
+    })
+}
+
+/// Frames a second of meshes that are numbered frame by frame; a scene file can say another rate.
+const USUAL_FPS: f64 = 24.0;
+
+/// What the inputs hold, before the options have their say.
+pub(super) struct Inputs {
+    /// The scene at rest.
+    rest: Scene,
+    /// What is known of how it moves, beyond the clips of its parts.
+    timeline: Option<Timeline>,
+    strategy: Option<String>,
+    resolution: Option<[u32; 2]>,
+    background: Option<Vec3>,
+}
+
+impl Inputs {
+    /// Opens them.
+    pub(super) fn open(inputs: &[String], console: &Console) -> Result<Self> {
+        match inputs {
+            [one] if is_scene(one) => Self::of_scene_file(one, console),
+            inputs => {
+                if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
+                    return Err(Error::input(
+                        scene.as_str(),
+                        "a scene file stands alone",
+                        "give it by itself, and name the meshes in it as [[part]] entries",
+                    ));
+                }
+                Self::of_meshes(inputs, console)
+            }
+        }
+    }
+
+    fn of_scene_file(input: &str, console: &Console) -> Result<Self> {
+        let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
+        for note in &file.notes {
+            console.note(format!("{input}: {note}"));
+        }
+        Ok(Self {
+            rest: file.scene,
+            timeline: Some(file.timeline),
+            strategy: file.strategy,
+            resolution: file.resolution,
+            background: file.background,
+        })
+    }
+
+    fn of_meshes(inputs: &[String], console: &Console) -> Result<Self> {
+        let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
+        let is_sequence = |input: &&String| Pattern::is_in(input) && !Path::new(input).exists();
+        let (numbered, single): (Vec<&String>, Vec<&String>) = inputs.iter().partition(is_sequence);
+        let mut rest = Scene {
+            name: names.join("+"),
+            parts: open_parts(&single, console)?,
+            ..Scene::default()
+        };
+        let mut timeline = None;
+        if !numbered.is_empty() {
+            let mut played = Timeline::of_scene(rest);
+            for pattern in numbered {
+                let sequence = Sequence::open(pattern, USUAL_FPS)?;
+                (sequence.notes().iter()).for_each(|note| console.note(note));
+                played.add_sequence(sequence)?;
+            }
+            rest = played.at(0.0)?;
+            rest.stage = None;
+            timeline = Some(played);
+        }
+        Ok(Self {
+            rest,
+            timeline,
+            strategy: None,
+            resolution: None,
+            background: None,
+        })
+    }
+
+    /// What they show at the time that is meant, and over time. Without a time it is what they show at rest, framed by
+    /// itself: nobody pays for times that nobody asks for.
+    pub(super) fn at(&self, when: &TimeArgs) -> Result<(Scene, Timeline)> {
+        let rest = self.rest.clone();
+        let Some(time_s) = when.time_s() else {
+            return Ok((rest.clone(), Timeline::still(rest)));
+        };
+        let mut timeline = self.timeline();
+        when.clip.choose(&mut timeline)?;
+        Ok((timeline.at(time_s)?, timeline))
+    }
+
+    fn timeline(&self) -> Timeline {
+        let of_parts = || Timeline::of_scene(self.rest.clone());
+        self.timeline.clone().unwrap_or_else(of_parts)
+    }
+}
+
 /// The parts of meshes and shapes, with names that tell them apart.
-pub(super) fn open_parts(inputs: &[String], console: &Console) -> Result<Vec<Part>> {
+fn open_parts(inputs: &[&String], console: &Console) -> Result<Vec<Part>> {
     let mut parts: Vec<Part> = Vec::new();
     let mut names = BTreeSet::new();
     for input in inputs {
@@ -92,26 +224,11 @@ pub(super) fn open_parts(inputs: &[String], console: &Console) -> Result<Vec<Par
 }
 
 /// Whether an input is a scene file by its name.
-pub(super) fn is_scene(input: &str) -> bool {
+fn is_scene(input: &str) -> bool {
     !input.starts_with("shape:")
         && Path::new(input)
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
-}
-
-/// Opens a scene file.
-pub(super) fn open_scene(input: &str, console: &Console) -> Result<Opened> {
-    let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
-    for note in &file.notes {
-        console.note(format!("{input}: {note}"));
-    }
-    Ok(Opened {
-        scene: file.scene,
-        strategy: file.strategy,
-        size_px: file.resolution.unwrap_or(USUAL_SIZE_PX),
-        background: file.background,
-        zoom: 1.0,
-    })
 }
 
 fn open_model(input: &str) -> OpenedMesh {
@@ -129,23 +246,6 @@ fn open_model(input: &str) -> OpenedMesh {
 fn open_mesh(path: &Path) -> OpenedMesh {
     let loaded = load_mesh_file(path)?;
     Ok((loaded.parts, loaded.notes))
-}
-
-fn plain(parts: Vec<Part>, inputs: &[String]) -> Opened {
-    let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
-    Opened {
-        scene: Scene {
-            name: names.join("+"),
-            parts,
-            cuts: Vec::new(),
-            camera: Camera::default(),
-            stage: None,
-        },
-        strategy: None,
-        size_px: USUAL_SIZE_PX,
-        background: None,
-        zoom: 1.0,
-    }
 }
 
 fn short_name(input: &str) -> String {

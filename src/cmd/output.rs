@@ -124,22 +124,74 @@ pub(super) fn write_stdout(bytes: &[u8]) -> Result<()> {
 
 /// Writes a file whole, making its folder.
 pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
-    // A link is followed: what it points to is replaced, not the link.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let failed = |e: std::io::Error| cannot_write(&path, &e);
-    if is_special(&path) {
-        return fs::write(&path, bytes).map_err(failed);
+    if is_special(path) {
+        return fs::write(path, bytes).map_err(|e| cannot_write(path, &e));
     }
-    let folder = folder_of(&path);
-    fs::create_dir_all(folder).map_err(failed)?;
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let beside = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-    let written = fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, &path));
-    written.map_err(|e| {
-        // What matters is the error above; a rest that cannot be removed changes nothing about it.
-        let _ = fs::remove_file(&beside);
-        failed(e)
-    })
+    let pending = begun_with(path, bytes)?;
+    pending.place()
+}
+
+/// A file with all that it will hold, not yet in its place.
+pub(super) fn begun_with(path: &Path, bytes: &[u8]) -> Result<Pending> {
+    let (pending, mut file) = Pending::begin(path)?;
+    file.write_all(bytes).map_err(|e| pending.failed(&e))?;
+    Ok(pending)
+}
+
+/// A file that is written piece by piece beside its place and takes it at the end. Dropped before that, it leaves nothing
+/// behind.
+pub(super) struct Pending {
+    path: PathBuf,
+    beside: PathBuf,
+    is_placed: bool,
+}
+
+impl Pending {
+    /// Begins a file, making its folder. The handle is for writing to it; [`Pending::place`] wants it closed.
+    pub(super) fn begin(path: &Path) -> Result<(Self, fs::File)> {
+        // A link is followed: what it points to is replaced, not the link.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let folder = folder_of(&path);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let beside = folder.join(format!(".{name}.{}.tmp", std::process::id()));
+        match fs::create_dir_all(folder).and_then(|()| fs::File::create(&beside)) {
+            Err(e) => Err(cannot_write(&path, &e)),
+            Ok(file) => {
+                let pending = Self {
+                    path,
+                    beside,
+                    is_placed: false,
+                };
+                Ok((pending, file))
+            }
+        }
+    }
+
+    /// Where it is until it is whole.
+    pub(super) fn beside(&self) -> &Path {
+        &self.beside
+    }
+
+    /// The error of a write that failed.
+    pub(super) fn failed(&self, e: &std::io::Error) -> Error {
+        cannot_write(&self.path, e)
+    }
+
+    /// Puts it into its place, whole.
+    pub(super) fn place(mut self) -> Result<()> {
+        fs::rename(&self.beside, &self.path).map_err(|e| self.failed(&e))?;
+        self.is_placed = true;
+        Ok(())
+    }
+}
+
+impl Drop for Pending {
+    fn drop(&mut self) {
+        if !self.is_placed {
+            // What went wrong is being said; a rest that cannot be removed changes nothing about it.
+            let _ = fs::remove_file(&self.beside);
+        }
+    }
 }
 
 fn cannot_write(path: &Path, e: &std::io::Error) -> Error {
@@ -163,7 +215,7 @@ fn folder_of(path: &Path) -> &Path {
 }
 
 /// Whether files can be made in a folder, or the folder be made, found out by making one where it exists.
-fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
+pub(super) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     let there = folder
         .ancestors()
         .find(|a| a.as_os_str().is_empty() || a.exists());

@@ -11,11 +11,11 @@ use glam::{DVec2, Vec3};
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
-use super::open::Opened;
+use super::shown::Shown;
 use crate::exact::evaluate;
 use crate::layers::{Kind, Layers};
-use crate::passes::Model;
-use crate::session::{Outcome, Session};
+use crate::scene::View;
+use crate::session::{Drawn, Outcome, Session};
 use crate::strategies::Strategy;
 use crate::{Error, Result};
 
@@ -68,30 +68,39 @@ pub(super) struct Style {
     pub(super) backdrop: Backdrop,
 }
 
+/// A picture, and the frames that it was made of.
+pub(super) struct Picture {
+    /// What it shows.
+    pub(super) image: RgbaImage,
+    /// One for each sample, in order; none of exact.
+    pub(super) frames: Vec<Drawn>,
+}
+
 /// Draws a picture.
 pub(super) fn draw(
     session: &mut Session,
-    model: &Model,
-    opened: &Opened,
+    shown: &Shown,
+    view: &View,
     drawer: Drawer,
     style: Style,
-) -> Result<RgbaImage> {
+) -> Result<Picture> {
     let n = style.supersample;
-    let view = opened.view(&model.prepared);
     let mut samples = Samples::new(view.size_px, n, style.backdrop != Backdrop::Gradient);
+    let mut frames = Vec::new();
     for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
         let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(n);
         let view = view.sampled_at(at);
         let (rgba, layers) = match drawer {
             Drawer::Exact => {
-                let layers = evaluate(&model.prepared, &view).layers;
-                (session.shade(model, &view, &layers)?, Some(layers))
+                let layers = evaluate(shown.truth(), &view).layers;
+                (session.shade(&shown.model, &view, &layers)?, Some(layers))
             }
             Drawer::By(strategy) => {
-                let drawn = session.draw(model, &view, &strategy)?;
+                let drawn = session.draw(&shown.model, &view, &strategy)?;
                 if let Outcome::Refused(reason) = drawn.outcome {
                     return Err(refused(drawer, &reason));
                 }
+                frames.push(drawn);
                 let wanted = samples.empty.is_some();
                 let layers = wanted.then(|| session.layers(&strategy)).transpose()?;
                 (session.picture(&strategy)?, layers)
@@ -99,7 +108,8 @@ pub(super) fn draw(
         };
         samples.add([i, j], &rgba, layers.as_ref());
     }
-    Ok(filtered(&samples, style))
+    let image = filtered(&samples, style);
+    Ok(Picture { image, frames })
 }
 
 /// The samples of a picture: N x N in each pixel, as if it were drawn so much finer.

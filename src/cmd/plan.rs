@@ -8,7 +8,8 @@ use super::console::{Console, ConsoleArgs};
 use super::open::open;
 use super::output::{Output, write_stdout};
 use super::picture::{Drawer, refused};
-use crate::passes::Model;
+use super::shown::Shown;
+use super::when::TimeArgs;
 use crate::plan::Capacities;
 use crate::strategies::{self, Strategy};
 use crate::{Error, Result};
@@ -27,6 +28,8 @@ buffers whose need only a frame can tell grow after it.";
 pub(super) struct PlanArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
     /// Whose passes: raycast+mask, grid:N+vds:RES [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
@@ -49,13 +52,13 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     let asked = args.strategy.as_deref().map(parse).transpose()?;
     let console = Console::new(args.console, 1);
     console.step("opening");
-    let opened = open(&args.scene, &console)?;
+    let opened = open(&args.scene, &args.when, &console)?;
     let strategy = match (asked, &opened.strategy) {
         (Some(strategy), _) => strategy,
         (None, Some(name)) => parse(name)?,
         (None, None) => Strategy::RAYCAST_MASK,
     };
-    let model = Model::of(&opened.scene);
+    let Shown { model, .. } = Shown::of(&opened.scene);
     let view = opened.view(&model.prepared);
     let plan = strategies::record_with(
         &model,

@@ -1,7 +1,5 @@
 //! `render`: a cut model as a picture.
 
-use std::time::Instant;
-
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -10,18 +8,21 @@ use super::args::{DeviceArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::image_test::{self, Finding};
 use super::layers_file;
+use super::look::LookArgs;
+use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use super::open::{Opened, open};
 use super::output::{Output, no_place_twice, write_file};
-use super::picture::{self, Backdrop, Drawer, Style};
-use super::sections::words_of;
+use super::picture::{self, Drawer};
+use super::shown::Shown;
+use super::stopwatch::Stopwatch;
+use super::when::TimeArgs;
 use crate::exact::evaluate;
 use crate::layers::{Kind, Layers};
 use crate::passes::Model;
 use crate::plan::Clock;
 use crate::report::PerClock;
-use crate::scene::section_misses;
+use crate::scene::View;
 use crate::session::{Outcome, Session};
-use crate::strategies::Strategy;
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -30,6 +31,7 @@ Examples:
   cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
   cutaway render engine.glb --section x=50% --section z=50% --cut intersection --exclude 'bolt*' -o quarter.png
   cutaway render shape:gears --section z=50% --strategy exact --no-background -o - | display
+  cutaway render walk.glb --time 0.5 --section x=50% -o step.png
   cutaway render part.ply --section z=50% -o part.png --reference good.png   # exit 1 where it differs";
 
 /// Options of `render`.
@@ -37,25 +39,13 @@ Examples:
 pub(super) struct RenderArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
     /// The picture, .png; `-` for standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: String,
-    /// Who draws the caps: raycast+mask, grid:N+vds:RES, or exact for the reference [default: that of the scene, or
-    /// raycast+mask]
-    #[arg(long, value_name = "NAME")]
-    strategy: Option<String>,
-    /// Draw N times as fine along each side and average in linear light, 1 to 4
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 2,
-        value_parser = clap::value_parser!(u32).range(1..=4),
-        help_heading = "Output"
-    )]
-    supersample: u32,
-    /// Leave what shows no model transparent
-    #[arg(long, help_heading = "Output")]
-    no_background: bool,
+    #[command(flatten)]
+    look: LookArgs,
     /// Outcome, times, bytes and counts of pixels as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
@@ -91,56 +81,38 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         .as_deref()
         .map(image_test::open)
         .transpose()?;
-    let asked = args
-        .strategy
-        .as_deref()
-        .map(str::parse::<Drawer>)
-        .transpose()?;
-    let opened = open(&args.scene, &console)?;
-    let drawer = match (asked, &opened.strategy) {
-        (Some(drawer), _) => drawer,
-        (None, Some(name)) => name.parse()?,
-        (None, None) => Drawer::By(Strategy::RAYCAST_MASK),
-    };
+    args.look.asked()?;
+    let opened = open(&args.scene, &args.when, &console)?;
+    let drawer = args.look.drawer(&opened)?;
     let mut session = args.device.open()?;
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,
         session.gpu().report().driver
     ));
-    let model = Model::of(&opened.scene);
+    let shown = Shown::of(&opened.scene);
+    let view = opened.view(&shown.model.prepared);
 
     console.step(drawer.to_string());
-    let facts = Facts::of(&mut session, &model, &opened, drawer, &outputs)?;
-    match facts.unreliable_px() {
-        // What a full buffer dropped is told below, and need not be a fault of the mesh.
-        Some(unreliable) if facts.outcome == Outcome::Complete => console.warn(format!(
-            "{unreliable} pixels cannot be vouched for: along their rays the mesh is open\n  mend: `cutaway inspect` \
-             says where; close the holes"
-        )),
-        _ => {}
-    }
+    let facts = Facts::of(&mut session, &shown, &view, drawer, &outputs)?;
     if let Some(layers) = &facts.layers {
+        // What a full buffer dropped is told below, and need not be a fault of the mesh.
+        if facts.outcome == Outcome::Complete {
+            warn_of_doubt(layers, &console);
+        }
         note_what_is_not_seen(layers, &opened, &console);
     }
     console.step("picture");
-    let style = Style {
-        supersample: args.supersample,
-        backdrop: match opened.background {
-            _ if args.no_background => Backdrop::Transparent,
-            Some(color) => Backdrop::Color(color),
-            None => Backdrop::Gradient,
-        },
-    };
-    let drawn = picture::draw(&mut session, &model, &opened, drawer, style)?;
+    let style = args.look.style(&opened);
+    let drawn = picture::draw(&mut session, &shown, &view, drawer, style)?.image;
 
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
-        output.write(&layers_file::exr(layers, model.prepared.scale)?)?;
+        output.write(&layers_file::exr(layers, shown.model.prepared.scale)?)?;
     }
     if let Some(output) = &outputs.json {
-        let json = facts.json(&opened, &session, &model, drawer, args);
+        let json = facts.json(&opened, &session, &shown.model, drawer, args);
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     let mut verdict = Verdict::Done;
@@ -161,26 +133,6 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         }
     }
     Ok(verdict)
-}
-
-/// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
-fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &Console) {
-    let mut surfaces = opened.scene.cuts.iter().flat_map(|c| &c.surfaces);
-    let bounds = opened.scene.bounds();
-    if surfaces.any(|s| section_misses(s, &bounds)) {
-        // That has been said.
-    } else if layers.count(Kind::Background) == layers.pixels.len() {
-        console.warn(format!(
-            "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  mend: keep the \
-             other side (--flip), move the section, or leave the camera options out",
-            words_of(&bounds)
-        ));
-    } else if !opened.scene.cuts.is_empty() && layers.count(Kind::Cap) == 0 {
-        console.note(
-            "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \
-             --camera-azimuth-angle and --flip)",
-        );
-    }
 }
 
 /// Where results go.
@@ -235,27 +187,24 @@ struct Facts {
 impl Facts {
     fn of(
         session: &mut Session,
-        model: &Model,
-        opened: &Opened,
+        shown: &Shown,
+        view: &View,
         drawer: Drawer,
         outputs: &Outputs,
     ) -> Result<Self> {
-        let view = opened.view(&model.prepared);
         match drawer {
             Drawer::Exact => {
-                let started = now();
-                let exact = outputs
-                    .want_facts()
-                    .then(|| evaluate(&model.prepared, &view));
+                let watch = Stopwatch::start();
+                let exact = (outputs.want_facts()).then(|| evaluate(shown.truth(), view));
                 Ok(Self {
                     outcome: Outcome::Complete,
                     layers: exact.map(|e| e.layers),
-                    times: json!({ "exact": started.elapsed().as_secs_f64() * 1e3 }),
+                    times: json!({ "exact": watch.ms() }),
                     bytes: PerClock::default(),
                 })
             }
             Drawer::By(strategy) => {
-                let drawn = session.draw(model, &view, &strategy)?;
+                let drawn = session.draw(&shown.model, view, &strategy)?;
                 if let Outcome::Refused(reason) = &drawn.outcome {
                     return Err(picture::refused(drawer, reason));
                 }
@@ -272,13 +221,6 @@ impl Facts {
         }
     }
 
-    /// Number of pixels the strategy does not vouch for, if any.
-    fn unreliable_px(&self) -> Option<usize> {
-        let layers = self.layers.as_ref()?;
-        let count = layers.pixels.iter().filter(|p| p.unreliable).count();
-        Some(count).filter(|c| *c > 0)
-    }
-
     fn json(
         &self,
         opened: &Opened,
@@ -292,7 +234,8 @@ impl Facts {
             "scene": opened.scene.name,
             "triangles": model.prepared.triangle_count(),
             "resolution": opened.size_px,
-            "supersample": args.supersample,
+            "time_s": args.when.time_s(),
+            "supersample": args.look.supersample,
             "adapter": session.gpu().report(),
             "strategy": drawer.to_string(),
             "rasteriser": session.options().rasteriser.to_string(),
@@ -301,7 +244,7 @@ impl Facts {
             "cap_px": count(Kind::Cap),
             "surface_px": count(Kind::Surface),
             "background_px": count(Kind::Background),
-            "odd_parity_px": self.unreliable_px().unwrap_or(0),
+            "odd_parity_px": self.layers.as_ref().map_or(0, unreliable_px),
             "bytes": self.bytes,
             "time_ms": self.times,
         })
@@ -313,12 +256,4 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| {
         "it must be a number from 0 to 1\n  mend: 0.04 allows 10 steps of 255".to_owned()
     })
-}
-
-#[allow(
-    clippy::disallowed_methods,
-    reason = "the time of the reference is measured here"
-)]
-fn now() -> Instant {
-    Instant::now()
 }

@@ -1,0 +1,296 @@
+//! Options: what they mean together, what is refused, and what is told.
+
+use serde_json::{Value, json};
+
+use super::command::Scratch;
+use super::reading::{apng, gif};
+use super::{CUT_CUBE, fs};
+
+#[test]
+fn lengths_and_rates_go_together() {
+    let folder = Scratch::new("animate-lengths");
+    let small = CUT_CUBE.replace("64,48", "16,12");
+    let line = format!("animate {small} --turntable --supersample 1");
+    for (options, frames, delay_ms) in [
+        ("--duration 0.5 --fps 10", 5, 100.0),
+        ("--duration 0.25", 6, 1000.0 / 24.0),
+        ("--frames 7 --fps 50", 7, 20.0),
+        ("--fps 2", 8, 500.0),
+    ] {
+        folder.run(&format!("{line} {options} -o out.png")).exits(0);
+        let read = apng(&folder.path("out.png"));
+        assert_eq!(read.frames.len(), frames, "{options}");
+        assert!(
+            read.delays_ms.iter().all(|d| (d - delay_ms).abs() < 1.0),
+            "{options}: {:?}",
+            read.delays_ms
+        );
+    }
+}
+
+#[test]
+fn a_gif_takes_the_nearest_rate_and_says_so() {
+    let folder = Scratch::new("animate-rates");
+    for (options, delay_ms, said) in [
+        ("", 40.0, None),
+        ("--fps 25", 40.0, None),
+        ("--fps 24", 40.0, Some("25 frames per second instead of 24")),
+        (
+            "--fps 30",
+            30.0,
+            Some("33.3333 frames per second instead of 30"),
+        ),
+        (
+            "--fps 100",
+            20.0,
+            Some("50 frames per second instead of 100"),
+        ),
+    ] {
+        let ran = folder
+            .run(&format!(
+                "animate {CUT_CUBE} --turntable --frames 2 --supersample 1 -o out.gif {options}"
+            ))
+            .exits(0);
+        assert_eq!(
+            gif(&folder.path("out.gif")).delays_ms,
+            [delay_ms; 2],
+            "{options}"
+        );
+        match said {
+            Some(said) => assert!(ran.stderr.contains(said), "{options}: {}", ran.stderr),
+            None => assert!(!ran.stderr.contains("instead"), "{options}: {}", ran.stderr),
+        }
+    }
+}
+
+#[test]
+fn every_frame_is_accounted_for() {
+    let folder = Scratch::new("animate-json");
+    let line =
+        format!("animate {CUT_CUBE} --turntable --frames 3 --fps 10 --start 0.5 --supersample 1");
+    let ran = folder
+        .run(&format!(
+            "{line} --strategy grid:8+vds:64 -o out.png --json -"
+        ))
+        .exits(0);
+    let json = ran.json();
+    assert_eq!(json["strategy"], "grid:8+vds:64");
+    assert_eq!(json["format"], "apng");
+    assert_eq!(json["turntable_deg"], 360.0);
+    let frames = json["frames"].as_array().unwrap();
+    assert_eq!(frames.len(), 3);
+    for (i, frame) in frames.iter().enumerate() {
+        assert_eq!(frame["outcome"], "complete");
+        assert!(
+            (frame["time_s"].as_f64().unwrap() - (0.5 + 0.1 * i as f64)).abs() < 1e-9,
+            "{frame}"
+        );
+        assert!(frame["time_ms"]["frame"].as_f64().unwrap() > 0.0, "{frame}");
+        assert!(frame["drawn_ms"].as_f64().unwrap() > 0.0, "{frame}");
+        let clocks = if i == 0 {
+            json!(["solid", "cut", "frame"])
+        } else {
+            json!(["frame"])
+        };
+        assert_eq!(frame["clocks"], clocks, "only the camera moves: frame {i}");
+        assert_eq!(frame["time_ms"]["solid"] == Value::Null, i > 0, "{frame}");
+    }
+    for said in [
+        "3 frames of 64 x 48",
+        "0.3 s at 10 a second",
+        "solid in 1",
+        "frame in 3",
+    ] {
+        assert!(ran.stderr.contains(said), "no `{said}` in {}", ran.stderr);
+    }
+    let exact = folder
+        .run(&format!("{line} --strategy exact -o out.png --json -"))
+        .exits(0)
+        .json();
+    assert_eq!(
+        exact["frames"][0]["clocks"],
+        json!([]),
+        "exact has no clocks"
+    );
+}
+
+#[test]
+fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
+    let folder = Scratch::new("animate-usage");
+    folder.write("file", "x");
+    let cube = "shape:cube --turntable";
+    for (line, said) in [
+        (
+            "animate shape:cube -o out.gif".to_owned(),
+            vec!["nothing moves", "--turntable", "[[key]]"],
+        ),
+        (
+            "animate shape:cube --duration 2 -o out.gif".to_owned(),
+            vec!["nothing moves"],
+        ),
+        (format!("animate {cube}"), vec!["--output"]),
+        (
+            format!("animate {cube} -o -"),
+            vec!["--output -", "standard output", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.giff"),
+            vec!["out.giff", "did you mean `gif`"],
+        ),
+        (
+            format!("animate {cube} -o out"),
+            vec!["--output out", "mp4"],
+        ),
+        (
+            format!("animate {cube} -o out.webm"),
+            vec!["out.webm", "gif"],
+        ),
+        (
+            format!("animate {cube} -o frames/%s.png"),
+            vec!["frames/%s.png", "%04d"],
+        ),
+        (
+            format!("animate {cube} -o frames/%%.png"),
+            vec!["no place for the number", "%04d"],
+        ),
+        (
+            format!("animate {cube} -o frames/%d_%d.png"),
+            vec!["more than one", "%04d"],
+        ),
+        (
+            format!("animate {cube} -o frames/%04d.jpg"),
+            vec!["frames/0001.jpg", ".png"],
+        ),
+        (
+            format!("animate {cube} -o file/out.gif"),
+            vec!["file/out.gif", "not a folder"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --json out.gif"),
+            vec!["--json out.gif", "--output"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --fps 0"),
+            vec!["--fps", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --fps -5"),
+            vec!["--fps", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --fps many"),
+            vec!["--fps", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --duration 0"),
+            vec!["--duration", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --duration nan"),
+            vec!["--duration", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --duration 1e9"),
+            vec!["--duration", "frames", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --frames 0"),
+            vec!["--frames"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --frames 4000000000"),
+            vec!["--frames", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --frames 3 --duration 1"),
+            vec!["--frames", "--duration"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --start -1"),
+            vec!["--start", "mend:"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --loop 0"),
+            vec!["--loop", "forever"],
+        ),
+        (
+            format!("animate {cube} -o out.gif --loop -1"),
+            vec!["--loop", "forever"],
+        ),
+        (
+            format!("animate {cube} -o f/%d.png --loop 1"),
+            vec!["--loop", "mend:"],
+        ),
+        (
+            "animate shape:cube --turntable=0 -o out.gif".to_owned(),
+            vec!["--turntable", "mend:"],
+        ),
+        (
+            "animate shape:cube --turntable=round -o out.gif".to_owned(),
+            vec!["--turntable", "mend:"],
+        ),
+        (
+            "animate shape:cube --turntable 90 -o out.gif".to_owned(),
+            vec!["90:", "--turntable=90"],
+        ),
+        (
+            format!("animate {cube} --clip walk -o out.gif"),
+            vec!["clip", "walk", "mend:"],
+        ),
+        (
+            format!("animate {cube} --strategy raycats+mask -o out.gif"),
+            vec!["did you mean `raycast`"],
+        ),
+        (
+            format!("animate {cube} --section z=50% --strategy grid:8+mask -o out.gif"),
+            vec!["grid:8+mask", "mend:"],
+        ),
+        (
+            format!("animate {cube} --section z=50% --strategy grid:8+mask -o f/%d.png"),
+            vec!["grid:8+mask", "mend:"],
+        ),
+        (
+            "animate frames/%04d.ply --turntable -o out.gif".to_owned(),
+            vec!["frames/%04d.ply", "mend:"],
+        ),
+    ] {
+        let ran = folder.run(&line).exits(2);
+        assert!(ran.stderr.contains("error:"), "{line}\n{}", ran.stderr);
+        for said in said {
+            assert!(
+                ran.stderr.contains(said),
+                "{line}: no `{said}` in\n{}",
+                ran.stderr
+            );
+        }
+        assert!(ran.stdout.is_empty(), "{line}: {}", ran.text());
+        assert_eq!(folder.files(), ["file"], "{line}");
+    }
+}
+
+#[test]
+fn a_failure_leaves_what_was_there() {
+    let folder = Scratch::new("animate-old");
+    for name in ["out.gif", "out.png", "1.png"] {
+        folder.write(name, "old");
+        let pattern = if name == "1.png" { "%d.png" } else { name };
+        folder
+            .run(&format!(
+                "animate {CUT_CUBE} --turntable --frames 2 --strategy grid:8+mask -o {pattern}"
+            ))
+            .exits(2);
+        assert_eq!(
+            fs::read_to_string(folder.path(name)).unwrap(),
+            "old",
+            "{name}"
+        );
+        // The control: what works replaces it.
+        folder
+            .run(&format!(
+                "animate {CUT_CUBE} --turntable --frames 2 --supersample 1 -o {pattern}"
+            ))
+            .exits(0);
+        assert!(fs::read(folder.path(name)).unwrap().len() > 100, "{name}");
+    }
+    assert_eq!(folder.files(), ["1.png", "2.png", "out.gif", "out.png"]);
+}
