@@ -2,7 +2,7 @@
 //!
 //! Every frame is a mesh of its own; the number of vertices and triangles, and even that of solids, may change from frame to
 //! frame. All frames are loaded at once, in parallel, and stay in memory: what is drawn at a time is a frame as it was
-//! loaded, never something between two frames, and asking for the same frame again gives the same [`Arc`](std::sync::Arc) of
+//! loaded, never something between two frames, and asking for the same frame again gives the same [`Arc`] of
 //! its mesh.
 
 mod pattern;
