@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{INVOCATIONS_PER_ROW, Model};
+use cutaway::passes::{INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
     ClipSurface, CutTable, DrawnPart, Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DRAWN_PARTS,
     NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
@@ -324,6 +324,7 @@ fn constants_have_one_value_on_both_sides() {
         ("NONE", u32::MAX),
         ("REPEAT", Wrap::Repeat.code()),
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
+        ("NO_LANE", NO_LANE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),
         ("MIRROR", Wrap::Mirror.code()),

@@ -11,10 +11,11 @@
 
 struct Where {
     triangle: u32,
-    place: u32,
-    // Which rows of tiles, and which row of a tile.
+    // Row of the part in the table of drawn parts.
+    part: u32,
+    // Which rows of tiles, and which line of samples of a tile.
     tiles: i32,
-    row: i32,
+    line: i32,
     // Of the mask.
     lane_bits: u32,
 }
@@ -42,15 +43,15 @@ fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
             let bc = tile_edge(b.xy, c.xy, sample);
             let ca = tile_edge(c.xy, a.xy, sample);
             let ab = tile_edge(a.xy, b.xy, sample);
-            var row = vec2<i32>(0, select(span.x, -1, at.row > span.y));
-            row = row_inside(bc, at.row, row);
-            row = row_inside(ca, at.row, row);
-            row = row_inside(ab, at.row, row);
+            var row = vec2<i32>(0, select(span.x, -1, at.line > span.y));
+            row = row_inside(bc, at.line, row);
+            row = row_inside(ca, at.line, row);
+            row = row_inside(ab, at.line, row);
             for (var x = row.x; x <= row.y; x++) {
-                let step = vec2<i32>(x, at.row);
+                let step = vec2<i32>(x, at.line);
                 let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
                 let pixel = pixel_index(vec2<u32>(from_px + step));
-                take(Sample(pixel, z + dot(weights, rise), at.triangle, at.place, turned, at.lane_bits));
+                take(Sample(pixel, z + dot(weights, rise), at.triangle, at.part, turned, at.lane_bits));
             }
         }
     }

@@ -35,6 +35,9 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/sweep.wgsl",
     "lib/nearest.wgsl",
     "lib/sample/ranked.wgsl",
+    "lib/sample/bare.wgsl",
+    "lib/fresh/nearest.wgsl",
+    "lib/fresh/nothing.wgsl",
     "lib/cover.wgsl",
     "lib/vds.wgsl",
 ];

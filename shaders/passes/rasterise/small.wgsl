@@ -7,7 +7,7 @@
 #import cutaway::sample::{Sample, take}
 #import cutaway::screen::{edge_bias, first_pixel, last_pixel}
 #import cutaway::span::narrowed
-#import cutaway::sweep::{corners_of, number_of, part_of_triangle, sweep}
+#import cutaway::sweep::{corners_of, number_of, row_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels; at most 64.
@@ -18,8 +18,8 @@ override small_px: i32 = 64;
 
 // Large triangles fill the queue from its begin, those to be clipped from its end: together they are no more than all.
 fn enqueue(triangle: u32, is_clipped: bool) {
-    if sweep.claims != 0u {
-        // Claiming finds the queue as marking left it.
+    if sweep.again != 0u {
+        // The first sweep filled the queue.
         return;
     }
     if is_clipped {
@@ -37,8 +37,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if triangle >= sweep.triangle_count {
         return;
     }
-    let place = part_of_triangle(triangle);
-    let corners = corners_of(triangle, place);
+    let part = row_of_triangle(triangle);
+    let corners = corners_of(triangle, part);
     let a = screen[corners.x];
     var b = screen[corners.y];
     var c = screen[corners.z];
@@ -92,7 +92,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         for (var x = span.x; x <= span.y; x++) {
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
             let pixel = pixel_index(vec2<u32>(vec2<i32>(first.x + x, y)));
-            take(Sample(pixel, z + dot(weights, rise), triangle, place, front, lane_bits));
+            take(Sample(pixel, z + dot(weights, rise), triangle, part, front, lane_bits));
         }
         row += down;
     }
