@@ -30,6 +30,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/wide.wgsl",
     "lib/screen.wgsl",
     "lib/clipping.wgsl",
+    "lib/flat.wgsl",
     "lib/span.wgsl",
     "lib/tiles.wgsl",
     "lib/sweep.wgsl",

@@ -2,6 +2,7 @@
 // of it every eighth row of tiles; an invocation owns one row of samples of a tile.
 
 #import cutaway::cover::{Where, cover}
+#import cutaway::screen::point_of
 #import cutaway::sweep::{corners_of, row_of_triangle}
 
 override lane_bits: u32 = 32u;
@@ -17,6 +18,6 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         let part = row_of_triangle(triangle);
         let corners = corners_of(triangle, part);
         let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);
-        cover(screen[corners.x].xyz, screen[corners.y].xyz, screen[corners.z].xyz, at);
+        cover(point_of(screen[corners.x]), point_of(screen[corners.y]), point_of(screen[corners.z]), at);
     }
 }

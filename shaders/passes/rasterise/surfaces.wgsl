@@ -7,6 +7,7 @@
 #import cutaway::frame::{Ray, frame, centre_of, pixel_count, pixel_index, ray_through}
 #import cutaway::layers::{BACK_FACE, BACKGROUND, SURFACE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::facing
+#import cutaway::screen::point_of
 #import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
 #import cutaway::wide::{wide_cross, wide_is_negative}
 
@@ -63,7 +64,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let points = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
     var front = dot(ray.direction, cross(ab, ac)) < 0.0;
     if (points[0].w | points[1].w | points[2].w) == 0 {
-        front = wide_is_negative(wide_cross(points[1].xy - points[0].xy, points[2].xy - points[0].xy));
+        let a_steps = point_of(points[0]).steps;
+        front = wide_is_negative(wide_cross(point_of(points[1]).steps - a_steps, point_of(points[2]).steps - a_steps));
     }
     let weights = weights_of(ray, a, ab, ac);
     let normal = (1.0 - weights.x - weights.y) * unpack_normal(vertices[numbers.x].w)
