@@ -77,6 +77,7 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
     let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
     let compute = FrameOptions {
         rasteriser: Rasteriser::Compute,
+        ..FrameOptions::default()
     };
     let mut by_compute = Session::with_options(gpu, compute);
     let mut faults = Vec::new();

@@ -5,8 +5,9 @@
 
 #import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
-#import cutaway::sample::{Sample, take}
+#import cutaway::sample::take
 #import cutaway::screen::{Point, first_pixel, last_pixel}
+#import cutaway::sweep::Sample
 #import cutaway::tiles::{edge_value, row_inside, tile_edge}
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
 

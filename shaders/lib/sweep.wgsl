@@ -41,6 +41,17 @@ struct DrawnParts {
 @group(2) @binding(1) var<uniform> drawn_parts: DrawnParts;
 @group(2) @binding(2) var<storage, read> indices: array<u32>;
 
+// A sample of the picture that a triangle covers.
+struct Sample {
+    pixel: u32,
+    z: f32,
+    triangle: u32,
+    // Row of the part in the table of drawn parts.
+    row: u32,
+    front: bool,
+    lane_bits: u32,
+}
+
 const NO_LANE: u32 = 0xffffffffu;
 
 // Invocations along x of a dispatch that is folded into two dimensions.

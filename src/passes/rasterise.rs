@@ -1,76 +1,147 @@
-//! A frame by the compute rasteriser: the pass over the mesh without the GPU's own rasteriser.
+//! A frame by the compute rasteriser: candidates, one pass over the mesh, one decision per pixel, and paint where there is something.
 //!
-//! Two sweeps over the triangles in the place of one atomic of 64 bits, which core WebGPU lacks: marking leaves fragments to the
-//! inside test and finds the greatest depth-buffer value, claiming finds the first triangle at it. Both run the same pipelines.
-//! Cost per frame: that of the screen and the sweeps, and 8 bytes a pixel after what the inside test wants.
+//! Every sample leaves to the inside test what that wants and keeps the nearest kept triangle. With atomics of 64 bits that is
+//! one sweep over the triangles. Core WebGPU lacks them: there a first sweep finds the greatest depth-buffer value and a second
+//! one the first triangle at it, to the same picture.
+//!
+//! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
 
 use super::recorder::{Recorder, pixels};
-use super::{Crossings, ScreenOf, Store, Sweep};
-use crate::plan::{Binding, Clock, Resource};
+use super::sweep::GROUP;
+use super::{Crossings, Inside, Screen, ScreenOf, Store, Sweep};
+use crate::plan::{Binding, Clock, Pass, Resource, ResourceId, Work};
+use crate::shader::Shader;
 
-/// Planes of one word per pixel: the nearest depth and who claims it.
-const NEAREST_PLANES: u64 = 2;
+/// Workgroups that share the list of pixels to be painted, at most.
+const PAINTING_GROUPS: u32 = 1024;
 
 impl Recorder<'_> {
-    /// Rasterises all parts into what an inside test wants, and what the nearest kept surfaces are into the layers, where they wait for the
-    /// resolve with depth-buffer values for depths; the reason where there are too many parts.
+    /// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
+    /// are too many parts.
     pub(super) fn rasterise(&mut self, store: &Store, crossings: &Crossings) -> Result<(), String> {
-        let bytes = NEAREST_PLANES * pixels(self.view.size_px) * 4;
-        let nearest = self.once("nearest", |_| {
-            Resource::storage("nearest", bytes, Clock::Frame)
-        });
-        let order = self.relevance.order.clone();
-        let (frame, view) = (self.frame(), self.view);
-        let screen = self.screen(ScreenOf {
-            name: "",
-            view,
-            frame: frame.clone(),
-            clock: Clock::Frame,
-            ranks: &order,
-            fresh: "lib/fresh/nearest.wgsl",
-            freshened: vec![Binding::write("nearest", nearest)],
-        })?;
+        let nearest = self.nearest();
+        let screen = self.screen_of_frame()?;
         let marking = Sweep {
             name: "mark",
-            reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
-            sample: "lib/sample/ranked.wgsl",
+            reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",
+            sample: "lib/sample/fused.wgsl",
             store: Some(store),
             crossings: Some(crossings),
             bindings: vec![Binding::update("nearest", nearest)],
             again: false,
         };
+        if self.wide_atomics {
+            self.sweep(&screen, &marking);
+            return Ok(());
+        }
+        let marking = Sweep {
+            reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
+            sample: "lib/sample/ranked.wgsl",
+            ..marking
+        };
         self.sweep(&screen, &marking);
-        self.sweep(
-            &screen,
-            &Sweep {
-                name: "claim",
-                reason: "the first triangle at the depth of a pixel claims it",
-                again: true,
-                ..marking
-            },
-        );
+        let claiming = Sweep {
+            name: "claim",
+            reason: "the first triangle at the depth of a pixel claims it",
+            again: true,
+            ..marking
+        };
+        self.sweep(&screen, &claiming);
+        Ok(())
+    }
 
-        let layers = self.layers();
-        let (vertices, _) = self.mesh_in_storage();
-        let bindings = vec![
-            frame,
-            screen.sweeps[0].clone(),
-            screen.drawn_parts.clone(),
-            screen.indices.clone(),
-            vertices,
-            screen.vertices(),
-            Binding::read("nearest", nearest),
-            Binding::write("layers", layers),
+    /// The screen of the frame, with all parts that are drawn.
+    fn screen_of_frame(&mut self) -> Result<Screen, String> {
+        let order = self.relevance.order.clone();
+        let of = ScreenOf {
+            name: "",
+            view: self.view,
+            frame: self.frame(),
+            clock: Clock::Frame,
+            ranks: &order,
+            fresh: "lib/fresh/frame.wgsl",
+            freshened: vec![
+                Binding::write("nearest", self.nearest()),
+                Binding::write("painted", self.painted()),
+                Binding::write("picture", self.picture()),
+            ],
+        };
+        let screen = self.screen(of)?;
+        self.screen_of_frame = Some(screen.clone());
+        Ok(screen)
+    }
+
+    /// Decides what each pixel shows, and paints what is not background.
+    pub(super) fn decide_and_paint(&mut self, inside: Inside, crossings: &Crossings) {
+        let mut bindings = vec![
+            self.frame(),
+            self.cut_table(),
+            self.parts(),
+            Binding::read("nearest", self.nearest()),
+            Binding::update("painted", self.painted()),
+            Binding::write("layers", self.layers()),
         ];
+        bindings.extend(inside.bindings);
+        bindings.extend(crossings.bindings());
         self.compute(
-            "surfaces",
+            "decide",
             Clock::Frame,
-            "the triangle that claimed a pixel gives it part, side and normal",
-            "passes/rasterise/surfaces.wgsl",
+            "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it; pixels that show \
+             something are listed",
+            Shader::from("passes/rasterise/decide.wgsl").with(inside.file),
             bindings,
-            Vec::new(),
+            self.of_lanes(),
             self.view.size_px,
         );
-        Ok(())
+        self.paint();
+    }
+
+    fn paint(&mut self) {
+        let groups = pixels(self.view.size_px).div_ceil(u64::from(GROUP));
+        let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
+        let (vertices, indices) = self.mesh_in_storage();
+        let mut bindings = vec![
+            self.frame(),
+            self.cut_table(),
+            self.parts(),
+            vertices,
+            indices,
+            self.rank_of_part(),
+            Binding::read("painted", self.painted()),
+            Binding::update("layers", self.layers()),
+            Binding::update("picture", self.picture()),
+        ];
+        if let Some(screen) = self.screen_of_frame.clone() {
+            bindings.extend([self.told(&screen, false), screen.drawn_parts]);
+        }
+        let cap_normal = self.cap_normal(&mut bindings);
+        self.plan.add_pass(Pass {
+            name: "paint".to_owned(),
+            clock: Clock::Frame,
+            reason: "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both"
+                .to_owned(),
+            shader: Shader::from("passes/rasterise/paint.wgsl").with(cap_normal),
+            bindings,
+            constants: vec![("stride", f64::from(groups * GROUP))],
+            work: Work::Compute {
+                groups: [groups, 1, 1],
+            },
+        });
+    }
+
+    /// The nearest kept triangle of each pixel.
+    fn nearest(&mut self) -> ResourceId {
+        let bytes = pixels(self.view.size_px) * 8;
+        self.once("nearest", |_| {
+            Resource::storage("nearest", bytes, Clock::Frame)
+        })
+    }
+
+    /// The list of pixels that show something.
+    fn painted(&mut self) -> ResourceId {
+        let bytes = pixels(self.view.size_px) * 4 + 4;
+        self.once("painted", |_| {
+            Resource::storage("painted", bytes, Clock::Frame)
+        })
     }
 }

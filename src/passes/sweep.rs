@@ -16,7 +16,7 @@ use crate::shader::Shader;
 /// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup that owns triangles or vertices.
-const GROUP: u32 = 64;
+pub(super) const GROUP: u32 = 64;
 /// Workgroups that share the queue of large triangles, and the rows of tiles of each: `large.wgsl` steps by them.
 const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
 
@@ -52,7 +52,7 @@ impl Recorder<'_> {
         };
         let mut bindings = vec![
             screen.frame.clone(),
-            screen.sweeps[usize::from(sweep.again)].clone(),
+            self.told(screen, sweep.again),
             screen.drawn_parts.clone(),
             screen.indices.clone(),
             screen.vertices(),
@@ -82,7 +82,7 @@ impl Recorder<'_> {
             shader("passes/rasterise/small.wgsl"),
             small,
             constants.clone(),
-            groups_along(screen.triangle_count),
+            groups_along(screen.description.triangle_count),
         );
         bindings.push(queue);
         if screen.may_clip {

@@ -49,6 +49,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
     let mut session = session();
     session.set_options(FrameOptions {
         rasteriser: Rasteriser::Compute,
+        ..FrameOptions::default()
     });
     let drawn = session
         .draw(&model, &view, &strategy)

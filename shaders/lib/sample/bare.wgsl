@@ -4,17 +4,7 @@
 
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::store::store
-#import cutaway::sweep::{NO_LANE, drawn_parts}
-
-struct Sample {
-    pixel: u32,
-    z: f32,
-    triangle: u32,
-    // Row of the part in the table of drawn parts.
-    row: u32,
-    front: bool,
-    lane_bits: u32,
-}
+#import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
 
 fn take(sample: Sample) {
     let part = drawn_parts.parts[sample.row];

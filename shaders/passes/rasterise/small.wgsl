@@ -5,10 +5,10 @@
 
 #import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
-#import cutaway::sample::{Sample, take}
+#import cutaway::sample::take
 #import cutaway::screen::{edge_bias, first_pixel, last_pixel, point_of}
 #import cutaway::span::narrowed
-#import cutaway::sweep::{corners_of, number_of, row_of_triangle, sweep}
+#import cutaway::sweep::{Sample, corners_of, number_of, row_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels; at most 64.
