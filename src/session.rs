@@ -121,7 +121,10 @@ impl Session {
     /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
         let name = self.slot_name(strategy);
-        let options = self.options;
+        let mut options = self.options;
+        options
+            .wide_atomics
+            .get_or_insert(self.gpu.limits().wide_atomics);
         let slot = self.slots.entry(name).or_default();
         let same = slot.size_px == view.size_px && slot.vertices.as_ref() == Some(&model.vertices);
         if !same {
@@ -222,7 +225,11 @@ impl Session {
     }
 
     fn slot_name(&self, strategy: &Strategy) -> String {
-        format!("{strategy} by {}", self.options.rasteriser)
+        let Some(wide) = self.options.wide_atomics else {
+            return format!("{strategy} by {}", self.options.rasteriser);
+        };
+        let by = self.options.rasteriser;
+        format!("{strategy} by {by}, wide atomics: {wide}")
     }
 
     fn slot(&self, strategy: &Strategy) -> Result<&Slot> {

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{INVOCATIONS_PER_ROW, Model};
+use cutaway::passes::{INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
     ClipSurface, CutTable, DrawnPart, Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DRAWN_PARTS,
     NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
@@ -70,9 +70,35 @@ fn every_shader_composes() {
         );
     }
     let resolves = all.iter().filter(|s| s.path == "passes/resolve.wgsl");
+    assert!(resolves.count() >= 2, "two kinds of caps");
+}
+
+#[test]
+fn only_the_listed_files_are_more_than_core() {
+    let native: BTreeSet<&str> = (shader::compositions().iter())
+        .filter(|s| shader::is_native(s))
+        .map(|s| s.path)
+        .collect();
+    assert_eq!(
+        native,
+        BTreeSet::from([
+            "passes/rasterise/clipped.wgsl",
+            "passes/rasterise/large.wgsl",
+            "passes/rasterise/small.wgsl",
+        ]),
+        "shaders with atomics of 64 bits"
+    );
+    // The control: what a listed file does is refused in any other.
+    for (path, reason) in shader::NATIVE {
+        let text = (shader::LIBRARY.iter()).find(|(p, _)| p == path);
+        let text = text.expect("a file of the library").1;
+        assert!(text.contains("atomic<u64>"), "{path} is listed: {reason}");
+    }
+    let elsewhere = "@group(0) @binding(0) var<storage, read_write> w: array<atomic<u64>>;\n\
+        @compute @workgroup_size(1) fn main() { atomicMax(&w[0], 1lu); }";
     assert!(
-        resolves.count() >= 4,
-        "two ways to draw times two kinds of caps"
+        shader::compose_text("planted", elsewhere).is_err(),
+        "atomics of 64 bits in a file that is not listed"
     );
 }
 
@@ -324,6 +350,7 @@ fn constants_have_one_value_on_both_sides() {
         ("NONE", u32::MAX),
         ("REPEAT", Wrap::Repeat.code()),
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
+        ("NO_LANE", NO_LANE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),
         ("MIRROR", Wrap::Mirror.code()),

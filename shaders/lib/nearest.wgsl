@@ -1,23 +1,26 @@
-// The nearest kept sample of each pixel while it is found: a plane of depth-buffer values, as bits, which order as the values do;
-// and a plane of the triangles they came from, counted from the end so that a maximum finds the first of equals. Bound as
-// @group(1) @binding(5).
+// The nearest kept sample of each pixel while it is found by two sweeps: two words per pixel, the code of its triangle and its
+// depth-buffer value as bits, which order as the values do. Bound as @group(1) @binding(5).
+//
+// Seen as one word of 64 bits, depth is the high half: `nearest_wide` finds the same by one atomic.
 
 #define_import_path cutaway::nearest
 
-#import cutaway::frame::pixel_count
+#import cutaway::claims::code_of
+#import cutaway::sweep::Sample
 
 @group(1) @binding(5) var<storage, read_write> nearest: array<atomic<u32>>;
 
 fn nearest_bits(pixel: u32) -> u32 {
-    return atomicLoad(&nearest[pixel]);
+    return atomicLoad(&nearest[2u * pixel + 1u]);
 }
 
-fn raise(pixel: u32, z: f32) {
-    if bitcast<u32>(z) > atomicLoad(&nearest[pixel]) {
-        atomicMax(&nearest[pixel], bitcast<u32>(z));
+fn raise(sample: Sample) {
+    let bits = bitcast<u32>(sample.z);
+    if bits > nearest_bits(sample.pixel) {
+        atomicMax(&nearest[2u * sample.pixel + 1u], bits);
     }
 }
 
-fn claim(pixel: u32, triangle: u32) {
-    atomicMax(&nearest[pixel_count() + pixel], 0xffffffffu - triangle);
+fn claim(sample: Sample) {
+    atomicMax(&nearest[2u * sample.pixel], code_of(sample.triangle, sample.front));
 }

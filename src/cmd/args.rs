@@ -271,6 +271,7 @@ impl RasteriserArgs {
     pub(super) fn options(&self) -> FrameOptions {
         FrameOptions {
             rasteriser: self.rasteriser,
+            ..FrameOptions::default()
         }
     }
 }

@@ -29,6 +29,10 @@ pub struct AdapterReport {
     pub software: bool,
 }
 
+/// What [`Limits::wide_atomics`] asks for.
+const WIDE_ATOMICS: wgpu::Features =
+    wgpu::Features::SHADER_INT64.union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX);
+
 /// An open device.
 pub struct Gpu {
     pub(super) device: wgpu::Device,
@@ -87,6 +91,10 @@ impl Gpu {
         let info = adapter.get_info();
         let software = info.device_type == wgpu::DeviceType::Cpu;
         let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let wide_atomics = adapter.features().contains(WIDE_ATOMICS);
+        let mut required_features = wgpu::Features::empty();
+        required_features.set(wgpu::Features::TIMESTAMP_QUERY, timestamps);
+        required_features.set(WIDE_ATOMICS, wide_atomics);
         let have = adapter.limits();
         // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
         let limits = wgpu::Limits {
@@ -98,11 +106,7 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 label: Some("cutaway"),
-                required_features: if timestamps {
-                    wgpu::Features::TIMESTAMP_QUERY
-                } else {
-                    wgpu::Features::empty()
-                },
+                required_features,
                 required_limits: limits,
                 ..wgpu::DeviceDescriptor::default()
             })
@@ -127,6 +131,7 @@ impl Gpu {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
                 buffer_bytes: have.max_buffer_size,
                 texture_size: have.max_texture_dimension_2d,
+                wide_atomics,
                 ..Limits::CORE
             },
             device,

@@ -9,13 +9,16 @@ mod rasteriser;
 mod recorder;
 mod relevance;
 mod resolve;
+mod screen;
 mod solid;
+mod sweep;
 
 pub use crossings::Crossings;
 pub use model::{MeshRange, Model};
-pub use rasterise::INVOCATIONS_PER_ROW;
 pub use rasteriser::Rasteriser;
 pub use recorder::{DrawPass, Recorder, Targets, counted, pixels};
 pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
+pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use solid::Store;
+pub use sweep::{INVOCATIONS_PER_ROW, Sweep};

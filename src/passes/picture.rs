@@ -42,27 +42,38 @@ impl Recorder<'_> {
         });
     }
 
-    /// Turns layers into a picture.
-    pub fn shade(&mut self) {
-        let layers = self.layers();
-        let rank_of_part = self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
+    /// The picture of the frame: one RGBA8 word per pixel.
+    pub(super) fn picture(&mut self) -> ResourceId {
+        let bytes = pixels(self.view.size_px) * 4;
+        let id = self.once("picture", |_| {
+            Resource::storage("picture", bytes, Clock::Frame)
+        });
+        self.plan.picture = Some(id);
+        id
+    }
+
+    /// Where each part of the scene is in the part table.
+    pub(super) fn rank_of_part(&mut self) -> Binding {
+        self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
             let mut places = vec![0_u32; r.model.prepared.parts.len()];
             for (place, rank) in r.relevance.order.iter().enumerate() {
                 places[r.model.prepared.parts[*rank].part] = place as u32;
             }
             Contents::of(&or_one(places))
-        });
-        let bytes = pixels(self.view.size_px) * 4;
-        let picture = self.once("picture", |_| {
-            Resource::storage("picture", bytes, Clock::Frame)
-        });
-        self.plan.picture = Some(picture);
+        })
+    }
+
+    /// Turns layers into a picture, unless what resolved the frame painted it.
+    pub fn shade(&mut self) {
+        if self.plan.picture.is_some() {
+            return;
+        }
         let bindings = vec![
             self.frame(),
             self.parts(),
-            Binding::read("layers", layers),
-            rank_of_part,
-            Binding::write("picture", picture),
+            Binding::read("layers", self.layers()),
+            self.rank_of_part(),
+            Binding::write("picture", self.picture()),
         ];
         self.compute(
             "shade",

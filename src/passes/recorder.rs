@@ -1,7 +1,7 @@
 //! Recording a plan: the resources that several passes share are created at first mention, so that what nobody mentions
 //! does not exist.
 
-use super::{Model, Relevance};
+use super::{Model, Relevance, Screen};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{
     Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
@@ -34,7 +34,11 @@ pub struct Recorder<'a> {
     pub relevance: Relevance,
     /// Bits of a lane of the inside mask, where a strategy uses one.
     pub lane_bits: u32,
+    /// The compute rasteriser may use atomics of 64 bits.
+    pub wide_atomics: bool,
     drawn: bool,
+    /// What the compute rasteriser looked for the samples of the frame on.
+    pub(super) screen_of_frame: Option<Screen>,
 }
 
 impl<'a> Recorder<'a> {
@@ -47,7 +51,9 @@ impl<'a> Recorder<'a> {
             view,
             relevance,
             lane_bits: 32,
+            wide_atomics: false,
             drawn: false,
+            screen_of_frame: None,
         })
     }
 

@@ -1,7 +1,8 @@
 //! Resolving: what each pixel shows, decided from its crossings, the inside test and the nearest kept surface.
 //!
-//! The same pass for every inside test and both rasterisers; what differs fills its open modules. Time in proportion to pixels
-//! and, where they have crossings, to cut parts.
+//! The same decision for every inside test and both rasterisers; what differs fills open modules. Time in proportion to pixels
+//! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser has
+//! `decide` and `paint` in its place.
 
 use super::{Crossings, Rasteriser, Recorder};
 use crate::plan::{Binding, Clock};
@@ -17,51 +18,59 @@ pub struct Inside {
 }
 
 impl Recorder<'_> {
-    /// Records the pass.
+    /// Records the pass, or those of the compute rasteriser, which paint as well.
     pub fn resolve(&mut self, rasteriser: Rasteriser, inside: Inside, crossings: &Crossings) {
-        let layers = self.layers();
-        let mut bindings = vec![self.frame(), self.cut_table(), self.parts()];
-        let drawn = match rasteriser {
-            Rasteriser::Hardware => {
-                let targets = self.targets();
-                bindings.extend([
-                    Binding::read("surface_words", targets.words),
-                    Binding::read("surface_depth", targets.depth),
-                    Binding::write("layers", layers),
-                ]);
-                "lib/drawn/targets.wgsl"
-            }
-            Rasteriser::Compute => {
-                bindings.push(Binding::update("layers", layers));
-                "lib/drawn/layers.wgsl"
-            }
-        };
+        match rasteriser {
+            Rasteriser::Hardware => self.resolve_drawn(inside, crossings),
+            Rasteriser::Compute => self.decide_and_paint(inside, crossings),
+        }
+    }
+
+    fn resolve_drawn(&mut self, inside: Inside, crossings: &Crossings) {
+        let targets = self.targets();
+        let mut bindings = vec![
+            self.frame(),
+            self.cut_table(),
+            self.parts(),
+            Binding::read("surface_words", targets.words),
+            Binding::read("surface_depth", targets.depth),
+            Binding::write("layers", self.layers()),
+        ];
         bindings.extend(inside.bindings);
         bindings.extend(crossings.bindings());
-        let cap_normal = if self.has_reliefs() {
-            bindings.push(self.heights());
-            "lib/cap_normal/reliefs.wgsl"
-        } else {
-            "lib/cap_normal/planes.wgsl"
-        };
+        let cap_normal = self.cap_normal(&mut bindings);
         self.compute(
             "resolve",
             Clock::Frame,
             "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
             Shader::from("passes/resolve.wgsl")
                 .with(inside.file)
-                .with(drawn)
                 .with(cap_normal),
             bindings,
-            vec![
-                ("lane_bits", f64::from(self.lane_bits)),
-                ("lane_count", self.relevance.lanes as f64),
-                (
-                    "near_inside",
-                    f64::from(u8::from(self.relevance.near_inside)),
-                ),
-            ],
+            self.of_lanes(),
             self.view.size_px,
         );
+    }
+
+    /// The constants of a pass that decides.
+    pub(super) fn of_lanes(&self) -> Vec<(&'static str, f64)> {
+        vec![
+            ("lane_bits", f64::from(self.lane_bits)),
+            ("lane_count", self.relevance.lanes as f64),
+            (
+                "near_inside",
+                f64::from(u8::from(self.relevance.near_inside)),
+            ),
+        ]
+    }
+
+    /// The file that fills `cutaway::cap_normal`, and what it binds.
+    pub(super) fn cap_normal(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
+        if self.has_reliefs() {
+            bindings.push(self.heights());
+            "lib/cap_normal/reliefs.wgsl"
+        } else {
+            "lib/cap_normal/planes.wgsl"
+        }
     }
 }

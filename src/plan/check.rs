@@ -25,6 +25,8 @@ pub struct Limits {
     pub texture_size: u32,
     /// Layers of a texture.
     pub texture_layers: u32,
+    /// Atomics of 64 bits.
+    pub wide_atomics: bool,
 }
 
 impl Limits {
@@ -37,6 +39,7 @@ impl Limits {
         groups_per_dimension: 65_535,
         texture_size: 8192,
         texture_layers: 256,
+        wide_atomics: false,
     };
 }
 
@@ -171,6 +174,12 @@ impl Plan {
     }
 
     fn check_bindings(&self, pass: &super::Pass, limits: &Limits) -> Result<()> {
+        if shader::is_native(&pass.shader) && !limits.wide_atomics {
+            return Err(Error::Limit(format!(
+                "{} needs atomics of 64 bits, which this adapter does not offer",
+                pass.name
+            )));
+        }
         let wanted = shader::bindings(&shader::compose(&pass.shader)?);
         for b in &pass.bindings {
             let Some(w) = wanted.iter().find(|w| w.name == b.name) else {

@@ -8,11 +8,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
+use naga::valid::Capabilities;
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
 
-use super::tree::{LIBRARY, SHADERS, source};
+use super::tree::{LIBRARY, NATIVE, SHADERS, source};
 use crate::{Error, Result};
 
 /// A shader of the tree and the files that fill its open modules.
@@ -57,7 +58,8 @@ impl fmt::Display for Shader {
 /// Modules composed so far: plans are checked, reflected and compiled from the same one.
 static COMPOSED: Mutex<BTreeMap<Shader, naga::Module>> = Mutex::new(BTreeMap::new());
 
-/// The composed and validated module of a shader, validated with naga's default capabilities: what core WebGPU offers.
+/// The composed and validated module of a shader, validated with naga's default capabilities: what core WebGPU offers. Only
+/// shaders with a file of [`NATIVE`] get 64-bit atomics as well.
 pub fn compose(shader: &Shader) -> Result<naga::Module> {
     let mut composed = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(module) = composed.get(shader) {
@@ -79,14 +81,16 @@ pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
 
 /// As [`compose_text`], with files that fill open modules.
 pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::Module> {
-    let mut composer = Composer::default();
+    let mut files = Vec::new();
+    let mut idle: BTreeSet<&str> = with.iter().copied().collect();
+    let gathered = gather(text, with, &mut files, &mut idle);
+    let native = files.iter().any(|(path, _)| is_listed(path));
+    let mut composer = Composer::default().with_capabilities(capabilities(native));
     let report = |composer: &Composer, e: ComposerError| Error::Shader {
         name: name.to_owned(),
         what: e.emit_to_string(composer),
     };
-    let mut files = Vec::new();
-    let mut idle: BTreeSet<&str> = with.iter().copied().collect();
-    gather(text, with, &mut files, &mut idle).map_err(|what| Error::Shader {
+    gathered.map_err(|what| Error::Shader {
         name: name.to_owned(),
         what,
     })?;
@@ -115,6 +119,29 @@ pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::
     composer
         .make_naga_module(descriptor)
         .map_err(|e| report(&composer, e))
+}
+
+/// Whether a shader needs atomics of 64 bits.
+pub fn is_native(shader: &Shader) -> bool {
+    let mut files = Vec::new();
+    let text = source(shader.path).unwrap_or_default();
+    gather(text, &shader.with, &mut files, &mut BTreeSet::new()).is_ok()
+        && files.iter().any(|(path, _)| is_listed(path))
+}
+
+fn is_listed(path: &str) -> bool {
+    NATIVE.iter().any(|(listed, _)| *listed == path)
+}
+
+/// What naga allows.
+pub(super) fn capabilities(native: bool) -> Capabilities {
+    if native {
+        Capabilities::default()
+            | Capabilities::SHADER_INT64
+            | Capabilities::SHADER_INT64_ATOMIC_MIN_MAX
+    } else {
+        Capabilities::default()
+    }
 }
 
 /// Every way to compose a shader of the tree: each file in each open module that it needs.

@@ -4,9 +4,10 @@
 //! being equal, nothing is declared and unused, and core WebGPU can run it. A finding names its rule and its place; which
 //! findings are allowed, and why, is stated where the tree is tested.
 
-use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::{FunctionInfo, ModuleInfo, ValidationFlags, Validator};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
 
+use super::compose::capabilities;
 use super::loops::unbounded_loops;
 use super::reflect::{BindingKind, bindings, undecorated};
 use crate::{Error, Result};
@@ -46,7 +47,7 @@ pub const INVOCATIONS_PER_WORKGROUP: u32 = 256;
 
 /// Everything in a composed shader that breaks a rule.
 pub fn lint(module: &Module) -> Result<Vec<Finding>> {
-    let info = Validator::new(ValidationFlags::all(), Capabilities::default())
+    let info = Validator::new(ValidationFlags::all(), capabilities(true))
         .validate(module)
         .map_err(|e| Error::Shader {
             name: "lint".to_owned(),

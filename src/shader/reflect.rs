@@ -36,7 +36,7 @@ pub struct ShaderBinding {
 pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
     let info = naga::valid::Validator::new(
         naga::valid::ValidationFlags::all(),
-        naga::valid::Capabilities::default(),
+        super::compose::capabilities(true),
     )
     .validate(module);
     let mut found: Vec<ShaderBinding> = module

@@ -15,6 +15,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/rays.wgsl",
     "lib/quadratic.wgsl",
     "lib/mesh.wgsl",
+    "lib/light.wgsl",
     "lib/lanes.wgsl",
     "lib/mask.wgsl",
     "lib/store/mask.wgsl",
@@ -24,17 +25,24 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/plane_crossing.wgsl",
     "lib/decision.wgsl",
     "lib/drawn/targets.wgsl",
-    "lib/drawn/layers.wgsl",
     "lib/cap_normal/planes.wgsl",
     "lib/cap_normal/reliefs.wgsl",
     "lib/wide.wgsl",
     "lib/screen.wgsl",
     "lib/clipping.wgsl",
+    "lib/flat.wgsl",
     "lib/span.wgsl",
     "lib/tiles.wgsl",
     "lib/sweep.wgsl",
+    "lib/claims.wgsl",
+    "lib/ranking.wgsl",
     "lib/nearest.wgsl",
+    "lib/nearest_wide.wgsl",
     "lib/sample/ranked.wgsl",
+    "lib/sample/bare.wgsl",
+    "lib/sample/fused.wgsl",
+    "lib/fresh/frame.wgsl",
+    "lib/fresh/nothing.wgsl",
     "lib/cover.wgsl",
     "lib/vds.wgsl",
 ];
@@ -50,7 +58,8 @@ pub const SHADERS: &[(&str, &str)] = files![
     "passes/rasterise/small.wgsl",
     "passes/rasterise/large.wgsl",
     "passes/rasterise/clipped.wgsl",
-    "passes/rasterise/surfaces.wgsl",
+    "passes/rasterise/decide.wgsl",
+    "passes/rasterise/paint.wgsl",
     "strategies/surface/raycast/planes.wgsl",
     "strategies/surface/raycast/reliefs.wgsl",
     "strategies/surface/grid/clip.wgsl",
@@ -60,6 +69,13 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/inside/vds/peel_first.wgsl",
     "strategies/inside/vds/peel_next.wgsl",
 ];
+
+/// Files that core WebGPU does not run, and why there is another way without them: shaders that they are part of are validated
+/// with atomics of 64 bits, and plans with such a shader are held to adapters that have them.
+pub const NATIVE: &[(&str, &str)] = &[(
+    "lib/nearest_wide.wgsl",
+    "depth and triangle in one atomic maximum; lib/nearest.wgsl takes two sweeps instead",
+)];
 
 /// Both lists.
 pub const FILES: [&[(&str, &str)]; 2] = [LIBRARY, SHADERS];

@@ -13,6 +13,7 @@ const SIZE: [u32; 2] = [160, 120];
 
 const COMPUTE: FrameOptions = FrameOptions {
     rasteriser: Rasteriser::Compute,
+    wide_atomics: None,
 };
 
 const SHAPES: [&str; 9] = [
@@ -99,9 +100,9 @@ fn answer(question: &Question, options: FrameOptions) -> (Judged, Mask) {
 }
 
 fn lane_bits(plan: &Plan) -> u32 {
-    let resolve = plan.passes.iter().find(|p| p.name == "resolve");
-    let constants = &resolve.expect("a frame with a mask").constants;
-    let found = constants.iter().find(|(name, _)| *name == "lane_bits");
+    let found = (plan.passes.iter())
+        .flat_map(|p| &p.constants)
+        .find(|(name, _)| *name == "lane_bits");
     found.expect("how wide a lane is").1 as u32
 }
 

@@ -8,22 +8,45 @@ use glam::DVec3;
 
 use crate::common::{scenes, strategy};
 
+const COMPUTE: FrameOptions = FrameOptions {
+    rasteriser: Rasteriser::Compute,
+    wide_atomics: None,
+};
+const HARDWARE: FrameOptions = FrameOptions {
+    rasteriser: Rasteriser::Hardware,
+    wide_atomics: None,
+};
+const WIDE: FrameOptions = FrameOptions {
+    rasteriser: Rasteriser::Compute,
+    wide_atomics: Some(true),
+};
+/// Core WebGPU but for atomics of 64 bits.
+const LIMITS: Limits = Limits {
+    wide_atomics: true,
+    ..Limits::CORE
+};
+
 fn recorded(
     scene: &Scene,
     camera: &Camera,
     strategy: &Strategy,
-    rasteriser: Rasteriser,
+    options: &FrameOptions,
 ) -> Result<Plan, Refusal> {
     let model = Model::of(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
-    let options = FrameOptions { rasteriser };
-    strategies::record_with(&model, &view, strategy, &options, &Capacities::UNKNOWN)
+    strategies::record_with(&model, &view, strategy, options, &Capacities::UNKNOWN)
 }
 
-fn plan(scene: &Scene, camera: &Camera, rasteriser: Rasteriser) -> Plan {
-    let plan = recorded(scene, camera, &Strategy::RAYCAST_MASK, rasteriser)
-        .unwrap_or_else(|e| panic!("{e}"));
-    plan.check(&Limits::CORE).unwrap_or_else(|e| panic!("{e}"));
+/// A plan, held to core WebGPU unless it may use more.
+fn plan(scene: &Scene, camera: &Camera, options: &FrameOptions) -> Plan {
+    let plan =
+        recorded(scene, camera, &Strategy::RAYCAST_MASK, options).unwrap_or_else(|e| panic!("{e}"));
+    let limits = if options.wide_atomics == Some(true) {
+        &LIMITS
+    } else {
+        &Limits::CORE
+    };
+    plan.check(limits).unwrap_or_else(|e| panic!("{e}"));
     plan
 }
 
@@ -36,7 +59,7 @@ fn a_computed_frame_has_no_target_to_draw_into() {
     for sections in [&["-z=50%"][..], &["-z=50%", "-x=60%"]] {
         let scene = scenes::sectioned("earth?subdivisions=3", sections);
         let camera = Camera::default();
-        let computed = plan(&scene, &camera, Rasteriser::Compute);
+        let computed = plan(&scene, &camera, &COMPUTE);
         let expected = [
             "crossings",
             "transform",
@@ -44,11 +67,16 @@ fn a_computed_frame_has_no_target_to_draw_into() {
             "mark large",
             "claim small",
             "claim large",
-            "surfaces",
-            "resolve",
-            "shade",
+            "decide",
+            "paint",
         ];
         assert_eq!(names(&computed), expected, "{sections:?}");
+        let fused = plan(&scene, &camera, &WIDE);
+        let without_claims: Vec<&str> = (expected.iter().copied())
+            .filter(|name| !name.starts_with("claim"))
+            .collect();
+        assert_eq!(names(&fused), without_claims, "{sections:?}");
+        assert!(fused.check(&Limits::CORE).is_err(), "64 bits are not core");
         assert!(
             computed
                 .passes
@@ -60,7 +88,7 @@ fn a_computed_frame_has_no_target_to_draw_into() {
             assert_eq!(computed.resource_named(target), None, "{sections:?}");
         }
         // The control: the other rasteriser has both.
-        let drawn = plan(&scene, &camera, Rasteriser::Hardware);
+        let drawn = plan(&scene, &camera, &HARDWARE);
         assert!(
             drawn.resource_named("surface_depth").is_some(),
             "{sections:?}"
@@ -74,7 +102,7 @@ fn both_sweeps_run_the_same_pipelines() {
     let plan = plan(
         &scenes::sectioned("cube", &["-z=50%"]),
         &Camera::default(),
-        Rasteriser::Compute,
+        &COMPUTE,
     );
     let pass = |name: &str| {
         plan.passes
@@ -105,7 +133,7 @@ fn only_a_near_plane_or_a_guard_band_calls_for_clipping() {
         (scenes::parallel(DVec3::Z * 5.0, DVec3::ZERO, 0.01), true),
         (scenes::parallel(DVec3::Z * 5.0, DVec3::ZERO, 1.0), false),
     ] {
-        let plan = plan(&scene, &camera, Rasteriser::Compute);
+        let plan = plan(&scene, &camera, &COMPUTE);
         assert_eq!(names(&plan).contains(&"mark clipped"), clips, "{camera:?}");
         assert_eq!(names(&plan).contains(&"claim clipped"), clips, "{camera:?}");
     }
@@ -116,17 +144,12 @@ fn nothing_cut_is_drawn_as_ever_and_the_paper_is_refused() {
     let plain = scenes::sectioned("cube", &[]);
     let camera = Camera::default();
     assert_eq!(
-        plan(&plain, &camera, Rasteriser::Compute),
-        plan(&plain, &camera, Rasteriser::Hardware),
+        plan(&plain, &camera, &COMPUTE),
+        plan(&plain, &camera, &HARDWARE),
         "without a cut"
     );
     let cut = scenes::sectioned("cube", &["-z=50%"]);
-    let refusal = recorded(
-        &cut,
-        &camera,
-        &strategy("grid:8+vds:64"),
-        Rasteriser::Compute,
-    )
-    .expect_err("a refusal");
+    let refusal =
+        recorded(&cut, &camera, &strategy("grid:8+vds:64"), &COMPUTE).expect_err("a refusal");
     assert!(refusal.reason.contains("vds:64"), "{refusal}");
 }

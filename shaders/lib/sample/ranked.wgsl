@@ -1,42 +1,20 @@
-// What a covered sample does where a list of crossings is known.
+// What a covered sample does where a list of crossings is known, in core WebGPU: two sweeps of 32 bits.
 //
-// Marking ranks the sample in its pixel's list, leaves to the inside test what that wants of it (the open module `store`), and
-// raises the pixel's depth if it is kept. Claiming, once all depths are known, sets the triangle: two steps of 32 bits in the
-// place of one of 64.
+// The first ranks the sample in its pixel's list, leaves to the inside test what that wants of it (the open module `store`), and
+// raises the pixel's depth if it is kept. The second, once all depths are known, sets the triangle.
 
 #define_import_path cutaway::sample
 
-#import cutaway::crossings::rank_of
-#import cutaway::cuts::is_removed
-#import cutaway::lanes::{Fragment, Lane}
 #import cutaway::nearest::{claim, nearest_bits, raise}
-#import cutaway::store::store
-#import cutaway::sweep::{drawn_parts, sweep}
-
-struct Sample {
-    pixel: u32,
-    z: f32,
-    triangle: u32,
-    // Place of the part.
-    place: u32,
-    front: bool,
-    lane_bits: u32,
-}
+#import cutaway::ranking::{is_kept, rank_and_store}
+#import cutaway::sweep::{Sample, sweep}
 
 fn take(sample: Sample) {
-    let part = drawn_parts.parts[sample.place];
-    if sweep.claims != 0u {
-        if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && !is_removed(rank_of(sample.z, sample.pixel).sides, part.cuts) {
-            claim(sample.pixel, sample.triangle);
+    if sweep.again != 0u {
+        if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
+            claim(sample);
         }
-        return;
-    }
-    let rank = rank_of(sample.z, sample.pixel);
-    if part.has_lane != 0u {
-        let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
-        store(Fragment(sample.pixel, lane, sample.place, sample.z, rank.behind, sample.front));
-    }
-    if !is_removed(rank.sides, part.cuts) {
-        raise(sample.pixel, sample.z);
+    } else if rank_and_store(sample) {
+        raise(sample);
     }
 }

@@ -1,0 +1,22 @@
+// What begins anew with the screen of a frame: nothing is nearest yet in any pixel, none is to be painted, and all of the picture is
+// background. Bound as @group(1) @binding(5), (6) and (7).
+
+#define_import_path cutaway::fresh
+
+#import cutaway::frame::{frame, pixel_count}
+#import cutaway::light::background
+
+@group(1) @binding(5) var<storage, read_write> nearest: array<vec2<u32>>;
+@group(1) @binding(6) var<storage, read_write> painted: array<u32>;
+@group(1) @binding(7) var<storage, read_write> picture: array<u32>;
+
+// Called with each number from 0 to that of the last pixel, and possibly beyond.
+fn freshen(number: u32) {
+    if number == 0u {
+        painted[0] = 0u;
+    }
+    if number < pixel_count() {
+        nearest[number] = vec2<u32>(0u);
+        picture[number] = background(number / frame.size_px.x);
+    }
+}

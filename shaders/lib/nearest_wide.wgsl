@@ -1,0 +1,18 @@
+// The nearest kept sample of each pixel while it is found by one sweep, with atomics of 64 bits, which core WebGPU lacks. Bound as
+// @group(1) @binding(5).
+
+#define_import_path cutaway::nearest_wide
+
+#import cutaway::claims::code_of
+#import cutaway::sweep::Sample
+
+// Depth-buffer value as bits in the high half, code of the triangle in the low one: `nearest` has them as two words.
+@group(1) @binding(5) var<storage, read_write> nearest: array<atomic<u64>>;
+
+fn keep(sample: Sample) {
+    let code = code_of(sample.triangle, sample.front);
+    let value = (u64(bitcast<u32>(sample.z)) << 32u) | u64(code);
+    if value > atomicLoad(&nearest[sample.pixel]) {
+        atomicMax(&nearest[sample.pixel], value);
+    }
+}

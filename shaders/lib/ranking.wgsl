@@ -1,0 +1,25 @@
+// What both kinds of sweeps that rank samples do first. After the list of crossings only the sample's own depth counts.
+
+#define_import_path cutaway::ranking
+
+#import cutaway::crossings::rank_of
+#import cutaway::cuts::is_removed
+#import cutaway::lanes::{Fragment, Lane}
+#import cutaway::store::store
+#import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
+
+// Whether a sample lies on a side that its part keeps.
+fn is_kept(sample: Sample) -> bool {
+    return !is_removed(rank_of(sample.z, sample.pixel).sides, drawn_parts.parts[sample.row].cuts);
+}
+
+// Ranks a sample in its pixel's list, leaves to the inside test what that wants of it, and says whether it is kept.
+fn rank_and_store(sample: Sample) -> bool {
+    let part = drawn_parts.parts[sample.row];
+    let rank = rank_of(sample.z, sample.pixel);
+    if part.place != NO_LANE {
+        let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
+        store(Fragment(sample.pixel, lane, part.place, sample.z, rank.behind, sample.front));
+    }
+    return !is_removed(rank.sides, part.cuts);
+}

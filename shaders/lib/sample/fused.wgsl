@@ -1,0 +1,16 @@
+// What a covered sample does where a list of crossings is known and atomics have 64 bits: one sweep.
+//
+// It ranks the sample in its pixel's list, leaves to the inside test what that wants of it (the open module `store`), and keeps
+// the nearest kept triangle, depth and number in one word.
+
+#define_import_path cutaway::sample
+
+#import cutaway::nearest_wide::keep
+#import cutaway::ranking::rank_and_store
+#import cutaway::sweep::Sample
+
+fn take(sample: Sample) {
+    if rank_and_store(sample) {
+        keep(sample);
+    }
+}

@@ -1,0 +1,85 @@
+// Completes the layers of the pixels that are not background, and colours them: part, side and normal of the triangle that claimed a
+// surface, the normal of a cap. Invocations share the list of pixels.
+//
+// Weights of the corners are found in scene space, where the ray through the pixel centre meets the triangle's plane: right in
+// perspective, and for clipped triangles as well. They shade; they decide nothing.
+
+#import cutaway::cap_normal::packed_cap_normal
+#import cutaway::claims::{is_front, triangle_of}
+#import cutaway::frame::{Ray, frame, centre_of, ray_through}
+#import cutaway::layers::{BACK_FACE, NEAR_PLANE, SURFACE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal, part_of, unpack_normal}
+#import cutaway::light::color_of
+#import cutaway::mesh::facing
+#import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
+
+@group(1) @binding(0) var<storage, read_write> layers: array<u32>;
+// Rank of each part of the scene.
+@group(1) @binding(1) var<storage, read> rank_of_part: array<u32>;
+@group(1) @binding(2) var<storage, read_write> picture: array<u32>;
+// How many pixels there are, then their numbers.
+@group(1) @binding(6) var<storage, read> painted: array<u32>;
+@group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
+
+// Invocations of the dispatch.
+override stride: u32 = 64u;
+
+fn position_of(vertex: u32) -> vec3<f32> {
+    return bitcast<vec3<f32>>(vertices[vertex].xyz);
+}
+
+// Weights of the second and the third corner (Möller & Trumbore 1997), kept inside the triangle.
+fn weights_of(ray: Ray, a: vec3<f32>, ab: vec3<f32>, ac: vec3<f32>) -> vec2<f32> {
+    let across = cross(ray.direction, ac);
+    let volume = dot(ab, across);
+    if !(abs(volume) > 0.0) {
+        return vec2<f32>(1.0 / 3.0);
+    }
+    let from_a = ray.origin - a;
+    let second = clamp(dot(from_a, across) / volume, 0.0, 1.0);
+    let third = clamp(dot(ray.direction, cross(from_a, ab)) / volume, 0.0, 1.0 - second);
+    return vec2<f32>(second, third);
+}
+
+// The first two words of the layer of a surface; `word` has its flags.
+fn surface_words(at: vec2<u32>, word: u32, code: u32) -> vec2<u32> {
+    let triangle = triangle_of(code);
+    let row = row_of_triangle(triangle);
+    let corners = corners_of(triangle, row) + sweep.first_vertex;
+    let a = position_of(corners.x);
+    let weights = weights_of(ray_through(centre_of(at)), a, position_of(corners.y) - a, position_of(corners.z) - a);
+    let normal = (1.0 - weights.x - weights.y) * unpack_normal(vertices[corners.x].w)
+        + weights.x * unpack_normal(vertices[corners.y].w)
+        + weights.y * unpack_normal(vertices[corners.z].w);
+    let front = is_front(code);
+    let side = select(BACK_FACE, 0u, front);
+    return vec2<u32>(
+        word | layer_word(SURFACE, 0u, drawn_parts.parts[row].part) | side,
+        pack_normal(facing(normalize(normal), front)),
+    );
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let count = painted[0];
+    let rounds = (count + stride - 1u) / stride;
+    for (var round = 0u; round < rounds; round++) {
+        let slot = round * stride + id.x;
+        if slot < count {
+            let pixel = painted[1u + slot];
+            let at = vec2<u32>(pixel % frame.size_px.x, pixel / frame.size_px.x);
+            let first = pixel * WORDS_PER_PIXEL;
+            var word = layers[first];
+            var normal = layers[first + 1u];
+            if kind_of(word) == SURFACE {
+                let words = surface_words(at, word, normal);
+                word = words.x;
+                normal = words.y;
+            } else if clip_surface_of(word) != NEAR_PLANE {
+                normal = packed_cap_normal(at, normal, bitcast<f32>(layers[first + 2u]));
+            }
+            layers[first] = word;
+            layers[first + 1u] = normal;
+            picture[pixel] = color_of(at, word, normal, rank_of_part[part_of(word)]);
+        }
+    }
+}
