@@ -10,6 +10,7 @@ use crate::scene::{Bounds, PreparedSurface, View};
 
 mod normal;
 
+pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
@@ -35,6 +36,9 @@ macro_rules! shared {
         }
     };
 }
+
+// After the macro, which it uses.
+mod lists;
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
@@ -157,7 +161,7 @@ shared! {
 }
 
 shared! {
-    /// The volumetric depth sprite of a part: `shaders/lib/vds.wgsl`.
+    /// The box of a part seen along an axis: `shaders/lib/sprite.wgsl`.
     Sprite {
         /// First texture coordinate.
         s_row: [f32; 4],
@@ -169,7 +173,7 @@ shared! {
         resolution: u32,
         /// Layers.
         layers: u32,
-        /// Word of the need buffer.
+        /// Word of the need buffer, or number of the image among those of all parts.
         slot: u32,
         /// Unused.
         padding: u32,
