@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model};
+use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
     Cascade, ClipSurface, CutTable, DrawnPart, FragmentPool, Frame, Layout, MAX_CUTS, MAX_SURFACES,
     MOST_DRAWN_PARTS, NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
@@ -331,6 +331,7 @@ fn constants_have_one_value_on_both_sides() {
         ("REPEAT", Wrap::Repeat.code()),
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
         ("BLOCK_WORDS", BLOCK_WORDS),
+        ("NO_LANE", NO_LANE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),
         ("MIRROR", Wrap::Mirror.code()),

@@ -3,34 +3,39 @@
 
 #define_import_path cutaway::cover
 
+#import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
 #import cutaway::sample::{Sample, take}
-#import cutaway::screen::{first_pixel, last_pixel}
+#import cutaway::screen::{Point, first_pixel, last_pixel}
 #import cutaway::tiles::{edge_value, row_inside, tile_edge}
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
 
 struct Where {
     triangle: u32,
-    place: u32,
-    // Which rows of tiles, and which row of a tile.
+    // Row of the part in the table of drawn parts.
+    part: u32,
+    // Which rows of tiles, and which line of samples of a tile.
     tiles: i32,
-    row: i32,
+    line: i32,
     // Of the mask.
     lane_bits: u32,
 }
 
-fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
-    let first = first_pixel(min(a.xy, min(second.xy, third.xy)));
-    let last = last_pixel(max(a.xy, max(second.xy, third.xy)));
-    let whole = wide_cross(second.xy - a.xy, third.xy - a.xy);
+fn cover(a: Point, second: Point, third: Point, at: Where) {
+    let first = first_pixel(min(a.steps, min(second.steps, third.steps)));
+    let last = last_pixel(max(a.steps, max(second.steps, third.steps)));
+    let whole = wide_cross(second.steps - a.steps, third.steps - a.steps);
     if any(first > last) || (whole.x | whole.y) == 0u {
         return;
     }
     let turned = wide_is_negative(whole);
-    let b = select(second, third, turned);
-    let c = select(third, second, turned);
-    let z = bitcast<f32>(a.z);
-    let rise = vec2<f32>(bitcast<f32>(b.z) - z, bitcast<f32>(c.z) - z) / abs(wide_float(whole));
+    var b = second;
+    var c = third;
+    if turned {
+        b = third;
+        c = second;
+    }
+    let plane = flat_through(a, b, c, abs(wide_float(whole)));
     let last_tile = last >> vec2<u32>(6u);
     let first_tile = first >> vec2<u32>(6u);
     let first_row = first_tile.y + ((at.tiles - first_tile.y) & 7);
@@ -39,18 +44,18 @@ fn cover(a: vec3<i32>, second: vec3<i32>, third: vec3<i32>, at: Where) {
             let from_px = max(64 * vec2<i32>(tile_x, tile_y), first);
             let span = min(64 * vec2<i32>(tile_x, tile_y) + 63, last) - from_px;
             let sample = 256 * from_px + 128;
-            let bc = tile_edge(b.xy, c.xy, sample);
-            let ca = tile_edge(c.xy, a.xy, sample);
-            let ab = tile_edge(a.xy, b.xy, sample);
-            var row = vec2<i32>(0, select(span.x, -1, at.row > span.y));
-            row = row_inside(bc, at.row, row);
-            row = row_inside(ca, at.row, row);
-            row = row_inside(ab, at.row, row);
+            let bc = tile_edge(b.steps, c.steps, sample);
+            let ca = tile_edge(c.steps, a.steps, sample);
+            let ab = tile_edge(a.steps, b.steps, sample);
+            var row = vec2<i32>(0, select(span.x, -1, at.line > span.y));
+            row = row_inside(bc, at.line, row);
+            row = row_inside(ca, at.line, row);
+            row = row_inside(ab, at.line, row);
             for (var x = row.x; x <= row.y; x++) {
-                let step = vec2<i32>(x, at.row);
+                let step = vec2<i32>(x, at.line);
                 let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
                 let pixel = pixel_index(vec2<u32>(from_px + step));
-                take(Sample(pixel, z + dot(weights, rise), at.triangle, at.place, turned, at.lane_bits));
+                take(Sample(pixel, depth_at(plane, weights), at.triangle, at.part, turned, at.lane_bits));
             }
         }
     }

@@ -9,15 +9,15 @@
 @group(1) @binding(4) var<storage, read_write> fragments: array<atomic<u32>>;
 
 fn forget(list: u32) {
-    atomicStore(&fragments[list], 0u);
+    atomicStore(&fragments[pool.first_list + list], 0u);
 }
 
 fn count(list: u32) {
-    atomicAdd(&fragments[list], 1u);
+    atomicAdd(&fragments[pool.first_list + list], 1u);
 }
 
 fn keep(list: u32, z: f32, owner: u32) {
-    let at = atomicAdd(&fragments[list], 1u);
+    let at = atomicAdd(&fragments[pool.first_list + list], 1u);
     if at < pool.capacity {
         atomicStore(&fragments[pool.lists + at], bitcast<u32>(z));
         if pool.has_owners != 0u {

@@ -13,7 +13,8 @@ struct FragmentPool {
     capacity: u32,
     // 1 where each fragment has an owner.
     has_owners: u32,
-    padding: u32,
+    // What passes that know only some of the lists count theirs from.
+    first_list: u32,
 }
 
 @group(1) @binding(6) var<uniform> pool: FragmentPool;

@@ -38,36 +38,58 @@ fn borders_beyond(clip: vec4<f32>) -> u32 {
     return beyond;
 }
 
-// x and y in steps, and the bits of the depth-buffer value. Rounded around pixel centres, as GPUs do it.
-fn snapped(clip: vec4<f32>) -> vec3<i32> {
-    let size = vec2<f32>(frame.size_px);
-    let at_px = clip.xy / clip.w * vec2<f32>(0.5, -0.5) * size + 0.5 * size;
-    let steps = vec2<i32>(round((at_px - 0.5) * 256.0)) + 128;
-    return vec3<i32>(steps, bitcast<i32>(clip.z / clip.w));
+// A point of the picture.
+struct Point {
+    // In pixels from the centre of the upper left one, where samples are at integers.
+    at: vec2<f32>,
+    // Value of the depth buffer.
+    z: f32,
+    // Snapped.
+    steps: vec2<i32>,
 }
 
-// A vertex as it is kept: snapped, or in clip space with the borders it is beyond. Of clip space three numbers are kept: one of z
-// and w is the same everywhere, w in parallel views, z in others.
+// Where a point of clip space is: in pixels from the centre of the upper left one, and the depth-buffer value.
+fn on_screen(clip: vec4<f32>) -> vec3<f32> {
+    let size = vec2<f32>(frame.size_px);
+    let at_px = clip.xy / clip.w * vec2<f32>(0.5, -0.5) * size + 0.5 * size;
+    return vec3<f32>(at_px - 0.5, clip.z / clip.w);
+}
+
+// Snapping is exact but for its one rounding, so whoever snaps a vertex finds the same.
+fn snapped(at: vec3<f32>) -> Point {
+    return Point(at.xy, at.z, vec2<i32>(round(at.xy * 256.0)) + 128);
+}
+
+// A vertex as it is kept, as bits: on screen, or in clip space with the borders it is beyond. Of clip space three numbers are
+// kept: one of z and w is the same everywhere, w in parallel views, z in others.
 fn kept(clip: vec4<f32>) -> vec4<i32> {
     let beyond = borders_beyond(clip);
     if beyond == 0u {
-        return vec4<i32>(snapped(clip), 0);
+        return vec4<i32>(bitcast<vec3<i32>>(on_screen(clip)), 0);
     }
     let third = select(clip.w, clip.z, frame.orthographic != 0u);
     return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond));
 }
 
-// Clip space of a vertex that was kept, up to the snapping.
+// A vertex that is beyond no border.
+fn point_of(vertex: vec4<i32>) -> Point {
+    return snapped(bitcast<vec3<f32>>(vertex.xyz));
+}
+
+// Clip space of a vertex that was kept.
 fn clip_of_kept(vertex: vec4<i32>) -> vec4<f32> {
-    let third = bitcast<f32>(vertex.z);
+    let v = bitcast<vec3<f32>>(vertex.xyz);
     if vertex.w != 0 {
-        let at = bitcast<vec2<f32>>(vertex.xy);
-        return select(vec4<f32>(at, frame.near, third), vec4<f32>(at, third, 1.0), frame.orthographic != 0u);
+        return select(vec4<f32>(v.xy, frame.near, v.z), vec4<f32>(v, 1.0), frame.orthographic != 0u);
     }
     let size = vec2<f32>(frame.size_px);
-    let at = (vec2<f32>(vertex.xy) / 256.0 - 0.5 * size) / (vec2<f32>(0.5, -0.5) * size);
-    let w = select(frame.near / third, 1.0, frame.orthographic != 0u);
-    return vec4<f32>(at, third, 1.0) * w;
+    let at = (v.xy + 0.5 - 0.5 * size) / (vec2<f32>(0.5, -0.5) * size);
+    let w = select(frame.near / v.z, 1.0, frame.orthographic != 0u);
+    return vec4<f32>(at, v.z, 1.0) * w;
+}
+
+fn cross2(a: vec2<f32>, b: vec2<f32>) -> f32 {
+    return a.x * b.y - a.y * b.x;
 }
 
 // The pixels whose samples may be inside a box of steps: first and last, of the picture.

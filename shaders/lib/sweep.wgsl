@@ -1,7 +1,7 @@
 // One sweep of the compute rasteriser over the triangles of all parts. Bound as @group(2) @binding(0), (1) and (2).
 //
-// There are two sweeps, marking and claiming, run by the same pipelines: only a value in `sweep` differs. So both compute the
-// same depth for the same sample, bit for bit, which two pipelines would not promise.
+// Sweeps over one screen that do the same with a sample are run by the same pipelines: only a value in `sweep` differs. So they
+// compute the same depth for the same sample, bit for bit, which two pipelines would not promise.
 
 #define_import_path cutaway::sweep
 
@@ -10,8 +10,10 @@ struct Sweep {
     vertex_count: u32,
     // Steps of the search for a triangle's part.
     search_steps: u32,
-    // 0 marks, 1 claims.
-    claims: u32,
+    // 0 in the first sweep over a screen, 1 in a later one.
+    again: u32,
+    // Vertices of the screen begin with this one of all.
+    first_vertex: u32,
 }
 
 struct DrawnPart {
@@ -21,10 +23,11 @@ struct DrawnPart {
     base_vertex: u32,
     // Bits of the cuts that apply.
     cuts: u32,
-    // Where its bits are in the inside mask, if has_lane is 1.
+    // Where its bits are in the inside mask, unless its place is NO_LANE.
     lane_word: u32,
     lane_shift: u32,
-    has_lane: u32,
+    // Place in the part table, or NO_LANE where it needs no inside test.
+    place: u32,
     // Index of the part in the scene.
     part: u32,
 }
@@ -38,6 +41,8 @@ struct DrawnParts {
 @group(2) @binding(1) var<uniform> drawn_parts: DrawnParts;
 @group(2) @binding(2) var<storage, read> indices: array<u32>;
 
+const NO_LANE: u32 = 0xffffffffu;
+
 // Invocations along x of a dispatch that is folded into two dimensions.
 const INVOCATIONS_PER_ROW: u32 = 2097152u;
 
@@ -45,20 +50,20 @@ fn number_of(id: vec3<u32>) -> u32 {
     return id.y * INVOCATIONS_PER_ROW + id.x;
 }
 
-// Place of the part that a triangle belongs to.
-fn part_of_triangle(triangle: u32) -> u32 {
-    var place = 0u;
+// Row of the part that a triangle belongs to.
+fn row_of_triangle(triangle: u32) -> u32 {
+    var row = 0u;
     for (var i = 0u; i < sweep.search_steps; i++) {
-        let ahead = place + (1u << (sweep.search_steps - 1u - i));
+        let ahead = row + (1u << (sweep.search_steps - 1u - i));
         if drawn_parts.parts[ahead].first_triangle <= triangle {
-            place = ahead;
+            row = ahead;
         }
     }
-    return place;
+    return row;
 }
 
-// Vertices of a triangle.
-fn corners_of(triangle: u32, place: u32) -> vec3<u32> {
-    let first = drawn_parts.parts[place].first_index + 3u * (triangle - drawn_parts.parts[place].first_triangle);
-    return vec3<u32>(indices[first], indices[first + 1u], indices[first + 2u]) + drawn_parts.parts[place].base_vertex;
+// Vertices of a triangle, counted from the first of the screen.
+fn corners_of(triangle: u32, row: u32) -> vec3<u32> {
+    let first = drawn_parts.parts[row].first_index + 3u * (triangle - drawn_parts.parts[row].first_triangle);
+    return vec3<u32>(indices[first], indices[first + 1u], indices[first + 2u]) + drawn_parts.parts[row].base_vertex;
 }

@@ -7,7 +7,7 @@
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
 use super::recorder::NEED_OF_FRAGMENTS;
-use super::{Recorder, Scan, Store};
+use super::{Rasteriser, Recorder, Scan, ScreenOf, Store, Sweep};
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
     Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Knob, Pass, Resource,
@@ -20,26 +20,25 @@ use crate::shader::Shader;
 pub struct FragmentLists {
     fragments: ResourceId,
     pool: Binding,
-    lists: u32,
+    layout: FragmentPool,
 }
 
 impl FragmentLists {
     /// What a fragment does while lists are counted.
     pub fn counting(&self) -> Store {
-        Store {
-            file: "lib/store/count.wgsl",
-            bindings: vec![Binding::update("fragments", self.fragments)],
-        }
+        self.stored("lib/store/count.wgsl")
     }
 
     /// What a fragment does while lists are filled.
     pub fn keeping(&self) -> Store {
+        self.stored("lib/store/keep.wgsl")
+    }
+
+    fn stored(&self, file: &'static str) -> Store {
+        let fragments = Binding::update("fragments", self.fragments);
         Store {
-            file: "lib/store/keep.wgsl",
-            bindings: vec![
-                Binding::update("fragments", self.fragments),
-                self.pool.clone(),
-            ],
+            file,
+            bindings: vec![fragments, self.pool.clone()],
         }
     }
 
@@ -61,7 +60,7 @@ impl FragmentLists {
 
     /// How many lists there are.
     pub fn count(&self) -> u32 {
-        self.lists
+        self.layout.lists
     }
 }
 
@@ -81,15 +80,12 @@ impl Recorder<'_> {
         let words_each = if has_owners { 2 } else { 1 };
         let bytes = 4 * (u64::from(lists) + u64::from(capacity) * words_each);
         let fragments = self.once(what, |_| Resource::storage(what, bytes, Clock::Frame));
-        let pool = FragmentPool {
+        let layout = FragmentPool {
             lists,
             capacity,
             has_owners: u32::from(has_owners),
-            padding: 0,
+            first_list: 0,
         };
-        let pool = self.uploaded("pool", Role::Uniform, Clock::Frame, |_| {
-            Contents::of(&[pool])
-        });
         self.plan.bounded.push(Bounded {
             what: what.to_owned(),
             slot: NEED_OF_FRAGMENTS,
@@ -97,11 +93,33 @@ impl Recorder<'_> {
             knob: Some(Knob::Fragments),
             exact: false,
         });
+        let pool = self.pool("pool", layout);
         Ok(FragmentLists {
             fragments,
             pool,
-            lists,
+            layout,
         })
+    }
+
+    /// The same lists for passes that count theirs from `first_list`.
+    pub fn lists_from(&mut self, lists: &FragmentLists, first_list: u32) -> FragmentLists {
+        let layout = FragmentPool {
+            first_list,
+            ..lists.layout
+        };
+        FragmentLists {
+            pool: self.pool(&format!("pool from {first_list}"), layout),
+            layout,
+            ..*lists
+        }
+    }
+
+    fn pool(&mut self, name: &str, layout: FragmentPool) -> Binding {
+        let contents = Contents::of(&[layout]);
+        let id = self.once(name, |_| {
+            Resource::upload(name, Role::Uniform, contents, Clock::Frame)
+        });
+        Binding::read("pool", id)
     }
 
     /// Lays the lists out once they are counted.
@@ -111,14 +129,45 @@ impl Recorder<'_> {
             what,
             clock: Clock::Frame,
             items: lists.fragments,
-            length: lists.lists,
+            length: lists.layout.lists,
             total: (need, NEED_OF_FRAGMENTS),
         }
         .record(&mut self.plan);
     }
 
-    /// A pass over the cut parts in which fragments leave what an inside test wants, and are not drawn.
-    pub fn draw_fragments(&mut self, name: &str, reason: &str, store: &Store) {
+    /// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
+    /// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles nobody else fills.
+    pub fn leave_fragments(
+        &mut self,
+        rasteriser: Rasteriser,
+        name: &str,
+        reason: &str,
+        store: &Store,
+    ) -> Result<(), String> {
+        match rasteriser {
+            Rasteriser::Hardware => {
+                self.draw_fragments(name, reason, store);
+                Ok(())
+            }
+            Rasteriser::Compute => {
+                let ranks = self.relevance.cut_parts().to_vec();
+                let (frame, view) = (self.frame(), self.view);
+                let screen = self.screen(ScreenOf {
+                    name,
+                    view,
+                    frame,
+                    clock: Clock::Frame,
+                    ranks: &ranks,
+                    fresh: "lib/fresh/nothing.wgsl",
+                    freshened: Vec::new(),
+                })?;
+                self.sweep(&screen, &sweep_of_fragments("fragments", reason, store));
+                Ok(())
+            }
+        }
+    }
+
+    fn draw_fragments(&mut self, name: &str, reason: &str, store: &Store) {
         let (vertices, indices) = self.mesh();
         let mut bindings = vec![self.frame(), self.parts()];
         bindings.extend(store.bindings.iter().cloned());
@@ -144,5 +193,18 @@ impl Recorder<'_> {
                 draws: self.draws_of(&ranks),
             },
         });
+    }
+}
+
+/// A first sweep in which fragments do nothing but leave what an inside test wants.
+pub fn sweep_of_fragments<'a>(name: &'a str, reason: &'a str, store: &'a Store) -> Sweep<'a> {
+    Sweep {
+        name,
+        reason,
+        sample: "lib/sample/bare.wgsl",
+        store: Some(store),
+        crossings: None,
+        bindings: Vec::new(),
+        again: false,
     }
 }

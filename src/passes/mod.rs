@@ -13,13 +13,14 @@ mod recorder;
 mod relevance;
 mod resolve;
 mod scan;
+mod screen;
 mod solid;
+mod sweep;
 
 pub use crossings::Crossings;
-pub use fragments::FragmentLists;
+pub use fragments::{FragmentLists, sweep_of_fragments};
 pub use model::{MeshRange, Model};
 pub use probe::Volume;
-pub use rasterise::INVOCATIONS_PER_ROW;
 pub use rasteriser::Rasteriser;
 pub use recorder::{
     DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SPRITES, Recorder,
@@ -28,4 +29,6 @@ pub use recorder::{
 pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};
+pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use solid::Store;
+pub use sweep::{INVOCATIONS_PER_ROW, Sweep};

@@ -197,12 +197,14 @@ shared! {
     Sweep {
         /// Triangles of all parts that are drawn.
         triangle_count: u32,
-        /// Vertices of all parts.
+        /// Vertices from the first to the last of these parts.
         vertex_count: u32,
         /// Steps of the search for a triangle's part.
         search_steps: u32,
-        /// 0 marks, 1 claims.
-        claims: u32,
+        /// 0 in the first sweep over a screen, 1 in a later one.
+        again: u32,
+        /// Number of the first of these vertices.
+        first_vertex: u32,
     }
 }
 
@@ -213,7 +215,7 @@ shared! {
         first_triangle: u32,
         /// Its place in the indices.
         first_index: u32,
-        /// Added to each index.
+        /// Added to each index; counted from the first vertex of the sweep.
         base_vertex: u32,
         /// Bits of the cuts that apply.
         cuts: u32,
@@ -221,8 +223,8 @@ shared! {
         lane_word: u32,
         /// First bit in that word.
         lane_shift: u32,
-        /// 1 where the part has bits in the mask.
-        has_lane: u32,
+        /// Place in the part table, or `NO_LANE` where it needs no inside test.
+        place: u32,
         /// Index in the scene.
         part: u32,
     }

@@ -87,12 +87,17 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         let own = &indices[range.indices.start as usize..range.indices.end as usize];
         for triangle in own.as_chunks::<3>().0 {
             let corners = triangle.map(|i| (i as i32 + range.base_vertex) as usize * 4);
-            let at = corners.map(|c| [0, 1].map(|k| i64::from(screen[c + k].cast_signed())));
+            let at = corners.map(|c| [0, 1].map(|k| steps_of(screen[c + k])));
             let is_clipped = corners.iter().any(|c| screen[c + 3] != 0);
             device.screen[part.part].push((at, is_clipped));
         }
     }
     device
+}
+
+/// A coordinate that the device keeps, in pixels from the first sample, as steps of 1/256 px.
+fn steps_of(word: u32) -> i64 {
+    (f32::from_bits(word) * 256.0).round_ties_even() as i64 + 128
 }
 
 /// A bias for samples on an edge: 0 where it is a top or left one of a triangle that runs clockwise on screen.

@@ -3,8 +3,8 @@
 
 #import cutaway::clipping::clipped
 #import cutaway::cover::{Where, cover}
-#import cutaway::screen::{clip_of_kept, snapped}
-#import cutaway::sweep::{corners_of, part_of_triangle, sweep}
+#import cutaway::screen::{Point, clip_of_kept, on_screen, point_of, snapped}
+#import cutaway::sweep::{corners_of, row_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
 
@@ -12,25 +12,25 @@ override lane_bits: u32 = 32u;
 @group(2) @binding(4) var<storage, read> queue: array<u32>;
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) row: u32) {
+fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
     let count = queue[1];
     for (var i = group.x; i < count; i += 16u) {
         let triangle = queue[sweep.triangle_count + 1u - i];
-        let place = part_of_triangle(triangle);
-        let corners = corners_of(triangle, place);
+        let part = row_of_triangle(triangle);
+        let corners = corners_of(triangle, part);
         let a = screen[corners.x];
         let b = screen[corners.y];
         let c = screen[corners.z];
-        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits);
+        let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);
         let beyond = vec3<u32>(vec3<i32>(a.w, b.w, c.w));
         var polygon = clipped(clip_of_kept(a), clip_of_kept(b), clip_of_kept(c), beyond);
-        var points: array<vec3<i32>, 8>;
+        var points: array<Point, 8>;
         for (var k = 0u; k < min(polygon.count, 8u); k++) {
             switch polygon.source[k] {
-                case 0u: { points[k] = a.xyz; }
-                case 1u: { points[k] = b.xyz; }
-                case 2u: { points[k] = c.xyz; }
-                default: { points[k] = snapped(polygon.at[k]); }
+                case 0u: { points[k] = point_of(a); }
+                case 1u: { points[k] = point_of(b); }
+                case 2u: { points[k] = point_of(c); }
+                default: { points[k] = snapped(on_screen(polygon.at[k])); }
             }
         }
         for (var k = 2u; k < min(polygon.count, 8u); k++) {

@@ -2,7 +2,8 @@
 // of it every eighth row of tiles; an invocation owns one row of samples of a tile.
 
 #import cutaway::cover::{Where, cover}
-#import cutaway::sweep::{corners_of, part_of_triangle}
+#import cutaway::screen::point_of
+#import cutaway::sweep::{corners_of, row_of_triangle}
 
 override lane_bits: u32 = 32u;
 
@@ -10,13 +11,13 @@ override lane_bits: u32 = 32u;
 @group(2) @binding(4) var<storage, read> queue: array<u32>;
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) row: u32) {
+fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
     let count = queue[0];
     for (var i = group.x; i < count; i += 16u) {
         let triangle = queue[2u + i];
-        let place = part_of_triangle(triangle);
-        let corners = corners_of(triangle, place);
-        let at = Where(triangle, place, i32(group.y), i32(row), lane_bits);
-        cover(screen[corners.x].xyz, screen[corners.y].xyz, screen[corners.z].xyz, at);
+        let part = row_of_triangle(triangle);
+        let corners = corners_of(triangle, part);
+        let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);
+        cover(point_of(screen[corners.x]), point_of(screen[corners.y]), point_of(screen[corners.z]), at);
     }
 }

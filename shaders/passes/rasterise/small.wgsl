@@ -3,11 +3,12 @@
 // A box that holds no sample ends the invocation before anything is multiplied: of a fine mesh that is most of them. A side of
 // at most 2^14 steps keeps edge functions below 2^30 in magnitude.
 
+#import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
 #import cutaway::sample::{Sample, take}
-#import cutaway::screen::{edge_bias, first_pixel, last_pixel}
+#import cutaway::screen::{edge_bias, first_pixel, last_pixel, point_of}
 #import cutaway::span::narrowed
-#import cutaway::sweep::{corners_of, number_of, part_of_triangle, sweep}
+#import cutaway::sweep::{corners_of, number_of, row_of_triangle, sweep}
 
 override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels; at most 64.
@@ -18,8 +19,8 @@ override small_px: i32 = 64;
 
 // Large triangles fill the queue from its begin, those to be clipped from its end: together they are no more than all.
 fn enqueue(triangle: u32, is_clipped: bool) {
-    if sweep.claims != 0u {
-        // Claiming finds the queue as marking left it.
+    if sweep.again != 0u {
+        // The first sweep filled the queue.
         return;
     }
     if is_clipped {
@@ -37,20 +38,21 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if triangle >= sweep.triangle_count {
         return;
     }
-    let place = part_of_triangle(triangle);
-    let corners = corners_of(triangle, place);
-    let a = screen[corners.x];
-    var b = screen[corners.y];
-    var c = screen[corners.z];
-    if (a.w | b.w | c.w) != 0 {
+    let part = row_of_triangle(triangle);
+    let corners = corners_of(triangle, part);
+    let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
+    if (vertices[0].w | vertices[1].w | vertices[2].w) != 0 {
         // Beyond one border as a whole, or to be clipped.
-        if (a.w & b.w & c.w) == 0 {
+        if (vertices[0].w & vertices[1].w & vertices[2].w) == 0 {
             enqueue(triangle, true);
         }
         return;
     }
-    let low = min(a.xy, min(b.xy, c.xy));
-    let high = max(a.xy, max(b.xy, c.xy));
+    let a = point_of(vertices[0]);
+    var b = point_of(vertices[1]);
+    var c = point_of(vertices[2]);
+    let low = min(a.steps, min(b.steps, c.steps));
+    let high = max(a.steps, max(b.steps, c.steps));
     let first = first_pixel(low);
     let last = last_pixel(high);
     if any(first > last) {
@@ -60,7 +62,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         enqueue(triangle, false);
         return;
     }
-    var area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    var area = (b.steps.x - a.steps.x) * (c.steps.y - a.steps.y) - (b.steps.y - a.steps.y) * (c.steps.x - a.steps.x);
     if area == 0 {
         return;
     }
@@ -72,19 +74,18 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         c = kept;
     }
     let sample = first * 256 + 128;
-    let bc = c.xy - b.xy;
-    let ca = a.xy - c.xy;
-    let ab = b.xy - a.xy;
+    let bc = c.steps - b.steps;
+    let ca = a.steps - c.steps;
+    let ab = b.steps - a.steps;
     let bias = vec3<i32>(edge_bias(bc), edge_bias(ca), edge_bias(ab));
     var row = bias + vec3<i32>(
-        bc.x * (sample.y - b.y) - bc.y * (sample.x - b.x),
-        ca.x * (sample.y - c.y) - ca.y * (sample.x - c.x),
-        ab.x * (sample.y - a.y) - ab.y * (sample.x - a.x),
+        bc.x * (sample.y - b.steps.y) - bc.y * (sample.x - b.steps.x),
+        ca.x * (sample.y - c.steps.y) - ca.y * (sample.x - c.steps.x),
+        ab.x * (sample.y - a.steps.y) - ab.y * (sample.x - a.steps.x),
     );
     let right = -256 * vec3<i32>(bc.y, ca.y, ab.y);
     let down = 256 * vec3<i32>(bc.x, ca.x, ab.x);
-    let z = bitcast<f32>(a.z);
-    let rise = vec2<f32>(bitcast<f32>(b.z) - z, bitcast<f32>(c.z) - z) / f32(area);
+    let plane = flat_through(a, b, c, f32(area));
     for (var y = first.y; y <= last.y; y++) {
         var span = narrowed(vec2<i32>(0, last.x - first.x), row.x, right.x);
         span = narrowed(span, row.y, right.y);
@@ -92,7 +93,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         for (var x = span.x; x <= span.y; x++) {
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
             let pixel = pixel_index(vec2<u32>(vec2<i32>(first.x + x, y)));
-            take(Sample(pixel, z + dot(weights, rise), triangle, place, front, lane_bits));
+            take(Sample(pixel, depth_at(plane, weights), triangle, part, front, lane_bits));
         }
         row += down;
     }

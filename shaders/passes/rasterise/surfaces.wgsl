@@ -7,7 +7,8 @@
 #import cutaway::frame::{Ray, frame, centre_of, pixel_count, pixel_index, ray_through}
 #import cutaway::layers::{BACK_FACE, BACKGROUND, SURFACE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::facing
-#import cutaway::sweep::{corners_of, drawn_parts, part_of_triangle}
+#import cutaway::screen::point_of
+#import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
 #import cutaway::wide::{wide_cross, wide_is_negative}
 
 @group(1) @binding(2) var<storage, read> nearest: array<u32>;
@@ -53,23 +54,25 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let triangle = 0xffffffffu - claim;
-    let place = part_of_triangle(triangle);
-    let corners = corners_of(triangle, place);
-    let a = position_of(corners.x);
-    let ab = position_of(corners.y) - a;
-    let ac = position_of(corners.z) - a;
+    let part = row_of_triangle(triangle);
+    let corners = corners_of(triangle, part);
+    let numbers = corners + sweep.first_vertex;
+    let a = position_of(numbers.x);
+    let ab = position_of(numbers.y) - a;
+    let ac = position_of(numbers.z) - a;
     let ray = ray_through(centre_of(id.xy));
     let points = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
     var front = dot(ray.direction, cross(ab, ac)) < 0.0;
     if (points[0].w | points[1].w | points[2].w) == 0 {
-        front = wide_is_negative(wide_cross(points[1].xy - points[0].xy, points[2].xy - points[0].xy));
+        let a_steps = point_of(points[0]).steps;
+        front = wide_is_negative(wide_cross(point_of(points[1]).steps - a_steps, point_of(points[2]).steps - a_steps));
     }
     let weights = weights_of(ray, a, ab, ac);
-    let normal = (1.0 - weights.x - weights.y) * unpack_normal(vertices[corners.x].w)
-        + weights.x * unpack_normal(vertices[corners.y].w)
-        + weights.y * unpack_normal(vertices[corners.z].w);
-    let part = drawn_parts.parts[place].part;
-    layers[first] = layer_word(SURFACE, UNRANKED, part) | select(BACK_FACE, 0u, front);
+    let normal = (1.0 - weights.x - weights.y) * unpack_normal(vertices[numbers.x].w)
+        + weights.x * unpack_normal(vertices[numbers.y].w)
+        + weights.y * unpack_normal(vertices[numbers.z].w);
+    let index = drawn_parts.parts[part].part;
+    layers[first] = layer_word(SURFACE, UNRANKED, index) | select(BACK_FACE, 0u, front);
     layers[first + 1u] = pack_normal(facing(normalize(normal), front));
     layers[first + 2u] = z;
 }

@@ -13,8 +13,8 @@ shared! {
         capacity: u32,
         /// 1 where each fragment has an owner.
         has_owners: u32,
-        /// Unused.
-        padding: u32,
+        /// Number of the first list that a pass knows.
+        first_list: u32,
     }
 }
 

@@ -1,0 +1,46 @@
+// Depth across a triangle: the plane through its vertices where they are, found at samples that are counted from where its
+// vertices were snapped to.
+//
+// Weights of a sample are exact integers over exact integers, of the snapped triangle. Each vertex's depth is therefore moved
+// along the plane by as much as the vertex was moved, 1/512 px at most; interpolated with those weights it is the plane's depth
+// at the sample. Rounding of the slope only touches what is moved: a needle 10^6 times as long as wide has the depths along it
+// right, and one that snapping made or unmade has no slope to speak of and keeps its vertices' depths.
+
+#define_import_path cutaway::flat
+
+#import cutaway::screen::{Point, cross2}
+
+struct Flat {
+    // Depth at the first vertex as snapped, and how it grows with the weights of the others.
+    z: f32,
+    rise: vec2<f32>,
+    // Of the vertices.
+    least: f32,
+    greatest: f32,
+}
+
+// Corners run clockwise on screen; `area` is twice that of the snapped triangle, in square steps.
+fn flat_through(a: Point, b: Point, c: Point, area: f32) -> Flat {
+    let ab = b.at - a.at;
+    let ac = c.at - a.at;
+    let drop = vec2<f32>(b.z - a.z, c.z - a.z);
+    let true_area = cross2(ab, ac);
+    var z = vec3<f32>(a.z, b.z, c.z);
+    if abs(true_area * 65536.0 - area) <= 0.5 * area {
+        let slope = vec2<f32>(drop.x * ac.y - drop.y * ab.y, drop.y * ab.x - drop.x * ac.x) / true_area;
+        z += vec3<f32>(dot(slope, moved(a)), dot(slope, moved(b)), dot(slope, moved(c)));
+    }
+    let least = min(a.z, min(b.z, c.z));
+    let greatest = max(a.z, max(b.z, c.z));
+    return Flat(z.x, (z.yz - z.x) / area, least, greatest);
+}
+
+// How far snapping moved a vertex, in pixels: exact.
+fn moved(point: Point) -> vec2<f32> {
+    return vec2<f32>(point.steps - 128) / 256.0 - point.at;
+}
+
+// Depth-buffer value where the second and the third vertex have these weights, out of `area`.
+fn depth_at(plane: Flat, weights: vec2<f32>) -> f32 {
+    return clamp(plane.z + dot(weights, plane.rise), plane.least, plane.greatest);
+}

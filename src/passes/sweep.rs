@@ -1,0 +1,171 @@
+//! Sweeps: passes over all triangles of a screen, small ones by one invocation each, the rest by workgroups, tile by tile.
+//!
+//! Edge functions are exact integers and the top-left rule gives a sample on a shared edge to exactly one triangle: coverage is
+//! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
+//! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
+//!
+//! The first sweep over a screen queues the triangles that are not small, later ones find them queued. Sweeps over one screen
+//! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
+//! *High-performance software rasterization on GPUs* (2011).
+
+use super::recorder::Recorder;
+use super::{Crossings, Screen, Store};
+use crate::plan::{Access, Binding, Pass, Work};
+use crate::shader::Shader;
+
+/// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
+pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
+/// Invocations of a workgroup that owns triangles or vertices.
+const GROUP: u32 = 64;
+/// Workgroups that share the queue of large triangles, and the rows of tiles of each: `large.wgsl` steps by them.
+const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
+
+/// What a sweep does.
+#[derive(Clone, Debug)]
+pub struct Sweep<'a> {
+    /// What its passes are named after: "mark" makes "mark small" and "mark large".
+    pub name: &'a str,
+    /// Why it is there: what a sample does.
+    pub reason: &'a str,
+    /// File that fills `cutaway::sample`.
+    pub sample: &'static str,
+    /// What fragments leave, where the sample says so.
+    pub store: Option<&'a Store>,
+    /// The list of crossings, where the sample ranks.
+    pub crossings: Option<&'a Crossings>,
+    /// What else the sample binds.
+    pub bindings: Vec<Binding>,
+    /// There was a sweep over the same screen before.
+    pub again: bool,
+}
+
+impl Recorder<'_> {
+    /// Records a sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
+    pub fn sweep(&mut self, screen: &Screen, sweep: &Sweep<'_>) {
+        let constants = vec![("lane_bits", f64::from(self.lane_bits))];
+        let shader = |path: &'static str| {
+            let shader = Shader::from(path).with(sweep.sample);
+            match sweep.store {
+                Some(store) => shader.with(store.file),
+                None => shader,
+            }
+        };
+        let mut bindings = vec![
+            screen.frame.clone(),
+            screen.sweeps[usize::from(sweep.again)].clone(),
+            screen.drawn_parts.clone(),
+            screen.indices.clone(),
+            screen.vertices(),
+        ];
+        bindings.extend(sweep.bindings.iter().cloned());
+        if let Some(store) = sweep.store {
+            bindings.extend(store.bindings.iter().cloned());
+        }
+        if let Some(crossings) = sweep.crossings {
+            bindings.push(self.cut_table());
+            bindings.extend(crossings.bindings());
+        }
+        let queue = Binding::read("queue", screen.queue);
+        let mut small = bindings.clone();
+        small.push(if sweep.again {
+            queue.clone()
+        } else {
+            Binding {
+                access: Access::ReadWrite,
+                ..queue.clone()
+            }
+        });
+        self.over(
+            screen,
+            &format!("{} small", sweep.name),
+            sweep.reason,
+            shader("passes/rasterise/small.wgsl"),
+            small,
+            constants.clone(),
+            groups_along(screen.triangle_count),
+        );
+        bindings.push(queue);
+        if screen.may_clip {
+            self.over(
+                screen,
+                &format!("{} clipped", sweep.name),
+                "the same for triangles that the near plane or the guard band cuts",
+                shader("passes/rasterise/clipped.wgsl"),
+                bindings.clone(),
+                constants.clone(),
+                QUEUE_GROUPS,
+            );
+        }
+        self.over(
+            screen,
+            &format!("{} large", sweep.name),
+            "the same for triangles of many samples",
+            shader("passes/rasterise/large.wgsl"),
+            bindings,
+            constants,
+            QUEUE_GROUPS,
+        );
+    }
+
+    /// A pass of a screen.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the sentence form of a pass: each word is one argument"
+    )]
+    pub(super) fn over(
+        &mut self,
+        screen: &Screen,
+        name: &str,
+        reason: &str,
+        shader: Shader,
+        bindings: Vec<Binding>,
+        constants: Vec<(&'static str, f64)>,
+        groups: [u32; 3],
+    ) {
+        self.plan.add_pass(Pass {
+            name: screen.named(name),
+            clock: screen.clock,
+            reason: reason.to_owned(),
+            shader,
+            bindings,
+            constants,
+            work: Work::Compute { groups },
+        });
+    }
+}
+
+/// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
+pub(super) fn groups_along(items: u32) -> [u32; 3] {
+    let groups = items.div_ceil(GROUP).max(1);
+    let row = INVOCATIONS_PER_ROW / GROUP;
+    [groups.min(row), groups.div_ceil(row), 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folded_dispatches_cover_every_item_within_the_limits() {
+        for items in [
+            0,
+            1,
+            64,
+            65,
+            INVOCATIONS_PER_ROW,
+            INVOCATIONS_PER_ROW + 1,
+            u32::MAX,
+        ] {
+            let [x, y, z] = groups_along(items);
+            assert!(x.max(y) <= 65_535 && z == 1, "{items}: {x} x {y}");
+            assert!(
+                y == 1 || x * GROUP == INVOCATIONS_PER_ROW,
+                "{items}: rows of another length"
+            );
+            assert!(
+                u64::from(x) * u64::from(y) * u64::from(GROUP) >= u64::from(items),
+                "{items}"
+            );
+        }
+    }
+}
