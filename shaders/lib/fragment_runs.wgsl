@@ -20,7 +20,7 @@ fn run_of(list: u32) -> Run {
         first = fragments[list - 1u];
     }
     let end = fragments[list];
-    return Run(first, min(end, pool.capacity), end <= pool.capacity);
+    return Run(first, min(end, pool.capacity), end <= pool.capacity || first == end);
 }
 
 fn depth_of(fragment: u32) -> f32 {

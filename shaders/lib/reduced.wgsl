@@ -12,7 +12,8 @@ fn doubt_plane() -> u32 {
 }
 
 fn clear_words(pixel: u32) {
-    for (var word = 0u; word <= doubt_plane(); word++) {
+    let last = doubt_plane();
+    for (var word = 0u; word <= last; word++) {
         mask[word * pixel_count() + pixel] = 0u;
     }
 }

@@ -54,7 +54,7 @@ impl Recorder<'_> {
         let (vertices, _) = self.mesh_in_storage();
         let bindings = vec![
             frame,
-            screen.sweeps[0].clone(),
+            self.sweep_of(&screen, false),
             screen.drawn_parts.clone(),
             screen.indices.clone(),
             vertices,

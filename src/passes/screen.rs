@@ -53,8 +53,8 @@ pub struct Screen {
     pub(super) frame: Binding,
     pub(super) drawn_parts: Binding,
     pub(super) indices: Binding,
-    /// The description of a first sweep and of a later one.
-    pub(super) sweeps: [Binding; 2],
+    /// How it is swept for the first time.
+    pub(super) swept: Sweep,
     pub(super) vertices: ResourceId,
     pub(super) queue: ResourceId,
     pub(super) triangle_count: u32,
@@ -100,18 +100,6 @@ impl Recorder<'_> {
         let first_vertex = first_vertex.min(end_vertex);
         let (table, triangle_count) = self.drawn_parts(of.ranks, first_vertex);
         let vertex_count = end_vertex - first_vertex;
-        let sweeps = [("sweep", 0), ("sweep again", 1)].map(|(name, again)| {
-            let sweep = Sweep {
-                triangle_count,
-                vertex_count,
-                search_steps: of.ranks.len().next_power_of_two().ilog2(),
-                again,
-                first_vertex,
-            };
-            let contents = Contents::of(&[sweep]);
-            let id = self.uniform(&named(of.name, name), contents, of.clock);
-            Binding::read("sweep", id)
-        });
         let table = Contents::of(&table);
         let drawn_parts = self.uniform(&named(of.name, "drawn_parts"), table, of.clock);
         let (vertices, indices) = self.mesh_in_storage();
@@ -127,14 +115,20 @@ impl Recorder<'_> {
             indices,
             vertices: made("screen", u64::from(vertex_count).max(1) * 4),
             queue: made("queue", u64::from(triangle_count) + 2),
-            sweeps,
+            swept: Sweep {
+                triangle_count,
+                vertex_count,
+                search_steps: of.ranks.len().next_power_of_two().ilog2(),
+                again: 0,
+                first_vertex,
+            },
             triangle_count,
             may_clip: of.ranks.iter().any(|rank| self.may_clip(of.view, *rank)),
         };
         let pixel_count = of.view.size_px[0] * of.view.size_px[1];
         let mut bindings = vec![
             screen.frame.clone(),
-            screen.sweeps[0].clone(),
+            self.sweep_of(&screen, false),
             vertices,
             Binding::write("screen", screen.vertices),
             Binding::write("queue", screen.queue),
@@ -155,6 +149,17 @@ impl Recorder<'_> {
             groups_along(items),
         );
         Ok(screen)
+    }
+
+    /// What says of a screen how it is swept, for the first time or again.
+    pub(super) fn sweep_of(&mut self, screen: &Screen, again: bool) -> Binding {
+        let sweep = Sweep {
+            again: u32::from(again),
+            ..screen.swept
+        };
+        let name = screen.named(if again { "sweep again" } else { "sweep" });
+        let id = self.uniform(&name, Contents::of(&[sweep]), screen.clock);
+        Binding::read("sweep", id)
     }
 
     /// The table of drawn parts, and how many triangles they have.

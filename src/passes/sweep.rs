@@ -52,7 +52,7 @@ impl Recorder<'_> {
         };
         let mut bindings = vec![
             screen.frame.clone(),
-            screen.sweeps[usize::from(sweep.again)].clone(),
+            self.sweep_of(screen, sweep.again),
             screen.drawn_parts.clone(),
             screen.indices.clone(),
             screen.vertices(),

@@ -12,6 +12,7 @@ mod normal;
 
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
+pub use sprite::{Sprite, sprite_frame};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
 pub trait Layout: Pod {
@@ -37,8 +38,9 @@ macro_rules! shared {
     };
 }
 
-// After the macro, which it uses.
+// After the macro, which they use.
 mod lists;
+mod sprite;
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
@@ -157,26 +159,6 @@ shared! {
         texel_x: RayRow,
         /// Texel coordinate.
         texel_y: RayRow,
-    }
-}
-
-shared! {
-    /// The box of a part seen along an axis: `shaders/lib/sprite.wgsl`.
-    Sprite {
-        /// First texture coordinate.
-        s_row: [f32; 4],
-        /// Second texture coordinate.
-        t_row: [f32; 4],
-        /// Depth, 0 to 1.
-        depth_row: [f32; 4],
-        /// Texels along a side.
-        resolution: u32,
-        /// Layers.
-        layers: u32,
-        /// Word of the need buffer, or number of the image among those of all parts.
-        slot: u32,
-        /// Unused.
-        padding: u32,
     }
 }
 

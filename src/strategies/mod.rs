@@ -54,14 +54,11 @@ pub fn record_with(
         reason,
     };
     let rasteriser = options.rasteriser;
-    let computed = matches!(
-        strategy.inside,
-        InsideTest::Mask | InsideTest::KBuffer { .. }
-    );
-    if rasteriser == Rasteriser::Compute && !computed {
+    let grids = matches!(strategy.surface, CapSurface::Grid { .. });
+    let peels = matches!(strategy.inside, InsideTest::Vds { .. });
+    if rasteriser == Rasteriser::Compute && (grids || peels) {
         return Err(refuse(format!(
-            "{} is drawn by the hardware rasteriser alone",
-            strategy.inside
+            "{strategy} is drawn by the hardware rasteriser alone"
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
@@ -100,7 +97,8 @@ pub fn record_with(
             }
             (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
                 let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
-                    let images = inside::ldi::record(recorder, ranks, resolution, capacities)?;
+                    let images =
+                        inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
                     Ok(vec![(ranks.to_vec(), images)])
                 };
                 surface::grid::record(&mut recorder, cells, images).map_err(refuse)?;

@@ -66,7 +66,7 @@ impl Strategy {
     pub const ALL: [Self; 7] = [
         Self::RAYCAST_MASK,
         Self::raycast(InsideTest::ABuffer),
-        Self::raycast(InsideTest::KBuffer { depths: 16 }),
+        Self::raycast(InsideTest::KBuffer { depths: 8 }),
         Self::raycast(InsideTest::Ldi { resolution: 1024 }),
         Self::raycast(InsideTest::Vds { resolution: 1024 }),
         Self {
@@ -158,7 +158,7 @@ impl FromStr for Strategy {
             ("mask", None) => InsideTest::Mask,
             ("abuffer", None) => InsideTest::ABuffer,
             ("kbuffer", value) => InsideTest::KBuffer {
-                depths: number("kbuffer", value, 16, 1, 32)?,
+                depths: number("kbuffer", value, 8, 1, 32)?,
             },
             ("vds", value) => InsideTest::Vds {
                 resolution: number("vds", value, 1024, 16, 8192)?,

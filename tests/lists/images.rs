@@ -6,7 +6,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::Rasteriser;
 
 use super::{SIZE, drawn, layers, ring, row};
-use crate::common::{Question, meshes, scenes, strategy};
+use crate::common::{Question, class_of, meshes, scenes, strategy};
 
 const HARDWARE: Rasteriser = Rasteriser::Hardware;
 
@@ -27,6 +27,7 @@ fn differing(a: &Layers, b: &Layers) -> usize {
 
 #[test]
 fn images_answer_as_sprites_do() {
+    let mut coarse_differ = 0;
     for (name, scene) in [("ring", ring()), ("row", row()), ("plates", plates(8))] {
         let question = Question::of(&scene, SIZE);
         for surface in ["raycast", "grid:16"] {
@@ -40,39 +41,57 @@ fn images_answer_as_sprites_do() {
             let caps = ldi.count(Kind::Cap);
             assert!(caps > 100, "{name}, {surface}: only {caps} cap pixels");
             assert_eq!(differing(&ldi, &vds), 0, "{name}, {surface}");
-            // The control: a coarser image is another.
-            assert!(
-                differing(&ldi, &coarse) > 0,
-                "{name}, {surface}: any image would do"
-            );
+            coarse_differ += differing(&ldi, &coarse);
         }
+    }
+    // The control: a coarser image is another.
+    assert!(coarse_differ > 20, "any image would do: {coarse_differ}");
+}
+
+#[test]
+fn images_by_either_rasteriser_hardly_differ() {
+    for (name, scene) in [("ring", ring()), ("row", row())] {
+        let question = Question::of(&scene, SIZE);
+        let both = [HARDWARE, Rasteriser::Compute];
+        // Depths of the two differ in their last places, so a pixel on a rim may go either way.
+        let [hardware, compute] = both.map(|r| layers(&question, &strategy("raycast+ldi:256"), r));
+        let kinds = hardware.pixels.iter().zip(&compute.pixels);
+        let differ = kinds.filter(|(a, b)| class_of(a) != class_of(b)).count();
+        assert!(differ * 200 < hardware.count(Kind::Cap), "{name}: {differ}");
+        let judged = question.compare(&compute);
+        assert!(
+            judged.interior_wrong_px * 100 < hardware.count(Kind::Cap),
+            "{name}"
+        );
     }
 }
 
 #[test]
 fn rays_with_images_err_along_rims_alone() {
+    let mut wrong = [0; 2];
     for (name, scene) in [("ring", ring()), ("row", row())] {
         let question = Question::of(&scene, SIZE);
-        let mut wrong = [0; 2];
         for (wrong, inside) in wrong.iter_mut().zip(["ldi:64", "ldi:512"]) {
             let judged = question.answer(&strategy(&format!("raycast+{inside}")));
-            *wrong = judged.comparison.decided_wrong_px;
+            *wrong += judged.comparison.decided_wrong_px;
             let interior = judged.comparison.interior_wrong_px;
             assert!(
                 interior <= *wrong / 4,
                 "{name}, {inside}: {interior} of {wrong}"
             );
         }
-        assert!(wrong[1] * 2 < wrong[0], "{name}: {wrong:?}");
     }
+    assert!(wrong[1] * 2 < wrong[0], "{wrong:?}");
 }
 
 #[test]
 fn the_near_plane_is_capped_by_asking_where_rays_begin() {
-    let mut scene = scenes::sectioned("cube", &["-x=25%"]);
+    let mut scene = scenes::sectioned("cube", &["-1,-0.3,-0.2@60%,50%,50%"]);
+    let (centre, radius) = (scene.bounds().centre(), scene.bounds().radius());
+    let from = centre + glam::DVec3::new(0.7, 0.9, 2.0).normalize() * radius * 3.0;
     scene.camera = Camera {
-        near: Some(1.6),
-        ..scenes::looking(glam::DVec3::new(0.3, 0.4, 2.0), glam::DVec3::ZERO, 40.0)
+        near: Some(radius * 2.85),
+        ..scenes::looking(from, centre, 40.0)
     };
     let question = Question::of(&scene, SIZE);
     let judged = question.answer(&strategy("raycast+ldi:512"));
@@ -81,7 +100,7 @@ fn the_near_plane_is_capped_by_asking_where_rays_begin() {
         caps.filter(|p| p.clip_surface == cutaway::layers::NEAR_PLANE)
             .count()
     };
-    assert!(near(&judged.exact.layers) > 500, "the near plane shows");
+    assert!(near(&judged.exact.layers) > 100, "the near plane shows");
     let wrong = judged.comparison.decided_wrong_px;
     assert!(wrong * 50 < near(&judged.exact.layers), "{wrong} wrong");
 }

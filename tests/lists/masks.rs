@@ -98,7 +98,7 @@ fn a_step_left_out_makes_another_mask() {
         if let Some(name) = leave_out {
             let constants = &mut plan.passes.iter_mut().find(|p| p.name == name);
             let pass = constants.as_mut().unwrap_or_else(|| panic!("no {name}"));
-            pass.constants[0].1 -= 1.0;
+            pass.constants[0].1 /= 2.0;
         }
         let session = session();
         let mut program = Program::default();

@@ -1,7 +1,7 @@
 //! `abuffer`: all fragments of each pixel, kept as lists (Carpenter 1984).
 //!
 //! One pass over the mesh counts the fragments of each pixel, a prefix sum lays their lists out one after the other, and the
-//! pass that draws the surfaces fills them with depths. A pass per pixel then ranks each depth in the list of crossings and
+//! pass that finds the surfaces fills them with depths. A pass per pixel then ranks each depth in the list of crossings and
 //! turns the list into the very words that `mask` writes at once: a crossing is inside where an odd number of depths lies
 //! behind it. No list is sorted, for parity asks for no order.
 //!
@@ -35,11 +35,12 @@ pub fn record(
         FRAGMENTS_OF_PIXELS,
     )?;
     let crossings = raycast::record(recorder, capacity, &lists.counting());
-    recorder.draw_fragments(
+    recorder.leave_fragments(
+        rasteriser,
         "count",
         "how many fragments each pixel has",
         &lists.counting(),
-    );
+    )?;
     let need = recorder.need(Clock::Frame);
     recorder.lay_out(&lists, "fragments of each pixel", need);
     recorder.over_mesh(rasteriser, &lists.keeping(), &crossings)?;

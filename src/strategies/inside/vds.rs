@@ -17,7 +17,7 @@
 
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::passes::{Inside, NEED_OF_SPRITES, Rasteriser, Recorder, Store, Volume, pixels};
 use crate::plan::pack::Sprite;
@@ -25,7 +25,7 @@ use crate::plan::{
     Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass,
     Resource, Role, Work,
 };
-use crate::scene::Bounds;
+use crate::scene::{Bounds, View};
 use crate::strategies::surface::raycast;
 
 /// Layers beyond which a sprite is not built: a texture has no more.
@@ -218,28 +218,54 @@ fn draw(
     });
 }
 
-/// Rows from scene space to the sprite: the box, with a margin of two texels, scaled uniformly into the unit cube.
-pub(super) fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -> Sprite {
+/// Axes of a sprite, s, t and depth, and how many sprites long a unit of scene space is: the shortest side of the box is the
+/// depth, and a margin of two texels is left.
+fn axes(bounds: &Bounds, resolution: u32) -> ([DVec3; 3], f64) {
     let size = bounds.size();
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let depth_axis = (0..3)
+    let all = [DVec3::X, DVec3::Y, DVec3::Z];
+    let depth = (0..3)
         .min_by(|a, b| size[*a].total_cmp(&size[*b]))
         .unwrap_or(2);
-    let (s_axis, t_axis) = ((depth_axis + 1) % 3, (depth_axis + 2) % 3);
     let margin = 4.0 / f64::from(resolution);
     let per_unit = (1.0 - margin) / size.max_element().max(1e-12);
-    let row = |axis: usize| {
-        let n = axes[axis] * per_unit;
+    let axes = [(depth + 1) % 3, (depth + 2) % 3, depth].map(|axis| all[axis]);
+    (axes, per_unit)
+}
+
+/// Rows from scene space to the sprite: the box, scaled uniformly into the unit cube.
+pub(super) fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -> Sprite {
+    let (axes, per_unit) = axes(bounds, resolution);
+    let [s_row, t_row, depth_row] = axes.map(|axis| {
+        let n = axis * per_unit;
         let w = 0.5 - n.dot(bounds.centre());
         [n.x as f32, n.y as f32, n.z as f32, w as f32]
-    };
+    });
     Sprite {
-        s_row: row(s_axis),
-        t_row: row(t_axis),
-        depth_row: row(depth_axis),
+        s_row,
+        t_row,
+        depth_row,
         resolution,
         layers,
         slot,
         padding: 0,
+    }
+}
+
+/// The same as a view, one pixel to a texel.
+pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
+    let ([s, t, depth], per_unit) = axes(bounds, resolution);
+    let half = 0.5 / per_unit;
+    View {
+        size_px: [resolution; 2],
+        centre_px: DVec2::splat(0.5 * f64::from(resolution)),
+        eye: bounds.centre() - depth * half,
+        right: s,
+        up: -t,
+        forward: depth,
+        half_height: half,
+        orthographic: true,
+        near: 0.0,
+        far: 2.0 * half,
+        near_cap: false,
     }
 }

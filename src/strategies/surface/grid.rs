@@ -84,7 +84,7 @@ pub fn record(
         recorder.draw(DrawPass {
             name: format!("cap {first}"),
             reason: format!(
-                "the displaced grid of {}, cut to the solid by its image",
+                "the displaced grid of {}, cut to the solid by its sprite",
                 names.join(", ")
             ),
             shader: Shader::from("strategies/surface/grid/cap.wgsl").with(volume.file),
