@@ -4,10 +4,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{INVOCATIONS_PER_ROW, Model, NO_LANE};
+use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
-    ClipSurface, CutTable, DrawnPart, Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DRAWN_PARTS,
-    NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
+    Cascade, ClipSurface, CutTable, DrawnPart, FragmentPool, Frame, Layout, MAX_CUTS, MAX_SURFACES,
+    MOST_DRAWN_PARTS, NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -185,11 +185,18 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Quad>(&modules);
     holds_in_all_shaders::<Sweep>(&modules);
     holds_in_all_shaders::<DrawnPart>(&modules);
+    holds_in_all_shaders::<FragmentPool>(&modules);
+    holds_in_all_shaders::<Cascade>(&modules);
     // The list above is all there is: a struct added to the file must be added here.
-    let declared = include_str!("../src/plan/pack.rs")
-        .matches("\nshared! {")
-        .count();
-    assert_eq!(declared, 10, "structs in src/plan/pack.rs");
+    let files = [
+        include_str!("../src/plan/pack.rs"),
+        include_str!("../src/plan/pack/lists.rs"),
+        include_str!("../src/plan/pack/sprite.rs"),
+    ];
+    let declared: usize = (files.iter())
+        .map(|text| text.matches("\nshared! {").count())
+        .sum();
+    assert_eq!(declared, 12, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -350,6 +357,7 @@ fn constants_have_one_value_on_both_sides() {
         ("NONE", u32::MAX),
         ("REPEAT", Wrap::Repeat.code()),
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
+        ("BLOCK_WORDS", BLOCK_WORDS),
         ("NO_LANE", NO_LANE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),

@@ -7,7 +7,7 @@
 #define_import_path cutaway::crossings
 
 #import cutaway::cuts::cut_table
-#import cutaway::frame::{is_behind, pixel_count}
+#import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
 
 // Bits 0-7 how many crossings, bit 31 set when the list could not hold them all; and the sides where the ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
@@ -24,6 +24,12 @@ fn surface_at(index: u32, pixel: u32) -> u32 {
 
 fn z_at(index: u32, pixel: u32) -> f32 {
     return crossing_z[index * pixel_count() + pixel];
+}
+
+// Depth of the clip-surface at a crossing at which some part enters what is kept: the crossing was moved by the tie towards the
+// eye, and is moved back.
+fn depth_at(index: u32, pixel: u32) -> f32 {
+    return depth_from_buffer((z_at(index, pixel) - frame.tie.y) / (1.0 + frame.tie.x));
 }
 
 struct Rank {

@@ -6,10 +6,10 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, rank_of, surface_at, z_at}
+#import cutaway::crossings::{crossing_heads, depth_at, rank_of, surface_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
-#import cutaway::inside::{is_inside, starts_inside}
+#import cutaway::inside::{in_doubt, is_inside, starts_inside}
 #import cutaway::lanes::Lanes
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
@@ -74,10 +74,8 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var wanted = NONE;
     let cap = first_cap(lanes, pixel, limit, head.y);
     if cap.found {
-        // The crossing was moved by the tie towards the eye: move it back to where the clip-surface is.
-        let z = (z_at(cap.crossing, pixel) - frame.tie.y) / (1.0 + frame.tie.x);
         let surface = surface_at(cap.crossing, pixel);
-        depth = depth_from_buffer(z);
+        depth = depth_at(cap.crossing, pixel);
         word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part);
         wanted = surface;
     }
@@ -95,7 +93,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         }
     }
     let overflowed = (head.x & 0x80000000u) != 0u;
-    if overflowed || (odd && !lanes.near_inside) {
+    if overflowed || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);

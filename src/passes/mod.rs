@@ -2,23 +2,33 @@
 //! mesh by either rasteriser, what it leaves for an inside test, resolving, gathering, shading.
 
 mod crossings;
+mod fragments;
+mod mask;
 mod model;
 mod picture;
+mod probe;
 mod rasterise;
 mod rasteriser;
 mod recorder;
 mod relevance;
 mod resolve;
+mod scan;
 mod screen;
 mod solid;
 mod sweep;
 
 pub use crossings::Crossings;
+pub use fragments::{FragmentLists, sweep_of_fragments};
 pub use model::{MeshRange, Model};
+pub use probe::Volume;
 pub use rasteriser::Rasteriser;
-pub use recorder::{DrawPass, Recorder, Targets, counted, pixels};
+pub use recorder::{
+    DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SPRITES, Recorder,
+    Targets, counted, pixels,
+};
 pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
+pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use solid::Store;
 pub use sweep::{INVOCATIONS_PER_ROW, Sweep};

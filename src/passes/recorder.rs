@@ -13,6 +13,15 @@ use crate::shader::Shader;
 /// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
 const UNRANKED: f64 = 254.0;
 
+/// Word of the need buffer for crossings per pixel: `shaders/lib/crossing_list.wgsl`.
+pub const NEED_OF_CROSSINGS: u32 = 0;
+/// Word for the cells of a relief along a ray: `shaders/strategies/surface/raycast/reliefs.wgsl`.
+pub const NEED_OF_CELLS: u32 = 1;
+/// Word for fragments.
+pub const NEED_OF_FRAGMENTS: u32 = 2;
+/// First of the words for sprites, by number of the part.
+pub const NEED_OF_SPRITES: u32 = 3;
+
 /// What the mesh is drawn into.
 #[derive(Clone, Copy, Debug)]
 pub struct Targets {
@@ -296,10 +305,12 @@ impl<'a> Recorder<'a> {
         });
     }
 
-    /// The words that bounded buffers report their need in; `clock` is that of the passes that write them.
-    pub fn need(&mut self, words: u32, clock: Clock) -> ResourceId {
-        let id = self.once("need", |_| {
-            Resource::storage("need", u64::from(words) * 4, clock)
+    /// The words that bounded buffers report their need in, at the `NEED_OF` places; `clock` is the slowest of the passes
+    /// that write them.
+    pub fn need(&mut self, clock: Clock) -> ResourceId {
+        let id = self.once("need", |r| {
+            let words = NEED_OF_SPRITES as usize + r.model.prepared.parts.len();
+            Resource::storage("need", words as u64 * 4, clock)
         });
         self.plan.need = Some(id);
         id

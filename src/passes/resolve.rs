@@ -5,7 +5,7 @@
 //! `decide` and `paint` in its place.
 
 use super::{Crossings, Rasteriser, Recorder};
-use crate::plan::{Binding, Clock};
+use crate::plan::{Binding, Clock, ResourceId};
 use crate::shader::Shader;
 
 /// How the inside test is answered.
@@ -15,6 +15,16 @@ pub struct Inside {
     pub file: &'static str,
     /// What it binds.
     pub bindings: Vec<Binding>,
+}
+
+impl Inside {
+    /// The answers in the lanes of a mask.
+    pub fn mask(mask: ResourceId) -> Self {
+        Self {
+            file: "lib/inside/mask.wgsl",
+            bindings: vec![Binding::read("mask", mask)],
+        }
+    }
 }
 
 impl Recorder<'_> {

@@ -13,7 +13,7 @@ use crate::shader::Shader;
 pub struct Store {
     /// File that fills `cutaway::store`.
     pub file: &'static str,
-    /// What it binds, updated by every fragment.
+    /// What it binds: what every fragment updates, and what says how.
     pub bindings: Vec<Binding>,
 }
 
@@ -21,7 +21,10 @@ impl Store {
     /// The bindings of the pass that makes every pixel ready for its first fragment.
     pub fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
         self.bindings.iter().map(|b| Binding {
-            access: Access::Write,
+            access: match b.access {
+                Access::Read => Access::Read,
+                Access::Write | Access::ReadWrite => Access::Write,
+            },
             ..b.clone()
         })
     }

@@ -66,6 +66,8 @@ pub enum Knob {
     Crossings,
     /// One of [`Capacities::layers`], by rank of the part.
     Layers(usize),
+    /// [`Capacities::fragments`].
+    Fragments,
 }
 
 /// Sizes of bounded buffers that a plan is recorded for. They grow by what a frame reports.
@@ -75,6 +77,8 @@ pub struct Capacities {
     pub crossings: Option<u32>,
     /// Layers of each part's sprite, by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
     pub layers: Vec<u32>,
+    /// Fragments in all lists of a frame together.
+    pub fragments: Option<u32>,
 }
 
 impl Capacities {
@@ -87,6 +91,7 @@ impl Capacities {
     pub const UNKNOWN: Self = Self {
         crossings: None,
         layers: Vec::new(),
+        fragments: None,
     };
 
     /// Layers of the sprite of the part with this rank.
@@ -104,6 +109,7 @@ impl Capacities {
                 }
                 self.layers[rank] = size.max(1);
             }
+            Knob::Fragments => self.fragments = Some(size),
         }
     }
 }

@@ -10,7 +10,9 @@ use crate::scene::{Bounds, PreparedSurface, View};
 
 mod normal;
 
+pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
+pub use sprite::{Sprite, sprite_frame};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
 pub trait Layout: Pod {
@@ -35,6 +37,10 @@ macro_rules! shared {
         }
     };
 }
+
+// After the macro, which they use.
+mod lists;
+mod sprite;
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
@@ -153,26 +159,6 @@ shared! {
         texel_x: RayRow,
         /// Texel coordinate.
         texel_y: RayRow,
-    }
-}
-
-shared! {
-    /// The volumetric depth sprite of a part: `shaders/lib/vds.wgsl`.
-    Sprite {
-        /// First texture coordinate.
-        s_row: [f32; 4],
-        /// Second texture coordinate.
-        t_row: [f32; 4],
-        /// Depth, 0 to 1.
-        depth_row: [f32; 4],
-        /// Texels along a side.
-        resolution: u32,
-        /// Layers.
-        layers: u32,
-        /// Word of the need buffer.
-        slot: u32,
-        /// Unused.
-        padding: u32,
     }
 }
 

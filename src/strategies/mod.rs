@@ -54,10 +54,11 @@ pub fn record_with(
         reason,
     };
     let rasteriser = options.rasteriser;
-    if rasteriser == Rasteriser::Compute && strategy.inside != InsideTest::Mask {
+    let grids = matches!(strategy.surface, CapSurface::Grid { .. });
+    let peels = matches!(strategy.inside, InsideTest::Vds { .. });
+    if rasteriser == Rasteriser::Compute && (grids || peels) {
         return Err(refuse(format!(
-            "the compute rasteriser writes the mask, and {} is drawn by the hardware rasteriser alone",
-            strategy.inside
+            "{strategy} is drawn by the hardware rasteriser alone"
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
@@ -70,13 +71,42 @@ pub fn record_with(
             (CapSurface::Raycast, InsideTest::Mask) => {
                 inside::mask::record(&mut recorder, rasteriser, capacities).map_err(refuse)?
             }
-            (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
-                surface::grid::record(&mut recorder, cells, resolution, capacities)
+            (CapSurface::Raycast, InsideTest::ABuffer) => {
+                inside::abuffer::record(&mut recorder, rasteriser, capacities).map_err(refuse)?;
+            }
+            (CapSurface::Raycast, InsideTest::KBuffer { depths }) => {
+                inside::kbuffer::record(&mut recorder, rasteriser, depths, capacities)
                     .map_err(refuse)?;
             }
-            (surface, inside) => {
+            (CapSurface::Raycast, InsideTest::Vds { resolution }) => {
+                inside::vds::record_with_raycast(&mut recorder, rasteriser, resolution, capacities)
+                    .map_err(refuse)?;
+            }
+            (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
+                inside::ldi::record_with_raycast(&mut recorder, rasteriser, resolution, capacities)
+                    .map_err(refuse)?;
+            }
+            (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
+                let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
+                    let of_part = |rank: &usize| {
+                        let sprite = inside::vds::record(recorder, *rank, resolution, capacities);
+                        (vec![*rank], sprite)
+                    };
+                    Ok(ranks.iter().map(of_part).collect())
+                };
+                surface::grid::record(&mut recorder, cells, sprites).map_err(refuse)?;
+            }
+            (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
+                let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
+                    let images =
+                        inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
+                    Ok(vec![(ranks.to_vec(), images)])
+                };
+                surface::grid::record(&mut recorder, cells, images).map_err(refuse)?;
+            }
+            (CapSurface::Grid { .. }, inside) => {
                 return Err(refuse(format!(
-                    "{surface} with {inside} is not a combination that is built"
+                    "{inside} answers for crossings of rays, and a grid asks about points"
                 )));
             }
         }

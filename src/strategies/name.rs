@@ -23,8 +23,20 @@ pub enum CapSurface {
 pub enum InsideTest {
     /// Parity bits per crossing, written by the one pass over the mesh.
     Mask,
+    /// All fragments of each pixel, in lists.
+    ABuffer,
+    /// The nearest fragments of each pixel and part.
+    KBuffer {
+        /// How many.
+        depths: u32,
+    },
     /// The paper's volumetric depth sprite.
     Vds {
+        /// Texels along a side.
+        resolution: u32,
+    },
+    /// Layered depth images, built in every frame.
+    Ldi {
         /// Texels along a side.
         resolution: u32,
     },
@@ -51,7 +63,25 @@ impl Strategy {
         inside: InsideTest::Vds { resolution: 1024 },
     };
     /// All that are built, with their usual parameters; what `all` means.
-    pub const ALL: [Self; 2] = [Self::RAYCAST_MASK, Self::PAPER];
+    pub const ALL: [Self; 7] = [
+        Self::RAYCAST_MASK,
+        Self::raycast(InsideTest::ABuffer),
+        Self::raycast(InsideTest::KBuffer { depths: 8 }),
+        Self::raycast(InsideTest::Ldi { resolution: 1024 }),
+        Self::raycast(InsideTest::Vds { resolution: 1024 }),
+        Self {
+            surface: CapSurface::Grid { cells: 256 },
+            inside: InsideTest::Ldi { resolution: 1024 },
+        },
+        Self::PAPER,
+    ];
+
+    const fn raycast(inside: InsideTest) -> Self {
+        Self {
+            surface: CapSurface::Raycast,
+            inside,
+        }
+    }
 }
 
 impl fmt::Display for CapSurface {
@@ -67,7 +97,10 @@ impl fmt::Display for InsideTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mask => f.write_str("mask"),
+            Self::ABuffer => f.write_str("abuffer"),
+            Self::KBuffer { depths } => write!(f, "kbuffer:{depths}"),
             Self::Vds { resolution } => write!(f, "vds:{resolution}"),
+            Self::Ldi { resolution } => write!(f, "ldi:{resolution}"),
         }
     }
 }
@@ -123,13 +156,20 @@ impl FromStr for Strategy {
         let (name, value) = parts(inside);
         let inside = match (name.as_str(), value.as_deref()) {
             ("mask", None) => InsideTest::Mask,
+            ("abuffer", None) => InsideTest::ABuffer,
+            ("kbuffer", value) => InsideTest::KBuffer {
+                depths: number("kbuffer", value, 8, 1, 32)?,
+            },
             ("vds", value) => InsideTest::Vds {
                 resolution: number("vds", value, 1024, 16, 8192)?,
+            },
+            ("ldi", value) => InsideTest::Ldi {
+                resolution: number("ldi", value, 1024, 16, 8192)?,
             },
             _ => {
                 return Err(wrong(
                     format!("there is no inside test `{inside}`"),
-                    did_you_mean(&name, ["mask", "vds"]),
+                    did_you_mean(&name, ["mask", "abuffer", "kbuffer", "vds", "ldi"]),
                 ));
             }
         };
@@ -143,7 +183,14 @@ mod tests {
 
     #[test]
     fn names_survive_a_round_trip() {
-        for name in ["raycast+mask", "grid:256+vds:1024", "grid:8+vds:256"] {
+        for name in [
+            "raycast+mask",
+            "raycast+abuffer",
+            "raycast+kbuffer:4",
+            "raycast+ldi:64",
+            "grid:256+vds:1024",
+            "grid:8+vds:256",
+        ] {
             assert_eq!(name.parse::<Strategy>().expect(name).to_string(), name);
         }
         assert_eq!(

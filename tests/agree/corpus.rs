@@ -6,7 +6,6 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, Cut, Part, Role, Scene, section_surface};
 use cutaway::session::Outcome;
-use cutaway::strategies::Strategy;
 use glam::DAffine3;
 
 use crate::common::{Question, meshes, scenes, strategy, tolerances};
@@ -111,6 +110,7 @@ fn cameras(orthographic: bool) -> Camera {
 #[test]
 fn every_strategy_agrees_with_exact_on_the_corpus() {
     let paper = strategy("grid:128+vds:512");
+    let exact_strategies = ["raycast+mask", "raycast+abuffer", "raycast+kbuffer:32"].map(strategy);
     let mut faults = Vec::new();
     let (mut covered, mut undecided, mut allowed, mut paper_wrong) = (0, 0, 0.0, 0);
     for (name, scene) in corpus() {
@@ -130,9 +130,10 @@ fn every_strategy_agrees_with_exact_on_the_corpus() {
             let count = exact.undecided_px();
             faults.push(format!("{name}: {count} undecided of at most {most:.0}"));
         }
-        let judged = question.answer(&Strategy::RAYCAST_MASK);
-        if let Some(fault) = judged.fault_of_exact() {
-            faults.push(format!("{name}: raycast+mask: {fault}"));
+        for exact in &exact_strategies {
+            if let Some(fault) = question.answer(exact).fault_of_exact() {
+                faults.push(format!("{name}: {exact}: {fault}"));
+            }
         }
         let judged = question.answer(&paper);
         let wrong = judged.comparison.decided_wrong_px;

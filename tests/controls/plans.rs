@@ -17,7 +17,7 @@ fn scene() -> Scene {
 fn plan_of(question: &Question) -> Plan {
     let capacities = Capacities {
         crossings: Some(15),
-        layers: Vec::new(),
+        ..Capacities::UNKNOWN
     };
     record(
         &question.model,

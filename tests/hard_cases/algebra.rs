@@ -83,6 +83,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
         let capacities = Capacities {
             crossings: Some(15),
             layers: vec![2],
+            ..Capacities::UNKNOWN
         };
         let plan = record(&model, &view, &strategy(name), &capacities).expect("a plan");
         let mut program = Program::default();

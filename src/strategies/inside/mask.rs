@@ -12,8 +12,8 @@
 //! Cannot: repair an open mesh; it marks the pixels where the total is odd. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
-use crate::passes::{Inside, Rasteriser, Recorder, Store, pixels};
-use crate::plan::{Binding, Capacities, Clock, Resource};
+use crate::passes::{Inside, Rasteriser, Recorder, Store};
+use crate::plan::{Binding, Capacities};
 use crate::strategies::surface::raycast;
 
 /// Records the frame of `raycast+mask`.
@@ -23,20 +23,14 @@ pub fn record(
     capacities: &Capacities,
 ) -> Result<(), String> {
     let capacity = raycast::capacity(recorder, capacities);
-    recorder.lane_bits = (capacity + 1).next_power_of_two().max(2);
-    let words = (recorder.relevance.lanes as u32).div_ceil(32 / recorder.lane_bits);
-    let bytes = pixels(recorder.view.size_px) * 4 * u64::from(words);
-    let mask = recorder.once("mask", |_| Resource::storage("mask", bytes, Clock::Frame));
+    recorder.lay_lanes(capacity);
+    let mask = recorder.mask();
     let store = Store {
         file: "lib/store/mask.wgsl",
         bindings: vec![Binding::update("mask", mask)],
     };
     let crossings = raycast::record(recorder, capacity, &store);
     recorder.over_mesh(rasteriser, &store, &crossings)?;
-    let inside = Inside {
-        file: "lib/inside/mask.wgsl",
-        bindings: vec![Binding::read("mask", mask)],
-    };
-    recorder.resolve(rasteriser, inside, &crossings);
+    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
     Ok(())
 }

@@ -1,4 +1,7 @@
 //! Inside tests.
 
+pub mod abuffer;
+pub mod kbuffer;
+pub mod ldi;
 pub mod mask;
 pub mod vds;

@@ -11,33 +11,40 @@
 //!
 //! Slips of the paper mended here: its listing 2 samples slices at their boundary, where filtering blends two layers; its
 //! VPT formula is true in gaps outside the solid as well, its listing's parity is right.
+//!
+//! With `raycast`, in the place of the paper's grid, the crossings of each pixel are looked up in the sprites one part after
+//! the other, and the answers become the words of a mask: its caps lie where they should, and only their rims err.
 
-use glam::DVec3;
+use std::ops::Range;
 
-use crate::passes::{Recorder, pixels};
+use glam::{DVec2, DVec3};
+
+use crate::passes::{Inside, NEED_OF_SPRITES, Rasteriser, Recorder, Store, Volume, pixels};
 use crate::plan::pack::Sprite;
 use crate::plan::{
     Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass,
     Resource, Role, Work,
 };
-use crate::scene::Bounds;
+use crate::scene::{Bounds, View};
+use crate::strategies::surface::raycast;
 
 /// Layers beyond which a sprite is not built: a texture has no more.
 pub const MOST_LAYERS: u32 = 256;
 
-/// Records the sprite of a part, by rank; returns the bindings `sprite` and `depth_layers`.
+/// Records the sprite of a part, by rank.
 pub fn record(
     recorder: &mut Recorder<'_>,
     rank: usize,
     resolution: u32,
     capacities: &Capacities,
-) -> [Binding; 2] {
+) -> Volume {
     // By the part's number in the scene, which no cut changes: a sprite stays when other parts begin or cease to be cut.
     let number = recorder.model.prepared.parts[rank].part as u32;
     let name = recorder.model.prepared.parts[rank].name.clone();
     let layers = capacities.layers_of(rank).clamp(1, MOST_LAYERS);
     let bounds = recorder.model.prepared.parts[rank].bounds;
-    let contents = Contents::of(&[sprite(&bounds, resolution, layers, number)]);
+    let slot = NEED_OF_SPRITES + number;
+    let contents = Contents::of(&[sprite(&bounds, resolution, layers, slot)]);
     let size = [resolution; 2];
     let table = recorder.once(&format!("sprite {number}"), |_| {
         Resource::upload(
@@ -60,7 +67,7 @@ pub fn record(
             Clock::Solid,
         )
     });
-    let need = recorder.need(recorder.model.prepared.parts.len() as u32, Clock::Solid);
+    let need = recorder.need(Clock::Solid);
     let sprite = Binding::read("sprite", table);
 
     recorder.compute(
@@ -124,12 +131,58 @@ pub fn record(
     }
     recorder.plan.bounded.push(Bounded {
         what: format!("layers of the sprite of `{name}`"),
-        slot: number,
+        slot,
         capacity: layers,
         knob: Some(Knob::Layers(rank)),
         exact: true,
     });
-    [sprite, Binding::read("depth_layers", depth)]
+    Volume {
+        file: "lib/volume/vds.wgsl",
+        bindings: vec![sprite, Binding::read("depth_layers", depth)],
+    }
+}
+
+/// Records the frame of `raycast+vds:RES`.
+pub fn record_with_raycast(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    resolution: u32,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let ranks = recorder.relevance.cut_parts().to_vec();
+    probed(recorder, rasteriser, capacities, |recorder| {
+        let of_part = |(place, rank): (usize, &usize)| {
+            let volume = record(recorder, *rank, resolution, capacities);
+            (place..place + 1, volume)
+        };
+        Ok(ranks.iter().enumerate().map(of_part).collect())
+    })
+}
+
+/// Records the frame of `raycast` with images of volumes: which places of the table each image answers for.
+pub(super) fn probed(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    capacities: &Capacities,
+    images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, String>,
+) -> Result<(), String> {
+    let capacity = raycast::capacity(recorder, capacities);
+    recorder.lay_lanes(capacity);
+    let images = images(recorder)?;
+    let mask = recorder.reduced_mask();
+    let nothing = |bindings| Store {
+        file: "lib/store/nothing.wgsl",
+        bindings,
+    };
+    let emptied = nothing(vec![Binding::write("mask", mask)]);
+    let crossings = raycast::record(recorder, capacity, &emptied);
+    recorder.over_mesh(rasteriser, &nothing(Vec::new()), &crossings)?;
+    for (places, volume) in images {
+        let name = format!("probe {}", places.start);
+        recorder.probe(name, places, &volume, mask, &crossings);
+    }
+    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
+    Ok(())
 }
 
 #[allow(
@@ -165,28 +218,54 @@ fn draw(
     });
 }
 
-/// Rows from scene space to the sprite: the box, with a margin of two texels, scaled uniformly into the unit cube.
-fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -> Sprite {
+/// Axes of a sprite, s, t and depth, and how many sprites long a unit of scene space is: the shortest side of the box is the
+/// depth, and a margin of two texels is left.
+fn axes(bounds: &Bounds, resolution: u32) -> ([DVec3; 3], f64) {
     let size = bounds.size();
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let depth_axis = (0..3)
+    let all = [DVec3::X, DVec3::Y, DVec3::Z];
+    let depth = (0..3)
         .min_by(|a, b| size[*a].total_cmp(&size[*b]))
         .unwrap_or(2);
-    let (s_axis, t_axis) = ((depth_axis + 1) % 3, (depth_axis + 2) % 3);
     let margin = 4.0 / f64::from(resolution);
     let per_unit = (1.0 - margin) / size.max_element().max(1e-12);
-    let row = |axis: usize| {
-        let n = axes[axis] * per_unit;
+    let axes = [(depth + 1) % 3, (depth + 2) % 3, depth].map(|axis| all[axis]);
+    (axes, per_unit)
+}
+
+/// Rows from scene space to the sprite: the box, scaled uniformly into the unit cube.
+pub(super) fn sprite(bounds: &Bounds, resolution: u32, layers: u32, slot: u32) -> Sprite {
+    let (axes, per_unit) = axes(bounds, resolution);
+    let [s_row, t_row, depth_row] = axes.map(|axis| {
+        let n = axis * per_unit;
         let w = 0.5 - n.dot(bounds.centre());
         [n.x as f32, n.y as f32, n.z as f32, w as f32]
-    };
+    });
     Sprite {
-        s_row: row(s_axis),
-        t_row: row(t_axis),
-        depth_row: row(depth_axis),
+        s_row,
+        t_row,
+        depth_row,
         resolution,
         layers,
         slot,
         padding: 0,
+    }
+}
+
+/// The same as a view, one pixel to a texel.
+pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
+    let ([s, t, depth], per_unit) = axes(bounds, resolution);
+    let half = 0.5 / per_unit;
+    View {
+        size_px: [resolution; 2],
+        centre_px: DVec2::splat(0.5 * f64::from(resolution)),
+        eye: bounds.centre() - depth * half,
+        right: s,
+        up: -t,
+        forward: depth,
+        half_height: half,
+        orthographic: true,
+        near: 0.0,
+        far: 2.0 * half,
+        near_cap: false,
     }
 }

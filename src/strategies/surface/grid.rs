@@ -12,20 +12,17 @@ use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 
-use crate::passes::{DrawPass, Recorder, counted};
+use crate::passes::{DrawPass, Recorder, Volume, counted};
 use crate::plan::pack::{self, Quad};
-use crate::plan::{
-    Binding, Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices,
-};
+use crate::plan::{Binding, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices};
 use crate::scene::{Bounds, PreparedSurface};
-use crate::strategies::inside::vds;
+use crate::shader::Shader;
 
-/// Records the frame of `grid:N+vds:RES`.
+/// Records the frame of `grid:N+vds:RES` or `grid:N+ldi:RES`: each image of volumes with the parts that it answers for.
 pub fn record(
     recorder: &mut Recorder<'_>,
     cells: u32,
-    resolution: u32,
-    capacities: &Capacities,
+    images: impl FnOnce(&mut Recorder<'_>, &[usize]) -> Result<Vec<(Vec<usize>, Volume)>, String>,
 ) -> Result<(), String> {
     let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
     // Parts that only the near plane opens have no clip-surface to draw a grid on.
@@ -34,10 +31,11 @@ pub fn record(
         .copied()
         .filter(|r| recorder.relevance.cuts_of(*r) != 0)
         .collect();
-    let sprites: Vec<[Binding; 2]> = capped
-        .iter()
-        .map(|rank| vds::record(recorder, *rank, resolution, capacities))
-        .collect();
+    let images = if capped.is_empty() {
+        Vec::new()
+    } else {
+        images(recorder, &capped)?
+    };
 
     let (vertices, indices) = recorder.mesh();
     let bindings = vec![
@@ -61,25 +59,20 @@ pub fn record(
     });
     recorder.draw_plain_parts(false);
 
-    if capped.is_empty() {
+    if images.is_empty() {
         recorder.gather();
         return Ok(());
     }
     let grid = indices_of_grid(recorder, cells);
     let quads = quads(recorder, cells);
-    for (rank, sprite) in capped.iter().zip(sprites) {
-        let place = recorder.relevance.place_of(*rank) as u32;
-        let bits = (0..recorder.relevance.cuts.len())
-            .filter(|c| recorder.relevance.cuts_of(*rank) >> c & 1 == 1)
-            .fold(0, |b, c| b | recorder.relevance.cuts[c]);
-        let draws = (0..recorder.relevance.surfaces.len() as u32)
-            .filter(|s| bits >> s & 1 == 1)
-            .map(|s| Draw {
-                indices: 0..cells * cells * 6,
-                base_vertex: 0,
-                instance: place * 32 + s,
-            })
+    for (ranks, volume) in images {
+        let draws = (ranks.iter())
+            .flat_map(|rank| caps_of(recorder, *rank, cells))
             .collect();
+        let names: Vec<String> = (ranks.iter())
+            .map(|rank| format!("`{}`", recorder.model.prepared.parts[*rank].name))
+            .collect();
+        let first = ranks.first().map_or(0, |r| recorder.relevance.place_of(*r));
         let mut bindings = vec![
             recorder.frame(),
             recorder.cut_table(),
@@ -87,14 +80,14 @@ pub fn record(
             recorder.heights(),
             quads.clone(),
         ];
-        bindings.extend(sprite);
+        bindings.extend(volume.bindings);
         recorder.draw(DrawPass {
-            name: format!("cap {place}"),
+            name: format!("cap {first}"),
             reason: format!(
-                "the displaced grid of `{}`, cut to the solid by its sprite",
-                recorder.model.prepared.parts[*rank].name
+                "the displaced grid of {}, cut to the solid by its sprite",
+                names.join(", ")
             ),
-            shader: "strategies/surface/grid/cap.wgsl".into(),
+            shader: Shader::from("strategies/surface/grid/cap.wgsl").with(volume.file),
             bindings,
             constants: vec![("cells", f64::from(cells))],
             vertices: Vertices::None,
@@ -104,6 +97,23 @@ pub fn record(
     }
     recorder.gather();
     Ok(())
+}
+
+/// The grids of a part: one for each clip-surface that cuts it.
+fn caps_of(recorder: &Recorder<'_>, rank: usize, cells: u32) -> Vec<Draw> {
+    let relevance = &recorder.relevance;
+    let place = relevance.place_of(rank) as u32;
+    let bits = (0..relevance.cuts.len())
+        .filter(|c| relevance.cuts_of(rank) >> c & 1 == 1)
+        .fold(0, |b, c| b | relevance.cuts[c]);
+    (0..relevance.surfaces.len() as u32)
+        .filter(|s| bits >> s & 1 == 1)
+        .map(|s| Draw {
+            indices: 0..cells * cells * 6,
+            base_vertex: 0,
+            instance: place * 32 + s,
+        })
+        .collect()
 }
 
 /// Two triangles per cell, the diagonal from the first to the last corner.

@@ -7,7 +7,7 @@
 //!
 //! Cannot: hold more than 31 crossings per pixel. A longer list keeps the nearest, marks the pixel and reports its need.
 
-use crate::passes::{Crossings, Recorder, Store, pixels};
+use crate::passes::{Crossings, NEED_OF_CELLS, NEED_OF_CROSSINGS, Recorder, Store, pixels};
 use crate::plan::pack;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource};
 use crate::shader::Shader;
@@ -52,7 +52,7 @@ pub fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Cros
             },
         ),
     };
-    let need = recorder.need(2, Clock::Frame);
+    let need = recorder.need(Clock::Frame);
     let mut bindings = vec![
         recorder.frame(),
         recorder.cut_table(),
@@ -86,7 +86,7 @@ pub fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Cros
     );
     recorder.plan.bounded.push(Bounded {
         what: "crossings per pixel".to_owned(),
-        slot: 0,
+        slot: NEED_OF_CROSSINGS,
         capacity,
         knob: Some(Knob::Crossings),
         exact: false,
@@ -98,7 +98,7 @@ pub fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Cros
         });
         recorder.plan.bounded.push(Bounded {
             what: "cells of a relief along a ray".to_owned(),
-            slot: 1,
+            slot: NEED_OF_CELLS,
             capacity: limits.max().unwrap_or(0),
             knob: None,
             exact: false,

@@ -1,14 +1,15 @@
 // Counts the fragments of each texel of a sprite: the largest count is the depth complexity at the resolution used, which the
 // sprite needs as many layers for.
 
-#import cutaway::vds::{sprite, sprite_position}
+#import cutaway::sprite::sprite_position
+#import cutaway::vds::sprite
 
 @group(1) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
 @group(1) @binding(2) var<storage, read_write> need: array<atomic<u32>>;
 
 @vertex
 fn vertex(@location(0) position: vec3<f32>) -> @builtin(position) @invariant vec4<f32> {
-    return sprite_position(position);
+    return sprite_position(sprite, position);
 }
 
 @fragment

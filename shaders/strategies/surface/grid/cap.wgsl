@@ -1,12 +1,12 @@
-// Draws the cap of one part as a refined quad, displaced by the offset map in the vertex shader and cut to the solid by the
-// parity test at every fragment (Trapp & Döllner 2013, section 5). The surface lies at -f Sz along N, so that is the
-// displacement; the paper's text leaves the sign open.
+// Draws caps as refined quads, displaced by the offset map in the vertex shader and cut to the solid by the parity test at every
+// fragment (Trapp & Döllner 2013, section 5), which the open module `volume` answers. The surface lies at -f Sz along N, so that
+// is the displacement; the paper's text leaves the sign open.
 
 #import cutaway::cuts::{NO_RELIEF, cut_table, is_removed, parts}
-#import cutaway::layers::{CAP, layer_word, pack_normal}
+#import cutaway::layers::{CAP, UNRELIABLE, layer_word, pack_normal}
 #import cutaway::mesh::clip_position
 #import cutaway::relief::{cap_normal, height_at, sides_of}
-#import cutaway::vds::{sprite, sprite_from_scene}
+#import cutaway::volume::probe
 
 struct Quad {
     // Corner of the quad and its steps per cell, in scene space.
@@ -16,7 +16,6 @@ struct Quad {
 }
 
 @group(1) @binding(1) var<storage, read> quads: array<Quad>;
-@group(1) @binding(2) var depth_layers: texture_depth_2d_array;
 
 // Cells along one side of the quad.
 override cells: u32 = 256u;
@@ -46,32 +45,21 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: 
     return Corner(clip_position(point), point, what);
 }
 
-// Whether a point is inside the solid: an odd number of layers behind it. Texels hold 1 where a layer is empty.
-fn is_inside(point: vec3<f32>) -> bool {
-    let at = sprite_from_scene(point);
-    if any(at.xy < vec2<f32>(0.0)) || any(at.xy >= vec2<f32>(1.0)) {
-        return false;
-    }
-    let texel = vec2<u32>(at.xy * f32(sprite.resolution));
-    var inside = false;
-    for (var layer = 0u; layer < sprite.layers; layer++) {
-        let depth = textureLoad(depth_layers, texel, layer, 0);
-        if depth < 1.0 && at.z < depth {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec2<u32> {
     let part = parts[corner.what.x];
     let own = 1u << corner.what.y;
     let sides = sides_of(corner.point);
     let is_boundary = is_removed(sides | own, part.cuts) && !is_removed(sides & ~own, part.cuts);
-    if !is_boundary || !is_inside(corner.point) {
+    if !is_boundary {
         discard;
     }
-    let word = layer_word(CAP, cut_table.surfaces[corner.what.y].surface, part.part);
+    let answer = probe(corner.what.x, corner.point);
+    if !answer.is_inside && !answer.in_doubt {
+        discard;
+    }
+    // What may be inside is shown, for only what is shown can be marked.
+    let mark = select(0u, UNRELIABLE, answer.in_doubt);
+    let word = layer_word(CAP, cut_table.surfaces[corner.what.y].surface, part.part) | mark;
     return vec2<u32>(word, pack_normal(cap_normal(corner.what.y, corner.point)));
 }

@@ -1,0 +1,36 @@
+// Lists of fragments once they are filled: runs of the pool, in no order. Bound as @group(1) @binding(5).
+
+#define_import_path cutaway::fragment_runs
+
+#import cutaway::fragment_pool::pool
+
+@group(1) @binding(5) var<storage, read> fragments: array<u32>;
+
+struct Run {
+    // Fragments from `first` up to but not including `end` were kept.
+    first: u32,
+    end: u32,
+    // Whether there was room for all.
+    fits: bool,
+}
+
+fn run_of(list: u32) -> Run {
+    var first = 0u;
+    if list > 0u {
+        first = fragments[list - 1u];
+    }
+    let end = fragments[list];
+    return Run(first, min(end, pool.capacity), end <= pool.capacity || first == end);
+}
+
+fn depth_of(fragment: u32) -> f32 {
+    return bitcast<f32>(fragments[pool.lists + fragment]);
+}
+
+// Place of the part that a fragment belongs to.
+fn owner_of(fragment: u32) -> u32 {
+    if pool.has_owners == 0u {
+        return 0u;
+    }
+    return fragments[pool.lists + pool.capacity + fragment];
+}

@@ -1,0 +1,27 @@
+// The inside mask while it is made from what fragments left: an invocation owns its pixel, so words are plain. Behind the planes
+// of lanes is one more, which says where the answer is in doubt. Bound as @group(1) @binding(4).
+
+#define_import_path cutaway::reduced
+
+#import cutaway::frame::pixel_count
+
+@group(1) @binding(4) var<storage, read_write> mask: array<u32>;
+
+fn doubt_plane() -> u32 {
+    return arrayLength(&mask) / pixel_count() - 1u;
+}
+
+fn clear_words(pixel: u32) {
+    let last = doubt_plane();
+    for (var word = 0u; word <= last; word++) {
+        mask[word * pixel_count() + pixel] = 0u;
+    }
+}
+
+fn toggle(pixel: u32, word: u32, bits: u32) {
+    mask[word * pixel_count() + pixel] ^= bits;
+}
+
+fn doubt(pixel: u32) {
+    mask[doubt_plane() * pixel_count() + pixel] = 1u;
+}

@@ -1,0 +1,44 @@
+// The box of one part seen along a fixed axis: how images of its volume are drawn and asked (Trapp & Döllner 2013, section 5).
+//
+// Rows take a point of scene space to (s, t, depth), all in 0..1 over the part's box. Depth is linear, nearest first.
+
+#define_import_path cutaway::sprite
+
+struct Sprite {
+    s_row: vec4<f32>,
+    t_row: vec4<f32>,
+    depth_row: vec4<f32>,
+    resolution: u32,
+    layers: u32,
+    // Where this part's layer count goes in the need buffer, or where its lists are among those of all parts.
+    slot: u32,
+    padding: u32,
+}
+
+// What an image of a volume says of a point.
+struct Probe {
+    is_inside: bool,
+    // Some of the image found no room, so that the answer may be wrong.
+    in_doubt: bool,
+}
+
+fn sprite_from_scene(sprite: Sprite, point: vec3<f32>) -> vec3<f32> {
+    let p = vec4<f32>(point, 1.0);
+    return vec3<f32>(dot(sprite.s_row, p), dot(sprite.t_row, p), dot(sprite.depth_row, p));
+}
+
+// Clip position that draws a point into the sprite.
+fn sprite_position(sprite: Sprite, point: vec3<f32>) -> vec4<f32> {
+    let at = sprite_from_scene(sprite, point);
+    return vec4<f32>(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
+}
+
+// Whether a point lies beside the image, and so outside the part.
+fn is_beside(at: vec3<f32>) -> bool {
+    return any(at.xy < vec2<f32>(0.0)) || any(at.xy >= vec2<f32>(1.0));
+}
+
+// Texel of a point of the sprite.
+fn texel_of(sprite: Sprite, at: vec3<f32>) -> vec2<u32> {
+    return vec2<u32>(at.xy * f32(sprite.resolution));
+}

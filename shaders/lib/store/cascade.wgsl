@@ -1,0 +1,31 @@
+// What a fragment leaves for the inside test `kbuffer`: one more in the count, and its depth among the nearest.
+//
+// A slot keeps the greater of what it holds and what it is offered, and offers the other to the next slot. Nothing is lost on
+// the way, so the first slot ends with the nearest of all, the second with the nearest of the rest, and so on: the same in any
+// order of fragments, equal depths included. Bound as @group(1) @binding(4).
+
+#define_import_path cutaway::store
+
+#import cutaway::cascade::{cascade, first_word}
+#import cutaway::frame::pixel_count
+#import cutaway::lanes::Fragment
+
+@group(1) @binding(4) var<storage, read_write> slots: array<atomic<u32>>;
+
+fn store(fragment: Fragment) {
+    let stride = pixel_count();
+    let first = first_word(fragment.place, fragment.pixel);
+    atomicAdd(&slots[first], 1u);
+    var offered = bitcast<u32>(fragment.z);
+    for (var slot = 1u; slot <= cascade.slots && offered != 0u; slot++) {
+        offered = min(offered, atomicMax(&slots[first + slot * stride], offered));
+    }
+}
+
+fn begin(pixel: u32) {
+    let stride = pixel_count();
+    let words = cascade.lanes * (cascade.slots + 1u);
+    for (var word = 0u; word < words; word++) {
+        atomicStore(&slots[word * stride + pixel], 0u);
+    }
+}

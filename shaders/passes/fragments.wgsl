@@ -1,0 +1,27 @@
+// Every fragment of the cut parts leaves what the inside test wants of it (the open module `store`), and is not drawn: for what
+// must be known before the pass that draws surfaces.
+
+#import cutaway::cuts::parts
+#import cutaway::frame::pixel_index
+#import cutaway::lanes::{Fragment, Lane}
+#import cutaway::mesh::clip_position
+#import cutaway::store::store
+
+override lane_bits: u32 = 32u;
+
+struct Corner {
+    @builtin(position) @invariant position: vec4<f32>,
+    @location(0) @interpolate(flat) place: u32,
+}
+
+@vertex
+fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) place: u32) -> Corner {
+    return Corner(clip_position(position), place);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) {
+    let lane = Lane(parts[corner.place].lane_word, parts[corner.place].lane_shift, lane_bits);
+    // No crossing is asked for: how many are in front is not known here.
+    store(Fragment(pixel_index(vec2<u32>(corner.position.xy)), lane, corner.place, corner.position.z, 0u, front));
+}

@@ -1,0 +1,49 @@
+// Writes the mask by asking an image of the volume of each part (the open module `volume`) for the points that matter: where the
+// part goes from removed to kept, and where the ray begins if the near plane may be inside a solid. One invocation owns a pixel.
+
+#import cutaway::crossings::{crossing_heads, depth_at, surface_at}
+#import cutaway::cuts::{is_removed, parts}
+#import cutaway::frame::{frame, Ray, centre_of, pixel_index, ray_through}
+#import cutaway::reduced::{doubt, toggle}
+#import cutaway::volume::probe
+
+override lane_bits: u32 = 32u;
+override near_inside: bool = false;
+// Places of the parts that are asked for.
+override first_place: u32 = 0u;
+override end_place: u32 = 1u;
+
+fn asked(place: u32, pixel: u32, ray: Ray, depth: f32, bit: u32) -> u32 {
+    let answer = probe(place, ray.origin + depth * ray.direction);
+    if answer.in_doubt {
+        doubt(pixel);
+    }
+    return select(0u, 1u << bit, answer.is_inside);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    let head = crossing_heads[pixel];
+    let crossings = head.x & 0xffu;
+    let ray = ray_through(centre_of(id.xy));
+    for (var place = first_place; place < end_place; place++) {
+        let cuts = parts[place].cuts;
+        var bits = 0u;
+        var sides = head.y;
+        if near_inside && !is_removed(sides, cuts) {
+            bits = asked(place, pixel, ray, frame.near, lane_bits - 1u);
+        }
+        for (var i = 0u; i < crossings; i++) {
+            let after = sides ^ (1u << surface_at(i, pixel));
+            if is_removed(sides, cuts) && !is_removed(after, cuts) {
+                bits |= asked(place, pixel, ray, depth_at(i, pixel), i);
+            }
+            sides = after;
+        }
+        toggle(pixel, parts[place].lane_word, bits << parts[place].lane_shift);
+    }
+}

@@ -1,0 +1,48 @@
+// Turns counts and nearest depths of a pixel into its words of the mask: behind a crossing are all fragments but those in front
+// of it. A crossing behind the last depth that was kept may have more in front of it than are known. An invocation owns a pixel.
+
+#import cutaway::cascade::{cascade, first_word}
+#import cutaway::crossings::{crossing_heads, z_at}
+#import cutaway::cuts::parts
+#import cutaway::frame::{frame, is_behind, pixel_count, pixel_index}
+#import cutaway::reduced::{clear_words, doubt, toggle}
+
+override lane_bits: u32 = 32u;
+
+@group(1) @binding(5) var<storage, read> slots: array<u32>;
+@group(1) @binding(7) var<storage, read_write> need: array<atomic<u32>>;
+
+// Word that receives the largest count of a pixel in doubt.
+override need_at: u32 = 0u;
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    clear_words(pixel);
+    let crossings = crossing_heads[pixel].x & 0xffu;
+    for (var place = 0u; place < cascade.lanes; place++) {
+        let first = first_word(place, pixel);
+        let count = slots[first];
+        let kept = min(count, cascade.slots);
+        var bits = (count & 1u) << (lane_bits - 1u);
+        var in_front = 0u;
+        for (var i = 0u; i < crossings; i++) {
+            let crossing = z_at(i, pixel);
+            for (var k = in_front; k < kept; k++) {
+                if is_behind(bitcast<f32>(slots[first + (k + 1u) * pixel_count()]), crossing) {
+                    break;
+                }
+                in_front += 1u;
+            }
+            if in_front == cascade.slots && count > cascade.slots {
+                doubt(pixel);
+                atomicMax(&need[need_at], count);
+            }
+            bits |= ((count - in_front) & 1u) << i;
+        }
+        toggle(pixel, parts[place].lane_word, bits << parts[place].lane_shift);
+    }
+}

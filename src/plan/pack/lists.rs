@@ -1,0 +1,31 @@
+//! Shared structs of what keeps fragments.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::Layout;
+
+shared! {
+    /// Lists of fragments in one buffer: `shaders/lib/fragment_pool.wgsl`.
+    FragmentPool {
+        /// How many lists.
+        lists: u32,
+        /// Fragments in all of them together.
+        capacity: u32,
+        /// 1 where each fragment has an owner.
+        has_owners: u32,
+        /// Number of the first list that a pass knows.
+        first_list: u32,
+    }
+}
+
+shared! {
+    /// The nearest fragments of each pixel and part: `shaders/lib/cascade.wgsl`.
+    Cascade {
+        /// How many are kept.
+        slots: u32,
+        /// Parts.
+        lanes: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
+}

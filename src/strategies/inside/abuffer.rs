@@ -1,0 +1,67 @@
+//! `abuffer`: all fragments of each pixel, kept as lists (Carpenter 1984).
+//!
+//! One pass over the mesh counts the fragments of each pixel, a prefix sum lays their lists out one after the other, and the
+//! pass that finds the surfaces fills them with depths. A pass per pixel then ranks each depth in the list of crossings and
+//! turns the list into the very words that `mask` writes at once: a crossing is inside where an odd number of depths lies
+//! behind it. No list is sorted, for parity asks for no order.
+//!
+//! Per frame: two mesh passes, a prefix sum of one to five passes, one reduction, one resolve; 4 bytes per pixel and per
+//! fragment, 8 per fragment where several parts are cut. Exact for closed meshes up to ties of f32, as `mask` is; the full
+//! depth is kept. What it has over `mask`: the fragments themselves, to ask other questions of.
+//!
+//! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; more
+//! than a storage binding holds are refused.
+
+use crate::passes::{Inside, Rasteriser, Recorder, pixels};
+use crate::plan::{Binding, Capacities, Clock};
+use crate::strategies::surface::raycast;
+
+/// What is bounded, for the report of a frame that needs more.
+const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
+
+/// Records the frame of `raycast+abuffer`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let capacity = raycast::capacity(recorder, capacities);
+    recorder.lay_lanes(capacity);
+    let several = recorder.relevance.lanes > 1;
+    let lists = recorder.fragment_lists(
+        pixels(recorder.view.size_px),
+        several,
+        capacities,
+        FRAGMENTS_OF_PIXELS,
+    )?;
+    let crossings = raycast::record(recorder, capacity, &lists.counting());
+    recorder.leave_fragments(
+        rasteriser,
+        "count",
+        "how many fragments each pixel has",
+        &lists.counting(),
+    )?;
+    let need = recorder.need(Clock::Frame);
+    recorder.lay_out(&lists, "fragments of each pixel", need);
+    recorder.over_mesh(rasteriser, &lists.keeping(), &crossings)?;
+    let mask = recorder.reduced_mask();
+    let mut bindings = vec![
+        recorder.frame(),
+        recorder.cut_table(),
+        recorder.parts(),
+        Binding::write("mask", mask),
+    ];
+    bindings.extend(lists.read());
+    bindings.extend(crossings.bindings());
+    recorder.compute(
+        "reduce",
+        Clock::Frame,
+        "the fragments of a pixel become its words of the mask",
+        "strategies/inside/abuffer/reduce.wgsl",
+        bindings,
+        vec![("lane_bits", f64::from(recorder.lane_bits))],
+        recorder.view.size_px,
+    );
+    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
+    Ok(())
+}

@@ -1,0 +1,86 @@
+//! `kbuffer:K`: of each pixel and part the K nearest fragments, and how many there are (Bavoil et al. 2007).
+//!
+//! A fragment is offered to the slots of its pixel from the nearest on; each keeps the greater depth-buffer value and offers
+//! the other to the next, by one atomic maximum: no lock, no order, no list to lay out. Behind a crossing are all fragments
+//! but those in front of it, so that fragments cut off by the near plane do no harm: they are missing from both. A pass per pixel turns counts and slots into the
+//! very words that `mask` writes at once.
+//!
+//! Per frame: one mesh pass of up to K + 1 atomics a fragment, one reduction, one resolve; 4 (K + 1) bytes per pixel and cut
+//! part. Exact, as `mask` is, where no crossing lies behind the K-th fragment of a pixel that has more.
+//!
+//! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
+//! the user's number and does not grow by itself.
+
+use crate::passes::{Inside, NEED_OF_FRAGMENTS, Rasteriser, Recorder, Store, pixels};
+use crate::plan::pack::Cascade;
+use crate::plan::{Binding, Bounded, Capacities, Clock, Contents, Resource, Role};
+use crate::strategies::surface::raycast;
+
+/// Records the frame of `raycast+kbuffer:K`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    depths: u32,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let capacity = raycast::capacity(recorder, capacities);
+    recorder.lay_lanes(capacity);
+    let lanes = recorder.relevance.lanes;
+    let bytes = pixels(recorder.view.size_px) * 4 * lanes as u64 * u64::from(depths + 1);
+    let slots = recorder.once("nearest fragments", |_| {
+        Resource::storage("nearest fragments", bytes, Clock::Frame)
+    });
+    let cascade = Cascade {
+        slots: depths,
+        lanes: lanes as u32,
+        padding: [0; 2],
+    };
+    let table = recorder.once("cascade", |_| {
+        Resource::upload(
+            "cascade",
+            Role::Uniform,
+            Contents::of(&[cascade]),
+            Clock::Cut,
+        )
+    });
+    let cascade = Binding::read("cascade", table);
+    let store = Store {
+        file: "lib/store/cascade.wgsl",
+        bindings: vec![Binding::update("slots", slots), cascade.clone()],
+    };
+    let crossings = raycast::record(recorder, capacity, &store);
+    recorder.over_mesh(rasteriser, &store, &crossings)?;
+    let mask = recorder.reduced_mask();
+    let need = recorder.need(Clock::Frame);
+    let bindings = vec![
+        recorder.frame(),
+        recorder.parts(),
+        Binding::read("crossing_heads", crossings.heads),
+        Binding::read("crossing_z", crossings.z),
+        cascade,
+        Binding::read("slots", slots),
+        Binding::write("mask", mask),
+        Binding::update("need", need),
+    ];
+    recorder.compute(
+        "reduce",
+        Clock::Frame,
+        "counts and nearest depths of a pixel become its words of the mask",
+        "strategies/inside/kbuffer/reduce.wgsl",
+        bindings,
+        vec![
+            ("lane_bits", f64::from(recorder.lane_bits)),
+            ("need_at", f64::from(NEED_OF_FRAGMENTS)),
+        ],
+        recorder.view.size_px,
+    );
+    recorder.plan.bounded.push(Bounded {
+        what: "fragments per pixel and part".to_owned(),
+        slot: NEED_OF_FRAGMENTS,
+        capacity: depths,
+        knob: None,
+        exact: false,
+    });
+    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
+    Ok(())
+}
