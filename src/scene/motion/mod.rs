@@ -8,6 +8,7 @@
 //! their order; all in part space. The placement of the part follows. Normals go with the cofactors of what was applied.
 
 mod deform;
+mod outward;
 mod pose;
 mod rig;
 
@@ -34,6 +35,9 @@ pub struct Motion {
     pub first_pull: Vec<u32>,
     /// Pulls of all positions, one after the other.
     pub pulls: Vec<Pull>,
+    /// Unit vectors out of the rest mesh, as [`Mesh::outward`](super::Mesh::outward) finds them; empty unless something
+    /// inflates the part.
+    pub outward: Vec<DVec3>,
 }
 
 impl Motion {

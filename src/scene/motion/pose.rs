@@ -34,6 +34,7 @@ impl Part {
 
 fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
     let mut point = rest;
+    let mut normal = motion.outward.get(index).copied().unwrap_or_default();
     for (target, weight) in motion.targets.iter().zip(&pose.weights) {
         point += target[index] * *weight;
     }
@@ -47,6 +48,16 @@ fn posed(motion: &Motion, pose: &Pose, index: usize, rest: DVec3) -> DVec3 {
             moved += joint.translation * f64::from(pull.weight);
         }
         point = linear * point + moved;
+        normal = cofactors(linear) * normal;
+    }
+    for deformer in &pose.deformers {
+        (point, normal) = deformer.apply(point, normal);
     }
     point
+}
+
+/// What takes normals where a matrix takes points.
+fn cofactors(m: DMat3) -> DMat3 {
+    let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis];
+    DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b))
 }
