@@ -70,7 +70,7 @@ pub(super) fn judge(
     let view = opened.view(&model.prepared);
     console.step("exact");
     let started = now();
-    let exact = evaluate(&model.prepared, &view);
+    let exact = evaluate(&model.truth(&opened.scene), &view);
     let exact_ms = started.elapsed().as_secs_f64() * 1e3;
 
     let mut frames = Vec::with_capacity(strategies.len());

@@ -84,7 +84,7 @@ pub(super) fn draw(
         let view = view.sampled_at(at);
         let (rgba, layers) = match drawer {
             Drawer::Exact => {
-                let layers = evaluate(&model.prepared, &view).layers;
+                let layers = evaluate(&model.truth(&opened.scene), &view).layers;
                 (session.shade(model, &view, &layers)?, Some(layers))
             }
             Drawer::By(strategy) => {

@@ -246,7 +246,7 @@ impl Facts {
                 let started = now();
                 let exact = outputs
                     .want_facts()
-                    .then(|| evaluate(&model.prepared, &view));
+                    .then(|| evaluate(&model.truth(&opened.scene), &view));
                 Ok(Self {
                     outcome: Outcome::Complete,
                     layers: exact.map(|e| e.layers),

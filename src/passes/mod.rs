@@ -3,16 +3,20 @@
 
 mod crossings;
 mod model;
+mod packed;
 mod picture;
+mod pose;
 mod rasterise;
 mod rasteriser;
 mod recorder;
 mod relevance;
 mod resolve;
+mod rest;
 mod solid;
 
 pub use crossings::Crossings;
 pub use model::{MeshRange, Model};
+pub use pose::Moving;
 pub use rasterise::INVOCATIONS_PER_ROW;
 pub use rasteriser::Rasteriser;
 pub use recorder::{DrawPass, Recorder, Targets, counted, pixels};

@@ -146,7 +146,7 @@ impl Recorder<'_> {
         let indices = self.uploaded("indices", Role::Index, Clock::Solid, |r| {
             r.model.indices.clone()
         });
-        let vertex_count = (self.model.vertices.0.len() / 16) as u32;
+        let vertex_count = (self.model.vertices.len() / 16) as u32;
         let size_px = self.view.size_px;
         let mut made = |name, words: u64| {
             self.once(name, |_| Resource::storage(name, words * 4, Clock::Frame))
@@ -266,7 +266,7 @@ impl Recorder<'_> {
 }
 
 /// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
-fn groups_along(items: u32) -> [u32; 3] {
+pub(super) fn groups_along(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(GROUP).max(1);
     let row = INVOCATIONS_PER_ROW / GROUP;
     [groups.min(row), groups.div_ceil(row), 1]

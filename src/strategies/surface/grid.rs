@@ -77,6 +77,7 @@ pub fn record(
             .map(|s| Draw {
                 indices: 0..cells * cells * 6,
                 base_vertex: 0,
+                vertex_count: 0,
                 instance: place * 32 + s,
             })
             .collect();
