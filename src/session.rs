@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
-use crate::plan::{Capacities, Contents, Plan};
+use crate::plan::{Capacities, Clock, Due, Plan};
 use crate::scene::View;
 use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
@@ -53,10 +53,18 @@ impl Outcome {
 pub struct Drawn {
     /// How it ended.
     pub outcome: Outcome,
-    /// The clocks that ran in the last try.
+    /// The clocks on which something changed.
     pub clocks: ClockSet,
-    /// Their times.
+    /// Times of the passes that ran in the last try, which are all that the frame took.
     pub times: RunTimes,
+}
+
+impl Drawn {
+    /// Names of the passes of a clock that ran.
+    pub fn ran_on(&self, clock: Clock) -> Vec<&str> {
+        let ran = self.times.passes.iter().filter(|p| p.clock == clock);
+        ran.map(|p| p.name.as_str()).collect()
+    }
 }
 
 #[derive(Default)]
@@ -64,8 +72,8 @@ struct Slot {
     program: Program,
     capacities: Option<Capacities>,
     size_px: [u32; 2],
-    /// The solids that the capacities were learnt from.
-    vertices: Option<Contents>,
+    /// The model that the capacities were learnt from.
+    model: Option<Model>,
     /// Why the last call left no frame to read, if it did.
     refused: Option<String>,
 }
@@ -126,31 +134,32 @@ impl Session {
             .wide_atomics
             .get_or_insert(self.gpu.limits().wide_atomics);
         let slot = self.slots.entry(name).or_default();
-        let same = slot.size_px == view.size_px && slot.vertices.as_ref() == Some(&model.vertices);
-        if !same {
+        let kin = slot.model.as_ref().is_some_and(|m| m.is_kin_of(model));
+        if slot.size_px != view.size_px || !kin {
             // What one solid needed at one size says nothing of another.
             slot.capacities = None;
-            slot.vertices = Some(model.vertices.clone());
         }
+        slot.model = Some(model.clone());
         slot.size_px = view.size_px;
         slot.refused = Some("it has drawn no frame".to_owned());
         let mut overflow = String::new();
         let mut last = None;
-        let mut owed = ClockSet::NONE;
+        let mut owed = Due::default();
         for _ in 0..MOST_TRIES {
             let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
             let plan = match strategies::record_with(model, view, strategy, &options, capacities) {
                 Ok(plan) => plan,
                 Err(refusal) => return Ok(slot.refuse(refusal.reason)),
             };
-            let changed = match slot.program.load(&self.gpu, plan) {
-                Ok(changed) => changed,
+            let due = match slot.program.load(&self.gpu, plan) {
+                Ok(due) => due.clone(),
                 Err(Error::Limit(reason)) => return Ok(slot.refuse(reason)),
                 Err(e) => return Err(e),
             };
-            let clocks = changed.union(owed);
             slot.program.clear_needs_of_frame(&self.gpu)?;
-            let times = slot.program.run_changed(&self.gpu, clocks)?;
+            // The last try does all that the frame takes, so that its times are those of the frame.
+            owed.add(&due);
+            let times = slot.program.run_due(&self.gpu, &owed)?;
             let needs = slot.program.needs(&self.gpu)?;
             let mut grown = false;
             overflow.clear();
@@ -171,13 +180,12 @@ impl Session {
             }
             last = Some(Drawn {
                 outcome: Outcome::Complete,
-                clocks,
+                clocks: owed.clocks.iter().copied().collect(),
                 times,
             });
             if !grown {
                 break;
             }
-            owed = clocks;
         }
         let mut drawn = last.ok_or_else(|| Error::Plan("no frame was drawn".to_owned()))?;
         slot.refused = None;
@@ -211,6 +219,11 @@ impl Session {
     /// The plan of the last frame of a strategy.
     pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
         Ok(self.slot(strategy)?.program.plan())
+    }
+
+    /// Bytes on the device that the last frame of a strategy has on a clock, as [`Program::allocated_on`] counts them.
+    pub fn allocated_on(&self, strategy: &Strategy, clock: Clock, is_scene: bool) -> Result<u64> {
+        Ok(self.slot(strategy)?.program.allocated_on(clock, is_scene))
     }
 
     /// Shades layers that come from elsewhere, by the same pass as a strategy's.

@@ -6,8 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
-    Cascade, ClipSurface, CutTable, DrawnPart, FragmentPool, Frame, Layout, MAX_CUTS, MAX_SURFACES,
-    MOST_DRAWN_PARTS, NO_RELIEF, Part, Quad, RayRow, RaySurface, Sprite, Sweep,
+    self, Cascade, ClipSurface, CutTable, Deformer, DrawnPart, FragmentPool, Frame, Layout,
+    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Quad, RayRow,
+    RaySurface, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -187,6 +188,8 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<DrawnPart>(&modules);
     holds_in_all_shaders::<FragmentPool>(&modules);
     holds_in_all_shaders::<Cascade>(&modules);
+    holds_in_all_shaders::<Pose>(&modules);
+    holds_in_all_shaders::<Deformer>(&modules);
     // The list above is all there is: a struct added to the file must be added here.
     let files = [
         include_str!("../src/plan/pack.rs"),
@@ -196,7 +199,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 12, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 14, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -319,8 +322,9 @@ fn constants_have_one_value_on_both_sides() {
     }
     // Constants that no whole shader imports are composed here, lest they drift unseen.
     let rest = "#import cutaway::cuts::MAX_SURFACES\n#import cutaway::relief::{REPEAT, MIRROR}\n\
+        #import cutaway::deformers::{TWIST, BEND, WAVE, INFLATE}\n\
         @group(0) @binding(9) var<storage, read_write> words: array<u32>;\n\
-        @compute @workgroup_size(1) fn main() { words[0] = MAX_SURFACES + REPEAT + MIRROR; }";
+        @compute @workgroup_size(1) fn main() { words[0] = MAX_SURFACES + REPEAT + MIRROR + TWIST + BEND + WAVE + INFLATE; }";
     let rest = shader::compose_text("rest", rest).unwrap_or_else(|e| panic!("{e}"));
     for (name, value) in constants(&rest) {
         all.entry(name).or_default().insert(value);
@@ -359,6 +363,10 @@ fn constants_have_one_value_on_both_sides() {
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
         ("BLOCK_WORDS", BLOCK_WORDS),
         ("NO_LANE", NO_LANE),
+        ("TWIST", pack::TWIST),
+        ("BEND", pack::BEND),
+        ("WAVE", pack::WAVE),
+        ("INFLATE", pack::INFLATE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),
         ("MIRROR", Wrap::Mirror.code()),
@@ -387,6 +395,7 @@ fn constants_have_one_value_on_both_sides() {
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
         ("RayTable", "surfaces", MAX_SURFACES as u32),
         ("DrawnParts", "parts", MOST_DRAWN_PARTS as u32),
+        ("Deformers", "rows", MOST_DEFORMERS as u32),
     ] {
         let found = lengths.get(&(of.to_owned(), field.to_owned()));
         assert_eq!(found, Some(&length), "length of {of}.{field}");

@@ -1,50 +1,48 @@
 //! A scene as strategies draw it and as exact is asked about it: the one place that makes both.
 //!
-//! Exact is always asked about meshes posed in f64 on the CPU. What strategies are given is the business of
-//! [`drawn_scene`] alone; where that is the same scene, it is prepared once for both.
+//! Exact is always asked about meshes posed in f64 on the CPU; strategies pose them on the device. Where nothing is posed, a
+//! scene is prepared once for both.
 
-use std::borrow::Cow;
+use std::sync::OnceLock;
 
 use crate::passes::Model;
-use crate::scene::{Part, Prepared, Scene};
+use crate::scene::{Prepared, Scene};
 
 /// A scene at one time, ready to be drawn and judged.
 pub(super) struct Shown {
     /// What strategies draw.
     pub(super) model: Model,
-    /// What exact is asked about, where it is not the same.
-    truth: Option<Prepared>,
+    scene: Scene,
+    /// What exact is asked about, once it is.
+    truth: OnceLock<Prepared>,
 }
 
 impl Shown {
     /// Prepares a scene.
     pub(super) fn of(scene: &Scene) -> Self {
-        let drawn = drawn_scene(scene);
-        let truth = is_posed(&drawn).then(|| Prepared::of(&drawn.posed()));
+        Self::with(Model::of(scene), scene)
+    }
+
+    /// Prepares a scene that follows this one in time; what has not changed is not prepared again.
+    pub(super) fn updated(&self, scene: &Scene) -> Self {
+        Self::with(self.model.updated(scene), scene)
+    }
+
+    fn with(model: Model, scene: &Scene) -> Self {
         Self {
-            model: Model::of(&drawn),
-            truth,
+            model,
+            scene: scene.clone(),
+            truth: OnceLock::new(),
         }
     }
 
     /// What exact is asked about.
     pub(super) fn truth(&self) -> &Prepared {
-        self.truth.as_ref().unwrap_or(&self.model.prepared)
+        if self.model.prepared.is_whole() {
+            return &self.model.prepared;
+        }
+        self.truth.get_or_init(|| Prepared::of(&self.scene))
     }
-}
-
-/// What strategies are given of a scene: meshes that are posed beforehand, as long as no pass poses them.
-fn drawn_scene(scene: &Scene) -> Cow<'_, Scene> {
-    if is_posed(scene) {
-        Cow::Owned(scene.posed())
-    } else {
-        Cow::Borrowed(scene)
-    }
-}
-
-fn is_posed(scene: &Scene) -> bool {
-    let is_moved = |p: &Part| !p.pose.is_rest();
-    scene.parts.iter().any(is_moved)
 }
 
 #[cfg(test)]

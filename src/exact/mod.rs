@@ -65,7 +65,16 @@ impl Exact {
 }
 
 /// Evaluates a scene for a view.
+///
+/// # Panics
+///
+/// If a device was to place some of its parts: what is asked must be the whole truth, as
+/// [`Model::truth`](crate::Model::truth) and [`Prepared::of`] have it.
 pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
+    assert!(
+        prepared.is_whole(),
+        "the exact reference was asked about a scene without the vertices of parts that move"
+    );
     let [width, height] = view.size_px;
     let scene = Lines::of(prepared, view);
     let mut exact = Exact {

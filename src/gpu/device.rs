@@ -45,8 +45,8 @@ pub struct Gpu {
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
 }
 
-/// Contents of at least this many bytes are kept once for all programs, which therefore must not write to them.
-pub(super) const SHARED_FROM_BYTES: usize = 1 << 16;
+/// Contents of at least this many bytes are worth sharing.
+const SHARED_FROM_BYTES: u64 = 1 << 16;
 
 impl Gpu {
     /// Opens a device.
@@ -176,38 +176,44 @@ impl Gpu {
         }
     }
 
-    /// A buffer with contents; large ones are shared between programs.
+    /// A buffer with contents; large ones that stay as they are are shared between programs.
     pub(super) fn buffer_with(
         &self,
         label: &str,
         contents: &Contents,
         usage: wgpu::BufferUsages,
     ) -> wgpu::Buffer {
-        let bytes: &[u8] = &contents.0;
-        let sharable = bytes.len() >= SHARED_FROM_BYTES;
+        let sharable = is_shared(contents);
         let mut shared = lock(&self.shared);
         if sharable {
             // Contents that no plan holds any more are let go.
-            shared.retain(|(c, _, _)| Arc::strong_count(&c.0) > 1);
+            shared.retain(|(c, _, _)| c.is_held_elsewhere());
             let known = shared
                 .iter()
-                .find(|(c, u, _)| Arc::ptr_eq(&c.0, &contents.0) && *u == usage);
+                .find(|(c, u, _)| c.is_same(contents) && *u == usage);
             if let Some((_, _, buffer)) = known {
                 return buffer.clone();
             }
         }
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
-            size: (bytes.len() as u64).next_multiple_of(4),
+            size: contents.len().next_multiple_of(4),
             usage: usage | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        self.queue.write_buffer(&buffer, 0, bytes);
+        for piece in contents.pieces() {
+            self.queue.write_buffer(&buffer, piece.offset, &piece.bytes);
+        }
         if sharable {
             shared.push((contents.clone(), usage, buffer.clone()));
         }
         buffer
     }
+}
+
+/// Whether contents are kept once for all programs, which therefore must not write to them.
+pub(super) fn is_shared(contents: &Contents) -> bool {
+    contents.len() >= SHARED_FROM_BYTES && !contents.changes()
 }
 
 /// A poisoned lock only means that another thread panicked while it held plain data.

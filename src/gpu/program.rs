@@ -1,18 +1,18 @@
 //! A plan made real: its resources, pipelines and bind groups, kept as long as the plan keeps its structure.
 //!
 //! Loading a plan compares it with the one before. Resources of the same name and shape stay, contents that are equal are
-//! not uploaded again, and the clocks whose inputs or passes changed are reported, so that only those run. A frame of an
-//! unchanged plan allocates nothing.
+//! not uploaded again, and the passes whose inputs changed are found ([`Plan::due_after`]), so that only those run. A frame of
+//! an unchanged plan allocates nothing.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Gpu;
-use super::device::SHARED_FROM_BYTES;
+use super::device::is_shared;
 use super::draw::{Pipelines, Step};
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
+use crate::plan::{Clock, Due, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
 use crate::{Error, Result};
 
 /// A resource on the device.
@@ -31,33 +31,36 @@ pub struct Program {
     pipelines: Pipelines,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
-    /// Clocks whose inputs changed and whose passes have not run since, be it because a run failed.
-    pending: ClockSet,
+    /// What has not run since its inputs changed, be it because a run failed.
+    due: Due,
 }
 
 impl Program {
-    /// Loads a plan; returns the clocks that must run before the next frame is right.
-    pub fn load(&mut self, gpu: &Gpu, plan: Plan) -> Result<ClockSet> {
+    /// Loads a plan; returns what must run before the next frame is right.
+    pub fn load(&mut self, gpu: &Gpu, plan: Plan) -> Result<&Due> {
         let mut rebind = self.steps.is_empty() || !same_structure(&plan, &self.plan);
         if rebind {
             plan.check(gpu.limits())?;
         }
-        let mut dirty = ClockSet::FRAME;
+        let mut remade: BTreeSet<&str> = BTreeSet::new();
         for resource in &plan.resources {
             let before = self.plan.resources.iter().find(|r| r.name == resource.name);
+            let uploaded = before.and_then(|b| b.contents.as_ref());
             let kept = self
                 .real
                 .get(&resource.name)
                 .is_some_and(|(shape, _)| *shape == resource.shape);
-            let same_contents = before.is_some_and(|b| b.contents == resource.contents);
-            if kept && same_contents {
-                continue;
-            }
-            dirty = dirty.with(resource.clock);
-            let in_place = match (&resource.contents, self.real.get(&resource.name)) {
+            let in_place = match (&resource.contents, uploaded, self.real.get(&resource.name)) {
+                _ if !kept => false,
+                (None, None, _) => true,
+                (Some(new), Some(old), _) if new == old => true,
                 // Shared contents must not be overwritten: other programs read them.
-                (Some(c), Some((_, Real::Buffer(b)))) if kept && c.0.len() < SHARED_FROM_BYTES => {
-                    gpu.queue.write_buffer(b, 0, &c.0);
+                (Some(new), Some(old), Some((_, Real::Buffer(buffer))))
+                    if !is_shared(new) && !is_shared(old) && new.changes() == old.changes() =>
+                {
+                    for piece in new.not_in(old) {
+                        gpu.queue.write_buffer(buffer, piece.offset, &piece.bytes);
+                    }
                     true
                 }
                 _ => false,
@@ -65,17 +68,17 @@ impl Program {
             if !in_place {
                 self.real
                     .insert(resource.name.clone(), (resource.shape, make(gpu, resource)));
+                remade.insert(&resource.name);
                 rebind = true;
             }
         }
-        for clock in Clock::ALL {
-            if !plan.passes_on(clock).eq(self.plan.passes_on(clock)) {
-                dirty = dirty.with(clock);
-            }
-        }
+        let due = plan.due_after(&self.plan, |r| remade.contains(r.name.as_str()));
+        self.due.add(&due);
+        self.due
+            .passes
+            .retain(|name| plan.passes.iter().any(|p| p.name == *name));
         self.real
             .retain(|name, _| plan.resource_named(name).is_some());
-        self.pending = self.pending.union(dirty);
         if rebind {
             // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
             self.plan = Plan::default();
@@ -87,7 +90,7 @@ impl Program {
             self.steps = steps;
         }
         self.plan = plan;
-        Ok(self.pending)
+        Ok(&self.due)
     }
 
     /// The loaded plan.
@@ -95,25 +98,56 @@ impl Program {
         &self.plan
     }
 
-    /// Runs the passes of some clocks and of all that changed, and waits for them.
-    pub fn run_changed(&mut self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
-        let times = self.run(gpu, clocks.union(self.pending))?;
-        self.pending = ClockSet::NONE;
+    /// Bytes of the buffers and textures that were made for resources of a clock: those of the scene, or those that are not.
+    /// Contents that several programs share count for each of them.
+    pub fn allocated_on(&self, clock: Clock, is_scene: bool) -> u64 {
+        let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
+        let resources = self.plan.resources.iter().filter(wanted);
+        resources
+            .filter_map(|r| self.real.get(&r.name))
+            .map(|(_, real)| match real {
+                Real::Buffer(buffer) => buffer.size(),
+                Real::Texture(texture) => {
+                    let size = texture.size();
+                    let texels = u64::from(size.width) * u64::from(size.height);
+                    let texel_bytes = texture.format().block_copy_size(None).unwrap_or(0);
+                    texels * u64::from(size.depth_or_array_layers) * u64::from(texel_bytes)
+                }
+            })
+            .sum()
+    }
+
+    /// Runs what is due and some passes besides, by name, and waits for them.
+    pub fn run_due(&mut self, gpu: &Gpu, besides: &Due) -> Result<RunTimes> {
+        let due = &self.due.passes;
+        let times = self.run_passes(gpu, |pass| {
+            due.contains(&pass.name) || besides.passes.contains(&pass.name)
+        })?;
+        self.due = Due::default();
         Ok(times)
     }
 
     /// Runs the passes of some clocks and waits for them.
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        self.run_passes(gpu, |pass| clocks.contains(pass.clock))
+    }
+
+    fn run_passes(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
         match &self.stopwatch {
-            Some(stopwatch) => self.run_stamped(gpu, clocks, stopwatch),
-            None => self.run_by_the_wall(gpu, clocks),
+            Some(stopwatch) => self.run_stamped(gpu, runs, stopwatch),
+            None => self.run_by_the_wall(gpu, runs),
         }
     }
 
-    fn run_stamped(&self, gpu: &Gpu, clocks: ClockSet, stopwatch: &Stopwatch) -> Result<RunTimes> {
+    fn run_stamped(
+        &self,
+        gpu: &Gpu,
+        runs: impl Fn(&Pass) -> bool,
+        stopwatch: &Stopwatch,
+    ) -> Result<RunTimes> {
         let mut encoder = new_encoder(gpu);
         let mut ran = Vec::with_capacity(self.steps.len());
-        for (index, pass, step) in self.steps_on(clocks) {
+        for (index, pass, step) in self.steps_that(runs) {
             step.encode(&mut encoder, Some(stopwatch), index);
             ran.push((index, pass.name.as_str(), pass.clock));
         }
@@ -124,10 +158,10 @@ impl Program {
     }
 
     /// One submission per pass, each waited for: the price of a time for each where the device has none to give.
-    fn run_by_the_wall(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+    fn run_by_the_wall(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
         gpu.wait()?;
         let mut passes = Vec::with_capacity(self.steps.len());
-        for (index, pass, step) in self.steps_on(clocks) {
+        for (index, pass, step) in self.steps_that(runs) {
             let started = Stopwatch::now();
             let mut encoder = new_encoder(gpu);
             step.encode(&mut encoder, None, index);
@@ -142,9 +176,12 @@ impl Program {
         Ok(RunTimes::sum(passes))
     }
 
-    fn steps_on(&self, clocks: ClockSet) -> impl Iterator<Item = (usize, &Pass, &Step)> {
+    fn steps_that(
+        &self,
+        runs: impl Fn(&Pass) -> bool,
+    ) -> impl Iterator<Item = (usize, &Pass, &Step)> {
         let all = self.plan.passes.iter().zip(&self.steps).enumerate();
-        all.filter(move |(_, (pass, _))| clocks.contains(pass.clock))
+        all.filter(move |(_, (pass, _))| runs(pass))
             .map(|(index, (pass, step))| (index, pass, step))
     }
 
@@ -282,7 +319,9 @@ fn make(gpu: &Gpu, resource: &Resource) -> Real {
         Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
         Role::Uniform => wgpu::BufferUsages::UNIFORM,
         // The compute rasteriser reads the mesh from the same buffers as the GPU's own.
-        Role::Vertex => wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE,
+        Role::Vertex => {
+            wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
+        }
         Role::Index => wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE,
     };
     match (resource.shape, &resource.contents) {

@@ -39,6 +39,12 @@ impl ClockSet {
     }
 }
 
+impl FromIterator<Clock> for ClockSet {
+    fn from_iter<T: IntoIterator<Item = Clock>>(clocks: T) -> Self {
+        clocks.into_iter().fold(Self::NONE, Self::with)
+    }
+}
+
 /// Time of one pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTime {

@@ -1,19 +1,26 @@
-//! A scene packed for upload, once: vertices, indices and heights do not change with the view or the strategy.
+//! A scene packed for upload: vertices, indices and heights do not change with the view or the strategy.
+//!
+//! A scene that moves is packed once by [`Model::of`] and then, frame by frame, by [`Model::updated`], which looks only at what
+//! is not the very same object as before: its cost does not depend on the triangles of parts that keep their mesh.
 
+use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::packed::{self, Packed, Room};
+use super::pose::{Moving, Standing};
 use crate::plan::Contents;
-use crate::plan::pack::{NO_RELIEF, flat_height, pack_normal};
-use crate::scene::{Prepared, Scene};
+use crate::plan::pack::{NO_RELIEF, flat_height};
+use crate::scene::{OffsetMap, Prepared, PreparedPart, PreparedSurface, Scene, SceneSpace};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-struct Vertex {
-    position: [f32; 3],
-    normal: u32,
+pub(super) struct Vertex {
+    pub(super) position: [f32; 3],
+    pub(super) normal: u32,
 }
 
 /// Where a part is in the shared buffers.
@@ -23,95 +30,121 @@ pub struct MeshRange {
     pub indices: Range<u32>,
     /// Added to each index.
     pub base_vertex: i32,
+    /// Vertices from there on.
+    pub vertex_count: u32,
 }
 
 /// A scene ready to be recorded.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// The scene in scene space.
+    /// The scene in scene space, without the vertices of parts that move: [`Model::truth`] has all of them.
     pub prepared: Prepared,
-    /// Vertices of all parts.
+    /// Vertices of all parts, with room for those that the pose pass writes.
     pub vertices: Contents,
     /// Indices of all parts.
     pub indices: Contents,
     /// Where each part is, by rank.
     pub ranges: Vec<MeshRange>,
+    /// The parts that the pose pass places, by rank.
+    pub moving: Vec<Option<Moving>>,
     /// Heights of all reliefs, one after the other; parts that share a map share its texels.
     pub heights: Contents,
     /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
     pub first_texel: Vec<u32>,
+    /// The maps that `heights` holds.
+    maps: Vec<Arc<OffsetMap>>,
+    /// By index in the scene.
+    packed: Arc<Vec<Packed>>,
+    rooms: Vec<Room>,
+    lineage: Arc<()>,
 }
 
 impl Model {
     /// Packs a scene.
     pub fn of(scene: &Scene) -> Self {
-        Self::of_prepared(Prepared::of(scene))
+        Self::after(scene, None)
     }
 
-    /// Packs a prepared scene.
-    pub fn of_prepared(prepared: Prepared) -> Self {
-        let meshes: Vec<(Vec<Vertex>, Vec<u32>)> = prepared
-            .parts
-            .par_iter()
-            .map(|part| {
-                let shading = &part.shading;
-                let vertices = shading
-                    .positions_of_vertex
-                    .iter()
-                    .zip(&shading.normals)
-                    .map(|(p, n)| Vertex {
-                        position: part.positions[*p as usize].to_array(),
-                        normal: pack_normal(*n),
-                    });
-                (
-                    vertices.collect(),
-                    shading.triangles.as_flattened().to_vec(),
-                )
-            })
-            .collect();
-        let mut ranges = Vec::with_capacity(meshes.len());
-        let (mut first_index, mut base_vertex) = (0_u32, 0_i32);
-        for (vertices, indices) in &meshes {
-            let end = first_index + indices.len() as u32;
-            ranges.push(MeshRange {
-                indices: first_index..end,
-                base_vertex,
-            });
-            first_index = end;
-            base_vertex += vertices.len() as i32;
-        }
-        let (vertices, indices): (Vec<_>, Vec<_>) = meshes.into_iter().unzip();
+    /// The scene at another time: what did not change is shared with this model. Meshes, motions and maps are told apart as
+    /// objects, so a scene over time must keep those that stay.
+    #[must_use]
+    pub fn updated(&self, scene: &Scene) -> Self {
+        Self::after(scene, Some(self))
+    }
 
-        let mut heights: Vec<f32> = Vec::new();
-        let mut packed: Vec<(*const crate::scene::OffsetMap, u32)> = Vec::new();
-        let first_texel = prepared
-            .surfaces
-            .iter()
-            .map(|s| match &s.relief {
-                Some(map) if flat_height(s).is_none() => {
-                    let key = std::sync::Arc::as_ptr(map);
-                    if let Some((_, first)) = packed.iter().find(|(k, _)| *k == key) {
-                        return *first;
-                    }
-                    let first = heights.len() as u32;
-                    heights.extend_from_slice(&map.texels);
-                    packed.push((key, first));
-                    first
-                }
-                _ => NO_RELIEF,
-            })
+    fn after(scene: &Scene, before: Option<&Self>) -> Self {
+        let world = scene.bounds();
+        let space = SceneSpace::of(&world);
+        let old = before.map_or(&[] as &[Packed], |b| &b.packed);
+        let packed: Vec<Packed> = (scene.parts.par_iter().enumerate())
+            .map(|(index, part)| Packed::of(index, part, &space, old.get(index)))
             .collect();
-        if heights.is_empty() {
-            // Bindings cannot be empty; no plane reads it.
-            heights.push(0.0);
+        let prepared = Prepared::with_parts(scene, &world, |index, part, _, cuts| PreparedPart {
+            name: part.name.clone(),
+            material: part.material,
+            cuts,
+            ..packed[index].part.clone()
+        });
+
+        let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
+        let changes =
+            before.is_some_and(|b| b.vertices.changes()) || packed.iter().any(|p| p.rest.is_some());
+        let [mut vertices, mut indices] = packed::contents(&packed, &rooms, changes);
+        if let Some(before) = before {
+            // What another call made stays the one in use: that a mesh changed is known only now.
+            if vertices != before.vertices || indices != before.indices {
+                [vertices, indices] = packed::contents(&packed, &rooms, true);
+            } else {
+                vertices = before.vertices.clone();
+                indices = before.indices.clone();
+            }
         }
+        let of_rank = |part: &PreparedPart| (&packed[part.part], &rooms[part.part]);
+        let ranges = prepared.parts.iter().map(|part| {
+            let (packed, room) = of_rank(part);
+            MeshRange {
+                indices: room.first_index..room.first_index + packed.index_count(),
+                base_vertex: room.first_vertex.cast_signed(),
+                vertex_count: packed.vertex_count,
+            }
+        });
+        let moving = prepared.parts.iter().map(|part| {
+            let (packed, room) = of_rank(part);
+            let rest = packed.rest.clone()?;
+            let of = &scene.parts[part.part];
+            Some(Moving {
+                standing: Standing::of(of, &rest, &space, room.first_vertex),
+                rest,
+            })
+        });
+        let (ranges, moving) = (ranges.collect(), moving.collect());
+        let (maps, first_texel) = maps(&prepared.surfaces);
+        let same_map = |(a, b): (&Arc<OffsetMap>, &Arc<OffsetMap>)| Arc::ptr_eq(a, b);
+        let heights = before
+            .filter(|b| b.maps.len() == maps.len() && b.maps.iter().zip(&maps).all(same_map))
+            .map_or_else(|| heights(&maps), |b| b.heights.clone());
         Self {
-            prepared,
-            vertices: Contents::of(&vertices.concat()),
-            indices: Contents::of(&indices.concat()),
             ranges,
-            heights: Contents::of(&heights),
+            moving,
+            vertices,
+            indices,
+            heights,
             first_texel,
+            maps,
+            packed: Arc::new(packed),
+            rooms,
+            lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
+            prepared,
+        }
+    }
+
+    /// The same scene as the exact reference is to be asked about it: posed in f64, with all vertices. `scene` is the one that
+    /// this model was made of. The view is taken from either.
+    pub fn truth(&self, scene: &Scene) -> Cow<'_, Prepared> {
+        if self.prepared.is_whole() {
+            Cow::Borrowed(&self.prepared)
+        } else {
+            Cow::Owned(Prepared::of(scene))
         }
     }
 
@@ -130,4 +163,45 @@ impl Model {
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF
     }
+
+    /// Whether one is the other at another time, or of the same solids.
+    pub fn is_kin_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.lineage, &other.lineage) || self.vertices == other.vertices
+    }
+}
+
+/// The maps of true reliefs, each once, and where the texels of each clip-surface begin among theirs.
+fn maps(surfaces: &[PreparedSurface]) -> (Vec<Arc<OffsetMap>>, Vec<u32>) {
+    let mut maps: Vec<Arc<OffsetMap>> = Vec::new();
+    let mut starts: Vec<u32> = Vec::new();
+    let mut end = 0;
+    let mut first_texel = Vec::with_capacity(surfaces.len());
+    for surface in surfaces {
+        let relief = surface.relief.as_ref();
+        let Some(map) = relief.filter(|_| flat_height(surface).is_none()) else {
+            first_texel.push(NO_RELIEF);
+            continue;
+        };
+        let known = maps.iter().position(|m| Arc::ptr_eq(m, map));
+        let number = known.unwrap_or(maps.len());
+        if known.is_none() {
+            maps.push(map.clone());
+            starts.push(end);
+            end += map.texels.len() as u32;
+        }
+        first_texel.push(starts[number]);
+    }
+    (maps, first_texel)
+}
+
+/// The texels of all maps. Bindings cannot be empty, so there is one where there is no map, which no plane reads.
+fn heights(maps: &[Arc<OffsetMap>]) -> Contents {
+    let mut heights: Vec<f32> = Vec::new();
+    for map in maps {
+        heights.extend_from_slice(&map.texels);
+    }
+    if heights.is_empty() {
+        heights.push(0.0);
+    }
+    Contents::of(&heights)
 }

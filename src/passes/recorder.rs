@@ -165,13 +165,19 @@ impl<'a> Recorder<'a> {
 
     /// The mesh of all parts: vertices and indices.
     pub fn mesh(&mut self) -> (Vertices, ResourceId) {
+        let (vertices, indices) = self.mesh_ids();
+        (Vertices::Mesh(vertices), indices)
+    }
+
+    /// The buffers of the mesh of all parts.
+    pub(super) fn mesh_ids(&mut self) -> (ResourceId, ResourceId) {
         let vertices = self.uploaded("vertices", Role::Vertex, Clock::Solid, |r| {
             r.model.vertices.clone()
         });
         let indices = self.uploaded("indices", Role::Index, Clock::Solid, |r| {
             r.model.indices.clone()
         });
-        (Vertices::Mesh(vertices.resource), indices.resource)
+        (vertices.resource, indices.resource)
     }
 
     /// What the mesh is drawn into, at the resolution of the view.
@@ -198,6 +204,7 @@ impl<'a> Recorder<'a> {
                 Draw {
                     indices: range.indices.clone(),
                     base_vertex: range.base_vertex,
+                    vertex_count: range.vertex_count,
                     instance: self.relevance.place_of(*rank) as u32,
                 }
             })

@@ -12,8 +12,8 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 use glam::DVec2;
 
+use super::Recorder;
 use super::sweep::groups_along;
-use super::{MeshRange, Recorder};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::View;
@@ -179,13 +179,11 @@ impl Recorder<'_> {
 
     /// The mesh of all parts in storage bindings: vertices and indices.
     pub(super) fn mesh_in_storage(&mut self) -> (Binding, Binding) {
-        let vertices = self.uploaded("vertices", Role::Vertex, Clock::Solid, |r| {
-            r.model.vertices.clone()
-        });
-        let indices = self.uploaded("indices", Role::Index, Clock::Solid, |r| {
-            r.model.indices.clone()
-        });
-        (vertices, indices)
+        let (vertices, indices) = self.mesh_ids();
+        (
+            Binding::read("vertices", vertices),
+            Binding::read("indices", indices),
+        )
     }
 
     /// What a first sweep over a screen is told, or one that comes again.
@@ -209,10 +207,9 @@ impl Recorder<'_> {
 
     /// Numbers of the vertices of a part.
     fn vertices_of(&self, rank: usize) -> Range<u32> {
-        let first = |range: &MeshRange| range.base_vertex.cast_unsigned();
-        let all = (self.model.vertices.0.len() / 16) as u32;
-        let end = self.model.ranges.get(rank + 1).map_or(all, first);
-        first(&self.model.ranges[rank])..end
+        let range = &self.model.ranges[rank];
+        let first = range.base_vertex.cast_unsigned();
+        first..first + range.vertex_count
     }
 
     /// Whether a part reaches beyond the near plane or anywhere near the guard band, by its box.

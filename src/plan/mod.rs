@@ -6,17 +6,19 @@
 //! no other target, buffer or clear.
 
 mod check;
+mod due;
 pub mod pack;
 mod pass;
 mod resource;
 mod text;
 
 pub use check::Limits;
+pub use due::Due;
 pub use pass::{
     Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, Pass, Vertices, Work,
     groups_over,
 };
-pub use resource::{Contents, Format, Resource, ResourceId, Role, Shape};
+pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
 
 /// When work is done again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
@@ -168,5 +170,12 @@ impl Plan {
             .filter(|r| r.clock == clock && !r.is_scene)
             .map(|r| r.shape.bytes())
             .sum()
+    }
+
+    /// Bytes of what belongs to the scene, on a clock: meshes, poses, heights, tables.
+    pub fn scene_bytes_on(&self, clock: Clock) -> u64 {
+        let of_scene = self.resources.iter().filter(|r| r.is_scene);
+        let of_clock = of_scene.filter(|r| r.clock == clock);
+        of_clock.map(|r| r.shape.bytes()).sum()
     }
 }

@@ -27,6 +27,8 @@ pub struct Binding {
     pub layer: Option<u32>,
     /// How it is used.
     pub access: Access,
+    /// Bytes of a buffer that the pass looks at or writes; `None` is all. The shader keeps to them by itself.
+    pub bytes: Option<Range<u64>>,
 }
 
 impl Binding {
@@ -36,6 +38,7 @@ impl Binding {
             name,
             resource,
             layer: None,
+            bytes: None,
             access: Access::Read,
         }
     }
@@ -46,6 +49,7 @@ impl Binding {
             name,
             resource,
             layer: None,
+            bytes: None,
             access: Access::Write,
         }
     }
@@ -56,6 +60,7 @@ impl Binding {
             name,
             resource,
             layer: None,
+            bytes: None,
             access: Access::ReadWrite,
         }
     }
@@ -66,7 +71,19 @@ impl Binding {
             name,
             resource,
             layer: Some(layer),
+            bytes: None,
             access: Access::Read,
+        }
+    }
+}
+
+impl Binding {
+    /// The same binding of a pass that keeps to some bytes of the buffer.
+    #[must_use]
+    pub fn within(self, bytes: Range<u64>) -> Self {
+        Self {
+            bytes: Some(bytes),
+            ..self
         }
     }
 }
@@ -120,6 +137,8 @@ pub struct Draw {
     pub indices: Range<u32>,
     /// Added to every index.
     pub base_vertex: i32,
+    /// Vertices from the base one on that the indices reach; 0 without a vertex buffer.
+    pub vertex_count: u32,
     /// What the shader gets as instance index.
     pub instance: u32,
 }

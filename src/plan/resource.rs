@@ -1,5 +1,6 @@
 //! Buffers and textures of a plan.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::Clock;
@@ -75,26 +76,126 @@ impl Shape {
     }
 }
 
-/// Bytes to upload; equal contents are not uploaded again.
+/// Bytes of an upload and where they go.
 #[derive(Clone)]
-pub struct Contents(pub Arc<[u8]>);
+pub struct Piece {
+    /// Place of the first byte.
+    pub offset: u64,
+    /// The bytes, a whole number of words.
+    pub bytes: Arc<[u8]>,
+}
+
+impl Piece {
+    /// The bytes of plain values.
+    pub fn of<T: bytemuck::NoUninit>(offset: u64, values: &[T]) -> Self {
+        Self {
+            offset,
+            bytes: bytemuck::cast_slice(values).into(),
+        }
+    }
+
+    /// The bytes that it covers.
+    pub fn range(&self) -> Range<u64> {
+        self.offset..self.offset + self.bytes.len() as u64
+    }
+}
+
+impl PartialEq for Piece {
+    fn eq(&self, other: &Self) -> bool {
+        self.offset == other.offset
+            && (Arc::ptr_eq(&self.bytes, &other.bytes) || self.bytes == other.bytes)
+    }
+}
+
+/// Bytes to upload, in pieces: those that are equal are not uploaded again. Between pieces may be room that passes write.
+#[derive(Clone)]
+pub struct Contents {
+    pieces: Arc<[Piece]>,
+    len: u64,
+    changes: bool,
+}
 
 impl Contents {
     /// The bytes of plain values.
     pub fn of<T: bytemuck::NoUninit>(values: &[T]) -> Self {
-        Self(bytemuck::cast_slice(values).into())
+        let piece = Piece::of(0, values);
+        Self::in_pieces(piece.range().end, vec![piece], false)
+    }
+
+    /// A buffer of `len` bytes with these pieces in it, in order. `changes` says that pieces will be exchanged or room
+    /// between them written: then every program keeps a buffer of its own for them.
+    pub fn in_pieces(len: u64, pieces: Vec<Piece>, changes: bool) -> Self {
+        Self {
+            pieces: pieces.into(),
+            len,
+            changes,
+        }
+    }
+
+    /// Bytes from the begin of the first piece to the end of the room.
+    pub fn len(&self) -> u64 {
+        self.len
+    }
+
+    /// Whether there is no byte.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The pieces, in order.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// Whether pieces will be exchanged or room between them written.
+    pub fn changes(&self) -> bool {
+        self.changes
+    }
+
+    /// All bytes, with zeros in the room between pieces.
+    pub fn bytes(&self) -> Vec<u8> {
+        let mut all = vec![0; self.len as usize];
+        for piece in &*self.pieces {
+            let range = piece.range();
+            all[range.start as usize..range.end as usize].copy_from_slice(&piece.bytes);
+        }
+        all
+    }
+
+    /// The pieces that other contents do not have at the same place.
+    pub fn not_in<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a Piece> {
+        let same = Arc::ptr_eq(&self.pieces, &other.pieces);
+        let all = if same { &[] } else { &*self.pieces };
+        all.iter().filter(|piece| {
+            let at = other
+                .pieces
+                .binary_search_by_key(&piece.offset, |p| p.offset);
+            at.map_or(true, |i| other.pieces[i] != **piece)
+        })
+    }
+
+    /// Whether these are the very same pieces, without a look at them.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.pieces, &other.pieces)
+    }
+
+    /// Whether somebody else holds them too.
+    pub(crate) fn is_held_elsewhere(&self) -> bool {
+        Arc::strong_count(&self.pieces) > 1
     }
 }
 
 impl PartialEq for Contents {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0) || self.0 == other.0
+        self.len == other.len
+            && self.changes == other.changes
+            && (self.is_same(other) || self.pieces == other.pieces)
     }
 }
 
 impl std::fmt::Debug for Contents {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} bytes", self.0.len())
+        write!(f, "{} bytes", self.len)
     }
 }
 
@@ -107,7 +208,7 @@ pub struct Resource {
     pub shape: Shape,
     /// What the contents depend on.
     pub clock: Clock,
-    /// Uploaded before the passes of `clock` run; `None` for what passes write.
+    /// Uploaded before the passes of `clock` run; `None` for what passes write altogether.
     pub contents: Option<Contents>,
     /// Belongs to the scene (meshes, heights, tables) and is there for every strategy; not counted as a strategy's cost.
     pub is_scene: bool,
@@ -133,7 +234,7 @@ impl Resource {
     /// A buffer with contents of the scene.
     pub fn upload(name: impl Into<String>, role: Role, contents: Contents, clock: Clock) -> Self {
         let shape = Shape::Buffer {
-            bytes: contents.0.len() as u64,
+            bytes: contents.len(),
             role,
         };
         Self {

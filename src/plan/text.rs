@@ -56,7 +56,9 @@ impl Plan {
             .map(|r| json!({ "name": r.name, "clock": r.clock, "bytes": r.shape.bytes(), "scene": r.is_scene }))
             .collect();
         let [solid, cut, frame] = Clock::ALL.map(|c| self.bytes_on(c));
-        json!({ "passes": passes, "resources": resources, "bytes": { "solid": solid, "cut": cut, "frame": frame } })
+        let scene: u64 = Clock::ALL.map(|c| self.scene_bytes_on(c)).iter().sum();
+        json!({ "passes": passes, "resources": resources,
+            "bytes": { "solid": solid, "cut": cut, "frame": frame, "scene": scene } })
     }
 
     fn names(&self, ids: &[ResourceId]) -> String {

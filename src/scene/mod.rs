@@ -39,7 +39,8 @@ pub use mesh::{Mesh, MeshDefect};
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
-pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface};
+pub(crate) use prepared::facing_out;
+pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface, SceneSpace};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
 pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
@@ -68,7 +69,8 @@ impl Scene {
         self.stage.unwrap_or_else(|| self.bounds_of_parts())
     }
 
-    /// The same scene with every pose baked into its mesh in f64, on the same stage: what exact is asked about.
+    /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ, for the volumes of
+    /// meshes do: [`Prepared::of`] poses by itself and keeps them.
     #[must_use]
     pub fn posed(&self) -> Self {
         let mut posed = self.clone();

@@ -6,40 +6,64 @@
 //! origins of clip-surfaces are rounded to f32 once, here, and everybody takes them from here. An origin may be far from the
 //! model all the same; there its coordinates keep their f64, since rounding them would move the cut.
 //!
-//! Parts are ranked by who wins where solids share a point: higher priority first, then the smaller solid. `parts[0]` wins
-//! over all; layers name parts by their index in [`Scene::parts`], kept in [`PreparedPart::part`].
+//! Parts are ranked by who wins where solids share a point: higher priority first, then the smaller solid, as it is at rest,
+//! so that no pose changes who wins. `parts[0]` wins over all; layers name parts by their index in [`Scene::parts`], kept in
+//! [`PreparedPart::part`].
+//!
+//! Poses are applied here, in f64, before anything is rounded: [`Prepared::of`] is the truth about a scene, and what the exact
+//! reference is asked about. A [`Model`](crate::Model) prepares for itself, and leaves the vertices of parts that move to the
+//! device.
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3, Vec3};
+use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 
-use super::{
-    Bounds, Camera, ClipSurface, Cut, DEFAULT_CREASE_DEG, Material, OffsetMap, Part, Scene,
-    ShadingMesh, SurfaceFrame, View, Wrap,
-};
+use super::{Bounds, Camera, ClipSurface, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap};
 
-/// A part in scene space.
-#[derive(Clone, Debug)]
-pub struct PreparedPart {
-    /// Index in [`Scene::parts`].
-    pub part: usize,
-    /// Name of the part.
-    pub name: String,
-    /// Vertices in scene space, rounded to f32.
-    pub positions: Vec<Vec3>,
-    /// Counter-clockwise from outside, indices into `positions`.
-    pub triangles: Vec<[u32; 3]>,
-    /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
-    pub corner_normals: Option<Vec<[Vec3; 3]>>,
-    /// What is drawn: `positions` split where the surface has a crease, with a normal each.
-    pub shading: ShadingMesh,
-    /// Bounds of `positions`.
-    pub bounds: Bounds,
-    /// Look.
-    pub material: Material,
-    /// Indices into [`Prepared::cuts`] of the cuts that apply.
-    pub cuts: Vec<usize>,
+mod part;
+
+pub use part::PreparedPart;
+pub(crate) use part::facing_out;
+
+/// Where scene space lies in the world: `scene = (world - centre) * scale`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneSpace {
+    /// Centre of scene space in world space.
+    pub centre_in_world: DVec3,
+    /// Scene units per world unit, a power of two.
+    pub scale: f64,
+}
+
+impl SceneSpace {
+    /// The space in which a box has a radius between 1/2 and 1.
+    pub fn of(world: &Bounds) -> Self {
+        let radius = world.radius();
+        let scale = if radius > 0.0 && radius.is_finite() {
+            (-radius.log2().ceil()).exp2()
+        } else {
+            1.0
+        };
+        // 2^-10 of the radius: few enough bits that moving by it is exact for coordinates that have few bits themselves.
+        let grid = 1.0 / (scale * 1024.0);
+        Self {
+            centre_in_world: (world.centre() / grid).round() * grid,
+            scale,
+        }
+    }
+
+    /// A point of the world.
+    pub fn point(&self, world: DVec3) -> DVec3 {
+        (world - self.centre_in_world) * self.scale
+    }
+
+    /// The map from world space.
+    pub fn from_world(&self) -> DAffine3 {
+        DAffine3::from_mat3_translation(
+            DMat3::from_diagonal(DVec3::splat(self.scale)),
+            -self.centre_in_world * self.scale,
+        )
+    }
 }
 
 /// A clip-surface in scene space. `T = map_from_scene * (P - origin)`, kept height `(P - origin).N + f(T).height_scale`.
@@ -91,45 +115,37 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Flattens, recentres and ranks a scene.
+    /// Poses, flattens, recentres and ranks a scene.
     pub fn of(scene: &Scene) -> Self {
-        let world = scene.bounds();
-        let radius = world.radius();
-        let scale = if radius > 0.0 && radius.is_finite() {
-            (-radius.log2().ceil()).exp2()
-        } else {
-            1.0
-        };
-        // 2^-10 of the radius: few enough bits that moving by it is exact for coordinates that have few bits themselves.
-        let grid = 1.0 / (scale * 1024.0);
-        let centre_in_world = (world.centre() / grid).round() * grid;
-        let to_scene = |p: DVec3| (p - centre_in_world) * scale;
+        Self::with_parts(scene, &scene.bounds(), PreparedPart::place)
+    }
 
+    /// As [`Prepared::of`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
+    /// cuts that apply. `world` is what [`Scene::bounds`] says, which may have to look at every vertex.
+    pub(crate) fn with_parts(
+        scene: &Scene,
+        world: &Bounds,
+        place: impl Fn(usize, &Part, &SceneSpace, Vec<usize>) -> PreparedPart + Sync,
+    ) -> Self {
+        let space = SceneSpace::of(world);
+        let to_scene = |p: DVec3| space.point(p);
         let mut parts: Vec<PreparedPart> = scene
             .parts
             .par_iter()
             .enumerate()
             .map(|(index, part)| {
-                let applies = |(i, c): (usize, &Cut)| c.applies_to(part).then_some(i);
-                let cuts = scene.cuts.iter().enumerate().filter_map(applies);
-                PreparedPart::place(index, part, to_scene, cuts.collect())
+                let cuts = scene.cuts.iter().enumerate();
+                let cuts = cuts.filter_map(|(i, c)| c.applies_to(part).then_some(i));
+                place(index, part, &space, cuts.collect())
             })
             .collect();
-        let volume = |p: &PreparedPart| {
-            let part = &scene.parts[p.part];
-            part.mesh.volume().abs() * part.world_from_part.matrix3.determinant().abs()
+        let priority = |p: &PreparedPart| {
+            let given = scene.parts[p.part].priority;
+            given.map_or(i64::MIN, i64::from)
         };
-        let mut ranked: Vec<(i64, f64)> = Vec::with_capacity(parts.len());
-        for p in &parts {
-            ranked.push((
-                scene.parts[p.part].priority.map_or(i64::MIN, i64::from),
-                volume(p),
-            ));
-        }
         parts.sort_by(|a, b| {
-            let ((pa, va), (pb, vb)) = (ranked[a.part], ranked[b.part]);
-            pb.cmp(&pa)
-                .then(va.total_cmp(&vb))
+            (priority(b).cmp(&priority(a)))
+                .then(a.volume_at_rest.total_cmp(&b.volume_at_rest))
                 .then(a.part.cmp(&b.part))
         });
 
@@ -138,9 +154,9 @@ impl Prepared {
         for cut in &scene.cuts {
             let first = surfaces.len();
             surfaces.extend(
-                cut.surfaces
-                    .iter()
-                    .map(|s| PreparedSurface::place(s, to_scene(s.origin), scale, cuts.len())),
+                cut.surfaces.iter().map(|s| {
+                    PreparedSurface::place(s, to_scene(s.origin), space.scale, cuts.len())
+                }),
             );
             cuts.push(PreparedCut {
                 name: cut.name.clone(),
@@ -149,15 +165,16 @@ impl Prepared {
         }
         Self {
             name: scene.name.clone(),
-            bounds: match scene.stage {
-                Some(stage) => Bounds::of([stage.min, stage.max].map(to_scene)),
-                None => (parts.iter().map(|p| p.bounds)).fold(Bounds::EMPTY, Bounds::union),
+            bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {
+                Bounds::of([world.min, world.max].map(to_scene))
+            } else {
+                (parts.iter().map(|p| p.bounds)).fold(Bounds::EMPTY, Bounds::union)
             },
             parts,
             surfaces,
             cuts,
-            centre_in_world,
-            scale,
+            centre_in_world: space.centre_in_world,
+            scale: space.scale,
             camera: scene.camera,
         }
     }
@@ -175,6 +192,11 @@ impl Prepared {
             self.bounds,
             size_px,
         )
+    }
+
+    /// Whether the vertices of all parts are here; what a device places is not.
+    pub fn is_whole(&self) -> bool {
+        !self.parts.iter().any(|p| p.is_on_device)
     }
 
     /// How many triangles all parts have.
@@ -231,71 +253,12 @@ impl PreparedSurface {
     }
 }
 
-impl PreparedPart {
-    /// Moves a part to scene space. A mirroring placement turns the triangles round, so that outside stays outside.
-    fn place(
-        index: usize,
-        part: &Part,
-        to_scene: impl Fn(DVec3) -> DVec3,
-        cuts: Vec<usize>,
-    ) -> Self {
-        let m = part.world_from_part;
-        let mirrored = m.matrix3.determinant() < 0.0;
-        let normal_from_part = normal_matrix(m.matrix3);
-        let turned = |n: Vec3| {
-            let turned = normal_from_part * n.as_dvec3();
-            turned.normalize_or_zero().as_vec3()
-        };
-        let positions: Vec<Vec3> = part
-            .mesh
-            .positions
-            .iter()
-            .map(|p| to_scene(m.transform_point3(*p)).as_vec3())
-            .collect();
-        let mut placed = Self {
-            part: index,
-            name: part.name.clone(),
-            bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
-            positions,
-            triangles: part
-                .mesh
-                .triangles
-                .iter()
-                .map(|t| facing_out(*t, mirrored))
-                .collect(),
-            corner_normals: part.mesh.corner_normals.as_ref().map(|all| {
-                all.iter()
-                    .map(|n| facing_out(n.map(turned), mirrored))
-                    .collect()
-            }),
-            shading: ShadingMesh::default(),
-            material: part.material,
-            cuts,
-        };
-        placed.shading = ShadingMesh::of(&placed, DEFAULT_CREASE_DEG);
-        placed
-    }
-}
-
-/// The corners of a triangle, the other way round where its placement mirrors.
-fn facing_out<T>([a, b, c]: [T; 3], mirrored: bool) -> [T; 3] {
-    if mirrored { [a, c, b] } else { [a, b, c] }
-}
-
-fn normal_matrix(m: DMat3) -> DMat3 {
-    if m.determinant() == 0.0 {
-        m
-    } else {
-        m.inverse().transpose()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use glam::DVec2;
 
     use super::*;
-    use crate::scene::Mesh;
+    use crate::scene::{Cut, Mesh};
 
     fn triangle_at(offset: DVec3, size: f64) -> Scene {
         let positions = [DVec3::ZERO, DVec3::X, DVec3::Y]

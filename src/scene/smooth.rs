@@ -290,7 +290,7 @@ mod tests {
     fn order_and_positions_are_kept() {
         let part = cylinder(7);
         let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
-        for (t, of) in mesh.triangles.iter().zip(&part.triangles) {
+        for (t, of) in mesh.triangles.iter().zip(&*part.triangles) {
             assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
         }
         assert_eq!(mesh, ShadingMesh::of(&part, DEFAULT_CREASE_DEG));
@@ -337,7 +337,7 @@ mod tests {
     fn normals_of_the_file_win() {
         let mut part = cylinder(5);
         let given = vec![[Vec3::X, Vec3::X, Vec3::Y]; part.triangles.len()];
-        part.corner_normals = Some(given);
+        part.corner_normals = Some(std::sync::Arc::new(given));
         let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
         assert!(mesh.normals.iter().all(|n| *n == Vec3::X || *n == Vec3::Y));
         assert_eq!(mesh.normals[mesh.triangles[3][2] as usize], Vec3::Y);

@@ -59,10 +59,22 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/ldi.wgsl",
     "lib/volume/vds.wgsl",
     "lib/volume/ldi.wgsl",
+    "lib/pose.wgsl",
+    "lib/position.wgsl",
+    "lib/morph/none.wgsl",
+    "lib/morph/targets.wgsl",
+    "lib/skin/none.wgsl",
+    "lib/skin/linear.wgsl",
+    "lib/trig.wgsl",
+    "lib/deformers.wgsl",
+    "lib/deform/none.wgsl",
+    "lib/deform/space.wgsl",
+    "lib/deform/mesh.wgsl",
 ];
 
 /// Whole shaders.
 pub const SHADERS: &[(&str, &str)] = files![
+    "passes/pose.wgsl",
     "passes/surface.wgsl",
     "passes/gather.wgsl",
     "passes/shade.wgsl",

@@ -63,6 +63,7 @@ pub fn record_with(
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
     recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
+    recorder.pose_parts().map_err(refuse)?;
     if recorder.relevance.lanes == 0 {
         recorder.draw_plain_parts(false);
         recorder.gather();

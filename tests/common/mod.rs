@@ -83,7 +83,14 @@ impl Question {
     pub(crate) fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
         let model = Model::of(scene);
         let view = model.prepared.view_of(camera, size_px);
-        let exact = Arc::new(evaluate(&model.prepared, &view));
+        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        Self { model, view, exact }
+    }
+
+    /// The scene through its own camera, of a model that may have been updated from another.
+    pub(crate) fn of_model(model: Model, scene: &Scene, size_px: [u32; 2]) -> Self {
+        let view = model.prepared.view(size_px);
+        let exact = Arc::new(evaluate(&model.truth(scene), &view));
         Self { model, view, exact }
     }
 

@@ -78,7 +78,7 @@ fn jittered(prepared: &Prepared, view: &View, px: f64, seed: u64) -> Prepared {
     let mut random = noise(seed);
     let mut moved = prepared.clone();
     for part in &mut moved.parts {
-        for p in &mut part.positions {
+        for p in std::sync::Arc::make_mut(&mut part.positions) {
             let at = p.as_dvec3();
             let pixel = view.pixel_size((at - view.eye).dot(view.forward)) * px;
             let mut step = || (2.0 * random() - 1.0) * pixel;

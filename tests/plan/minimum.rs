@@ -211,7 +211,8 @@ fn a_flat_relief_is_planned_as_the_plane_it_is() {
         let height_row = |plan: &Plan| {
             let id = plan.resource_named("cut_table").expect("the cuts");
             let contents = plan.resource(id).contents.clone().expect("uploaded");
-            let table: cutaway::plan::pack::CutTable = bytemuck::pod_read_unaligned(&contents.0);
+            let table: cutaway::plan::pack::CutTable =
+                bytemuck::pod_read_unaligned(&contents.bytes());
             let s = table.surfaces[0];
             (s.height_row, s.normal, s.first_texel)
         };
@@ -257,7 +258,7 @@ fn lanes(scene: &Scene, capacities: &Capacities) -> (u32, u32, u64, Vec<[u32; 2]
         plan.resource(id).clone()
     };
     let contents = of("parts").contents.expect("uploaded");
-    let parts: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&contents.0);
+    let parts: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&contents.bytes());
     (
         constant("lane_bits"),
         constant("lane_count"),

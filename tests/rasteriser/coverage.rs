@@ -72,7 +72,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
 
     let rows: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&table);
     let pixels = (SIZE[0] * SIZE[1]) as usize;
-    let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.0);
+    let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
     let mut device = Device {
         odd: vec![Vec::new(); parts.len()],
         screen: vec![Vec::new(); parts.len()],

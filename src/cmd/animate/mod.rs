@@ -276,7 +276,7 @@ impl Film<'_> {
         if frame > 0 && opened.timeline.moves() {
             let scene = opened.at(time_s)?;
             self.camera = scene.camera;
-            self.shown = Shown::of(&scene);
+            self.shown = self.shown.updated(&scene);
         }
         let camera = match self.args.turn_deg {
             Some(turn_deg) => {

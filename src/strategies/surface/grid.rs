@@ -111,6 +111,7 @@ fn caps_of(recorder: &Recorder<'_>, rank: usize, cells: u32) -> Vec<Draw> {
         .map(|s| Draw {
             indices: 0..cells * cells * 6,
             base_vertex: 0,
+            vertex_count: 0,
             instance: place * 32 + s,
         })
         .collect()

@@ -1,0 +1,18 @@
+// Deformers that move space: they ask nothing of the mesh.
+
+#define_import_path cutaway::deform
+
+#import cutaway::deformers::deformed_by
+#import cutaway::pose::{Standing, pose}
+
+fn outward_at(vertex: u32) -> vec3<f32> {
+    return vec3<f32>(0.0);
+}
+
+fn deformed(at: Standing) -> Standing {
+    var standing = at;
+    for (var i = 0u; i < pose.deformer_count; i++) {
+        standing = deformed_by(i, standing);
+    }
+    return standing;
+}

@@ -1,0 +1,7 @@
+// No morph targets: vertices stay at rest.
+
+#define_import_path cutaway::morph
+
+fn morphed(point: vec3<f32>, vertex: u32) -> vec3<f32> {
+    return point;
+}

@@ -1,0 +1,27 @@
+// Linear blend skinning: a vertex goes by the mean of the matrices of its joints, weighted by their pulls (Magnenat-Thalmann,
+// Laperriere and Thalmann 1988). Time in proportion to the pulls on a vertex.
+
+#define_import_path cutaway::skin
+
+#import cutaway::pose::{Standing, pose, standing_by}
+#import cutaway::position::position_of_vertex
+
+// First, for each position and one more, the word where its pulls begin; then pulls: number of the matrix, weight as bits.
+@group(1) @binding(5) var<storage, read> pulls: array<u32>;
+// Three rows a matrix.
+@group(1) @binding(6) var<storage, read> joints: array<vec4<f32>>;
+
+fn skinned(at: Standing, vertex: u32) -> Standing {
+    let position = position_of_vertex[vertex];
+    let end = pulls[position + 1u];
+    var rows = array<vec4<f32>, 3>();
+    for (var i = pulls[position]; i < end; i += 2u) {
+        // A joint that the pose does not have moves nothing, as matrix 0 does.
+        let joint = select(0u, pulls[i], pulls[i] < pose.joint_count);
+        let weight = bitcast<f32>(pulls[i + 1u]);
+        rows[0] += weight * joints[3u * joint];
+        rows[1] += weight * joints[3u * joint + 1u];
+        rows[2] += weight * joints[3u * joint + 2u];
+    }
+    return standing_by(rows, at);
+}

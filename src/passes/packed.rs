@@ -1,0 +1,201 @@
+//! A part packed for upload, and its room in the buffers that all parts share.
+//!
+//! A part that stands still is uploaded as it stands. One that moves (it has a pose, or it was elsewhere a frame ago) is
+//! uploaded once, at rest, and placed by the pose pass; its room in the vertices is left to that pass. A part whose mesh is
+//! another is packed anew, alone: rooms keep their places as long as everything fits, and those of parts that were seen to
+//! change their mesh have a quarter to spare.
+
+use std::sync::Arc;
+
+use glam::DAffine3;
+
+use super::model::Vertex;
+use super::rest::{Rest, posed_bounds};
+use crate::plan::pack::pack_normal;
+use crate::plan::{Contents, Piece};
+use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace};
+
+/// Bytes of a vertex.
+pub(super) const VERTEX_BYTES: u64 = size_of::<Vertex>() as u64;
+/// Bytes of an index.
+const INDEX_BYTES: u64 = 4;
+
+/// A part packed for upload.
+#[derive(Clone, Debug)]
+pub(super) struct Packed {
+    mesh: Arc<Mesh>,
+    motion: Option<Arc<Motion>>,
+    world_from_part: DAffine3,
+    space: SceneSpace,
+    /// The part without what a cut or a material says of it.
+    pub(super) part: PreparedPart,
+    /// Of a part that stands still.
+    vertices: Option<Arc<[u8]>>,
+    indices: Arc<[u8]>,
+    pub(super) vertex_count: u32,
+    /// Of a part that moves.
+    pub(super) rest: Option<Arc<Rest>>,
+    /// Whether its mesh was another before.
+    is_other: bool,
+}
+
+impl Packed {
+    /// Packs a part, with what is still right of how it was packed before.
+    pub(super) fn of(index: usize, part: &Part, space: &SceneSpace, before: Option<&Self>) -> Self {
+        let known = before.filter(|b| b.is_of(part));
+        let moves = |known: &Self| {
+            known.rest.is_some()
+                || known.world_from_part != part.world_from_part
+                || known.space != *space
+        };
+        let packed = if !part.pose.is_rest() || known.is_some_and(moves) {
+            Self::moving(index, part, space, known)
+        } else if let Some(known) = known {
+            known.clone()
+        } else {
+            Self::still(index, part, space)
+        };
+        Self {
+            is_other: before.is_some_and(|b| b.is_other || !Arc::ptr_eq(&b.mesh, &part.mesh)),
+            ..packed
+        }
+    }
+
+    /// Whether the mesh and what can move it are the same; those that are equal but not the same are not looked at.
+    fn is_of(&self, part: &Part) -> bool {
+        let same_motion = match (&self.motion, &part.motion) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        same_motion && Arc::ptr_eq(&self.mesh, &part.mesh)
+    }
+
+    fn still(index: usize, part: &Part, space: &SceneSpace) -> Self {
+        let placed = PreparedPart::place(index, part, space, Vec::new());
+        let shading = &placed.shading;
+        let at = shading.positions_of_vertex.iter();
+        let vertices: Vec<Vertex> = (at.zip(&shading.normals))
+            .map(|(p, n)| Vertex {
+                position: placed.positions[*p as usize].to_array(),
+                normal: pack_normal(*n),
+            })
+            .collect();
+        Self {
+            vertices: Some(Piece::of(0, &vertices).bytes),
+            vertex_count: vertices.len() as u32,
+            indices: Piece::of(0, shading.triangles.as_flattened()).bytes,
+            rest: None,
+            ..Self::unpacked(part, space, placed)
+        }
+    }
+
+    fn moving(index: usize, part: &Part, space: &SceneSpace, known: Option<&Self>) -> Self {
+        let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
+        let rest = match known.and_then(|k| k.rest.clone()) {
+            Some(rest) if rest.mirrored == mirrored => rest,
+            _ => Arc::new(Rest::of(part, mirrored)),
+        };
+        let of_part = if part.pose.is_rest() {
+            rest.bounds
+        } else {
+            posed_bounds(part)
+        };
+        let corners = of_part.corners().map(|c| {
+            let in_world = part.world_from_part.transform_point3(c);
+            space.point(in_world)
+        });
+        let outline =
+            PreparedPart::outline(index, part, Bounds::of(corners), rest.volume, Vec::new());
+        let placed = PreparedPart {
+            triangles: rest.triangles.clone(),
+            ..outline
+        };
+        Self {
+            vertices: None,
+            vertex_count: rest.vertex_count,
+            indices: rest.indices.clone(),
+            rest: Some(rest),
+            ..Self::unpacked(part, space, placed)
+        }
+    }
+
+    fn unpacked(part: &Part, space: &SceneSpace, placed: PreparedPart) -> Self {
+        Self {
+            mesh: part.mesh.clone(),
+            motion: part.motion.clone(),
+            world_from_part: part.world_from_part,
+            space: *space,
+            part: placed,
+            vertices: None,
+            indices: Arc::new([]),
+            vertex_count: 0,
+            rest: None,
+            is_other: false,
+        }
+    }
+
+    pub(super) fn index_count(&self) -> u32 {
+        (self.indices.len() as u64 / INDEX_BYTES) as u32
+    }
+}
+
+/// The places of a part in the shared buffers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Room {
+    pub(super) first_vertex: u32,
+    vertices: u32,
+    pub(super) first_index: u32,
+    indices: u32,
+}
+
+/// Rooms for all parts: those of before where all fit.
+pub(super) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
+    let fits = |(p, room): (&Packed, &Room)| {
+        p.vertex_count <= room.vertices && p.index_count() <= room.indices
+    };
+    if packed.len() == before.len() && packed.iter().zip(before).all(fits) {
+        return before.to_vec();
+    }
+    let (mut first_vertex, mut first_index) = (0, 0);
+    let rooms = packed.iter().map(|p| {
+        let spare = |count: u32| {
+            if p.is_other { count + count / 4 } else { count }
+        };
+        let room = Room {
+            first_vertex,
+            vertices: spare(p.vertex_count),
+            first_index,
+            indices: spare(p.index_count()),
+        };
+        first_vertex += room.vertices;
+        first_index += room.indices;
+        room
+    });
+    rooms.collect()
+}
+
+/// The vertices and the indices of all parts; `changes` says that they will not stay as they are.
+pub(super) fn contents(packed: &[Packed], rooms: &[Room], changes: bool) -> [Contents; 2] {
+    let end = rooms.last().map_or([0, 0], |r| {
+        [r.first_vertex + r.vertices, r.first_index + r.indices]
+    });
+    let piece = |offset: u64, bytes: &Arc<[u8]>| Piece {
+        offset,
+        bytes: bytes.clone(),
+    };
+    let vertices = (packed.iter().zip(rooms)).filter_map(|(p, room)| {
+        let offset = u64::from(room.first_vertex) * VERTEX_BYTES;
+        p.vertices.as_ref().map(|bytes| piece(offset, bytes))
+    });
+    let indices = (packed.iter().zip(rooms))
+        .map(|(p, room)| piece(u64::from(room.first_index) * INDEX_BYTES, &p.indices));
+    [
+        Contents::in_pieces(
+            u64::from(end[0]) * VERTEX_BYTES,
+            vertices.collect(),
+            changes,
+        ),
+        Contents::in_pieces(u64::from(end[1]) * INDEX_BYTES, indices.collect(), changes),
+    ]
+}

@@ -1,0 +1,362 @@
+//! Which passes of a plan must run, given the plan before: those of a frame, and of the slower ones those whose inputs changed.
+//!
+//! A plan is followed as a flow of values. An upload or a pass that writes gives a stretch of a resource (bytes of a buffer,
+//! layers of a texture) a new value; a pass reads the values that are there when its turn comes. From that:
+//!
+//! - a pass is due if it is not the same as before, if a value that it reads is new, or if a resource that it writes was made
+//!   anew, so that what it wrote is gone;
+//! - the passes that made a value are due if a pass that is due reads it and it is no longer there, because another pass wrote
+//!   over it since: so passes can share scratch memory, and each is still rebuilt by itself.
+//!
+//! Cost: time in proportion to passes and to the square of those that write one resource. What it takes on trust: a pass that
+//! names bytes ([`Binding::within`](super::Binding::within)) keeps to them, and one that says `Write` leaves nothing behind of
+//! what was there that a later pass reads. Passes of a frame write nothing that slower ones made.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use super::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work};
+
+/// Bytes of a vertex of [`Vertices::Mesh`].
+const VERTEX_BYTES: u64 = 16;
+/// Bytes of an index.
+const INDEX_BYTES: u64 = 4;
+
+/// What must run before the next frame is right.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Due {
+    /// Names of passes.
+    pub passes: BTreeSet<String>,
+    /// The clocks on which something changed: an upload, a resource or a pass.
+    pub clocks: BTreeSet<Clock>,
+}
+
+impl Due {
+    /// What is due of either.
+    pub fn add(&mut self, other: &Self) {
+        self.passes.extend(other.passes.iter().cloned());
+        self.clocks.extend(&other.clocks);
+    }
+}
+
+impl Plan {
+    /// What is due after another plan ran; `is_remade` says of which resources the storage is new.
+    pub fn due_after(&self, before: &Self, is_remade: impl Fn(&Resource) -> bool) -> Due {
+        let mut due = Due::default();
+        due.clocks.insert(Clock::Frame);
+        let old = Old::of(before);
+        let mut flow = Flow::of(self);
+        for (id, resource) in self.resources.iter().enumerate() {
+            let remade = is_remade(resource);
+            flow.remade[id] = remade;
+            flow.renewed[id] = old.renewed(resource);
+            if remade || !flow.renewed[id].is_empty() {
+                due.clocks.insert(resource.clock);
+            }
+        }
+        let changed: Vec<bool> = (self.passes.iter())
+            .map(|pass| !old.has(self, pass))
+            .collect();
+        for (index, is_due) in flow.settle(changed).into_iter().enumerate() {
+            if is_due {
+                due.passes.insert(self.passes[index].name.clone());
+                due.clocks.insert(self.passes[index].clock);
+            }
+        }
+        due
+    }
+}
+
+/// The plan before, by name.
+struct Old<'a> {
+    plan: &'a Plan,
+    passes: BTreeMap<&'a str, &'a Pass>,
+    resources: BTreeMap<&'a str, usize>,
+}
+
+impl<'a> Old<'a> {
+    fn of(plan: &'a Plan) -> Self {
+        Self {
+            plan,
+            passes: (plan.passes.iter()).map(|p| (p.name.as_str(), p)).collect(),
+            resources: (plan.resources.iter().enumerate())
+                .map(|(id, r)| (r.name.as_str(), id))
+                .collect(),
+        }
+    }
+
+    /// The stretches of an upload that are not what they were.
+    fn renewed(&self, resource: &Resource) -> Vec<Range<u64>> {
+        let Some(contents) = &resource.contents else {
+            return Vec::new();
+        };
+        let before = (self.resources.get(resource.name.as_str()))
+            .and_then(|id| self.plan.resources[*id].contents.as_ref());
+        match before {
+            Some(before) => contents.not_in(before).map(|p| p.range()).collect(),
+            None => contents.pieces().iter().map(|p| p.range()).collect(),
+        }
+    }
+
+    /// Whether a pass was there, the same in all but the numbers of its resources and the words of its reason.
+    fn has(&self, plan: &Plan, pass: &Pass) -> bool {
+        let Some(before) = self.passes.get(pass.name.as_str()) else {
+            return false;
+        };
+        let same =
+            |a: ResourceId, b: ResourceId| plan.resource(a).name == self.plan.resources[b.0].name;
+        let same_binding = |(a, b): (&Binding, &Binding)| {
+            let renamed = Binding {
+                resource: b.resource,
+                ..a.clone()
+            };
+            same(a.resource, b.resource) && renamed == *b
+        };
+        pass.clock == before.clock
+            && pass.shader == before.shader
+            && pass.constants == before.constants
+            && pass.bindings.len() == before.bindings.len()
+            && pass.bindings.iter().zip(&before.bindings).all(same_binding)
+            && same_work(&pass.work, &before.work, same)
+    }
+}
+
+fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) -> bool {
+    let mut renamed = a.clone();
+    if let (
+        Work::Draw {
+            color,
+            depth,
+            vertices,
+            indices,
+            ..
+        },
+        Work::Draw {
+            color: color_b,
+            depth: depth_b,
+            vertices: vertices_b,
+            indices: indices_b,
+            ..
+        },
+    ) = (&mut renamed, b)
+    {
+        let mut all = same(depth.resource, depth_b.resource) && same(*indices, *indices_b);
+        depth.resource = depth_b.resource;
+        *indices = *indices_b;
+        if let (Some(c), Some(d)) = (color, color_b) {
+            all &= same(c.resource, d.resource);
+            c.resource = d.resource;
+        }
+        if let (Vertices::Mesh(v), Vertices::Mesh(w)) = (vertices, vertices_b) {
+            all &= same(*v, *w);
+            *v = *w;
+        }
+        if !all {
+            return false;
+        }
+    }
+    renamed == *b
+}
+
+/// A stretch of a resource and what a pass does with it.
+struct Use {
+    resource: usize,
+    stretch: Range<u64>,
+    access: Access,
+}
+
+/// A stretch that a pass reads: who made the values there.
+struct Reading {
+    resource: usize,
+    stretch: Range<u64>,
+    /// Passes of slower clocks.
+    makers: Vec<usize>,
+    /// Whether what was uploaded is there as well.
+    uploaded: bool,
+}
+
+struct Flow<'a> {
+    plan: &'a Plan,
+    /// By pass.
+    readings: Vec<Vec<Reading>>,
+    /// By resource: passes of slower clocks that write it, and where.
+    writers: Vec<Vec<(usize, Range<u64>)>>,
+    /// By resource.
+    remade: Vec<bool>,
+    /// By resource: stretches with another upload.
+    renewed: Vec<Vec<Range<u64>>>,
+}
+
+impl<'a> Flow<'a> {
+    fn of(plan: &'a Plan) -> Self {
+        let count = plan.resources.len();
+        let mut flow = Self {
+            plan,
+            readings: Vec::with_capacity(plan.passes.len()),
+            writers: vec![Vec::new(); count],
+            remade: vec![false; count],
+            renewed: vec![Vec::new(); count],
+        };
+        // The values there, each with its maker; `None` made the uploads.
+        let mut there: Vec<Vec<(Range<u64>, Option<usize>)>> = (plan.resources.iter())
+            .map(|r| vec![(whole(r), None)])
+            .collect();
+        for (index, pass) in plan.passes.iter().enumerate() {
+            let uses = uses(plan, pass);
+            let mut readings = Vec::new();
+            for u in uses.iter().filter(|u| u.access != Access::Write) {
+                let met = there[u.resource]
+                    .iter()
+                    .filter(|(s, _)| meet(s, &u.stretch));
+                let makers: Vec<Option<usize>> = met.map(|(_, maker)| *maker).collect();
+                readings.push(Reading {
+                    resource: u.resource,
+                    stretch: u.stretch.clone(),
+                    uploaded: makers.contains(&None),
+                    makers: makers.into_iter().flatten().collect(),
+                });
+            }
+            flow.readings.push(readings);
+            if pass.clock == Clock::Frame {
+                continue;
+            }
+            for u in uses.iter().filter(|u| u.access != Access::Read) {
+                let values = &mut there[u.resource];
+                if u.access == Access::Write {
+                    *values = values
+                        .iter()
+                        .flat_map(|(s, maker)| without(s, &u.stretch).map(|s| (s, *maker)))
+                        .collect();
+                }
+                values.push((u.stretch.clone(), Some(index)));
+                flow.writers[u.resource].push((index, u.stretch.clone()));
+            }
+        }
+        flow
+    }
+
+    /// Goes round until nothing more becomes due.
+    fn settle(&self, mut due: Vec<bool>) -> Vec<bool> {
+        for (resource, writers) in self.writers.iter().enumerate() {
+            for (writer, _) in writers.iter().filter(|_| self.remade[resource]) {
+                due[*writer] = true;
+            }
+        }
+        for (index, pass) in self.plan.passes.iter().enumerate() {
+            due[index] |= pass.clock == Clock::Frame;
+        }
+        loop {
+            let before = due.clone();
+            for index in 0..due.len() {
+                due[index] =
+                    due[index] || self.readings[index].iter().any(|r| self.is_new(r, &due));
+                if due[index] {
+                    for reading in &self.readings[index] {
+                        if self.is_gone(reading, &due) {
+                            reading.makers.iter().for_each(|m| due[*m] = true);
+                        }
+                    }
+                }
+            }
+            if due == before {
+                return due;
+            }
+        }
+    }
+
+    fn is_new(&self, reading: &Reading, due: &[bool]) -> bool {
+        let renewed = &self.renewed[reading.resource];
+        (reading.uploaded && renewed.iter().any(|s| meet(s, &reading.stretch)))
+            || reading.makers.iter().any(|m| due[*m])
+    }
+
+    /// Whether another pass writes over a value: one that comes later did so the last time, one that came earlier does so now.
+    fn is_gone(&self, reading: &Reading, due: &[bool]) -> bool {
+        let Some(first) = reading.makers.iter().min() else {
+            return false;
+        };
+        self.writers[reading.resource]
+            .iter()
+            .any(|(writer, stretch)| {
+                meet(stretch, &reading.stretch)
+                    && !reading.makers.contains(writer)
+                    && (writer > first || due[*writer])
+            })
+    }
+}
+
+fn meet(a: &Range<u64>, b: &Range<u64>) -> bool {
+    a.start < b.end && b.start < a.end
+}
+
+/// What is left of a stretch before and behind another.
+fn without(stretch: &Range<u64>, gone: &Range<u64>) -> impl Iterator<Item = Range<u64>> + use<> {
+    let before = stretch.start..stretch.end.min(gone.start);
+    let behind = stretch.start.max(gone.end)..stretch.end;
+    [before, behind].into_iter().filter(|s| !s.is_empty())
+}
+
+/// All bytes of a buffer, all layers of a texture.
+fn whole(resource: &Resource) -> Range<u64> {
+    match resource.shape {
+        Shape::Buffer { bytes, .. } => 0..bytes,
+        Shape::Texture { layers, .. } => 0..u64::from(layers),
+    }
+}
+
+/// What a pass does with which stretches. Clearing a target counts as writing it even where nothing is drawn into it after.
+fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
+    let layer = |layer: u32| u64::from(layer)..u64::from(layer) + 1;
+    let mut all: Vec<Use> = (pass.bindings.iter())
+        .map(|b| Use {
+            resource: b.resource.0,
+            stretch: match (&b.bytes, b.layer) {
+                (Some(bytes), _) => bytes.clone(),
+                (None, Some(l)) => layer(l),
+                (None, None) => whole(plan.resource(b.resource)),
+            },
+            access: b.access,
+        })
+        .collect();
+    let Work::Draw {
+        color,
+        depth,
+        vertices,
+        indices,
+        draws,
+    } = &pass.work
+    else {
+        return all;
+    };
+    let drawn_into = |clear| {
+        if clear {
+            Access::Write
+        } else {
+            Access::ReadWrite
+        }
+    };
+    all.extend(color.map(|c| Use {
+        resource: c.resource.0,
+        stretch: 0..1,
+        access: drawn_into(c.clear),
+    }));
+    all.push(Use {
+        resource: depth.resource.0,
+        stretch: layer(depth.layer),
+        access: drawn_into(depth.clear),
+    });
+    for draw in draws {
+        let read = |id: ResourceId, first: u64, count: u64, size: u64| Use {
+            resource: id.0,
+            stretch: first * size..(first + count) * size,
+            access: Access::Read,
+        };
+        let (first, end) = (u64::from(draw.indices.start), u64::from(draw.indices.end));
+        all.push(read(*indices, first, end - first, INDEX_BYTES));
+        if let Vertices::Mesh(id) = vertices {
+            let first = u64::from(draw.base_vertex.unsigned_abs());
+            all.push(read(*id, first, u64::from(draw.vertex_count), VERTEX_BYTES));
+        }
+    }
+    all
+}

@@ -1,0 +1,106 @@
+//! A part in scene space: posed, placed, rounded to f32 once, and split for shading.
+//!
+//! What is large is shared, so that a copy costs nothing. A part that a device places has only its outline here: bounds that
+//! hold it, and its triangles.
+
+use std::sync::Arc;
+
+use glam::{DMat3, Vec3};
+
+use super::SceneSpace;
+use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Material, Part, ShadingMesh};
+
+/// A part in scene space.
+#[derive(Clone, Debug)]
+pub struct PreparedPart {
+    /// Index in [`Scene::parts`](crate::Scene::parts).
+    pub part: usize,
+    /// Name of the part.
+    pub name: String,
+    /// Vertices in scene space, rounded to f32; none where the device places them.
+    pub positions: Arc<Vec<Vec3>>,
+    /// Counter-clockwise from outside, indices of positions.
+    pub triangles: Arc<Vec<[u32; 3]>>,
+    /// Unit normals at the corners of `triangles`, in scene space, where the mesh has them.
+    pub corner_normals: Option<Arc<Vec<[Vec3; 3]>>>,
+    /// What is drawn: `positions` split where the surface has a crease, with a normal each.
+    pub shading: Arc<ShadingMesh>,
+    /// A pass of the frame places the vertices, by the pose and the placement of the part: they are not here.
+    pub is_on_device: bool,
+    /// Bounds of `positions`, or a box that holds what the device makes of them.
+    pub bounds: Bounds,
+    /// Volume of the mesh in its rest pose, as it is placed, in world units: who wins where solids share a point.
+    pub volume_at_rest: f64,
+    /// Look.
+    pub material: Material,
+    /// Indices into [`Prepared::cuts`](super::Prepared::cuts) of the cuts that apply.
+    pub cuts: Vec<usize>,
+}
+
+impl PreparedPart {
+    /// Moves a part to scene space as it stands in its pose. A mirroring placement turns the triangles round, so that outside
+    /// stays outside.
+    pub(crate) fn place(index: usize, part: &Part, space: &SceneSpace, cuts: Vec<usize>) -> Self {
+        let m = part.world_from_part;
+        let mirrored = m.matrix3.determinant() < 0.0;
+        let normal_from_part = normal_matrix(m.matrix3);
+        let turned = |n: Vec3| {
+            let turned = normal_from_part * n.as_dvec3();
+            turned.normalize_or_zero().as_vec3()
+        };
+        let mesh = part.posed_mesh();
+        let positions: Vec<Vec3> = (mesh.positions.iter())
+            .map(|p| space.point(m.transform_point3(*p)).as_vec3())
+            .collect();
+        let triangles = mesh.triangles.iter();
+        let mut placed = Self {
+            bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+            positions: Arc::new(positions),
+            triangles: Arc::new(triangles.map(|t| facing_out(*t, mirrored)).collect()),
+            corner_normals: mesh.corner_normals.as_ref().map(|all| {
+                let turned = all.iter().map(|n| facing_out(n.map(turned), mirrored));
+                Arc::new(turned.collect())
+            }),
+            is_on_device: false,
+            ..Self::outline(index, part, Bounds::EMPTY, part.mesh.volume(), cuts)
+        };
+        placed.shading = Arc::new(ShadingMesh::of(&placed, DEFAULT_CREASE_DEG));
+        placed
+    }
+
+    /// A part that the device places inside of `bounds`, of a mesh with so much volume in part space.
+    pub(crate) fn outline(
+        index: usize,
+        part: &Part,
+        bounds: Bounds,
+        volume: f64,
+        cuts: Vec<usize>,
+    ) -> Self {
+        Self {
+            part: index,
+            name: part.name.clone(),
+            positions: Arc::default(),
+            triangles: Arc::default(),
+            corner_normals: None,
+            shading: Arc::default(),
+            is_on_device: true,
+            bounds,
+            volume_at_rest: volume.abs() * part.world_from_part.matrix3.determinant().abs(),
+            material: part.material,
+            cuts,
+        }
+    }
+}
+
+/// The corners of a triangle, the other way round where its placement mirrors.
+pub(crate) fn facing_out<T>([a, b, c]: [T; 3], mirrored: bool) -> [T; 3] {
+    if mirrored { [a, c, b] } else { [a, b, c] }
+}
+
+fn normal_matrix(m: DMat3) -> DMat3 {
+    if m.determinant() == 0.0 {
+        m
+    } else {
+        m.inverse().transpose()
+    }
+}
