@@ -3,16 +3,23 @@
 //! Each strategy keeps its own program, so that several can be measured in turns without a rebuild between them; large
 //! uploads are shared. A frame whose bounded buffers were too small is drawn again with the sizes it reported, up to
 //! [`MOST_TRIES`] times; what still overflows is the outcome of the frame.
+//!
+//! A picture that is too large for the limits of the device is drawn in bands of rows, each by a program of its own, which
+//! nobody sees but by the times.
 
 use std::collections::BTreeMap;
 
 use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
-use crate::plan::{Capacities, Clock, Due, Plan};
+use crate::plan::{Clock, Plan};
 use crate::scene::View;
 use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
+
+mod bands;
+
+use bands::{Band, Slot};
 
 /// How often a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
@@ -67,28 +74,6 @@ impl Drawn {
     }
 }
 
-#[derive(Default)]
-struct Slot {
-    program: Program,
-    capacities: Option<Capacities>,
-    size_px: [u32; 2],
-    /// The model that the capacities were learnt from.
-    model: Option<Model>,
-    /// Why the last call left no frame to read, if it did.
-    refused: Option<String>,
-}
-
-impl Slot {
-    fn refuse(&mut self, reason: String) -> Drawn {
-        self.refused = Some(reason.clone());
-        Drawn {
-            outcome: Outcome::Refused(reason),
-            clocks: ClockSet::NONE,
-            times: RunTimes::default(),
-        }
-    }
-}
-
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
@@ -126,7 +111,7 @@ impl Session {
         &self.gpu
     }
 
-    /// Draws a frame. Clocks whose inputs did not change since the last frame of the same strategy do not run.
+    /// Draws a frame. Passes whose inputs did not change since the last frame of the same strategy do not run.
     pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
         let name = self.slot_name(strategy);
         let mut options = self.options;
@@ -134,65 +119,9 @@ impl Session {
             .wide_atomics
             .get_or_insert(self.gpu.limits().wide_atomics);
         let slot = self.slots.entry(name).or_default();
-        let kin = slot.model.as_ref().is_some_and(|m| m.is_kin_of(model));
-        if slot.size_px != view.size_px || !kin {
-            // What one solid needed at one size says nothing of another.
-            slot.capacities = None;
-        }
-        slot.model = Some(model.clone());
-        slot.size_px = view.size_px;
-        slot.refused = Some("it has drawn no frame".to_owned());
-        let mut overflow = String::new();
-        let mut last = None;
-        let mut owed = Due::default();
-        for _ in 0..MOST_TRIES {
-            let capacities = slot.capacities.get_or_insert(Capacities::UNKNOWN);
-            let plan = match strategies::record_with(model, view, strategy, &options, capacities) {
-                Ok(plan) => plan,
-                Err(refusal) => return Ok(slot.refuse(refusal.reason)),
-            };
-            let due = match slot.program.load(&self.gpu, plan) {
-                Ok(due) => due.clone(),
-                Err(Error::Limit(reason)) => return Ok(slot.refuse(reason)),
-                Err(e) => return Err(e),
-            };
-            slot.program.clear_needs_of_frame(&self.gpu)?;
-            // The last try does all that the frame takes, so that its times are those of the frame.
-            owed.add(&due);
-            let times = slot.program.run_due(&self.gpu, &owed)?;
-            let needs = slot.program.needs(&self.gpu)?;
-            let mut grown = false;
-            overflow.clear();
-            for (bounded, need) in slot.program.plan().bounded.iter().zip(needs) {
-                if need > bounded.capacity || (bounded.exact && need != bounded.capacity) {
-                    let before = capacities.clone();
-                    if let Some(knob) = bounded.knob {
-                        capacities.set(knob, need);
-                    }
-                    grown |= *capacities != before;
-                }
-                if need > bounded.capacity {
-                    overflow = format!(
-                        "{} need {need}, there are {}",
-                        bounded.what, bounded.capacity
-                    );
-                }
-            }
-            last = Some(Drawn {
-                outcome: Outcome::Complete,
-                clocks: owed.clocks.iter().copied().collect(),
-                times,
-            });
-            if !grown {
-                break;
-            }
-        }
-        let mut drawn = last.ok_or_else(|| Error::Plan("no frame was drawn".to_owned()))?;
-        slot.refused = None;
-        if !overflow.is_empty() {
-            drawn.outcome = Outcome::Overflowed(overflow);
-        }
-        Ok(drawn)
+        slot.draw(&self.gpu, model, view, |view, capacities| {
+            strategies::record_with(model, view, strategy, &options, capacities)
+        })
     }
 
     /// Gives back what the programs hold on the device; the next frame of each strategy is built anew.
@@ -202,28 +131,57 @@ impl Session {
 
     /// Runs the last frame of a strategy again on some clocks, for its times.
     pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
-        self.slot(strategy)?.program.run(&self.gpu, clocks)
+        let mut times = RunTimes::default();
+        for band in &self.slot(strategy)?.bands {
+            times.add(band.program.run(&self.gpu, clocks)?);
+        }
+        Ok(times)
     }
 
     /// The layers of the last frame of a strategy.
     pub fn layers(&self, strategy: &Strategy) -> Result<Layers> {
         let slot = self.slot(strategy)?;
-        slot.program.layers(&self.gpu, slot.size_px)
+        let mut pixels = Vec::new();
+        for band in &slot.bands {
+            let layers = band.program.layers(&self.gpu, band.size_px(slot.size_px))?;
+            pixels.extend(layers.pixels);
+        }
+        Ok(Layers {
+            size_px: slot.size_px,
+            pixels,
+        })
     }
 
     /// The picture of the last frame of a strategy: RGBA8, rows from the top.
     pub fn picture(&self, strategy: &Strategy) -> Result<Vec<u8>> {
-        self.slot(strategy)?.program.picture(&self.gpu)
+        let mut picture = Vec::new();
+        for band in &self.slot(strategy)?.bands {
+            picture.extend(band.program.picture(&self.gpu)?);
+        }
+        Ok(picture)
     }
 
-    /// The plan of the last frame of a strategy.
+    /// The plan of the last frame of a strategy, of its first band where it was drawn in several.
     pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
-        Ok(self.slot(strategy)?.program.plan())
+        Ok(self.first_band(strategy)?.program.plan())
+    }
+
+    /// In how many bands the last frame of a strategy was drawn.
+    pub fn bands(&self, strategy: &Strategy) -> Result<usize> {
+        Ok(self.slot(strategy)?.bands.len())
+    }
+
+    /// Bytes of what the last frame of a strategy produces, by clock, as [`Plan::bytes_on`] counts them, of all bands.
+    pub fn bytes(&self, strategy: &Strategy) -> Result<[u64; 3]> {
+        let bands = &self.slot(strategy)?.bands;
+        let on = |clock| bands.iter().map(|b| b.program.plan().bytes_on(clock)).sum();
+        Ok(Clock::ALL.map(on))
     }
 
     /// Bytes on the device that the last frame of a strategy has on a clock, as [`Program::allocated_on`] counts them.
     pub fn allocated_on(&self, strategy: &Strategy, clock: Clock, is_scene: bool) -> Result<u64> {
-        Ok(self.slot(strategy)?.program.allocated_on(clock, is_scene))
+        let bands = self.slot(strategy)?.bands.iter();
+        Ok(bands.map(|b| b.program.allocated_on(clock, is_scene)).sum())
     }
 
     /// Shades layers that come from elsewhere, by the same pass as a strategy's.
@@ -257,8 +215,13 @@ impl Session {
         }
     }
 
-    /// The words of a buffer of the last frame of a strategy, by name: for tests.
+    fn first_band(&self, strategy: &Strategy) -> Result<&Band> {
+        let first = self.slot(strategy)?.bands.first();
+        first.ok_or_else(|| Error::Plan(format!("{strategy} has no band")))
+    }
+
+    /// The words of a buffer of the last frame of a strategy, by name: for tests. Of the first band, if there are several.
     pub fn words(&self, strategy: &Strategy, buffer: &str) -> Result<Vec<u32>> {
-        self.slot(strategy)?.program.words(&self.gpu, buffer)
+        self.first_band(strategy)?.program.words(&self.gpu, buffer)
     }
 }

@@ -13,5 +13,7 @@ mod clocks;
 mod frames;
 #[path = "moving/memory.rs"]
 mod memory;
+#[path = "moving/models.rs"]
+mod models;
 #[path = "moving/vertices.rs"]
 mod vertices;

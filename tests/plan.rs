@@ -1,6 +1,6 @@
 //! A plan is the minimum for its scene, keeps its own rules and the limits of core WebGPU, and reads as text. No adapter.
 //!
-//! Only `plan/session.rs` draws: it holds the clocks of a plan to what a session runs.
+//! Only `plan/session.rs` and `plan/bands.rs` draw: they hold the clocks of a plan, and its limits, to what a session does.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -11,8 +11,12 @@ use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene, Wrap, shapes};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 
+#[path = "plan/bands.rs"]
+mod bands;
 #[path = "plan/clocks.rs"]
 mod clocks;
+#[path = "plan/due.rs"]
+mod due;
 #[path = "plan/golden.rs"]
 mod golden;
 #[path = "plan/minimum.rs"]

@@ -204,8 +204,8 @@ fn report_of(
         passes: Vec::new(),
     };
     if frame.layers.is_some() {
-        let plan = session.plan(&frame.strategy)?;
-        report.bytes = PerClock::of(|clock| plan.bytes_on(clock));
+        let bytes = session.bytes(&frame.strategy)?;
+        report.bytes = PerClock::of(|clock| bytes[clock as usize]);
         report.passes = passes(runs);
         let ratio = report.time_ms.frame.median / draw_only_ms;
         report.frame_over_draw_only = Some(ratio).filter(|r| r.is_finite());

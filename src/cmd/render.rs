@@ -208,9 +208,9 @@ impl Facts {
                 if let Outcome::Refused(reason) = &drawn.outcome {
                     return Err(picture::refused(drawer, reason));
                 }
-                let plan = session.plan(&strategy)?;
+                let bytes = session.bytes(&strategy)?;
                 Ok(Self {
-                    bytes: PerClock::of(|clock| plan.bytes_on(clock)),
+                    bytes: PerClock::of(|clock| bytes[clock as usize]),
                     times: json!(PerClock::of(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),

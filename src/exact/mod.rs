@@ -64,17 +64,9 @@ impl Exact {
     }
 }
 
-/// Evaluates a scene for a view.
-///
-/// # Panics
-///
-/// If a device was to place some of its parts: what is asked must be the whole truth, as
-/// [`Model::truth`](crate::Model::truth) and [`Prepared::of`] have it.
+/// Evaluates a scene for a view. The scene must be whole: [`Prepared::must_be_whole`].
 pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
-    assert!(
-        prepared.is_whole(),
-        "the exact reference was asked about a scene without the vertices of parts that move"
-    );
+    prepared.must_be_whole();
     let [width, height] = view.size_px;
     let scene = Lines::of(prepared, view);
     let mut exact = Exact {

@@ -160,6 +160,12 @@ impl Gpu {
         &self.limits
     }
 
+    /// Holds plans to less than the adapter offers, as another adapter would.
+    #[must_use]
+    pub fn held_to(self, limits: Limits) -> Self {
+        Self { limits, ..self }
+    }
+
     /// Whether the device's own timestamps are there and to be trusted.
     pub fn has_timestamps(&self) -> bool {
         self.timestamps

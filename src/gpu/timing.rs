@@ -76,6 +76,22 @@ impl RunTimes {
         Self { passes, clocks_ms }
     }
 
+    /// Adds the times of a run of the same passes on other rows; passes that it has besides come last.
+    pub(crate) fn add(&mut self, other: Self) {
+        for pass in other.passes {
+            let known = self.passes.iter_mut().find(|p| p.name == pass.name);
+            match known {
+                Some(known) => known.time_ms += pass.time_ms,
+                None => self.passes.push(pass),
+            }
+        }
+        for (clock, of_other) in self.clocks_ms.iter_mut().zip(other.clocks_ms) {
+            if let Some(ms) = of_other {
+                *clock.get_or_insert(0.0) += ms;
+            }
+        }
+    }
+
     /// Time of a clock, 0 if it did not run.
     pub fn clock_ms(&self, clock: Clock) -> f64 {
         self.clocks_ms[clock as usize].unwrap_or(0.0)

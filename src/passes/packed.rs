@@ -12,13 +12,8 @@ use glam::DAffine3;
 use super::model::Vertex;
 use super::rest::{Rest, posed_bounds};
 use crate::plan::pack::pack_normal;
-use crate::plan::{Contents, Piece};
+use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
 use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace};
-
-/// Bytes of a vertex.
-pub(super) const VERTEX_BYTES: u64 = size_of::<Vertex>() as u64;
-/// Bytes of an index.
-const INDEX_BYTES: u64 = 4;
 
 /// A part packed for upload.
 #[derive(Clone, Debug)]

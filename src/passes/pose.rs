@@ -18,7 +18,7 @@ use super::Recorder;
 use super::rest::{FIRST_JOINT, Rest};
 use super::sweep::groups_along;
 use crate::plan::pack::{self, MOST_DEFORMERS};
-use crate::plan::{Binding, Clock, Contents, Pass, Resource, Role, Work};
+use crate::plan::{Binding, Clock, Contents, Pass, Resource, Role, VERTEX_BYTES, Work};
 use crate::scene::{Axis, Deformer, Part, SceneSpace};
 use crate::shader::Shader;
 
@@ -188,7 +188,8 @@ impl Recorder<'_> {
         let name = part.name.clone();
         let range = &self.model.ranges[rank];
         let first = u64::from(range.base_vertex.unsigned_abs());
-        let bytes = first * 16..(first + u64::from(range.vertex_count)) * 16;
+        let end = first + u64::from(range.vertex_count);
+        let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
         let (vertices, _) = self.mesh_ids();
         let mut bindings = vec![
             self.own(number, "pose", Role::Uniform, &standing.pose),

@@ -15,12 +15,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::pass::{INDEX_BYTES, VERTEX_BYTES};
 use super::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work};
-
-/// Bytes of a vertex of [`Vertices::Mesh`].
-const VERTEX_BYTES: u64 = 16;
-/// Bytes of an index.
-const INDEX_BYTES: u64 = 4;
 
 /// What must run before the next frame is right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

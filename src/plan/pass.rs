@@ -121,6 +121,11 @@ pub struct DepthTarget {
     pub compare: DepthCompare,
 }
 
+/// Bytes of a vertex of [`Vertices::Mesh`].
+pub const VERTEX_BYTES: u64 = 16;
+/// Bytes of an index.
+pub const INDEX_BYTES: u64 = 4;
+
 /// Which vertex buffer a draw reads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Vertices {

@@ -256,6 +256,18 @@ impl View {
         }
     }
 
+    /// The view of some of the rows, with the same rays through them: pixel (x, y) of it is pixel (x, `first` + y) of this one.
+    #[must_use]
+    pub fn rows(&self, first: u32, count: u32) -> Self {
+        let share = f64::from(count) / f64::from(self.size_px[1]);
+        Self {
+            size_px: [self.size_px[0], count],
+            centre_px: self.centre_px - DVec2::Y * f64::from(first),
+            half_height: self.half_height * share,
+            ..*self
+        }
+    }
+
     /// Where a point lands in the picture, in pixels, and its depth. Points at depth 0 land nowhere sensible in perspective.
     pub fn project(&self, point: DVec3) -> (DVec2, f64) {
         let d = point - self.eye;
@@ -411,6 +423,23 @@ mod tests {
             let (_, ray) = sampled.ray(DVec2::new(17.5, 33.5));
             let (_, expected) = finer.ray(DVec2::new(34.5 + i, 66.5 + j));
             assert!((ray - expected).length() < 1e-12, "{ray} is not {expected}");
+        }
+    }
+
+    #[test]
+    fn rows_of_a_view_have_its_rays() {
+        for view in views() {
+            for (first, count) in [(0, 200), (0, 50), (50, 50), (100, 100), (33, 67)] {
+                let band = view.rows(first, count);
+                let at = DVec2::new(17.5, 13.5);
+                let [(origin, ray), (o, d)] =
+                    [band.ray(at), view.ray(at + DVec2::Y * f64::from(first))];
+                let apart = (origin - o).length() + (ray - d).length();
+                assert!(apart < 1e-12, "rows from {first}: {apart} apart");
+                let clip = band.clip_from_scene() * (o + d * view.near * 2.0).extend(1.0);
+                let px = (clip.y / clip.w * -0.5 + 0.5) * f64::from(count);
+                assert!((px - at.y).abs() < 1e-9, "rows from {first}: at {px}");
+            }
         }
     }
 

@@ -199,6 +199,20 @@ impl Prepared {
         !self.parts.iter().any(|p| p.is_on_device)
     }
 
+    /// Ends the program with the reason where it is not.
+    ///
+    /// # Panics
+    ///
+    /// If a device is to place some of the parts: a reference that was asked about those would answer for another scene, so
+    /// this is a fault of who asks. [`Prepared::of`] and [`Model::truth`](crate::Model::truth) are whole.
+    pub fn must_be_whole(&self) {
+        assert!(
+            self.is_whole(),
+            "{}: the vertices of parts that move are not here",
+            self.name
+        );
+    }
+
     /// How many triangles all parts have.
     pub fn triangle_count(&self) -> usize {
         self.parts.iter().map(|p| p.triangles.len()).sum()

@@ -290,7 +290,7 @@ mod tests {
     fn order_and_positions_are_kept() {
         let part = cylinder(7);
         let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
-        for (t, of) in mesh.triangles.iter().zip(&*part.triangles) {
+        for (t, of) in mesh.triangles.iter().zip(part.triangles.iter()) {
             assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
         }
         assert_eq!(mesh, ShadingMesh::of(&part, DEFAULT_CREASE_DEG));

@@ -78,6 +78,30 @@ fn errors(scene: &Scene, model: &Model) -> [f64; 2] {
     [farthest, turned]
 }
 
+/// How far a vertex of a part that moves is from the truth, in scene units.
+pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
+    if model.moving.iter().all(Option::is_none) {
+        return 0.0;
+    }
+    let truth = Prepared::of(scene);
+    let vertices = vertices(scene, model);
+    let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
+    let mut farthest = 0.0_f64;
+    for (rank, part) in truth.parts.iter().enumerate() {
+        assert_eq!(part.part, model.prepared.parts[rank].part, "ranks");
+        let range = &model.ranges[rank];
+        let own = &indices[range.indices.start as usize..range.indices.end as usize];
+        for (corners, positions) in own.as_chunks::<3>().0.iter().zip(part.triangles.iter()) {
+            for (corner, position) in corners.iter().zip(positions) {
+                let (at, _) = vertices[(range.base_vertex + *corner as i32) as usize];
+                let gap = (at - part.positions[*position as usize]).abs();
+                farthest = farthest.max(f64::from(gap.max_element()));
+            }
+        }
+    }
+    farthest
+}
+
 fn scene_of(name: &str, part: Part) -> Scene {
     let other = still("torus", DVec3::new(1.2, 0.3, 0.0));
     let plane = cutaway::ClipSurface::plane(DVec3::Z * 0.05, DVec3::new(0.1, 0.2, -1.0));

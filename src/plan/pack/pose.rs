@@ -1,0 +1,60 @@
+//! How a part stands, as `shaders/lib/pose.wgsl` and `shaders/lib/deformers.wgsl` read it.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::Layout;
+
+shared! {
+    /// How a part stands: `shaders/lib/pose.wgsl`.
+    Pose {
+        /// Rows of the placement.
+        scene_from_rest: [[f32; 4]; 3],
+        /// Of its vertices among those of all parts.
+        first_vertex: u32,
+        /// How many vertices.
+        vertex_count: u32,
+        /// How many positions.
+        position_count: u32,
+        /// Morph targets that have a weight.
+        weight_count: u32,
+        /// How many deformers.
+        deformer_count: u32,
+        /// How many matrices pulls refer to.
+        joint_count: u32,
+        /// -1 where the placement mirrors, else 1.
+        hand: f32,
+        /// Unused.
+        padding: u32,
+    }
+}
+
+shared! {
+    /// A deformer in rest space: `shaders/lib/deformers.wgsl`.
+    Deformer {
+        /// A point of the axis.
+        centre: [f32; 4],
+        /// Along the axis.
+        along: [f32; 4],
+        /// Across it.
+        across: [f32; 4],
+        /// [`TWIST`], [`BEND`], [`WAVE`] or [`INFLATE`].
+        kind: u32,
+        /// Turn per unit, amplitude or distance.
+        amount: f32,
+        /// Of a wave, radians per unit.
+        turn_per_unit: f32,
+        /// Of a wave, radians.
+        phase: f32,
+    }
+}
+
+/// `kind` of a deformer that turns about its axis.
+pub const TWIST: u32 = 0;
+/// `kind` of a deformer that rolls its axis into an arc.
+pub const BEND: u32 = 1;
+/// `kind` of a deformer that swings to and fro along its axis.
+pub const WAVE: u32 = 2;
+/// `kind` of a deformer that moves outwards.
+pub const INFLATE: u32 = 3;
+/// Most deformers of a part: a uniform table of fixed length.
+pub const MOST_DEFORMERS: usize = 16;

@@ -1,0 +1,194 @@
+//! The frame of one strategy: one program, or several that draw a band of rows each.
+//!
+//! A list of crossings per pixel outgrows a storage binding before a picture outgrows the memory. Where a plan breaks a limit,
+//! the picture is cut into twice as many bands until it fits, down to [`FEWEST_ROWS`] rows. Every band is a view with the same
+//! rays, so all pixels are what they are in one piece, but for those that hang on the rounding of a rasteriser. Each band has
+//! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
+
+use super::{Drawn, MOST_TRIES, Outcome};
+use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
+use crate::passes::Model;
+use crate::plan::{Capacities, Due, Plan};
+use crate::scene::View;
+use crate::strategies::Refusal;
+use crate::{Error, Result};
+
+/// Bands of so many rows are not cut any more: what is still too large is not so for its pixels.
+pub(super) const FEWEST_ROWS: u32 = 64;
+
+/// Some rows of the frame.
+#[derive(Default)]
+pub(super) struct Band {
+    pub(super) program: Program,
+    first_row: u32,
+    rows: u32,
+}
+
+impl Band {
+    /// Width and height, in a picture of a size.
+    pub(super) fn size_px(&self, of: [u32; 2]) -> [u32; 2] {
+        [of[0], self.rows]
+    }
+}
+
+/// What a strategy keeps from frame to frame.
+#[derive(Default)]
+pub(super) struct Slot {
+    /// From the top.
+    pub(super) bands: Vec<Band>,
+    pub(super) size_px: [u32; 2],
+    capacities: Option<Capacities>,
+    /// The model that the capacities were learnt from.
+    model: Option<Model>,
+    /// Why the last call left no frame to read, if it did.
+    pub(super) refused: Option<String>,
+}
+
+/// Why bands are not drawn.
+enum Stop {
+    /// The strategy refuses.
+    Refused(String),
+    /// The plan breaks a limit of the device.
+    TooLarge(String),
+}
+
+impl Slot {
+    /// Draws a frame that `record` plans.
+    pub(super) fn draw(
+        &mut self,
+        gpu: &Gpu,
+        model: &Model,
+        view: &View,
+        record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+    ) -> Result<Drawn> {
+        let kin = self.model.as_ref().is_some_and(|m| m.is_kin_of(model));
+        if self.size_px != view.size_px || !kin {
+            // What one solid needed at one size says nothing of another.
+            self.capacities = None;
+        }
+        if self.size_px != view.size_px || self.bands.is_empty() {
+            self.size_px = view.size_px;
+            self.cut_into(1);
+        }
+        self.model = Some(model.clone());
+        self.refused = Some("it has drawn no frame".to_owned());
+        let mut too_large = None;
+        loop {
+            let reason = match self.draw_bands(gpu, view, &record)? {
+                Ok(drawn) => {
+                    self.refused = None;
+                    return Ok(drawn);
+                }
+                Err(Stop::Refused(reason)) => return Ok(self.refuse(reason)),
+                Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
+            };
+            if self.bands.iter().any(|b| b.rows <= FEWEST_ROWS) {
+                // The next frame begins in one piece: this one says nothing of how many pieces would do.
+                self.cut_into(1);
+                return Ok(self.refuse(reason));
+            }
+            self.cut_into(2 * self.bands.len() as u32);
+        }
+    }
+
+    fn cut_into(&mut self, count: u32) {
+        let row = |band: u32| {
+            let rows = u64::from(self.size_px[1]) * u64::from(band) / u64::from(count);
+            rows as u32
+        };
+        let bands = (0..count).map(|band| Band {
+            program: Program::default(),
+            first_row: row(band),
+            rows: row(band + 1) - row(band),
+        });
+        self.bands = bands.collect();
+    }
+
+    fn refuse(&mut self, reason: String) -> Drawn {
+        self.refused = Some(reason.clone());
+        Drawn {
+            outcome: Outcome::Refused(reason),
+            clocks: ClockSet::NONE,
+            times: RunTimes::default(),
+        }
+    }
+
+    /// All bands: the worst outcome, and the times of all together.
+    fn draw_bands(
+        &mut self,
+        gpu: &Gpu,
+        view: &View,
+        record: &impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+    ) -> Result<Result<Drawn, Stop>> {
+        let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
+        let mut all = Drawn {
+            outcome: Outcome::Complete,
+            clocks: ClockSet::NONE,
+            times: RunTimes::default(),
+        };
+        for band in &mut self.bands {
+            let view = view.rows(band.first_row, band.rows);
+            match band.draw(gpu, capacities, |capacities| record(&view, capacities))? {
+                Ok(drawn) => {
+                    if all.outcome == Outcome::Complete {
+                        all.outcome = drawn.outcome;
+                    }
+                    all.clocks = all.clocks.union(drawn.clocks);
+                    all.times.add(drawn.times);
+                }
+                Err(stop) => return Ok(Err(stop)),
+            }
+        }
+        Ok(Ok(all))
+    }
+}
+
+impl Band {
+    /// Draws until the bounded buffers are large enough.
+    fn draw(
+        &mut self,
+        gpu: &Gpu,
+        capacities: &mut Capacities,
+        record: impl Fn(&Capacities) -> Result<Plan, Refusal>,
+    ) -> Result<Result<Drawn, Stop>> {
+        let mut owed = Due::default();
+        let mut tries = 1;
+        loop {
+            let plan = match record(capacities) {
+                Ok(plan) => plan,
+                Err(refusal) => return Ok(Err(Stop::Refused(refusal.reason))),
+            };
+            // The last try does all that the frame takes, so that its times are those of the frame.
+            match self.program.load(gpu, plan) {
+                Ok(due) => owed.add(due),
+                Err(Error::Limit(reason)) => return Ok(Err(Stop::TooLarge(reason))),
+                Err(e) => return Err(e),
+            }
+            self.program.clear_needs_of_frame(gpu)?;
+            let times = self.program.run_due(gpu, &owed)?;
+            let needs = self.program.needs(gpu)?;
+            let (mut grown, mut overflow) = (false, None);
+            for (bounded, need) in self.program.plan().bounded.iter().zip(needs) {
+                if need > bounded.capacity || (bounded.exact && need != bounded.capacity) {
+                    let before = capacities.clone();
+                    if let Some(knob) = bounded.knob {
+                        capacities.set(knob, need);
+                    }
+                    grown |= *capacities != before;
+                }
+                if need > bounded.capacity {
+                    let (what, capacity) = (&bounded.what, bounded.capacity);
+                    overflow = Some(format!("{what} need {need}, there are {capacity}"));
+                }
+            }
+            if !grown || tries == MOST_TRIES {
+                return Ok(Ok(Drawn {
+                    outcome: overflow.map_or(Outcome::Complete, Outcome::Overflowed),
+                    clocks: owed.clocks.into_iter().collect(),
+                    times,
+                }));
+            }
+            tries += 1;
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! A picture that is too large for a limit is drawn in bands, and shows the same.
+
+use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
+use cutaway::layers::{Kind, Layers};
+use cutaway::plan::Limits;
+use cutaway::scene::{Camera, Viewpoint};
+use cutaway::session::{Drawn, Outcome, Session};
+use cutaway::strategies::{FrameOptions, Rasteriser};
+
+use super::*;
+
+const SIZE_PX: [u32; 2] = [96, 260];
+
+fn cut_scene() -> Scene {
+    let mut scene = scene_of(&["cube?divisions=2", "sphere"], vec![reliefs(0.1, 1)]);
+    scene.camera = Camera {
+        viewpoint: Viewpoint::Orbit {
+            azimuth_deg: 210.0,
+            elevation_deg: 25.0,
+        },
+        ..scene.camera
+    };
+    scene
+}
+
+/// A session on a device that binds so many bytes at most.
+fn session(storage_binding_bytes: u64, rasteriser: Rasteriser) -> Session {
+    let options = GpuOptions {
+        adapter: None,
+        prefer_software: true,
+    };
+    let gpu = Gpu::open(&options).unwrap_or_else(|e| panic!("{e}"));
+    let limits = Limits {
+        storage_binding_bytes,
+        ..Limits::CORE
+    };
+    Session::with_options(gpu.held_to(limits), FrameOptions { rasteriser })
+}
+
+fn draw(session: &mut Session, strategy: &Strategy) -> Drawn {
+    let model = Model::of(&cut_scene());
+    let view = model.prepared.view(SIZE_PX);
+    let drawn = session.draw(&model, &view, strategy);
+    drawn.unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn classes(layers: &Layers) -> Vec<(Kind, u16, u8, bool)> {
+    let pixels = layers.pixels.iter();
+    pixels
+        .map(|p| (p.kind, p.part, p.clip_surface, p.back_face))
+        .collect()
+}
+
+#[test]
+fn bands_show_what_one_frame_shows() {
+    let grid = strategy("grid:8+vds:64");
+    for (strategy, rasteriser) in [
+        (Strategy::RAYCAST_MASK, Rasteriser::Hardware),
+        (Strategy::RAYCAST_MASK, Rasteriser::Compute),
+        (grid, Rasteriser::Hardware),
+    ] {
+        let mut whole = session(Limits::CORE.storage_binding_bytes, rasteriser);
+        let drawn = draw(&mut whole, &strategy);
+        assert_eq!(drawn.outcome, Outcome::Complete, "{strategy}");
+        assert_eq!(whole.bands(&strategy).expect("a frame"), 1, "{strategy}");
+        let expected = whole.layers(&strategy).expect("layers");
+        assert!(expected.count(Kind::Cap) > 500, "{strategy}: caps");
+
+        let plan = whole.plan(&strategy).expect("a plan");
+        let largest = |p: &Plan| {
+            let of_frame = p.resources.iter().filter(|r| r.clock == Clock::Frame);
+            of_frame.map(|r| r.shape.bytes()).max().unwrap_or(0)
+        };
+        let most = largest(plan);
+        for (share, bands) in [(1, 2), (2, 4)] {
+            let mut held = session(most / share - 1, rasteriser);
+            let drawn = draw(&mut held, &strategy);
+            let what = format!("{strategy} by {rasteriser} in {bands}");
+            assert_eq!(drawn.outcome, Outcome::Complete, "{what}");
+            assert_eq!(held.bands(&strategy).expect("a frame"), bands, "{what}");
+            let layers = held.layers(&strategy).expect("layers");
+            assert_eq!(layers.size_px, SIZE_PX, "{what}");
+            assert!(
+                classes(&layers) == classes(&expected),
+                "{what}: other classes"
+            );
+            let picture = held.picture(&strategy).expect("a picture");
+            assert_eq!(
+                picture.len(),
+                SIZE_PX[0] as usize * SIZE_PX[1] as usize * 4,
+                "{what}"
+            );
+            // The control: bands in another order would be seen.
+            let half = layers.pixels.len() / 2;
+            let mut turned = layers.clone();
+            turned.pixels.rotate_left(half);
+            assert!(
+                classes(&turned) != classes(&expected),
+                "{what}: the control"
+            );
+
+            let mut names: Vec<&str> = drawn.times.passes.iter().map(|p| p.name.as_str()).collect();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(
+                names.len(),
+                drawn.times.passes.len(),
+                "{what}: passes are counted once"
+            );
+            // An unchanged frame runs nothing but its own passes again, in as many bands.
+            let again = draw(&mut held, &strategy);
+            assert_eq!(again.clocks, ClockSet::FRAME, "{what}");
+            let of_frame = |d: &Drawn| d.ran_on(Clock::Frame).len();
+            assert_eq!(of_frame(&again), of_frame(&drawn), "{what}");
+            let bytes = held.bytes(&strategy).expect("bytes");
+            let of_whole = whole.bytes(&strategy).expect("bytes");
+            assert!(bytes[2] >= of_whole[2], "{what}: {bytes:?}, {of_whole:?}");
+        }
+    }
+}
+
+#[test]
+fn what_bands_do_not_help_is_refused_with_the_first_reason() {
+    // The list of a pixel's crossings fits, the mesh does not: cutting the picture is in vain.
+    let strategy = Strategy::RAYCAST_MASK;
+    let mut held = session(1 << 10, Rasteriser::Compute);
+    let drawn = draw(&mut held, &strategy);
+    let Outcome::Refused(reason) = drawn.outcome else {
+        panic!("{:?}", drawn.outcome);
+    };
+    assert!(reason.contains("1024"), "{reason}");
+    assert!(held.layers(&strategy).is_err(), "there is no frame");
+}
