@@ -60,7 +60,10 @@ fn animated_models_are_posed_and_cut_exactly() {
                 let is_closed = scene.parts.iter().all(|p| Topology::of(&p.mesh).closed);
                 let question = Question::of_model(next, &scene, SIZE_PX);
                 for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-                    session().set_options(FrameOptions { rasteriser });
+                    session().set_options(FrameOptions {
+                        rasteriser,
+                        ..FrameOptions::default()
+                    });
                     let judged = question.answer(&Strategy::RAYCAST_MASK);
                     session().set_options(FrameOptions::default());
                     let wrong = judged.comparison.decided_wrong_px;

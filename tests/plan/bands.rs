@@ -34,7 +34,13 @@ fn session(storage_binding_bytes: u64, rasteriser: Rasteriser) -> Session {
         storage_binding_bytes,
         ..Limits::CORE
     };
-    Session::with_options(gpu.held_to(limits), FrameOptions { rasteriser })
+    Session::with_options(
+        gpu.held_to(limits),
+        FrameOptions {
+            rasteriser,
+            ..FrameOptions::default()
+        },
+    )
 }
 
 fn draw(session: &mut Session, strategy: &Strategy) -> Drawn {

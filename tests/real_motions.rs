@@ -1,0 +1,181 @@
+//! Promise: on animated meshes that others made, every exact strategy is exact at every time.
+//!
+//! The meshes are not part of the repository (see `real_meshes.rs`); where they are not, the tests say so and pass. A model is cut
+//! by an oblique plane through the middle of its stage at ten times spread over each of its clips: strategies pose it on the
+//! device in f32, the reference is posed on the CPU in f64. Of each model the parts that are closed at rest are kept; where a
+//! file has none, there is nothing to check. Gears have no clip of their own: the scene turns them by keys.
+
+mod common;
+
+use std::path::PathBuf;
+
+use common::{Question, session};
+use cutaway::layers::Kind;
+use cutaway::passes::Model;
+use cutaway::scene::{
+    Cut, Part, Scene, Timeline, Topology, load_mesh_file, load_scene_file, section_surface, shapes,
+};
+use cutaway::session::Outcome;
+use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+
+const SIZE_PX: [u32; 2] = [256, 192];
+const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";
+const TIMES: usize = 10;
+
+/// Models, and of which of their clips (by number) frames are drawn.
+const MODELS: &[(&str, &[usize])] = &[
+    ("RiggedSimple.glb", &[0]),
+    ("CesiumMan.glb", &[0]),
+    ("Fox.glb", &[0, 1, 2]),
+    ("AnimatedMorphCube.glb", &[0]),
+    ("MorphStressTest.glb", &[0, 1, 2]),
+    ("CesiumMilkTruck.glb", &[0]),
+    ("Knight.glb", &[0, 3]),
+];
+
+/// Strategies that must be exact, and who rasterises for them.
+const EXACT: &[(&str, Rasteriser)] = &[
+    ("raycast+mask", Rasteriser::Hardware),
+    ("raycast+mask", Rasteriser::Compute),
+    ("raycast+abuffer", Rasteriser::Hardware),
+    ("raycast+abuffer", Rasteriser::Compute),
+];
+
+/// The folder of real meshes, if it is there.
+fn data() -> Option<PathBuf> {
+    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
+    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
+    let there = folder.join("facts.json").is_file();
+    if !there {
+        println!("no real meshes at {}: nothing to check", folder.display());
+    }
+    there.then_some(folder)
+}
+
+fn is_closed(part: &Part) -> bool {
+    Topology::of(&part.mesh).closed
+}
+
+/// What all exact strategies make of scenes that move.
+#[derive(Default)]
+struct Tally {
+    /// Frames judged.
+    frames: usize,
+    /// Views that show a cap.
+    caps: usize,
+    faults: Vec<String>,
+}
+
+impl Tally {
+    fn judge(&mut self, what: &str, timeline: &Timeline) {
+        let duration_s = timeline.duration_s().expect("it moves");
+        let mut before: Option<Model> = None;
+        for i in 0..TIMES {
+            let time_s = duration_s * (i as f64 + 0.5) / TIMES as f64;
+            let scene = timeline.at(time_s).expect("a scene at that time");
+            let model = before
+                .as_ref()
+                .map_or_else(|| Model::of(&scene), |m| m.updated(&scene));
+            let question = Question::of_model(model.clone(), &scene, SIZE_PX);
+            let layers = &question.exact.layers.pixels;
+            self.caps += usize::from(layers.iter().any(|l| l.kind == Kind::Cap));
+            for (name, rasteriser) in EXACT {
+                session().set_options(FrameOptions {
+                    rasteriser: *rasteriser,
+                    ..FrameOptions::default()
+                });
+                let strategy: Strategy = name.parse().expect("a strategy");
+                let answer = question.answer(&strategy);
+                session().set_options(FrameOptions::default());
+                self.frames += 1;
+                let fault = match &answer.outcome {
+                    Outcome::Refused(reason) => Some(reason.clone()),
+                    _ => answer.fault_of_exact(),
+                };
+                if let Some(fault) = fault {
+                    let who = format!("{name} by {rasteriser}");
+                    self.faults
+                        .push(format!("{what} at {time_s:.3} s, {who}: {fault}"));
+                }
+            }
+            before = Some(model);
+        }
+    }
+}
+
+#[test]
+fn models_that_move_are_capped_exactly_at_every_time() {
+    let Some(data) = data() else { return };
+    let mut tally = Tally::default();
+    for (file, clips) in MODELS {
+        let path = data.join("animated").join(file);
+        let mut parts = load_mesh_file(&path).expect("a mesh that loads").parts;
+        parts.retain(is_closed);
+        assert!(!parts.is_empty(), "{file} has closed parts");
+        let scene = Scene {
+            parts,
+            ..Scene::default()
+        };
+        for clip in *clips {
+            let mut timeline = Timeline::of_scene(scene.clone());
+            timeline
+                .choose_clip(&clip.to_string())
+                .expect("a clip of that number");
+            let stage = timeline.stage().expect("a stage").expect("it moves");
+            let surface = section_surface(OBLIQUE, &stage).expect("a section");
+            timeline.add_cuts([Cut::of("middle", vec![surface])]);
+            tally.judge(&format!("{file}, clip {clip}"), &timeline);
+        }
+    }
+    println!("{} frames, {} views with caps", tally.frames, tally.caps);
+    assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
+    assert!(tally.caps > 60, "only {} views have caps", tally.caps);
+}
+
+/// Two gears of an assembly, turned against each other through the cut.
+const GEARS: &str = r#"
+[[part]]
+name = "still"
+mesh = 'FILE'
+except = ["gear 2", "gear 3"]
+[[part]]
+name = "left"
+mesh = 'FILE'
+only = ["gear 2"]
+pivot = "centre"
+rotate_deg = [0, 0, 0]
+[[part]]
+name = "right"
+mesh = 'FILE'
+only = ["gear 3"]
+pivot = "centre"
+rotate_deg = [0, 0, 0]
+[[cut]]
+surfaces = [{ section = "-0.3,-0.25,-1@50%,50%,50%" }]
+[[key]]
+target = "part.left.rotate_deg.2"
+times_s = [0, 4]
+values = [0, 90]
+[[key]]
+target = "part.right.rotate_deg.2"
+times_s = [0, 4]
+values = [0, -90]
+"#;
+
+#[test]
+fn gears_that_turn_are_capped_exactly_at_every_time() {
+    let Some(data) = data() else { return };
+    let mesh = data.join("assembly/cube_gears.glb");
+    let name = format!("cutaway-gears-{}.toml", std::process::id());
+    let file = std::env::temp_dir().join(name);
+    let text = GEARS.replace("FILE", &mesh.display().to_string());
+    std::fs::write(&file, text).expect("a temporary file");
+    let open = |path: &std::path::Path| load_mesh_file(path).map(|l| (l.parts, l.notes));
+    let loaded = load_scene_file(&file, &open, &shapes::shape);
+    // A file that stays behind in the temporary directory harms nobody.
+    let _ = std::fs::remove_file(&file);
+    let mut tally = Tally::default();
+    tally.judge("gears", &loaded.expect("a sound scene").timeline);
+    assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
+    assert_eq!(tally.caps, TIMES, "views with caps");
+}
