@@ -8,3 +8,7 @@ mod agree;
 mod coverage;
 #[path = "rasteriser/plans.rs"]
 mod plans;
+#[path = "rasteriser/solids.rs"]
+mod solids;
+#[path = "rasteriser/ways.rs"]
+mod ways;

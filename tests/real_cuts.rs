@@ -72,6 +72,12 @@ fn wrong(c: &Comparison) -> usize {
     c.decided_wrong_px
 }
 
+/// The inside mask of the last frame.
+fn mask_of(session: &Session) -> Vec<u32> {
+    let words = session.words(&Strategy::RAYCAST_MASK, "mask");
+    words.expect("the mask of a drawn frame")
+}
+
 #[test]
 fn the_exact_strategy_is_exact_on_every_closed_mesh() {
     let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
@@ -107,6 +113,17 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
                         faults.push(format!("{name} {relief}, {exact} by {by}: {fault}"));
                     }
                 }
+            }
+            let (by_hardware, by_us) = (mask_of(&session()), mask_of(&by_compute));
+            let pixels = question.exact.undecided.len();
+            let differ = (by_hardware.iter().zip(&by_us).enumerate())
+                .filter(|(i, (a, b))| a != b && !question.exact.undecided[i % pixels])
+                .count();
+            if by_hardware.len() != by_us.len() || differ > 0 {
+                faults.push(format!(
+                    "{name}: {differ} of {} words of masks differ",
+                    by_us.len()
+                ));
             }
             judged += 1;
         }

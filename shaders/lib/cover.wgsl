@@ -56,7 +56,7 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
                 let step = vec2<i32>(x, at.line);
                 let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
                 let pixel = pixel_index(vec2<u32>(from_px + step));
-                take(Sample(pixel, depth_at(plane, weights), at.triangle, at.part, turned, at.lane_bits));
+                _ = take(Sample(pixel, depth_at(plane, weights), at.triangle, at.part, turned, at.lane_bits));
             }
         }
     }

@@ -14,11 +14,14 @@ fn nearest_bits(pixel: u32) -> u32 {
     return atomicLoad(&nearest[2u * pixel + 1u]);
 }
 
-fn raise(sample: Sample) {
+// Whether the sample may still be the nearest.
+fn raise(sample: Sample) -> bool {
     let bits = bitcast<u32>(sample.z);
-    if bits > nearest_bits(sample.pixel) {
+    let before = nearest_bits(sample.pixel);
+    if bits > before {
         atomicMax(&nearest[2u * sample.pixel + 1u], bits);
     }
+    return bits >= before;
 }
 
 fn claim(sample: Sample) {

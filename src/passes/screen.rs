@@ -1,8 +1,7 @@
 //! The mesh on a screen: vertices in fixed point for one view, be it the frame's own or that of a sprite.
 //!
 //! One pass takes every vertex there once; any number of sweeps then look for the samples of its triangles. Cost: 16 bytes a
-//! vertex, 4 bytes a triangle for the queue of those that are not small, which therefore cannot overflow, 32 KiB for the table
-//! of parts.
+//! vertex, 8 bytes a triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
 //!
 //! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
 //! views have it beyond all parts.
@@ -13,7 +12,7 @@ use bytemuck::Zeroable;
 use glam::DVec2;
 
 use super::Recorder;
-use super::sweep::groups_along;
+use super::sweep::{groups_along, invocations};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::View;
@@ -67,6 +66,13 @@ impl Screen {
         named(self.name.as_str(), what)
     }
 
+    /// Workgroups of the pass over small triangles: enough for each triangle, or for a quarter of them where only those come that
+    /// were asked for, who may also take turns.
+    pub(super) fn groups_of_small(&self, again: bool) -> [u32; 3] {
+        let triangles = self.description.triangle_count;
+        groups_along(if again { triangles / 4 } else { triangles })
+    }
+
     /// The vertices, to be read.
     pub(super) fn vertices(&self) -> Binding {
         Binding::read("screen", self.vertices)
@@ -105,6 +111,7 @@ impl Recorder<'_> {
             search_steps: of.ranks.len().next_power_of_two().ilog2(),
             again: 0,
             first_vertex,
+            stride: 0,
         };
         let table = Contents::of(&table);
         let drawn_parts = self.uniform(&named(of.name, "drawn_parts"), table, of.clock);
@@ -120,7 +127,7 @@ impl Recorder<'_> {
             drawn_parts: Binding::read("drawn_parts", drawn_parts),
             indices,
             vertices: made("screen", u64::from(vertex_count).max(1) * 4),
-            queue: made("queue", u64::from(triangle_count) + 2),
+            queue: made("queue", 2 * u64::from(triangle_count) + 3),
             description,
             may_clip: of.ranks.iter().any(|rank| self.may_clip(of.view, *rank)),
         };
@@ -191,6 +198,7 @@ impl Recorder<'_> {
         let name = screen.named(if again { "sweep again" } else { "sweep" });
         let sweep = Sweep {
             again: u32::from(again),
+            stride: invocations(screen.groups_of_small(again)),
             ..screen.description
         };
         let id = self.uniform(&name, Contents::of(&[sweep]), screen.clock);

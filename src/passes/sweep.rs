@@ -4,7 +4,8 @@
 //! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
 //! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
 //!
-//! The first sweep over a screen queues the triangles that are not small, later ones find them queued. Sweeps over one screen
+//! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample asked to be
+//! seen again; later ones go by these lists. Sweeps over one screen
 //! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
 //! *High-performance software rasterization on GPUs* (2011).
 
@@ -82,7 +83,7 @@ impl Recorder<'_> {
             shader("passes/rasterise/small.wgsl"),
             small,
             constants.clone(),
-            groups_along(screen.description.triangle_count),
+            screen.groups_of_small(sweep.again),
         );
         bindings.push(queue);
         if screen.may_clip {
@@ -132,6 +133,11 @@ impl Recorder<'_> {
             work: Work::Compute { groups },
         });
     }
+}
+
+/// Invocations of a dispatch over triangles or vertices.
+pub(super) fn invocations(groups: [u32; 3]) -> u32 {
+    groups.iter().product::<u32>() * GROUP
 }
 
 /// Workgroups for one invocation per item, folded into two dimensions where one is not enough.

@@ -6,10 +6,12 @@
 #import cutaway::store::store
 #import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
 
-fn take(sample: Sample) {
+// Whether a later sweep is to see the triangle.
+fn take(sample: Sample) -> bool {
     let part = drawn_parts.parts[sample.row];
     if part.place != NO_LANE {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
         store(Fragment(sample.pixel, lane, part.place, sample.z, 0u, sample.front));
     }
+    return true;
 }

@@ -9,8 +9,10 @@
 #import cutaway::ranking::rank_and_store
 #import cutaway::sweep::Sample
 
-fn take(sample: Sample) {
+// No later sweep is to see the triangle.
+fn take(sample: Sample) -> bool {
     if rank_and_store(sample) {
         keep(sample);
     }
+    return false;
 }

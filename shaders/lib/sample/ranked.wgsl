@@ -9,12 +9,13 @@
 #import cutaway::ranking::{is_kept, rank_and_store}
 #import cutaway::sweep::{Sample, sweep}
 
-fn take(sample: Sample) {
-    if sweep.again != 0u {
-        if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
-            claim(sample);
-        }
-    } else if rank_and_store(sample) {
-        raise(sample);
+// Whether a later sweep is to see the triangle: not if each of its samples is removed or was behind another already.
+fn take(sample: Sample) -> bool {
+    if sweep.again == 0u {
+        return rank_and_store(sample) && raise(sample);
     }
+    if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
+        claim(sample);
+    }
+    return false;
 }

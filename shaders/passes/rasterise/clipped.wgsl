@@ -15,7 +15,7 @@ override lane_bits: u32 = 32u;
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
     let count = queue[1];
     for (var i = group.x; i < count; i += 16u) {
-        let triangle = queue[sweep.triangle_count + 1u - i];
+        let triangle = queue[sweep.triangle_count + 2u - i];
         let part = row_of_triangle(triangle);
         let corners = corners_of(triangle, part);
         let a = screen[corners.x];

@@ -18,11 +18,8 @@ override lane_bits: u32 = 32u;
 override lane_count: u32 = 1u;
 override near_inside: bool = false;
 
-var<workgroup> group_count: atomic<u32>;
-var<workgroup> group_first: u32;
-
 @compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let is_inside_picture = all(id.xy < frame.size_px);
     let pixel = pixel_index(id.xy);
     var slot = 0u;
@@ -40,14 +37,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_
         is_painted = kind_of(decision.word) != BACKGROUND;
     }
     if is_painted {
-        slot = atomicAdd(&group_count, 1u);
-    }
-    workgroupBarrier();
-    if local == 0u {
-        group_first = atomicAdd(&painted[0], atomicLoad(&group_count));
-    }
-    workgroupBarrier();
-    if is_painted {
-        atomicStore(&painted[1u + group_first + slot], pixel);
+        slot = atomicAdd(&painted[0], 1u);
+        atomicStore(&painted[1u + slot], pixel);
     }
 }

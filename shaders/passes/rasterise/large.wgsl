@@ -14,7 +14,7 @@ override lane_bits: u32 = 32u;
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
     let count = queue[0];
     for (var i = group.x; i < count; i += 16u) {
-        let triangle = queue[2u + i];
+        let triangle = queue[3u + i];
         let part = row_of_triangle(triangle);
         let corners = corners_of(triangle, part);
         let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);

@@ -1,7 +1,8 @@
 // Covers the samples of small triangles, and queues the others. One invocation owns one triangle.
 //
 // A box that holds no sample ends the invocation before anything is multiplied: of a fine mesh that is most of them. A side of
-// at most 2^14 steps keeps edge functions below 2^30 in magnitude.
+// at most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles of which a sample asked
+// for another visit, and a later one visits only those.
 
 #import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
@@ -17,7 +18,8 @@ override small_px: i32 = 64;
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 @group(2) @binding(4) var<storage, read_write> queue: array<atomic<u32>>;
 
-// Large triangles fill the queue from its begin, those to be clipped from its end: together they are no more than all.
+// Large triangles fill the queue from its begin, those to be clipped from its end: together they are no more than all. Those to
+// be visited again follow.
 fn enqueue(triangle: u32, is_clipped: bool) {
     if sweep.again != 0u {
         // The first sweep filled the queue.
@@ -25,19 +27,21 @@ fn enqueue(triangle: u32, is_clipped: bool) {
     }
     if is_clipped {
         let taken = atomicAdd(&queue[1], 1u);
-        atomicStore(&queue[sweep.triangle_count + 1u - taken], triangle);
+        atomicStore(&queue[sweep.triangle_count + 2u - taken], triangle);
     } else {
         let taken = atomicAdd(&queue[0], 1u);
-        atomicStore(&queue[2u + taken], triangle);
+        atomicStore(&queue[3u + taken], triangle);
     }
 }
 
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    let triangle = number_of(id);
-    if triangle >= sweep.triangle_count {
-        return;
+fn come_again(triangle: u32) {
+    if sweep.again == 0u {
+        let taken = atomicAdd(&queue[2], 1u);
+        atomicStore(&queue[sweep.triangle_count + 3u + taken], triangle);
     }
+}
+
+fn visit(triangle: u32) {
     let part = row_of_triangle(triangle);
     let corners = corners_of(triangle, part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
@@ -86,6 +90,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let right = -256 * vec3<i32>(bc.y, ca.y, ab.y);
     let down = 256 * vec3<i32>(bc.x, ca.x, ab.x);
     let plane = flat_through(a, b, c, f32(area));
+    var is_wanted = false;
     for (var y = first.y; y <= last.y; y++) {
         var span = narrowed(vec2<i32>(0, last.x - first.x), row.x, right.x);
         span = narrowed(span, row.y, right.y);
@@ -93,8 +98,30 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         for (var x = span.x; x <= span.y; x++) {
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
             let pixel = pixel_index(vec2<u32>(vec2<i32>(first.x + x, y)));
-            take(Sample(pixel, depth_at(plane, weights), triangle, part, front, lane_bits));
+            is_wanted |= take(Sample(pixel, depth_at(plane, weights), triangle, part, front, lane_bits));
         }
         row += down;
+    }
+    if is_wanted {
+        come_again(triangle);
+    }
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    var count = sweep.triangle_count;
+    if sweep.again != 0u {
+        count = atomicLoad(&queue[2]);
+    }
+    let rounds = (count + sweep.stride - 1u) / sweep.stride;
+    for (var round = 0u; round < rounds; round++) {
+        let number = round * sweep.stride + number_of(id);
+        if number < count {
+            var triangle = number;
+            if sweep.again != 0u {
+                triangle = atomicLoad(&queue[sweep.triangle_count + 3u + number]);
+            }
+            visit(triangle);
+        }
     }
 }
