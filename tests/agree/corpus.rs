@@ -6,7 +6,6 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, Cut, Part, Role, Scene, section_surface};
 use cutaway::session::Outcome;
-use cutaway::strategies::Strategy;
 use glam::DAffine3;
 
 use crate::common::{Question, meshes, scenes, strategy, tolerances};
