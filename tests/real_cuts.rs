@@ -162,7 +162,7 @@ fn answer(session: &mut Session, question: &Question, strategy: &Strategy) -> An
             let layers = session.layers(strategy).expect("layers of a drawn frame");
             let c = question.compare(&layers);
             let judged = Judged {
-                comparison: c.clone(),
+                comparison: c,
                 exact: question.exact.clone(),
                 layers,
                 outcome: outcome.clone(),

@@ -1,5 +1,6 @@
-//! Building blocks that strategies share: what of the cuts matters, the scene as resources, the list of crossings, the pass over the
-//! mesh by either rasteriser, what it leaves for an inside test, resolving, gathering, shading.
+//! Building blocks that strategies share: what of the cuts matters, the scene as resources, the list of crossings, the pass over
+//! the mesh by either rasteriser, what it leaves for an inside test, prefix sums and lists of fragments, questions to images of
+//! volumes, resolving, gathering, shading.
 
 mod crossings;
 mod fragments;

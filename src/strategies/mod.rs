@@ -58,7 +58,7 @@ pub fn record_with(
     let peels = matches!(strategy.inside, InsideTest::Vds { .. });
     if rasteriser == Rasteriser::Compute && (grids || peels) {
         return Err(refuse(format!(
-            "{strategy} is drawn by the hardware rasteriser alone"
+            "the compute rasteriser draws no grid and peels no sprite: {strategy} is drawn by the hardware rasteriser alone"
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;

@@ -78,12 +78,15 @@ fn case_41_fifty_repeats_are_bit_identical() {
     let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
     for (name, names) in [
         ("raycast+mask", &["mask", "layers"][..]),
+        ("raycast+abuffer", &["mask", "layers"]),
+        ("raycast+kbuffer:8", &["nearest fragments", "layers"]),
+        ("raycast+ldi:128", &["mask", "layers"]),
         ("grid:32+vds:128", &["layers"]),
     ] {
         let capacities = Capacities {
             crossings: Some(15),
             layers: vec![2],
-            ..Capacities::UNKNOWN
+            fragments: Some(100_000),
         };
         let plan = record(&model, &view, &strategy(name), &capacities).expect("a plan");
         let mut program = Program::default();

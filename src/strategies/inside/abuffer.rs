@@ -5,9 +5,10 @@
 //! turns the list into the very words that `mask` writes at once: a crossing is inside where an odd number of depths lies
 //! behind it. No list is sorted, for parity asks for no order.
 //!
-//! Per frame: two mesh passes, a prefix sum of one to five passes, one reduction, one resolve; 4 bytes per pixel and per
-//! fragment, 8 per fragment where several parts are cut. Exact for closed meshes up to ties of f32, as `mask` is; the full
-//! depth is kept. What it has over `mask`: the fragments themselves, to ask other questions of.
+//! Per frame: two mesh passes (the compute rasteriser takes the vertices to a screen for each), a prefix sum of one to five
+//! passes, one reduction, one resolve; 4 bytes per pixel and per fragment, 8 per fragment where several parts are cut. Exact
+//! for closed meshes up to ties of f32, as `mask` is; the full depth is kept. What it has over `mask`: the fragments
+//! themselves, to ask other questions of.
 //!
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; more
 //! than a storage binding holds are refused.

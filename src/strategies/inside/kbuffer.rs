@@ -2,8 +2,8 @@
 //!
 //! A fragment is offered to the slots of its pixel from the nearest on; each keeps the greater depth-buffer value and offers
 //! the other to the next, by one atomic maximum: no lock, no order, no list to lay out. Behind a crossing are all fragments
-//! but those in front of it, so that fragments cut off by the near plane do no harm: they are missing from both. A pass per pixel turns counts and slots into the
-//! very words that `mask` writes at once.
+//! but those in front of it, so that what the near plane cuts off does no harm: it is missing from both numbers. A pass per
+//! pixel turns counts and slots into the very words that `mask` writes at once.
 //!
 //! Per frame: one mesh pass of up to K + 1 atomics a fragment, one reduction, one resolve; 4 (K + 1) bytes per pixel and cut
 //! part. Exact, as `mask` is, where no crossing lies behind the K-th fragment of a pixel that has more.

@@ -1,9 +1,9 @@
 //! `grid:N`: the paper's cap surface, a quad refined N x N and displaced by the offset map in the vertex shader.
 //!
 //! As in the paper, the mesh is clipped by chi at every fragment and the grid is drawn into the same depth buffer, each
-//! fragment tested against the depth sprite of its part. Two approximations of one surface meet at the rim: between grid
-//! vertices the cap runs straight where the clip test bends, and the *gap* shows what lies behind. No finite N closes it where
-//! a solid meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
+//! fragment tested against the depth sprite of its part, or its layered depth image. Two approximations of one surface meet at
+//! the rim: between grid vertices the cap runs straight where the clip test bends, and the *gap* shows what lies behind. No
+//! finite N closes it where a solid meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
 //!
 //! Per cut: a quad of 48 bytes and N² x 24 bytes of indices. Per frame: the mesh once, (N + 1)² vertices for each part and
 //! clip-surface, d loads for each cap fragment. Cannot: cap at the near plane.
