@@ -47,7 +47,7 @@ fn left_by(mesh: Mesh, plane: ClipSurface, camera: &Camera) -> Left {
         counts: vec![0; mask.len()],
         clipped: 0,
     };
-    let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.0);
+    let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
     for triangle in indices.as_chunks::<3>().0 {
         let corners = triangle.map(|i| &screen[i as usize * 4..][..4]);
         if corners.iter().any(|c| c[3] != 0) {

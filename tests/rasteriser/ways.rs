@@ -64,7 +64,7 @@ fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> 
     let mut program = Program::default();
     program.load(gpu, plan).unwrap_or_else(|e| panic!("{e}"));
     program
-        .run_changed(gpu, ClockSet::ALL)
+        .run(gpu, ClockSet::ALL)
         .unwrap_or_else(|e| panic!("{e}"));
     let words = |name: &str| program.words(gpu, name).unwrap_or_else(|e| panic!("{e}"));
     Frame {
