@@ -14,8 +14,6 @@ struct Sweep {
     again: u32,
     // Vertices of the screen begin with this one of all.
     first_vertex: u32,
-    // Invocations of the pass over small triangles.
-    stride: u32,
 }
 
 struct DrawnPart {

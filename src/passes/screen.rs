@@ -12,7 +12,7 @@ use bytemuck::Zeroable;
 use glam::DVec2;
 
 use super::Recorder;
-use super::sweep::{groups_along, invocations};
+use super::sweep::groups_along;
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::View;
@@ -66,13 +66,6 @@ impl Screen {
         named(self.name.as_str(), what)
     }
 
-    /// Workgroups of the pass over small triangles: enough for each triangle, or for a quarter of them where only those come that
-    /// were asked for, who may also take turns.
-    pub(super) fn groups_of_small(&self, again: bool) -> [u32; 3] {
-        let triangles = self.description.triangle_count;
-        groups_along(if again { triangles / 4 } else { triangles })
-    }
-
     /// The vertices, to be read.
     pub(super) fn vertices(&self) -> Binding {
         Binding::read("screen", self.vertices)
@@ -111,7 +104,6 @@ impl Recorder<'_> {
             search_steps: of.ranks.len().next_power_of_two().ilog2(),
             again: 0,
             first_vertex,
-            stride: 0,
         };
         let table = Contents::of(&table);
         let drawn_parts = self.uniform(&named(of.name, "drawn_parts"), table, of.clock);
@@ -198,7 +190,6 @@ impl Recorder<'_> {
         let name = screen.named(if again { "sweep again" } else { "sweep" });
         let sweep = Sweep {
             again: u32::from(again),
-            stride: invocations(screen.groups_of_small(again)),
             ..screen.description
         };
         let id = self.uniform(&name, Contents::of(&[sweep]), screen.clock);

@@ -83,7 +83,7 @@ impl Recorder<'_> {
             shader("passes/rasterise/small.wgsl"),
             small,
             constants.clone(),
-            screen.groups_of_small(sweep.again),
+            groups_along(screen.description.triangle_count),
         );
         bindings.push(queue);
         if screen.may_clip {
@@ -133,11 +133,6 @@ impl Recorder<'_> {
             work: Work::Compute { groups },
         });
     }
-}
-
-/// Invocations of a dispatch over triangles or vertices.
-pub(super) fn invocations(groups: [u32; 3]) -> u32 {
-    groups.iter().product::<u32>() * GROUP
 }
 
 /// Workgroups for one invocation per item, folded into two dimensions where one is not enough.

@@ -190,8 +190,6 @@ shared! {
         again: u32,
         /// Number of the first of these vertices.
         first_vertex: u32,
-        /// Invocations of the pass over small triangles.
-        stride: u32,
     }
 }
 

@@ -109,19 +109,16 @@ fn visit(triangle: u32) {
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    var count = sweep.triangle_count;
+    let number = number_of(id);
+    if number >= sweep.triangle_count {
+        return;
+    }
+    var triangle = number;
     if sweep.again != 0u {
-        count = atomicLoad(&queue[2]);
-    }
-    let rounds = (count + sweep.stride - 1u) / sweep.stride;
-    for (var round = 0u; round < rounds; round++) {
-        let number = round * sweep.stride + number_of(id);
-        if number < count {
-            var triangle = number;
-            if sweep.again != 0u {
-                triangle = atomicLoad(&queue[sweep.triangle_count + 3u + number]);
-            }
-            visit(triangle);
+        if number >= atomicLoad(&queue[2]) {
+            return;
         }
+        triangle = atomicLoad(&queue[sweep.triangle_count + 3u + number]);
     }
+    visit(triangle);
 }
