@@ -34,6 +34,9 @@ pub struct Layer {
     pub back_face: bool,
     /// The strategy cannot vouch for this pixel: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
+    /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies tell it where they are
+    /// asked to; exact always does.
+    pub overlap: bool,
     /// Distance from the eye along the viewing direction, in scene units; infinite for background.
     pub depth: f64,
     /// Unit normal in scene space, facing the camera's side; zero for background.

@@ -26,3 +26,5 @@ mod solids;
 mod sprites;
 #[path = "hard_cases/table.rs"]
 mod table;
+#[path = "hard_cases/windings.rs"]
+mod windings;

@@ -82,9 +82,7 @@ fn wrong(c: &Comparison) -> usize {
 #[test]
 fn the_exact_strategy_is_exact_on_every_closed_mesh() {
     let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
-    let compute = FrameOptions {
-        rasteriser: Rasteriser::Compute,
-    };
+    let compute = FrameOptions::by(Rasteriser::Compute);
     let mut by_compute = Session::with_options(gpu, compute);
     let mut faults = Vec::new();
     let mut judged = 0;

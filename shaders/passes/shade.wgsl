@@ -2,10 +2,12 @@
 //
 // A key light over the viewer's left shoulder, a cool fill from the right and a sky that fades to the ground; caps in their
 // own colour and a little flatter, so that the cut reads as one sheet. Colours are mixed in linear light.
+// The open module `overlap` says how caps that several solids share differ.
 
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, centre_of, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
+#import cutaway::overlap::cap_base
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 // Rank of each part of the scene.
@@ -46,7 +48,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if kind != BACKGROUND {
         let part = parts[rank_of_part[part_of(word)]];
         let is_cap = kind == CAP;
-        let base = linear_from_srgb(select(part.color.rgb, part.cap_color.rgb, is_cap));
+        let own = linear_from_srgb(select(part.color.rgb, part.cap_color.rgb, is_cap));
+        let base = cap_base(own, word, id.xy);
         let gaze = normalize(ray_through(centre_of(id.xy)).direction);
         color = srgb_from_linear(lit(base, unpack_normal(layers[at + 1u]), gaze, is_cap));
     }

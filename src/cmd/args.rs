@@ -269,9 +269,7 @@ pub(super) struct RasteriserArgs {
 impl RasteriserArgs {
     /// As options of frames.
     pub(super) fn options(&self) -> FrameOptions {
-        FrameOptions {
-            rasteriser: self.rasteriser,
-        }
+        FrameOptions::by(self.rasteriser)
     }
 }
 

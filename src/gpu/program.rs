@@ -258,6 +258,7 @@ fn layer_from_words(words: &[u32; 3]) -> Layer {
         },
         back_face: word & 4 != 0,
         unreliable: word & 8 != 0,
+        overlap: word & 16 != 0,
         depth: f64::from(f32::from_bits(depth)),
         normal: unpack_normal(normal),
     }
@@ -266,7 +267,8 @@ fn layer_from_words(words: &[u32; 3]) -> Layer {
 /// The words of layers, to be shaded by the same pass as a strategy's.
 pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
     let words = layers.pixels.iter().map(|p| {
-        let flags = u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3;
+        let flags =
+            u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3 | u32::from(p.overlap) << 4;
         let what = p.kind as u32 | flags | u32::from(p.clip_surface) << 8 | u32::from(p.part) << 16;
         [
             what,

@@ -2,6 +2,7 @@
 //! mesh by either rasteriser, what it leaves for an inside test, resolving, gathering, shading.
 
 mod crossings;
+mod lanes;
 mod model;
 mod picture;
 mod rasterise;
@@ -12,6 +13,7 @@ mod resolve;
 mod solid;
 
 pub use crossings::Crossings;
+pub use lanes::LaneTable;
 pub use model::{MeshRange, Model};
 pub use rasterise::INVOCATIONS_PER_ROW;
 pub use rasteriser::Rasteriser;

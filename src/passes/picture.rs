@@ -2,6 +2,7 @@
 
 use super::recorder::{Recorder, or_one, pixels};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+use crate::shader::Shader;
 
 impl Recorder<'_> {
     /// The layers of the frame: three words per pixel.
@@ -42,6 +43,11 @@ impl Recorder<'_> {
         });
     }
 
+    /// Whether anything asks where solids overlap, and two are there that could.
+    pub fn shows_overlaps(&self) -> bool {
+        self.interference.is_some() && self.relevance.lanes > 1
+    }
+
     /// Turns layers into a picture.
     pub fn shade(&mut self) {
         let layers = self.layers();
@@ -57,21 +63,45 @@ impl Recorder<'_> {
             Resource::storage("picture", bytes, Clock::Frame)
         });
         self.plan.picture = Some(picture);
-        let bindings = vec![
+        let mut bindings = vec![
             self.frame(),
             self.parts(),
             Binding::read("layers", layers),
             rank_of_part,
             Binding::write("picture", picture),
         ];
+        let overlap = match self.interference.filter(|_| self.shows_overlaps()) {
+            None => "lib/overlap/plain.wgsl",
+            Some(color) => {
+                bindings.push(
+                    self.uploaded("interference", Role::Uniform, Clock::Cut, |_| {
+                        Contents::of(&[linear_from_srgb(color)])
+                    }),
+                );
+                "lib/overlap/hatched.wgsl"
+            }
+        };
         self.compute(
             "shade",
             Clock::Frame,
             "lit shading turns layers into a picture",
-            "passes/shade.wgsl",
+            Shader::from("passes/shade.wgsl").with(overlap),
             bindings,
             Vec::new(),
             self.view.size_px,
         );
     }
+}
+
+/// The colour as the shader mixes it.
+fn linear_from_srgb(color: [u8; 3]) -> [f32; 4] {
+    let [r, g, b] = color.map(|c| {
+        let c = f32::from(c) / 255.0;
+        if c <= 0.040_45 {
+            c / 12.92
+        } else {
+            ((c + 0.055) / 1.055).powf(2.4)
+        }
+    });
+    [r, g, b, 1.0]
 }

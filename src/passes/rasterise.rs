@@ -117,19 +117,19 @@ impl Recorder<'_> {
             ));
         }
         let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
-        let lanes_per_word = 32 / self.lane_bits;
+        let lanes = self.lane_table().places;
         let mut triangle_count = 0;
         for (row, (place, rank)) in table.iter_mut().zip(order.iter().enumerate()) {
             let range = &self.model.ranges[*rank];
-            let place = place as u32;
+            let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
             *row = DrawnPart {
                 first_triangle: triangle_count,
                 first_index: range.indices.start,
                 base_vertex: range.base_vertex.cast_unsigned(),
                 cuts: self.relevance.cuts_of(*rank),
-                lane_word: place / lanes_per_word,
-                lane_shift: place % lanes_per_word * self.lane_bits,
-                has_lane: u32::from((place as usize) < self.relevance.lanes),
+                lane_word,
+                lane_shift,
+                has_lane: u32::from(place < self.relevance.lanes),
                 part: self.model.prepared.parts[*rank].part as u32,
             };
             triangle_count += (range.indices.end - range.indices.start) / 3;

@@ -34,6 +34,10 @@ pub struct Recorder<'a> {
     pub relevance: Relevance,
     /// Bits of a lane of the inside mask, where a strategy uses one.
     pub lane_bits: u32,
+    /// Words of a lane of counts for each part filled nonzero; 0 where a strategy has no such lanes.
+    pub winding_words: u32,
+    /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
+    pub interference: Option<[u8; 3]>,
     drawn: bool,
 }
 
@@ -47,6 +51,8 @@ impl<'a> Recorder<'a> {
             view,
             relevance,
             lane_bits: 32,
+            winding_words: 0,
+            interference: None,
             drawn: false,
         })
     }
@@ -101,7 +107,7 @@ impl<'a> Recorder<'a> {
     /// The parts that are drawn, in table order.
     pub fn parts(&mut self) -> Binding {
         self.uploaded("parts", Role::Storage, Clock::Cut, |r| {
-            let lanes_per_word = 32 / r.lane_bits;
+            let lanes = r.lane_table().places;
             let rows: Vec<Part> = r
                 .relevance
                 .order
@@ -109,11 +115,11 @@ impl<'a> Recorder<'a> {
                 .enumerate()
                 .map(|(place, rank)| {
                     let part = &r.model.prepared.parts[*rank];
-                    let place = place as u32;
+                    let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
                     Part {
                         cuts: r.relevance.cuts_of(*rank),
-                        lane_word: place / lanes_per_word,
-                        lane_shift: place % lanes_per_word * r.lane_bits,
+                        lane_word,
+                        lane_shift,
                         part: part.part as u32,
                         color: part.material.color.extend(1.0).to_array(),
                         cap_color: part.material.cap_color().extend(1.0).to_array(),

@@ -44,6 +44,17 @@ impl Recorder<'_> {
         } else {
             "lib/cap_normal/planes.wgsl"
         };
+        let mut constants = vec![
+            ("lane_bits", f64::from(self.lane_bits)),
+            ("lane_count", self.relevance.lanes as f64),
+            (
+                "near_inside",
+                f64::from(u8::from(self.relevance.near_inside)),
+            ),
+        ];
+        if self.shows_overlaps() {
+            constants.push(("overlaps", 1.0));
+        }
         self.compute(
             "resolve",
             Clock::Frame,
@@ -53,14 +64,7 @@ impl Recorder<'_> {
                 .with(drawn)
                 .with(cap_normal),
             bindings,
-            vec![
-                ("lane_bits", f64::from(self.lane_bits)),
-                ("lane_count", self.relevance.lanes as f64),
-                (
-                    "near_inside",
-                    f64::from(u8::from(self.relevance.near_inside)),
-                ),
-            ],
+            constants,
             self.view.size_px,
         );
     }

@@ -61,6 +61,10 @@ pub fn record_with(
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
+    recorder.interference = options.interference;
+    if let Some(reason) = beyond(&recorder, strategy) {
+        return Err(refuse(reason));
+    }
     if recorder.relevance.lanes == 0 {
         recorder.draw_plain_parts(false);
         recorder.gather();
@@ -82,4 +86,20 @@ pub fn record_with(
     }
     recorder.shade();
     Ok(recorder.plan)
+}
+
+/// What of the scene is more than the strategy knows of.
+fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
+    let inside = strategy.inside;
+    if !inside.counts_winding() && recorder.has_nonzero() {
+        return Some(format!(
+            "{inside} knows parity alone, and a part that is cut has fill = \"nonzero\""
+        ));
+    }
+    if recorder.shows_overlaps() && !inside.tells_overlaps() {
+        return Some(format!(
+            "{inside} tests each part by itself and does not tell where solids overlap"
+        ));
+    }
+    None
 }

@@ -30,6 +30,18 @@ pub enum InsideTest {
     },
 }
 
+impl InsideTest {
+    /// Whether it can fill a part by the nonzero rule.
+    pub fn counts_winding(self) -> bool {
+        !matches!(self, Self::Vds { .. })
+    }
+
+    /// Whether it can say where several parts share a cap.
+    pub fn tells_overlaps(self) -> bool {
+        !matches!(self, Self::Vds { .. })
+    }
+}
+
 /// A cap surface with an inside test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strategy {

@@ -7,4 +7,16 @@ use crate::passes::Rasteriser;
 pub struct FrameOptions {
     /// Who rasterises the mesh.
     pub rasteriser: Rasteriser,
+    /// Shows caps that several solids share in this colour, sRGB.
+    pub interference: Option<[u8; 3]>,
+}
+
+impl FrameOptions {
+    /// The usual options, drawn by this rasteriser.
+    pub const fn by(rasteriser: Rasteriser) -> Self {
+        Self {
+            rasteriser,
+            interference: None,
+        }
+    }
 }

@@ -64,7 +64,7 @@ fn fault(question: &Question, judged: &Judged, expected: Expected) -> Option<Str
 }
 
 /// Odd pixels are to be marked, no others, and nothing wrong is to go unmarked.
-fn marked_fault(judged: &Judged) -> Option<String> {
+pub(crate) fn marked_fault(judged: &Judged) -> Option<String> {
     let pixels = judged.layers.pixels.iter().zip(&judged.exact.odd_parity);
     let mismarked = pixels
         .zip(&judged.exact.undecided)

@@ -16,7 +16,7 @@ fn recorded(
 ) -> Result<Plan, Refusal> {
     let model = Model::of(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
-    let options = FrameOptions { rasteriser };
+    let options = FrameOptions::by(rasteriser);
     strategies::record_with(&model, &view, strategy, &options, &Capacities::UNKNOWN)
 }
 

@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec3, Vec3};
 use super::Loaders;
 use super::reader::{Entry, Table};
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::{Part, Role};
+use crate::scene::{Fill, Part, Role};
 
 const KEYS: &[&str] = &[
     "name",
@@ -19,6 +19,7 @@ const KEYS: &[&str] = &[
     "matrix",
     "role",
     "priority",
+    "fill",
     "material",
 ];
 
@@ -69,11 +70,16 @@ pub(super) fn read(
         .get("priority")
         .map(|p| p.whole::<i32>())
         .transpose()?;
+    let fill = table
+        .get("fill")
+        .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
+        .transpose()?;
     let look = table.get("material").map(|m| look(&m)).transpose()?;
     for part in &mut parts {
         part.place(placed);
         part.role = role.unwrap_or(part.role);
         part.priority = priority.or(part.priority);
+        part.fill = fill.unwrap_or(part.fill);
         if let Some(look) = &look {
             part.material.color = look.color.unwrap_or(part.material.color);
             part.material.cap_color = look.cap_color.or(part.material.cap_color);
