@@ -87,6 +87,13 @@ impl Gpu {
         let info = adapter.get_info();
         let software = info.device_type == wgpu::DeviceType::Cpu;
         let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let wanted = wgpu::Features::DEPTH32FLOAT_STENCIL8
+            | if timestamps {
+                wgpu::Features::TIMESTAMP_QUERY
+            } else {
+                wgpu::Features::empty()
+            };
+        let features = adapter.features() & wanted;
         let have = adapter.limits();
         // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
         let limits = wgpu::Limits {
@@ -98,11 +105,7 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 label: Some("cutaway"),
-                required_features: if timestamps {
-                    wgpu::Features::TIMESTAMP_QUERY
-                } else {
-                    wgpu::Features::empty()
-                },
+                required_features: features,
                 required_limits: limits,
                 ..wgpu::DeviceDescriptor::default()
             })
@@ -127,6 +130,7 @@ impl Gpu {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
                 buffer_bytes: have.max_buffer_size,
                 texture_size: have.max_texture_dimension_2d,
+                depth32_stencil8: features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8),
                 ..Limits::CORE
             },
             device,

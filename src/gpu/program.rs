@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 
 use super::Gpu;
 use super::device::SHARED_FROM_BYTES;
-use super::draw::{Pipelines, Step};
+use super::draw::Step;
+use super::pipelines::Pipelines;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
@@ -327,5 +328,6 @@ pub(super) fn texel_format(format: Format) -> wgpu::TextureFormat {
     match format {
         Format::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
         Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
+        Format::Depth32FloatStencil8 => wgpu::TextureFormat::Depth32FloatStencil8,
     }
 }

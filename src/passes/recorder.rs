@@ -5,7 +5,7 @@ use super::{Model, Relevance};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{
     Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
-    Resource, ResourceId, Role, Vertices, Work, groups_over,
+    Resource, ResourceId, Role, Stencil, Vertices, Work, groups_over,
 };
 use crate::scene::View;
 use crate::shader::Shader;
@@ -180,6 +180,15 @@ impl<'a> Recorder<'a> {
         }
     }
 
+    /// The same with a stencil beside the depth, if it is asked for before anything is drawn.
+    pub fn targets_with_stencil(&mut self) -> Targets {
+        let format = Format::Depth32FloatStencil8;
+        self.once("surface_depth", |r| {
+            Resource::texture("surface_depth", r.view.size_px, 1, format, Clock::Frame)
+        });
+        self.targets()
+    }
+
     /// The draws of some parts, by rank; the instance is the part's place in the table.
     pub fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
         ranks
@@ -197,6 +206,11 @@ impl<'a> Recorder<'a> {
 
     /// A pass that draws into the targets, cleared by whichever pass draws first.
     pub fn draw(&mut self, pass: DrawPass) {
+        self.draw_with(pass, None);
+    }
+
+    /// As [`Self::draw`], with a stencil, which [`Self::targets_with_stencil`] gave the targets.
+    pub fn draw_with(&mut self, pass: DrawPass, stencil: Option<Stencil>) {
         let targets = self.targets();
         let clear = !std::mem::replace(&mut self.drawn, true);
         let DrawPass {
@@ -226,6 +240,7 @@ impl<'a> Recorder<'a> {
                     layer: 0,
                     clear,
                     compare: DepthCompare::Greater,
+                    stencil,
                 },
                 vertices,
                 indices,

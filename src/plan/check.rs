@@ -4,7 +4,7 @@
 //! read before it is written or uploaded; nothing is written that nobody reads; passes of slower clocks never read what a
 //! faster clock makes.
 
-use super::{Access, Plan, ResourceId, Role, Shape, Work};
+use super::{Access, Format, Plan, ResourceId, Role, Shape, Work};
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
@@ -25,6 +25,8 @@ pub struct Limits {
     pub texture_size: u32,
     /// Layers of a texture.
     pub texture_layers: u32,
+    /// Whether there are textures of 32-bit depth with a stencil.
+    pub depth32_stencil8: bool,
 }
 
 impl Limits {
@@ -37,6 +39,7 @@ impl Limits {
         groups_per_dimension: 65_535,
         texture_size: 8192,
         texture_layers: 256,
+        depth32_stencil8: false,
     };
 }
 
@@ -68,6 +71,17 @@ impl Plan {
 
     fn check_sizes(&self, limits: &Limits) -> Result<()> {
         for r in &self.resources {
+            if let Shape::Texture {
+                format: Format::Depth32FloatStencil8,
+                ..
+            } = r.shape
+                && !limits.depth32_stencil8
+            {
+                return Err(Error::Limit(format!(
+                    "{} needs a stencil beside 32 bits of depth; the device has no such texture (depth32float-stencil8)",
+                    r.name
+                )));
+            }
             let (have, most, what) = match r.shape {
                 Shape::Buffer {
                     bytes,
@@ -154,7 +168,7 @@ impl Plan {
             matches!(
                 self.resources[id].shape,
                 Shape::Texture {
-                    format: super::Format::Depth32Float,
+                    format: Format::Depth32Float | Format::Depth32FloatStencil8,
                     ..
                 }
             )

@@ -44,6 +44,8 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/sample/ranked.wgsl",
     "lib/cover.wgsl",
     "lib/vds.wgsl",
+    "lib/full_screen.wgsl",
+    "lib/sheet.wgsl",
 ];
 
 /// Whole shaders.
@@ -62,6 +64,11 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/surface/raycast/reliefs.wgsl",
     "strategies/surface/grid/clip.wgsl",
     "strategies/surface/grid/cap.wgsl",
+    "strategies/inside/stencil/lay.wgsl",
+    "strategies/inside/stencil/mark.wgsl",
+    "strategies/inside/stencil/take.wgsl",
+    "strategies/inside/stencil/solid.wgsl",
+    "strategies/inside/stencil/cap.wgsl",
     "strategies/inside/vds/clear.wgsl",
     "strategies/inside/vds/count.wgsl",
     "strategies/inside/vds/peel_first.wgsl",

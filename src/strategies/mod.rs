@@ -73,6 +73,12 @@ pub fn record_with(
             (CapSurface::Raycast, InsideTest::Mask) => {
                 inside::mask::record(&mut recorder, rasteriser, capacities).map_err(refuse)?
             }
+            (CapSurface::Raycast, InsideTest::Stencil) => {
+                inside::stencil::record(&mut recorder, capacities).map_err(refuse)?;
+            }
+            (CapSurface::Alone, InsideTest::Stencil) => {
+                inside::stencil::alone::record(&mut recorder).map_err(refuse)?;
+            }
             (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
                 surface::grid::record(&mut recorder, cells, resolution, capacities)
                     .map_err(refuse)?;
@@ -96,9 +102,9 @@ fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
             "{inside} knows parity alone, and a part that is cut has fill = \"nonzero\""
         ));
     }
-    if recorder.shows_overlaps() && !inside.tells_overlaps() {
+    if recorder.shows_overlaps() && !strategy.tells_overlaps() {
         return Some(format!(
-            "{inside} tests each part by itself and does not tell where solids overlap"
+            "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
         ));
     }
     None

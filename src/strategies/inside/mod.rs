@@ -1,4 +1,5 @@
 //! Inside tests.
 
 pub mod mask;
+pub mod stencil;
 pub mod vds;

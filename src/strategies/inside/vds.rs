@@ -93,6 +93,7 @@ pub fn record(
             layer: 0,
             clear: true,
             compare: DepthCompare::Always,
+            stencil: None,
         },
     );
     for layer in 0..layers {
@@ -119,6 +120,7 @@ pub fn record(
                 layer,
                 clear: true,
                 compare: DepthCompare::Less,
+                stencil: None,
             },
         );
     }
