@@ -70,6 +70,11 @@ impl Layers {
         self.pixels.iter().filter(|p| p.kind == kind).count()
     }
 
+    /// How many pixels show a cap that several solids share.
+    pub fn overlap_px(&self) -> usize {
+        self.pixels.iter().filter(|p| p.overlap).count()
+    }
+
     /// The pixel in column `x` and row `y`.
     pub fn at(&self, x: u32, y: u32) -> &Layer {
         &self.pixels[(y * self.size_px[0] + x) as usize]

@@ -104,6 +104,16 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
             if let Some(fault) = answer.fault_of_exact() {
                 faults.push(format!("{name} {}: {fault}", relief.unwrap_or("plane")));
             }
+            for strategy in [Strategy::RAYCAST_STENCIL, Strategy::STENCIL] {
+                // By itself it cuts by planes alone.
+                if strategy == Strategy::STENCIL && relief.is_some() {
+                    continue;
+                }
+                if let Some(fault) = question.answer(&strategy).fault_of_exact() {
+                    let relief = relief.unwrap_or("plane");
+                    faults.push(format!("{name} {relief} by {strategy}: {fault}"));
+                }
+            }
             let strategy = Strategy::RAYCAST_MASK;
             let drawn = by_compute
                 .draw(&question.model, &question.view, &strategy)

@@ -76,6 +76,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     console.step("opening");
     let opened = open(&args.scene, &console)?;
     let mut session = args.device.open()?;
+    session.set_options(opened.options(session.options()));
     let model = Model::of(&opened.scene);
     let judgement = judge(&mut session, &model, &opened, &strategies, rounds, &console)?;
 

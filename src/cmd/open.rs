@@ -5,13 +5,15 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::args::SceneArgs;
+use super::args::{SceneArgs, bytes_of};
 use super::console::Console;
 use super::sections::warn_of_misses;
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Material, OpenedMesh, Part, Prepared, Scene, View, load_mesh_file, load_scene_file,
+    Camera, Fill, Material, OpenedMesh, Part, Prepared, Scene, Topology, View, load_mesh_file,
+    load_scene_file,
 };
+use crate::strategies::FrameOptions;
 use crate::{Error, Result};
 
 /// What is used where neither the options nor the scene say a size.
@@ -27,10 +29,20 @@ pub(super) struct Opened {
     pub(super) size_px: [u32; 2],
     /// Colour behind everything that the scene file asks for, sRGB.
     pub(super) background: Option<Vec3>,
+    /// Colour of caps that several solids share, where they are to be shown.
+    pub(super) interference: Option<[u8; 3]>,
     zoom: f64,
 }
 
 impl Opened {
+    /// Options of frames with what the scene adds to them.
+    pub(super) fn options(&self, options: FrameOptions) -> FrameOptions {
+        FrameOptions {
+            interference: self.interference,
+            ..options
+        }
+    }
+
     /// The view of the scene.
     pub(super) fn view(&self, prepared: &Prepared) -> View {
         let mut view = prepared.view(self.size_px);
@@ -63,8 +75,28 @@ pub(super) fn open(args: &SceneArgs, console: &Console) -> Result<Opened> {
     };
     opened.size_px = args.resolution.unwrap_or(opened.size_px);
     opened.zoom = args.camera.zoom;
+    opened.interference = args.interference.or(opened.interference);
+    for part in &mut opened.scene.parts {
+        part.fill = args.fill.unwrap_or(part.fill);
+        note_what_nonzero_hears(part, console);
+    }
     warn_of_misses(&opened.scene, console);
     Ok(opened)
+}
+
+/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes.
+fn note_what_nonzero_hears(part: &Part, console: &Console) {
+    if part.fill == Fill::EvenOdd {
+        return;
+    }
+    let edges = Topology::of(&part.mesh).inconsistent_edges;
+    if edges > 0 {
+        console.note(format!(
+            "{}: fill is nonzero, but at {edges} edges the faces do not agree which side is out: caps can be wrong there, \
+             and are marked\n  mend: turn the faces, or use even-odd, which hears of no side",
+            part.name
+        ));
+    }
 }
 
 /// The parts of meshes and shapes, with names that tell them apart.
@@ -110,6 +142,7 @@ pub(super) fn open_scene(input: &str, console: &Console) -> Result<Opened> {
         strategy: file.strategy,
         size_px: file.resolution.unwrap_or(USUAL_SIZE_PX),
         background: file.background,
+        interference: file.interference.map(bytes_of),
         zoom: 1.0,
     })
 }
@@ -144,6 +177,7 @@ fn plain(parts: Vec<Part>, inputs: &[String]) -> Opened {
         strategy: None,
         size_px: USUAL_SIZE_PX,
         background: None,
+        interference: None,
         zoom: 1.0,
     }
 }

@@ -40,8 +40,8 @@ pub(super) struct RenderArgs {
     /// The picture, .png; `-` for standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: String,
-    /// Who draws the caps: raycast+mask, grid:N+vds:RES, or exact for the reference [default: that of the scene, or
-    /// raycast+mask]
+    /// Who draws the caps: raycast+mask, raycast+stencil, stencil (one plane), grid:N+vds:RES, or exact for the reference
+    /// [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
     /// Draw N times as fine along each side and average in linear light, 1 to 4
@@ -103,6 +103,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         (None, None) => Drawer::By(Strategy::RAYCAST_MASK),
     };
     let mut session = args.device.open()?;
+    session.set_options(opened.options(session.options()));
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,
@@ -301,6 +302,7 @@ impl Facts {
             "cap_px": count(Kind::Cap),
             "surface_px": count(Kind::Surface),
             "background_px": count(Kind::Background),
+            "overlap_px": self.layers.as_ref().map(Layers::overlap_px),
             "odd_parity_px": self.unreliable_px().unwrap_or(0),
             "bytes": self.bytes,
             "time_ms": self.times,

@@ -32,7 +32,7 @@ pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::Cut;
-pub use file::{Key, OpenedMesh, SceneFile, load_scene_file};
+pub use file::{Key, OpenedMesh, SceneFile, load_scene_file, parse_color};
 pub use fill::Fill;
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;

@@ -31,6 +31,7 @@ use glam::Vec3;
 use toml::de::{DeTable, DeValue};
 
 pub use keys::Key;
+pub use parts::parse_color;
 use reader::{Entry, Source, Table};
 
 use super::{Camera, Part, Scene};
@@ -45,6 +46,7 @@ const KEYS: &[&str] = &[
     "key",
     "resolution",
     "background",
+    "interference",
 ];
 
 /// Everything a scene file says.
@@ -58,6 +60,8 @@ pub struct SceneFile {
     pub resolution: Option<[u32; 2]>,
     /// Colour behind everything, as sRGB in 0..=1.
     pub background: Option<Vec3>,
+    /// Colour of caps that several solids share, as sRGB in 0..=1, where they are to be shown.
+    pub interference: Option<Vec3>,
     /// Numbers of the scene over time.
     pub keys: Vec<Key>,
     /// What the user should know: what was mended in a mesh, and what was read without effect.
@@ -158,6 +162,10 @@ fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFil
         resolution: root.get("resolution").map(|e| resolution(&e)).transpose()?,
         background: root
             .get("background")
+            .map(|e| parts::color(&e))
+            .transpose()?,
+        interference: root
+            .get("interference")
             .map(|e| parts::color(&e))
             .transpose()?,
         keys,

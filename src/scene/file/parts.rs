@@ -222,7 +222,8 @@ pub(super) fn color(entry: &Entry<'_>) -> Result<Vec3> {
     })
 }
 
-fn parse_color(text: &str) -> Option<Vec3> {
+/// A colour from its digits: `#rrggbb` or `#rgb`, as sRGB in 0..=1.
+pub fn parse_color(text: &str) -> Option<Vec3> {
     let digits = text.strip_prefix('#')?;
     if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
         return None;
