@@ -3,6 +3,7 @@
 
 mod crossings;
 mod fragments;
+mod lanes;
 mod mask;
 mod model;
 mod picture;
@@ -19,6 +20,7 @@ mod sweep;
 
 pub use crossings::Crossings;
 pub use fragments::{FragmentLists, sweep_of_fragments};
+pub use lanes::LaneTable;
 pub use model::{MeshRange, Model};
 pub use probe::Volume;
 pub use rasteriser::Rasteriser;

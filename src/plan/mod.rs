@@ -13,8 +13,8 @@ mod text;
 
 pub use check::Limits;
 pub use pass::{
-    Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, Pass, Vertices, Work,
-    groups_over,
+    Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, Pass, Stencil, StencilStep,
+    Vertices, Work, groups_over,
 };
 pub use resource::{Contents, Format, Resource, ResourceId, Role, Shape};
 

@@ -15,7 +15,7 @@ use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, ClipSurface, Cut, DEFAULT_CREASE_DEG, Material, OffsetMap, Part, Scene,
+    Bounds, Camera, ClipSurface, Cut, DEFAULT_CREASE_DEG, Fill, Material, OffsetMap, Part, Scene,
     ShadingMesh, SurfaceFrame, View, Wrap,
 };
 
@@ -38,6 +38,8 @@ pub struct PreparedPart {
     pub bounds: Bounds,
     /// Look.
     pub material: Material,
+    /// Which points the mesh encloses.
+    pub fill: Fill,
     /// Indices into [`Prepared::cuts`] of the cuts that apply.
     pub cuts: Vec<usize>,
 }
@@ -270,6 +272,7 @@ impl PreparedPart {
             }),
             shading: ShadingMesh::default(),
             material: part.material,
+            fill: part.fill,
             cuts,
         };
         placed.shading = ShadingMesh::of(&placed, DEFAULT_CREASE_DEG);
