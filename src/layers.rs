@@ -34,6 +34,9 @@ pub struct Layer {
     pub back_face: bool,
     /// The strategy cannot vouch for this pixel: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
+    /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies tell it where they are
+    /// asked to; exact always does.
+    pub overlap: bool,
     /// Distance from the eye along the viewing direction, in scene units; infinite for background.
     pub depth: f64,
     /// Unit normal in scene space, facing the camera's side; zero for background.
@@ -65,6 +68,11 @@ impl Layers {
     /// How many pixels are of a kind.
     pub fn count(&self, kind: Kind) -> usize {
         self.pixels.iter().filter(|p| p.kind == kind).count()
+    }
+
+    /// How many pixels show a cap that several solids share.
+    pub fn overlap_px(&self) -> usize {
+        self.pixels.iter().filter(|p| p.overlap).count()
     }
 
     /// The pixel in column `x` and row `y`.

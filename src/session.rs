@@ -187,6 +187,7 @@ impl Session {
     /// Shades layers that come from elsewhere, by the same pass as a strategy's.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let mut recorder = Recorder::new(model, view).map_err(Error::Plan)?;
+        recorder.interference = self.options.interference;
         recorder.given_layers(&crate::gpu::words_from_layers(layers));
         recorder.shade();
         let mut program = Program::default();

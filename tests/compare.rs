@@ -50,6 +50,7 @@ fn truth() -> Exact {
         layers,
         undecided: vec![false; count],
         depth_open: vec![false; count],
+        overlap_open: vec![false; count],
         odd_parity: vec![false; count],
     }
 }

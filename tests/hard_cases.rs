@@ -24,5 +24,9 @@ mod reliefs;
 mod solids;
 #[path = "hard_cases/sprites.rs"]
 mod sprites;
+#[path = "hard_cases/stencils.rs"]
+mod stencils;
 #[path = "hard_cases/table.rs"]
 mod table;
+#[path = "hard_cases/windings.rs"]
+mod windings;

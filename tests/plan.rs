@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use cutaway::passes::Model;
-use cutaway::plan::{Capacities, Clock, Pass, Plan, Work};
+use cutaway::plan::{Capacities, Clock, Limits, Pass, Plan, Work};
 use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene, Wrap, shapes};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
@@ -25,8 +25,16 @@ mod minimum;
 mod rules;
 #[path = "plan/session.rs"]
 mod session;
+#[path = "plan/stencil.rs"]
+mod stencil;
 
 const SIZE: [u32; 2] = [320, 200];
+
+/// What a device with a stencil beside 32 bits of depth offers.
+const WITH_STENCIL: Limits = Limits {
+    depth32_stencil8: true,
+    ..Limits::CORE
+};
 
 /// The scene of some shapes, each beside the one before.
 fn scene_of(specs: &[&str], cuts: Vec<Cut>) -> Scene {
@@ -75,9 +83,10 @@ fn strategy(name: &str) -> Strategy {
     name.parse().unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The strategies that are built, with small parameters as well as the usual.
+/// The strategies that are built and draw cuts of every kind, with small parameters as well as the usual.
 fn all_strategies() -> Vec<Strategy> {
     let mut all = Strategy::ALL.to_vec();
+    all.retain(|s| *s != Strategy::STENCIL);
     all.push(strategy("grid:8+vds:64"));
     all
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cutaway::error::Result;
 use cutaway::scene::relief::{Procedure, ProcedureKind, read_offset_map};
 use cutaway::scene::{
-    Mesh, Part, Projection, ReliefSpec, Role, SceneFile, Up, Viewpoint, Wrap, apply_relief,
+    Fill, Mesh, Part, Projection, ReliefSpec, Role, SceneFile, Up, Viewpoint, Wrap, apply_relief,
     load_scene_file, section_misses, section_surface,
 };
 use glam::{DVec3, Vec3};
@@ -68,6 +68,7 @@ fn every_table_reaches_the_scene() {
         r##"
 resolution = [640, 480]
 background = "#fff"
+interference = "#00f"
 
 [camera]
 azimuth_deg = 10
@@ -86,6 +87,7 @@ rotate_deg = [0, 0, 90]
 scale = 2
 role = "interior"
 priority = -3
+fill = "nonzero"
 material = { color = "#8a94a6", cap_color = "#ff0000", hatch = "steel" }
 
 [[part]]
@@ -140,6 +142,7 @@ values = [[0, 0, -1], [0, 0, 1]]
     assert_eq!(scene.name, "engine", "name of the scene");
     assert_eq!(file.resolution, Some([640, 480]), "resolution");
     assert_eq!(file.background, Some(Vec3::ONE), "background");
+    assert_eq!(file.interference, Some(Vec3::Z), "interference");
     assert_eq!(file.strategy.as_deref(), Some("raycast+mask"), "strategy");
 
     let camera = scene.camera;
@@ -174,6 +177,9 @@ values = [[0, 0, -1], [0, 0, 1]]
         (Role::Interior, Some(-3)),
         "role and priority"
     );
+    let fills: Vec<Fill> = scene.parts.iter().map(|p| p.fill).collect();
+    assert_eq!(fills[0], Fill::Nonzero, "fill");
+    assert_eq!(fills[1..], [Fill::EvenOdd; 3], "the usual fill");
     let moved = crank.world_from_part.transform_point3(DVec3::X);
     assert!(
         (moved - DVec3::new(1.0, 4.0, 3.0)).length() < 1e-12,

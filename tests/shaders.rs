@@ -113,7 +113,7 @@ fn open_modules_want_to_be_filled_once() {
         unfilled.contains("is open: fill it with one of lib/"),
         "{unfilled}"
     );
-    let idle = shader::Shader::from("passes/shade.wgsl").with("lib/store/mask.wgsl");
+    let idle = shader::Shader::from("passes/gather.wgsl").with("lib/store/mask.wgsl");
     let idle = shader::compose(&idle)
         .expect_err("it has no such module")
         .to_string();
@@ -358,6 +358,11 @@ fn constants_have_one_value_on_both_sides() {
         // The bits that `gpu::program` takes words apart by.
         ("BACK_FACE", 4),
         ("UNRELIABLE", 8),
+        ("OVERLAP", 16),
+        // In the place of the shift of a lane of 32 bits: `tests/plan/minimum.rs` finds it in the table of parts.
+        ("WINDING", 32),
+        // Known to the shader alone.
+        ("STRIPE_PX", 10),
         // No clip-surface: known to the shaders alone, and no number of one.
         ("NONE", u32::MAX),
         ("REPEAT", Wrap::Repeat.code()),

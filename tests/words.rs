@@ -23,6 +23,8 @@ mod reliefs;
 mod sides;
 #[path = "words/walk.rs"]
 mod walk;
+#[path = "words/winding.rs"]
+mod winding;
 
 /// Half a unit in the last place of an f32 near 1: the relative error of one correctly rounded operation.
 const U: f64 = 1.0 / (1 << 24) as f64;

@@ -11,7 +11,7 @@
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
 #import cutaway::lanes::Lanes
-#import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
+#import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
@@ -36,22 +36,36 @@ struct Cap {
     found: bool,
     rank: u32,
     crossing: u32,
+    // Other parts come free inside there too.
+    overlap: bool,
 }
 
-// The first cap among the crossings before `limit`.
+// The first cap among the crossings before `limit`. Parts are asked in order, and the first wins; whether a second one shares
+// the cap is asked only where it is shown.
 fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
     var sides = start;
+    var cap = Cap(false, 0u, 0u, false);
     for (var i = 0u; i < limit; i++) {
         let after = sides ^ (1u << surface_at(i, pixel));
         for (var rank = 0u; rank < lanes.count; rank++) {
             let enters = is_removed(sides, parts[rank].cuts) && !is_removed(after, parts[rank].cuts);
             if enters && is_inside(lanes, rank, pixel, i) {
-                return Cap(true, rank, i);
+                if cap.found {
+                    cap.overlap = true;
+                    return cap;
+                }
+                cap = Cap(true, rank, i, false);
+                if !lanes.overlaps {
+                    return cap;
+                }
             }
+        }
+        if cap.found {
+            return cap;
         }
         sides = after;
     }
-    return Cap(false, 0u, 0u);
+    return cap;
 }
 
 // Decides a pixel.
@@ -76,17 +90,19 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     if cap.found {
         let surface = surface_at(cap.crossing, pixel);
         depth = depth_at(cap.crossing, pixel);
-        word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part);
+        word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part) | select(0u, OVERLAP, cap.overlap);
         wanted = surface;
     }
 
     var odd = false;
+    var near_caps = 0u;
     for (var rank = lanes.count; rank > 0u; rank--) {
         if starts_inside(lanes, rank - 1u, pixel) {
             odd = true;
             if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[rank - 1u].cuts) {
                 depth = frame.near;
-                word = layer_word(CAP, NEAR_PLANE, parts[rank - 1u].part);
+                near_caps++;
+                word = layer_word(CAP, NEAR_PLANE, parts[rank - 1u].part) | select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
                 normal = pack_normal(-frame.forward.xyz);
                 wanted = NONE;
             }

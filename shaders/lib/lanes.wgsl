@@ -1,6 +1,9 @@
-// Lanes: the bits of one part among the words of a pixel.
+// Lanes: the bits or counts of one part among the words of a pixel.
 
 #define_import_path cutaway::lanes
+
+// In the place of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
+const WINDING: u32 = 32u;
 
 // Where the bits of a part are, and how many.
 struct Lane {
@@ -24,9 +27,10 @@ struct Fragment {
 }
 
 // How lanes are laid out, and whether the near plane meets a solid: then an odd total says that the ray starts inside, not that
-// the mesh is open.
+// the mesh is open. `overlaps` asks where several parts share a cap.
 struct Lanes {
     bits: u32,
     count: u32,
     near_inside: bool,
+    overlaps: bool,
 }

@@ -1,6 +1,6 @@
 // Layers as words. One pixel of the result is three words: what it is, its normal, its depth.
 //
-// First word: bits 0-1 kind, 2 back face, 3 unreliable, 8-15 clip-surface, 16-31 part.
+// First word: bits 0-1 kind, 2 back face, 3 unreliable, 4 overlap, 8-15 clip-surface, 16-31 part.
 
 #define_import_path cutaway::layers
 
@@ -9,6 +9,8 @@ const SURFACE: u32 = 1u;
 const CAP: u32 = 2u;
 const BACK_FACE: u32 = 4u;
 const UNRELIABLE: u32 = 8u;
+// A cap that several solids share.
+const OVERLAP: u32 = 16u;
 const NEAR_PLANE: u32 = 0xffu;
 // In the place of a clip-surface: drawn by a pass that knows no list of crossings.
 const UNRANKED: u32 = 0xfeu;

@@ -1,11 +1,13 @@
-// Light and colour: a key light over the viewer's left shoulder, a cool fill from the right and a sky that fades to the ground;
-// caps in their own colour and a little flatter, so that the cut reads as one sheet. Colours are mixed in linear light.
+// Light and colour: a key light over the viewer's left shoulder and a cool fill from the right; caps in their own colour and a
+// little flatter, so that the cut reads as one sheet. Colours are mixed in linear light.
+// The open module `overlap` says how caps that several solids share differ.
 
 #define_import_path cutaway::light
 
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, centre_of, ray_through}
 #import cutaway::layers::{CAP, kind_of, unpack_normal}
+#import cutaway::overlap::cap_base
 
 fn linear_from_srgb(c: vec3<f32>) -> vec3<f32> {
     return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
@@ -28,16 +30,11 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, gaze: vec3<f32>, is_cap: bool) -> vec
     return base * (ambient + diffuse) + gloss;
 }
 
-// Colour of a row where there is no surface and no cap.
-fn background(row: u32) -> u32 {
-    let color = mix(vec3<f32>(0.93, 0.94, 0.95), vec3<f32>(0.72, 0.75, 0.79), f32(row) / f32(frame.size_px.y));
-    return pack4x8unorm(vec4<f32>(color, 1.0));
-}
-
 // Colour of a pixel with a surface or a cap: the first two words of its layer, and the rank of its part.
 fn color_of(at: vec2<u32>, word: u32, normal: u32, rank: u32) -> u32 {
     let is_cap = kind_of(word) == CAP;
-    let base = linear_from_srgb(select(parts[rank].color.rgb, parts[rank].cap_color.rgb, is_cap));
+    let own = linear_from_srgb(select(parts[rank].color.rgb, parts[rank].cap_color.rgb, is_cap));
+    let base = cap_base(own, word, at);
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let color = srgb_from_linear(lit(base, unpack_normal(normal), gaze, is_cap));
     return pack4x8unorm(vec4<f32>(color, 1.0));

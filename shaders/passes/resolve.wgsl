@@ -11,13 +11,14 @@
 override lane_bits: u32 = 32u;
 override lane_count: u32 = 1u;
 override near_inside: bool = false;
+override overlaps: bool = false;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if any(id.xy >= frame.size_px) {
         return;
     }
-    let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside), drawn(id.xy));
+    let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside, overlaps), drawn(id.xy));
     var normal = 0u;
     if decision.surface != NONE {
         normal = packed_cap_normal(id.xy, decision.surface, decision.depth);

@@ -1,8 +1,10 @@
 // Turns layers into a picture: the same pass for every strategy and for the exact reference. One invocation owns one pixel.
+// The open module `overlap` says how caps that several solids share differ.
 
+#import cutaway::background::background
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of, part_of}
-#import cutaway::light::{background, color_of}
+#import cutaway::light::color_of
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 // Rank of each part of the scene.

@@ -1,12 +1,12 @@
 //! Options that several subcommands share.
 
 use clap::{Args, ValueEnum};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
-use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
+use crate::scene::{Bounds, Camera, Cut, Fill, Projection, Up, Viewpoint, parse_color};
 use crate::session::Session;
 use crate::strategies::{FrameOptions, Rasteriser};
 
@@ -26,6 +26,21 @@ pub(super) struct SceneArgs {
     pub(super) sections: SectionArgs,
     #[command(flatten)]
     pub(super) camera: CameraArgs,
+    /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
+    /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
+    #[arg(long, value_name = "RULE", value_parser = parse_fill)]
+    pub(super) fill: Option<Fill>,
+    /// Hatch the caps that several solids share, by default in #ff00aa [default: that of the scene, or not at all]
+    #[arg(
+        long,
+        value_name = "COLOUR",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "#ff00aa",
+        value_parser = parse_interference,
+        help_heading = "Output"
+    )]
+    pub(super) interference: Option<[u8; 3]>,
     /// Width and height of the picture in pixels [default: that of the scene, or 1024,768]
     #[arg(long, value_name = "W,H", value_parser = parse_resolution, allow_hyphen_values = true, help_heading = "Output")]
     pub(super) resolution: Option<[u32; 2]>,
@@ -255,7 +270,7 @@ impl DeviceArgs {
 /// Who rasterises the mesh.
 #[derive(Args)]
 pub(super) struct RasteriserArgs {
-    /// Who rasterises the mesh: hardware, or compute (raycast+mask only)
+    /// Who rasterises the mesh: hardware, or compute (raycast with mask, abuffer, kbuffer or ldi)
     #[arg(
         long,
         value_name = "WHO",
@@ -269,11 +284,26 @@ pub(super) struct RasteriserArgs {
 impl RasteriserArgs {
     /// As options of frames.
     pub(super) fn options(&self) -> FrameOptions {
-        FrameOptions {
-            rasteriser: self.rasteriser,
-            ..FrameOptions::default()
-        }
+        FrameOptions::by(self.rasteriser)
     }
+}
+
+fn parse_fill(text: &str) -> Result<Fill, String> {
+    text.parse().map_err(|_: crate::Error| {
+        "there is no such rule\n  mend: say even-odd or nonzero".to_owned()
+    })
+}
+
+fn parse_interference(text: &str) -> Result<[u8; 3], String> {
+    let color = parse_color(text).ok_or_else(|| {
+        "it is no colour\n  mend: write #rrggbb, for example --interference=#ff00aa".to_owned()
+    })?;
+    Ok(bytes_of(color))
+}
+
+/// A colour as the options of a frame take it.
+pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
+    (color * 255.0).to_array().map(|c| c.round() as u8)
 }
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {

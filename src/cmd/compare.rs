@@ -81,6 +81,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     console.step("opening");
     let opened = open(&args.scene, &args.when, &console)?;
     let mut session = args.device.open()?;
+    session.set_options(opened.options(session.options()));
     let shown = Shown::of(&opened.scene);
     let judgement = judge(&mut session, &shown, &opened, &strategies, rounds, &console)?;
 

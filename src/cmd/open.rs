@@ -5,16 +5,17 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::args::{CameraArgs, SceneArgs};
+use super::args::{CameraArgs, SceneArgs, bytes_of};
 use super::console::Console;
 use super::sections::warn_of_misses;
 use super::when::TimeArgs;
 use crate::scene::frames::{Pattern, Sequence};
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Cut, Material, OpenedMesh, Part, Prepared, Scene, Timeline, View, load_mesh_file,
-    load_scene_file,
+    Camera, Cut, Fill, Material, OpenedMesh, Part, Prepared, Scene, Timeline, Topology, View,
+    load_mesh_file, load_scene_file,
 };
+use crate::strategies::FrameOptions;
 use crate::{Error, Result};
 
 /// What is used where neither the options nor the scene say a size.
@@ -32,6 +33,10 @@ pub(super) struct Opened {
     pub(super) size_px: [u32; 2],
     /// Colour behind everything that the scene file asks for, sRGB.
     pub(super) background: Option<Vec3>,
+    /// Colour of caps that several solids share, where they are to be shown.
+    pub(super) interference: Option<[u8; 3]>,
+    /// The rule that the options fill all parts by, if they say one.
+    fill: Option<Fill>,
     /// Cuts of the command line, the same at all times.
     cuts: Vec<Cut>,
     /// Camera of the command line, where the scene has none of its own.
@@ -40,6 +45,14 @@ pub(super) struct Opened {
 }
 
 impl Opened {
+    /// Options of frames with what the scene adds to them.
+    pub(super) fn options(&self, options: FrameOptions) -> FrameOptions {
+        FrameOptions {
+            interference: self.interference,
+            ..options
+        }
+    }
+
     /// The view of the scene.
     pub(super) fn view(&self, prepared: &Prepared) -> View {
         self.zoomed(prepared.view(self.size_px))
@@ -58,6 +71,7 @@ impl Opened {
     /// The scene at a time in seconds, with everything that the options say.
     pub(super) fn at(&self, time_s: f64) -> Result<Scene> {
         let mut scene = self.timeline.at(time_s)?;
+        fill_by(&mut scene, self.fill);
         scene.cuts.extend(self.cuts.iter().cloned());
         scene.camera = match self.usual_camera {
             Some(camera) => camera,
@@ -79,6 +93,10 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     let inputs = Inputs::open(&args.inputs, console)?;
     let (mut scene, timeline) = inputs.at(when)?;
     let of_file = scene.cuts.len();
+    fill_by(&mut scene, args.fill);
+    for part in &scene.parts {
+        note_what_nonzero_hears(part, console);
+    }
     args.sections.apply(&mut scene)?;
     let bounds = scene.bounds();
     let cuts = scene.cuts[of_file..].to_vec();
@@ -99,6 +117,8 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
             .or(inputs.resolution)
             .unwrap_or(USUAL_SIZE_PX),
         background: inputs.background,
+        interference: args.interference.or(inputs.interference),
+        fill: args.fill,
         cuts,
         usual_camera,
         camera: args.camera.clone(),
@@ -117,6 +137,7 @@ pub(super) struct Inputs {
     strategy: Option<String>,
     resolution: Option<[u32; 2]>,
     background: Option<Vec3>,
+    interference: Option<[u8; 3]>,
 }
 
 impl Inputs {
@@ -148,6 +169,7 @@ impl Inputs {
             strategy: file.strategy,
             resolution: file.resolution,
             background: file.background,
+            interference: file.interference.map(bytes_of),
         })
     }
 
@@ -178,6 +200,7 @@ impl Inputs {
             strategy: None,
             resolution: None,
             background: None,
+            interference: None,
         })
     }
 
@@ -196,6 +219,28 @@ impl Inputs {
     fn timeline(&self) -> Timeline {
         let of_parts = || Timeline::of_scene(self.rest.clone());
         self.timeline.clone().unwrap_or_else(of_parts)
+    }
+}
+
+/// Fills all parts by the rule that the options say.
+fn fill_by(scene: &mut Scene, rule: Option<Fill>) {
+    for part in &mut scene.parts {
+        part.fill = rule.unwrap_or(part.fill);
+    }
+}
+
+/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes.
+fn note_what_nonzero_hears(part: &Part, console: &Console) {
+    if part.fill == Fill::EvenOdd {
+        return;
+    }
+    let edges = Topology::of(&part.mesh).inconsistent_edges;
+    if edges > 0 {
+        console.note(format!(
+            "{}: fill is nonzero, but at {edges} edges the faces do not agree which side is out: caps can be wrong there, \
+             and are marked\n  mend: turn the faces, or use even-odd, which hears of no side",
+            part.name
+        ));
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) struct PlanArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Whose passes: raycast+mask, grid:N+vds:RES [default: that of the scene, or raycast+mask]
+    /// Whose passes: raycast+mask, raycast+stencil, stencil, grid:N+vds:RES [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
     /// The same as JSON; with `-` instead of the text
@@ -64,7 +64,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         &model,
         &view,
         &strategy,
-        &args.rasteriser.options(),
+        &opened.options(args.rasteriser.options()),
         &Capacities::UNKNOWN,
     )
     .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;

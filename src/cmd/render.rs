@@ -85,6 +85,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let opened = open(&args.scene, &args.when, &console)?;
     let drawer = args.look.drawer(&opened)?;
     let mut session = args.device.open()?;
+    session.set_options(opened.options(session.options()));
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,
@@ -244,6 +245,7 @@ impl Facts {
             "cap_px": count(Kind::Cap),
             "surface_px": count(Kind::Surface),
             "background_px": count(Kind::Background),
+            "overlap_px": self.layers.as_ref().map(Layers::overlap_px),
             "odd_parity_px": self.layers.as_ref().map_or(0, unreliable_px),
             "bytes": self.bytes,
             "time_ms": self.times,

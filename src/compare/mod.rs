@@ -50,6 +50,9 @@ pub struct Comparison {
     pub decided_wrong_px: usize,
     /// Pixels the strategy does not vouch for: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
+    /// Pixels where the strategy says that several solids share the cap; it is told to look by
+    /// [`FrameOptions::interference`](crate::strategies::FrameOptions), and else says so nowhere.
+    pub overlap_px: usize,
     /// Largest error of depth in world units.
     pub depth_error_max: f64,
     /// Mean error of depth in world units.
@@ -81,7 +84,10 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
         exact.layers.size_px, layers.size_px,
         "frames of different size cannot be compared"
     );
-    let mut result = Comparison::default();
+    let mut result = Comparison {
+        overlap_px: layers.overlap_px(),
+        ..Comparison::default()
+    };
     let (mut depth, mut depth_px, mut normal) =
         (Error::default(), Error::default(), Error::default());
     for (index, (truth, found)) in exact.layers.pixels.iter().zip(&layers.pixels).enumerate() {

@@ -4,7 +4,8 @@
 //! rightly answer otherwise. Three things can make it so: an outline nearby, two events of one ray that are so close that
 //! their order is open, and a ray that grazes a clip-surface. Nearness alone is not enough: the walk is repeated with the
 //! pair swapped, or the graze taken the other way, and only another kind, part or clip-surface leaves the sample undecided;
-//! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open. An outline leaves
+//! if all of these stay and the depth jumps, as between the folds of a relief, the depth alone is open; if only other solids
+//! come to overlap at a cap or cease to, that alone is. An outline leaves
 //! the sample undecided where the part is not clearly removed and nothing hides it.
 //!
 //! Exact coincidence is decided: a triangle in a clip-plane is on its kept side (see [`super::walk`]), and of two parts
@@ -34,7 +35,9 @@ pub(super) fn rounding(view: &View, depth: f64) -> f64 {
 pub(super) enum Openness {
     /// All of it is decided.
     Nothing,
-    /// The depth, and the normal with it, may be another; kind, part and clip-surface are decided.
+    /// Whether solids overlap at a cap may be otherwise; all else is decided.
+    Overlap,
+    /// The depth, and normal and overlap with it, may be another; kind, part and clip-surface are decided.
     Depth,
     /// Anything may be another.
     All,
@@ -114,7 +117,7 @@ impl Case<'_> {
     /// How far an event may move in depth.
     fn margin(&self, event: &Event) -> f64 {
         let change = match event.cause {
-            Cause::Mesh(rank) => {
+            Cause::Mesh { rank, .. } => {
                 let triangle = self.crossings[event.source as usize].triangle;
                 self.parts[rank as usize].facet(triangle).depth_change(
                     self.view,
@@ -163,8 +166,8 @@ impl Case<'_> {
             }
         }
         let state = State {
-            inside: Vec::new(),
             removed,
+            ..State::default()
         };
         state.removes(self.prepared, brush.rank)
     }
@@ -292,11 +295,13 @@ impl Case<'_> {
         let lies_in =
             |mesh: &Event, surface: u16| self.coincident.contains(&(mesh.source, surface));
         match (a.cause, b.cause) {
-            (Cause::Mesh(p), Cause::Mesh(q)) => p != q && !self.share_triangle(a, b),
-            (Cause::Mesh(p), Cause::Clip { surface, .. }) => {
+            (Cause::Mesh { rank: p, .. }, Cause::Mesh { rank: q, .. }) => {
+                p != q && !self.share_triangle(a, b)
+            }
+            (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
                 meets(p, surface) && !lies_in(a, surface)
             }
-            (Cause::Clip { surface, .. }, Cause::Mesh(p)) => {
+            (Cause::Clip { surface, .. }, Cause::Mesh { rank: p, .. }) => {
                 meets(p, surface) && !lies_in(b, surface)
             }
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
@@ -338,6 +343,8 @@ impl Case<'_> {
                 let step = rounding(self.view, a.depth);
                 if (a.depth - b.depth).abs() > 2.0 * (reach + step) {
                     Openness::Depth
+                } else if a.overlap != b.overlap {
+                    Openness::Overlap
                 } else {
                     Openness::Nothing
                 }

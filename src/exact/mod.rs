@@ -6,14 +6,16 @@
 //! clip-surface (`clip`, `relief`), walks them in order (`walk`), and says which answers hang on less than a picture
 //! can tell (`ambiguity`). It shares no algorithm with the strategies it judges.
 //!
-//! *Inside* is even-odd. The crossings of the whole line count, behind the eye too: inside at the near plane is an odd
-//! number before it. An open part has pixels with an odd number in all; they are marked ([`Exact::odd_parity`]) and drawn
-//! as if the line started outside. An eye that is on a mesh to the last bit has no side, and gets odd pixels too.
+//! *Inside* is by the part's [`Fill`](crate::scene::Fill). The crossings of the whole line count, behind the eye too: inside
+//! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
+//! number or, where the rule is nonzero, a sum that is not 0; they are marked ([`Exact::odd_parity`]) and drawn as if the line
+//! started outside. An eye that is on a mesh to the last bit has no side, and gets odd pixels too.
 //!
 //! Cost: time and memory of the crossings, plus one step per texel border within the relief's slab between the first and
 //! the last crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
 
 mod ambiguity;
+mod bench;
 mod clip;
 mod outline;
 mod raster;
@@ -25,11 +27,12 @@ mod walk;
 use glam::DVec2;
 use rayon::prelude::*;
 
-use self::ambiguity::{Case, Openness, Scratch};
-use self::clip::{Clip, Graze, Ray, Root};
+use self::ambiguity::{Case, Openness};
+use self::bench::Bench;
+use self::clip::{Clip, Ray};
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
-use self::walk::{Cause, Event, Sight, State, by_depth, walk};
+use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
 use crate::scene::{Prepared, View};
 
@@ -43,7 +46,10 @@ pub struct Exact {
     /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within 1/256 px, as between two
     /// folds of a relief. No undecided pixel is one of them.
     pub depth_open: Vec<bool>,
-    /// Whether some part has an odd number of crossings along the whole line: it is open there.
+    /// Whether solids overlap at the cap is open, be it because its depth is. No undecided pixel is one of them.
+    pub overlap_open: Vec<bool>,
+    /// Whether some part has an odd number of crossings along the whole line, or crossings that do not cancel where its rule
+    /// is nonzero: it is open there, or its faces do not agree which side is out.
     pub odd_parity: Vec<bool>,
 }
 
@@ -73,6 +79,7 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
         layers: Layers::background(view.size_px),
         undecided: vec![false; width as usize * height as usize],
         depth_open: vec![false; width as usize * height as usize],
+        overlap_open: vec![false; width as usize * height as usize],
         odd_parity: vec![false; width as usize * height as usize],
     };
     let band_pixels = (width * BAND_ROWS) as usize;
@@ -82,16 +89,20 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
         .par_chunks_mut(band_pixels)
         .zip(exact.undecided.par_chunks_mut(band_pixels))
         .zip(exact.depth_open.par_chunks_mut(band_pixels))
+        .zip(exact.overlap_open.par_chunks_mut(band_pixels))
         .zip(exact.odd_parity.par_chunks_mut(band_pixels))
         .enumerate()
-        .for_each(|(band, (((layers, undecided), depth_open), odd))| {
-            scene.band(band, |pixel, answer| {
-                layers[pixel] = answer.layer;
-                undecided[pixel] = answer.open == Openness::All;
-                depth_open[pixel] = answer.open == Openness::Depth;
-                odd[pixel] = answer.layer.unreliable;
-            });
-        });
+        .for_each(
+            |(band, ((((layers, undecided), depth_open), overlap), odd))| {
+                scene.band(band, |pixel, answer| {
+                    layers[pixel] = answer.layer;
+                    undecided[pixel] = answer.open == Openness::All;
+                    depth_open[pixel] = answer.open == Openness::Depth;
+                    overlap[pixel] = matches!(answer.open, Openness::Depth | Openness::Overlap);
+                    odd[pixel] = answer.layer.unreliable;
+                });
+            },
+        );
     exact
 }
 
@@ -215,7 +226,7 @@ impl<'a> Lines<'a> {
                 open: Openness::Nothing,
             };
         }
-        let inside_at_near = bench.start.inside.iter().any(|i| *i);
+        let inside_at_near = bench.ranks.iter().any(|r| bench.start.is_inside(*r));
         let from = if inside_at_near {
             before_near
         } else {
@@ -304,6 +315,7 @@ impl<'a> Lines<'a> {
     fn show(&self, ray: &Ray, sight: &Sight, bench: &Bench, layer: &mut Layer) {
         layer.part = self.prepared.parts[sight.rank as usize].part as u16;
         layer.depth = sight.depth;
+        layer.overlap = sight.overlap;
         match sight.event.map(|e| (e.cause, e.source as usize)) {
             None => {
                 layer.kind = Kind::Cap;
@@ -315,7 +327,7 @@ impl<'a> Lines<'a> {
                 layer.clip_surface = surface as u8;
                 layer.normal = shading::cap_normal(&bench.roots[source]);
             }
-            Some((Cause::Mesh(_), source)) => {
+            Some((Cause::Mesh { .. }, source)) => {
                 let crossing = &bench.crossings[source];
                 layer.kind = Kind::Surface;
                 layer.back_face = crossing.back_face;
@@ -324,92 +336,5 @@ impl<'a> Lines<'a> {
                 layer.normal = shading::surface_normal(part, crossing, point);
             }
         }
-    }
-}
-
-/// What one ray is worked out on; reused from ray to ray.
-struct Bench {
-    crossings: Vec<Crossing>,
-    roots: Vec<Root>,
-    grazes: Vec<Graze>,
-    events: Vec<Event>,
-    /// Ranks of the parts the ray meets or almost meets, in order.
-    ranks: Vec<u16>,
-    /// Per surface: its roots are listed.
-    met: Vec<bool>,
-    coincident: Vec<(u32, u16)>,
-    start: State,
-    state: State,
-    scratch: Scratch,
-    /// Per rank: odd number of crossings along the whole line.
-    odd: Vec<bool>,
-}
-
-impl Bench {
-    fn of(prepared: &Prepared) -> Self {
-        Self {
-            crossings: Vec::new(),
-            roots: Vec::new(),
-            grazes: Vec::new(),
-            events: Vec::new(),
-            ranks: Vec::new(),
-            met: vec![false; prepared.surfaces.len()],
-            coincident: Vec::new(),
-            start: State::of(prepared),
-            state: State::of(prepared),
-            scratch: Scratch::of(prepared),
-            odd: vec![false; prepared.parts.len()],
-        }
-    }
-
-    /// Takes the crossings beyond a depth, counts those before it, and tells whether some part is open.
-    fn sort_crossings(&mut self, found: &[Crossing], brushes: &[Brush], from: f64) -> bool {
-        self.ranks.extend(found.iter().map(|c| c.rank));
-        self.ranks.extend(brushes.iter().map(|b| b.rank));
-        self.ranks.sort_unstable();
-        self.ranks.dedup();
-        for crossing in found {
-            let rank = crossing.rank as usize;
-            self.odd[rank] ^= true;
-            if crossing.depth > from {
-                self.crossings.push(*crossing);
-            } else {
-                self.start.inside[rank] ^= true;
-            }
-        }
-        self.ranks.iter().any(|r| self.odd[*r as usize])
-    }
-
-    fn merge_events(&mut self) {
-        self.events
-            .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
-                depth: c.depth,
-                cause: Cause::Mesh(c.rank),
-                source: i as u32,
-            }));
-        self.events
-            .extend(self.roots.iter().enumerate().map(|(i, r)| Event {
-                depth: r.depth,
-                cause: Cause::Clip {
-                    surface: r.surface,
-                    to_kept: r.to_kept,
-                },
-                source: i as u32,
-            }));
-        self.events.sort_unstable_by(by_depth);
-    }
-
-    fn clear(&mut self) {
-        for rank in self.ranks.drain(..) {
-            self.start.inside[rank as usize] = false;
-            self.odd[rank as usize] = false;
-        }
-        self.crossings.clear();
-        self.roots.clear();
-        self.grazes.clear();
-        self.events.clear();
-        self.coincident.clear();
-        self.met.fill(false);
-        self.start.removed.fill(false);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! An edge shared by exactly two faces that lie on different sides of it in the picture is no outline: whichever of the
 //! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
-//! with more than two faces. Vertices are matched by position here, because a mesh may store one point twice.
+//! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`is_sliver`]).
 //!
@@ -34,7 +34,8 @@ pub(super) struct Brush {
     pub(super) pixel: u32,
     /// Rank of the part.
     pub(super) rank: u16,
-    /// The edge has an odd number of faces: beyond it, parity itself changes.
+    /// The edge has an odd number of faces, or directions that do not cancel where the rule is nonzero: beyond it the part is
+    /// open.
     pub(super) odd: bool,
     /// Depth of the edge.
     pub(super) depth: f64,
@@ -47,6 +48,8 @@ struct Use {
     key: (u32, u32),
     triangle: u32,
     side: i8,
+    /// 1 where the face runs along the key, -1 where it runs against it.
+    direction: i8,
 }
 
 /// The outlines of a part.
@@ -72,14 +75,18 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     key: (from.min(to), from.max(to)),
                     triangle: index as u32,
                     side: if from < to { facing } else { -facing },
+                    direction: if from < to { 1 } else { -1 },
                 }
             })
         })
         .collect();
     uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
+    let fill = projected.part.fill;
+    let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
     uses.chunk_by(|a, b| a.key == b.key)
         .filter(|faces| {
-            !(faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side)
+            let across = faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side;
+            !across || fill.holds(sum(faces))
         })
         .filter_map(|faces| {
             let (from, to) = faces[0].key;
@@ -98,7 +105,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             Some(Outline {
                 ends,
                 rank,
-                odd: faces.len() % 2 == 1,
+                odd: fill.holds(sum(faces)),
                 margin,
             })
         })

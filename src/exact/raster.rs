@@ -140,6 +140,13 @@ pub(super) struct Crossing {
     pub(super) back_face: bool,
 }
 
+impl Crossing {
+    /// What it adds to the winding number along the ray: 1 into the mesh, -1 out of it.
+    pub(super) fn step(&self) -> i8 {
+        if self.back_face { -1 } else { 1 }
+    }
+}
+
 /// Things sorted into bands of rows.
 pub(super) struct Bands {
     starts: Vec<usize>,

@@ -1,6 +1,7 @@
 //! The definition itself: walk the events along a ray in order of depth and stop where it first enters what is left.
 //!
-//! State: per part, inside or outside, by parity; per clip-surface, removed or kept side. A cut removes where all its
+//! State: per part, the winding number, of which the part's rule makes inside or outside; per clip-surface, removed or kept
+//! side. A cut removes where all its
 //! surfaces do, a part loses what any of its cuts removes. A part *shows* where the ray is inside it and nothing removes
 //! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
 //!
@@ -11,13 +12,18 @@
 
 use std::cmp::Ordering;
 
-use crate::scene::Prepared;
+use crate::scene::{Fill, Prepared};
 
 /// What happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cause {
-    /// The ray crosses the mesh of the part of this rank.
-    Mesh(u16),
+    /// The ray crosses the mesh of a part.
+    Mesh {
+        /// Rank of the part.
+        rank: u16,
+        /// What it adds to the winding number: 1 into the mesh, -1 out of it.
+        step: i8,
+    },
     /// The ray crosses a clip-surface.
     Clip {
         /// Number of the surface.
@@ -45,7 +51,7 @@ impl Event {
                 surface,
                 to_kept: true,
             } => (0, surface),
-            Cause::Mesh(rank) => (1, rank),
+            Cause::Mesh { rank, .. } => (1, rank),
             Cause::Clip { surface, .. } => (2, surface),
         }
     }
@@ -62,8 +68,10 @@ pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
 /// Where a ray stands.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
+    /// Per rank: the winding number.
+    pub(super) winding: Vec<i32>,
     /// Per rank.
-    pub(super) inside: Vec<bool>,
+    pub(super) fill: Vec<Fill>,
     /// Per clip-surface: on its removed side.
     pub(super) removed: Vec<bool>,
 }
@@ -72,15 +80,21 @@ impl State {
     /// A state outside everything.
     pub(super) fn of(prepared: &Prepared) -> Self {
         Self {
-            inside: vec![false; prepared.parts.len()],
+            winding: vec![0; prepared.parts.len()],
+            fill: prepared.parts.iter().map(|p| p.fill).collect(),
             removed: vec![false; prepared.surfaces.len()],
         }
     }
 
     /// Becomes a copy.
     pub(super) fn set(&mut self, other: &Self) {
-        self.inside.copy_from_slice(&other.inside);
+        self.winding.copy_from_slice(&other.winding);
         self.removed.copy_from_slice(&other.removed);
+    }
+
+    /// Whether the ray is inside a part here.
+    pub(super) fn is_inside(&self, rank: u16) -> bool {
+        self.fill[rank as usize].holds(self.winding[rank as usize])
     }
 
     fn cut_removes(&self, prepared: &Prepared, cut: usize) -> bool {
@@ -97,13 +111,13 @@ impl State {
     }
 
     fn shows(&self, prepared: &Prepared, rank: u16) -> bool {
-        self.inside[rank as usize] && !self.removes(prepared, rank)
+        self.is_inside(rank) && !self.removes(prepared, rank)
     }
 
     /// Lets an event happen.
     pub(super) fn apply(&mut self, event: &Event) {
         match event.cause {
-            Cause::Mesh(rank) => self.inside[rank as usize] ^= true,
+            Cause::Mesh { rank, step } => self.winding[rank as usize] += i32::from(step),
             Cause::Clip { surface, .. } => self.removed[surface as usize] ^= true,
         }
     }
@@ -118,6 +132,8 @@ pub(super) struct Sight {
     pub(super) depth: f64,
     /// The event that brought it into sight; none where the near plane did.
     pub(super) event: Option<Event>,
+    /// A cap at which the same event brought other parts into sight too: solids overlap there.
+    pub(super) overlap: bool,
 }
 
 impl Sight {
@@ -128,7 +144,7 @@ impl Sight {
                 surface,
                 to_kept: true,
             },
-            mesh @ Cause::Mesh(_) => mesh,
+            Cause::Mesh { rank, .. } => Cause::Mesh { rank, step: 0 },
         });
         (self.rank, cause)
     }
@@ -146,17 +162,21 @@ pub(super) fn walk(
     for event in &events[..first] {
         state.apply(event);
     }
-    if near_cap && let Some(rank) = ranks.iter().find(|r| state.shows(prepared, **r)) {
-        return Some(Sight {
-            rank: *rank,
-            depth: near,
-            event: None,
-        });
+    if near_cap {
+        let mut shown = ranks.iter().filter(|r| state.shows(prepared, **r));
+        if let Some(rank) = shown.next() {
+            return Some(Sight {
+                rank: *rank,
+                depth: near,
+                event: None,
+                overlap: shown.next().is_some(),
+            });
+        }
     }
     let mut rest = &events[first..];
     while let Some(event) = rest.first() {
         let count = match event.cause {
-            Cause::Mesh(_) => 1,
+            Cause::Mesh { .. } => 1,
             Cause::Clip { .. } => rest
                 .iter()
                 .take_while(|e| e.depth == event.depth && matches!(e.cause, Cause::Clip { .. }))
@@ -165,30 +185,35 @@ pub(super) fn walk(
         let (now, later) = rest.split_at(count);
         rest = later;
         let seen = match event.cause {
-            Cause::Mesh(rank) => {
+            Cause::Mesh { rank, .. } => {
+                // An inner shell is passed while the part shows already.
+                let showed = state.shows(prepared, rank);
                 state.apply(event);
-                state.shows(prepared, rank).then_some((rank, *event))
+                let enters = !showed && state.shows(prepared, rank);
+                enters.then_some((rank, *event, false))
             }
             Cause::Clip { .. } => pass_clips(prepared, ranks, now, state),
         };
-        if let Some((rank, event)) = seen {
+        if let Some((rank, event, overlap)) = seen {
             return Some(Sight {
                 rank,
                 depth: event.depth,
                 event: Some(event),
+                overlap,
             });
         }
     }
     None
 }
 
-/// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it.
+/// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it and
+/// whether that freed others with it.
 fn pass_clips(
     prepared: &Prepared,
     ranks: &[u16],
     events: &[Event],
     state: &mut State,
-) -> Option<(u16, Event)> {
+) -> Option<(u16, Event, bool)> {
     let freed = |state: &State, rank: u16| {
         events.iter().copied().find(|e| {
             let Cause::Clip { surface, .. } = e.cause else {
@@ -201,13 +226,16 @@ fn pass_clips(
     // Usually no part is inside and removed, or none comes free.
     let candidates: Vec<(u16, Event)> = ranks
         .iter()
-        .filter(|r| state.inside[**r as usize])
+        .filter(|r| state.is_inside(**r))
         .filter_map(|r| freed(state, *r).map(|e| (*r, e)))
         .collect();
     for event in events {
         state.apply(event);
     }
-    candidates
+    let mut shown = candidates
         .into_iter()
-        .find(|(rank, _)| state.shows(prepared, *rank))
+        .filter(|(rank, _)| state.shows(prepared, *rank));
+    let (rank, event) = shown.next()?;
+    let overlap = shown.any(|(_, other)| other.cause == event.cause);
+    Some((rank, event, overlap))
 }

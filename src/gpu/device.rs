@@ -91,10 +91,11 @@ impl Gpu {
         let info = adapter.get_info();
         let software = info.device_type == wgpu::DeviceType::Cpu;
         let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let wide_atomics = adapter.features().contains(WIDE_ATOMICS);
-        let mut required_features = wgpu::Features::empty();
-        required_features.set(wgpu::Features::TIMESTAMP_QUERY, timestamps);
-        required_features.set(WIDE_ATOMICS, wide_atomics);
+        let wanted = WIDE_ATOMICS | wgpu::Features::DEPTH32FLOAT_STENCIL8;
+        let mut features = adapter.features() & wanted;
+        let wide_atomics = features.contains(WIDE_ATOMICS);
+        features.set(WIDE_ATOMICS, wide_atomics);
+        features.set(wgpu::Features::TIMESTAMP_QUERY, timestamps);
         let have = adapter.limits();
         // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
         let limits = wgpu::Limits {
@@ -106,7 +107,7 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 label: Some("cutaway"),
-                required_features,
+                required_features: features,
                 required_limits: limits,
                 ..wgpu::DeviceDescriptor::default()
             })
@@ -132,6 +133,7 @@ impl Gpu {
                 buffer_bytes: have.max_buffer_size,
                 texture_size: have.max_texture_dimension_2d,
                 wide_atomics,
+                depth32_stencil8: features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8),
                 ..Limits::CORE
             },
             device,

@@ -1,28 +1,13 @@
-//! One pass made real: its pipeline, its bind groups, its attachments.
-//!
-//! Bind groups are made by name: the composed shader is reflected, and each of its variables takes the resource that the
-//! pass gives under that name.
+//! One pass made real: its pipeline, its bind groups, its attachments, and how it is encoded.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::Gpu;
-use super::program::{Real, texel_format};
+use super::bind::{Reals, bind_groups, buffer, layer_view, texture};
+use super::pipelines::{Pipeline, Pipelines};
 use super::timing::Stopwatch;
-use crate::plan::{DepthCompare, Format, Pass, Plan, ResourceId, Shape, Vertices, Work};
-use crate::shader::{self, BindingKind, ShaderBinding};
-use crate::{Error, Result};
-
-enum Pipeline {
-    Compute(wgpu::ComputePipeline),
-    Render(wgpu::RenderPipeline),
-}
-
-/// Pipelines by everything they are made of.
-#[derive(Default)]
-pub(super) struct Pipelines {
-    made: BTreeMap<String, (std::sync::Arc<Pipeline>, Vec<ShaderBinding>)>,
-}
+use crate::Result;
+use crate::plan::{DepthCompare, Pass, Plan, Vertices, Work};
 
 /// A pass ready to be encoded.
 pub(super) struct Step {
@@ -40,14 +25,21 @@ enum RealWork {
     Compute([u32; 3]),
     Draw {
         color: Option<(wgpu::TextureView, bool)>,
-        depth: (wgpu::TextureView, bool, f32),
+        depth: Depth,
         vertices: Option<wgpu::Buffer>,
         indices: wgpu::Buffer,
         draws: Vec<(Range<u32>, i32, u32)>,
     },
 }
 
-type Reals = BTreeMap<String, (Shape, Real)>;
+/// The depth attachment of a draw.
+struct Depth {
+    view: wgpu::TextureView,
+    clear: bool,
+    far: f32,
+    /// Where the stencil is used: whether it is cleared.
+    clear_stencil: Option<bool>,
+}
 
 impl Step {
     pub(super) fn new(
@@ -72,15 +64,16 @@ impl Step {
                     Some(c) => Some((layer_view(texture(plan, c.resource, real)?, 0), c.clear)),
                     None => None,
                 },
-                depth: (
-                    layer_view(texture(plan, depth.resource, real)?, depth.layer),
-                    depth.clear,
-                    if depth.compare == DepthCompare::Greater {
+                depth: Depth {
+                    view: layer_view(texture(plan, depth.resource, real)?, depth.layer),
+                    clear: depth.clear,
+                    far: if depth.compare == DepthCompare::Greater {
                         0.0
                     } else {
                         1.0
                     },
-                ),
+                    clear_stencil: depth.stencil.map(|s| s.clear),
+                },
                 vertices: match vertices {
                     Vertices::Mesh(id) => Some(buffer(plan, *id, real)?.clone()),
                     Vertices::None => None,
@@ -133,7 +126,6 @@ impl Step {
                 },
                 Pipeline::Render(pipeline),
             ) => {
-                let (depth_view, clear_depth, far) = depth;
                 let color = color.as_ref().map(|(view, clear)| {
                     Some(wgpu::RenderPassColorAttachment {
                         view,
@@ -153,16 +145,23 @@ impl Step {
                     label: Some(&self.name),
                     color_attachments: color.as_slice(),
                     depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                        view: depth_view,
+                        view: &depth.view,
                         depth_ops: Some(wgpu::Operations {
-                            load: if *clear_depth {
-                                wgpu::LoadOp::Clear(*far)
+                            load: if depth.clear {
+                                wgpu::LoadOp::Clear(depth.far)
                             } else {
                                 wgpu::LoadOp::Load
                             },
                             store: wgpu::StoreOp::Store,
                         }),
-                        stencil_ops: None,
+                        stencil_ops: depth.clear_stencil.map(|clear| wgpu::Operations {
+                            load: if clear {
+                                wgpu::LoadOp::Clear(0)
+                            } else {
+                                wgpu::LoadOp::Load
+                            },
+                            store: wgpu::StoreOp::Store,
+                        }),
                     }),
                     timestamp_writes: stopwatch.map(|s| wgpu::RenderPassTimestampWrites {
                         query_set: &s.queries,
@@ -188,246 +187,4 @@ impl Step {
             _ => {}
         }
     }
-}
-
-impl Pipelines {
-    fn get(
-        &mut self,
-        gpu: &Gpu,
-        plan: &Plan,
-        pass: &Pass,
-    ) -> Result<(std::sync::Arc<Pipeline>, Vec<ShaderBinding>)> {
-        let state = match &pass.work {
-            Work::Compute { .. } => String::new(),
-            Work::Draw {
-                color,
-                depth,
-                vertices,
-                ..
-            } => {
-                let has_vertices = matches!(vertices, Vertices::Mesh(_));
-                format!("{} {:?} {has_vertices}", color.is_some(), depth.compare)
-            }
-        };
-        let key = format!("{} {:?} {state}", pass.shader, pass.constants);
-        if let Some((pipeline, bindings)) = self.made.get(&key) {
-            return Ok((pipeline.clone(), bindings.clone()));
-        }
-        let composed = shader::compose(&pass.shader)?;
-        let bindings = shader::bindings(&composed);
-        let module = gpu
-            .device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(pass.shader.path),
-                source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
-            });
-        let pipeline = std::sync::Arc::new(if matches!(pass.work, Work::Draw { .. }) {
-            Pipeline::Render(render_pipeline(gpu, plan, pass, &module))
-        } else {
-            Pipeline::Compute(gpu.device.create_compute_pipeline(
-                &wgpu::ComputePipelineDescriptor {
-                    label: Some(&pass.name),
-                    layout: None,
-                    module: &module,
-                    entry_point: Some("main"),
-                    compilation_options: options(pass),
-                    cache: None,
-                },
-            ))
-        });
-        gpu.complaint()?;
-        self.made.insert(key, (pipeline.clone(), bindings.clone()));
-        Ok((pipeline, bindings))
-    }
-}
-
-fn options(pass: &Pass) -> wgpu::PipelineCompilationOptions<'_> {
-    wgpu::PipelineCompilationOptions {
-        constants: &pass.constants,
-        ..wgpu::PipelineCompilationOptions::default()
-    }
-}
-
-fn render_pipeline(
-    gpu: &Gpu,
-    plan: &Plan,
-    pass: &Pass,
-    module: &wgpu::ShaderModule,
-) -> wgpu::RenderPipeline {
-    let Work::Draw {
-        color,
-        depth,
-        vertices,
-        ..
-    } = &pass.work
-    else {
-        unreachable!("only draws have render pipelines")
-    };
-    let attributes = [
-        wgpu::VertexAttribute {
-            format: wgpu::VertexFormat::Float32x3,
-            offset: 0,
-            shader_location: 0,
-        },
-        wgpu::VertexAttribute {
-            format: wgpu::VertexFormat::Uint32,
-            offset: 12,
-            shader_location: 1,
-        },
-    ];
-    let mesh = Some(wgpu::VertexBufferLayout {
-        array_stride: 16,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes: &attributes,
-    });
-    let buffers = if matches!(vertices, Vertices::Mesh(_)) {
-        std::slice::from_ref(&mesh)
-    } else {
-        &[]
-    };
-    let targets = color.map(|c| {
-        let format = match plan.resource(c.resource).shape {
-            Shape::Texture { format, .. } => format,
-            Shape::Buffer { .. } => Format::Rg32Uint,
-        };
-        Some(wgpu::ColorTargetState {
-            format: texel_format(format),
-            blend: None,
-            write_mask: wgpu::ColorWrites::ALL,
-        })
-    });
-    gpu.device
-        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(&pass.name),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module,
-                entry_point: Some("vertex"),
-                compilation_options: options(pass),
-                buffers,
-            },
-            primitive: wgpu::PrimitiveState {
-                cull_mode: None,
-                ..wgpu::PrimitiveState::default()
-            },
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: wgpu::TextureFormat::Depth32Float,
-                depth_write_enabled: Some(depth.compare != DepthCompare::Always),
-                depth_compare: Some(match depth.compare {
-                    DepthCompare::Greater => wgpu::CompareFunction::Greater,
-                    DepthCompare::Less => wgpu::CompareFunction::Less,
-                    DepthCompare::Always => wgpu::CompareFunction::Always,
-                }),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module,
-                entry_point: Some("fragment"),
-                compilation_options: options(pass),
-                targets: targets.as_slice(),
-            }),
-            multiview_mask: None,
-            cache: None,
-        })
-}
-
-fn bind_groups(
-    gpu: &Gpu,
-    plan: &Plan,
-    pass: &Pass,
-    pipeline: &Pipeline,
-    wanted: &[ShaderBinding],
-    real: &Reals,
-) -> Result<Vec<wgpu::BindGroup>> {
-    let groups = wanted.iter().map(|w| w.group + 1).max().unwrap_or(0);
-    let mut made = Vec::with_capacity(groups as usize);
-    for group in 0..groups {
-        let layout = match pipeline {
-            Pipeline::Compute(p) => p.get_bind_group_layout(group),
-            Pipeline::Render(p) => p.get_bind_group_layout(group),
-        };
-        // Views must outlive the entries that borrow them.
-        let mut views: Vec<(u32, wgpu::TextureView)> = Vec::new();
-        let mut buffers: Vec<(u32, &wgpu::Buffer)> = Vec::new();
-        for w in wanted.iter().filter(|w| w.group == group) {
-            let Some(b) = pass.bindings.iter().find(|b| b.name == w.name) else {
-                return Err(Error::Plan(format!(
-                    "{}: `{}` is bound to nothing",
-                    pass.name, w.name
-                )));
-            };
-            match real.get(&plan.resource(b.resource).name) {
-                Some((_, Real::Buffer(buffer))) => buffers.push((w.binding, buffer)),
-                Some((_, Real::Texture(texture))) => {
-                    let view = match w.kind {
-                        BindingKind::TextureArray => array_view(texture),
-                        _ => layer_view(texture, b.layer.unwrap_or(0)),
-                    };
-                    views.push((w.binding, view));
-                }
-                _ => {
-                    return Err(Error::Plan(format!(
-                        "{}: `{}` has no resource",
-                        pass.name, w.name
-                    )));
-                }
-            }
-        }
-        let textures = views.iter().map(|(binding, view)| wgpu::BindGroupEntry {
-            binding: *binding,
-            resource: wgpu::BindingResource::TextureView(view),
-        });
-        let entries: Vec<wgpu::BindGroupEntry<'_>> = buffers
-            .iter()
-            .map(|(binding, buffer)| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: buffer.as_entire_binding(),
-            })
-            .chain(textures)
-            .collect();
-        made.push(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&pass.name),
-            layout: &layout,
-            entries: &entries,
-        }));
-    }
-    Ok(made)
-}
-
-fn texture<'a>(plan: &Plan, id: ResourceId, real: &'a Reals) -> Result<&'a wgpu::Texture> {
-    match real.get(&plan.resource(id).name) {
-        Some((_, Real::Texture(texture))) => Ok(texture),
-        _ => Err(Error::Plan(format!(
-            "{} is not a texture",
-            plan.resource(id).name
-        ))),
-    }
-}
-
-fn buffer<'a>(plan: &Plan, id: ResourceId, real: &'a Reals) -> Result<&'a wgpu::Buffer> {
-    match real.get(&plan.resource(id).name) {
-        Some((_, Real::Buffer(buffer))) => Ok(buffer),
-        _ => Err(Error::Plan(format!(
-            "{} is not a buffer",
-            plan.resource(id).name
-        ))),
-    }
-}
-
-fn layer_view(texture: &wgpu::Texture, layer: u32) -> wgpu::TextureView {
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        dimension: Some(wgpu::TextureViewDimension::D2),
-        base_array_layer: layer,
-        array_layer_count: Some(1),
-        ..wgpu::TextureViewDescriptor::default()
-    })
-}
-
-fn array_view(texture: &wgpu::Texture) -> wgpu::TextureView {
-    texture.create_view(&wgpu::TextureViewDescriptor {
-        dimension: Some(wgpu::TextureViewDimension::D2Array),
-        ..wgpu::TextureViewDescriptor::default()
-    })
 }

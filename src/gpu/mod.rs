@@ -1,7 +1,9 @@
 //! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
 
+mod bind;
 mod device;
 mod draw;
+mod pipelines;
 mod program;
 mod readback;
 mod timing;

@@ -8,7 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Gpu;
 use super::device::is_shared;
-use super::draw::{Pipelines, Step};
+use super::draw::Step;
+use super::pipelines::Pipelines;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
@@ -295,6 +296,7 @@ fn layer_from_words(words: &[u32; 3]) -> Layer {
         },
         back_face: word & 4 != 0,
         unreliable: word & 8 != 0,
+        overlap: word & 16 != 0,
         depth: f64::from(f32::from_bits(depth)),
         normal: unpack_normal(normal),
     }
@@ -303,7 +305,8 @@ fn layer_from_words(words: &[u32; 3]) -> Layer {
 /// The words of layers, to be shaded by the same pass as a strategy's.
 pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
     let words = layers.pixels.iter().map(|p| {
-        let flags = u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3;
+        let flags =
+            u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3 | u32::from(p.overlap) << 4;
         let what = p.kind as u32 | flags | u32::from(p.clip_surface) << 8 | u32::from(p.part) << 16;
         [
             what,
@@ -364,5 +367,6 @@ pub(super) fn texel_format(format: Format) -> wgpu::TextureFormat {
     match format {
         Format::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
         Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
+        Format::Depth32FloatStencil8 => wgpu::TextureFormat::Depth32FloatStencil8,
     }
 }

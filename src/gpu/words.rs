@@ -58,7 +58,7 @@ pub fn run_words(
         let usage = match w.kind {
             BindingKind::Uniform => wgpu::BufferUsages::UNIFORM,
             BindingKind::StorageRead | BindingKind::StorageReadWrite => wgpu::BufferUsages::STORAGE,
-            BindingKind::Texture | BindingKind::TextureArray => {
+            BindingKind::Texture | BindingKind::DepthTexture | BindingKind::TextureArray => {
                 return Err(Error::Plan(format!("`{}` is no buffer", w.name)));
             }
         };

@@ -187,6 +187,7 @@ impl Recorder<'_> {
                     layer: 0,
                     clear: true,
                     compare: DepthCompare::Always,
+                    stencil: None,
                 },
                 vertices,
                 indices,

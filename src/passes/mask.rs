@@ -1,4 +1,4 @@
-//! The inside mask as a resource: a lane of bits for each cut part, as wide as the list of crossings is long.
+//! The inside mask as a resource: a lane of bits or of counts for each cut part, as wide as the list of crossings is long.
 //!
 //! Written by fragments, or made once they have left what they know. What is made from something bounded has one more plane of
 //! a word per pixel, which says where not all found room.
@@ -23,8 +23,8 @@ impl Recorder<'_> {
     }
 
     fn mask_of(&mut self, planes_beside: u64) -> ResourceId {
-        let words = self.relevance.lanes.div_ceil(32 / self.lane_bits as usize);
-        let bytes = pixels(self.view.size_px) * 4 * (words as u64 + planes_beside);
+        let words = u64::from(self.lane_table().words);
+        let bytes = pixels(self.view.size_px) * 4 * (words + planes_beside);
         self.once("mask", |_| Resource::storage("mask", bytes, Clock::Frame))
     }
 }

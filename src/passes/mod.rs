@@ -4,6 +4,7 @@
 
 mod crossings;
 mod fragments;
+mod lanes;
 mod mask;
 mod model;
 mod packed;
@@ -23,6 +24,7 @@ mod sweep;
 
 pub use crossings::Crossings;
 pub use fragments::{FragmentLists, sweep_of_fragments};
+pub use lanes::LaneTable;
 pub use model::{MeshRange, Model};
 pub use pose::Moving;
 pub use probe::Volume;

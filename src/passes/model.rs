@@ -82,6 +82,7 @@ impl Model {
         let prepared = Prepared::with_parts(scene, &world, |index, part, _, cuts| PreparedPart {
             name: part.name.clone(),
             material: part.material,
+            fill: part.fill,
             cuts,
             ..packed[index].part.clone()
         });

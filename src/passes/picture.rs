@@ -2,6 +2,7 @@
 
 use super::recorder::{Recorder, or_one, pixels};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+use crate::shader::Shader;
 
 impl Recorder<'_> {
     /// The layers of the frame: three words per pixel.
@@ -42,6 +43,11 @@ impl Recorder<'_> {
         });
     }
 
+    /// Whether anything asks where solids overlap, and two are there that could.
+    pub fn shows_overlaps(&self) -> bool {
+        self.interference.is_some() && self.relevance.lanes > 1
+    }
+
     /// The picture of the frame: one RGBA8 word per pixel.
     pub(super) fn picture(&mut self) -> ResourceId {
         let bytes = pixels(self.view.size_px) * 4;
@@ -63,26 +69,56 @@ impl Recorder<'_> {
         })
     }
 
+    /// The file that fills `cutaway::overlap`, and what it binds.
+    pub(super) fn overlap(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
+        match self.interference.filter(|_| self.shows_overlaps()) {
+            None => "lib/overlap/plain.wgsl",
+            Some(color) => {
+                let color = linear_from_srgb(color);
+                bindings.push(
+                    self.uploaded("interference", Role::Uniform, Clock::Cut, |_| {
+                        Contents::of(&[color])
+                    }),
+                );
+                "lib/overlap/hatched.wgsl"
+            }
+        }
+    }
+
     /// Turns layers into a picture, unless what resolved the frame painted it.
     pub fn shade(&mut self) {
         if self.plan.picture.is_some() {
             return;
         }
-        let bindings = vec![
+        let mut bindings = vec![
             self.frame(),
             self.parts(),
             Binding::read("layers", self.layers()),
             self.rank_of_part(),
             Binding::write("picture", self.picture()),
         ];
+        let overlap = self.overlap(&mut bindings);
         self.compute(
             "shade",
             Clock::Frame,
             "lit shading turns layers into a picture",
-            "passes/shade.wgsl",
+            Shader::from("passes/shade.wgsl").with(overlap),
             bindings,
             Vec::new(),
             self.view.size_px,
         );
     }
+}
+
+/// The colour as the shader mixes it.
+fn linear_from_srgb(color: [u8; 3]) -> [f32; 4] {
+    let [r, g, b] = color.map(|c| {
+        let c = f32::from(c) / 255.0;
+        if c <= 0.040_45 {
+            c / 12.92
+        } else {
+            ((c + 0.055) / 1.055).powf(2.4)
+        }
+    });
+    [r, g, b, 1.0]
 }

@@ -115,12 +115,15 @@ impl Recorder<'_> {
             bindings.extend([self.told(&screen, false), screen.drawn_parts]);
         }
         let cap_normal = self.cap_normal(&mut bindings);
+        let overlap = self.overlap(&mut bindings);
         self.plan.add_pass(Pass {
             name: "paint".to_owned(),
             clock: Clock::Frame,
             reason: "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both"
                 .to_owned(),
-            shader: Shader::from("passes/rasterise/paint.wgsl").with(cap_normal),
+            shader: Shader::from("passes/rasterise/paint.wgsl")
+                .with(cap_normal)
+                .with(overlap),
             bindings,
             constants: vec![("stride", f64::from(groups * GROUP))],
             work: Work::Compute {

@@ -5,7 +5,7 @@ use super::{Model, Relevance, Screen};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{
     Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
-    Resource, ResourceId, Role, Vertices, Work, groups_over,
+    Resource, ResourceId, Role, Stencil, Vertices, Work, groups_over,
 };
 use crate::scene::View;
 use crate::shader::Shader;
@@ -45,6 +45,10 @@ pub struct Recorder<'a> {
     pub lane_bits: u32,
     /// The compute rasteriser may use atomics of 64 bits.
     pub wide_atomics: bool,
+    /// Words of a lane of counts for each part filled nonzero; 0 where a strategy has no such lanes.
+    pub winding_words: u32,
+    /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
+    pub interference: Option<[u8; 3]>,
     drawn: bool,
     /// What the compute rasteriser looked for the samples of the frame on.
     pub(super) screen_of_frame: Option<Screen>,
@@ -61,6 +65,8 @@ impl<'a> Recorder<'a> {
             relevance,
             lane_bits: 32,
             wide_atomics: false,
+            winding_words: 0,
+            interference: None,
             drawn: false,
             screen_of_frame: None,
         })
@@ -116,7 +122,7 @@ impl<'a> Recorder<'a> {
     /// The parts that are drawn, in table order.
     pub fn parts(&mut self) -> Binding {
         self.uploaded("parts", Role::Storage, Clock::Cut, |r| {
-            let lanes_per_word = 32 / r.lane_bits;
+            let lanes = r.lane_table().places;
             let rows: Vec<Part> = r
                 .relevance
                 .order
@@ -124,11 +130,11 @@ impl<'a> Recorder<'a> {
                 .enumerate()
                 .map(|(place, rank)| {
                     let part = &r.model.prepared.parts[*rank];
-                    let place = place as u32;
+                    let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
                     Part {
                         cuts: r.relevance.cuts_of(*rank),
-                        lane_word: place / lanes_per_word,
-                        lane_shift: place % lanes_per_word * r.lane_bits,
+                        lane_word,
+                        lane_shift,
                         part: part.part as u32,
                         color: part.material.color.extend(1.0).to_array(),
                         cap_color: part.material.cap_color().extend(1.0).to_array(),
@@ -195,6 +201,15 @@ impl<'a> Recorder<'a> {
         }
     }
 
+    /// The same with a stencil beside the depth, if it is asked for before anything is drawn.
+    pub fn targets_with_stencil(&mut self) -> Targets {
+        let format = Format::Depth32FloatStencil8;
+        self.once("surface_depth", |r| {
+            Resource::texture("surface_depth", r.view.size_px, 1, format, Clock::Frame)
+        });
+        self.targets()
+    }
+
     /// The draws of some parts, by rank; the instance is the part's place in the table.
     pub fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
         ranks
@@ -213,6 +228,11 @@ impl<'a> Recorder<'a> {
 
     /// A pass that draws into the targets, cleared by whichever pass draws first.
     pub fn draw(&mut self, pass: DrawPass) {
+        self.draw_with(pass, None);
+    }
+
+    /// As [`Self::draw`], with a stencil, which [`Self::targets_with_stencil`] gave the targets.
+    pub fn draw_with(&mut self, pass: DrawPass, stencil: Option<Stencil>) {
         let targets = self.targets();
         let clear = !std::mem::replace(&mut self.drawn, true);
         let DrawPass {
@@ -242,6 +262,7 @@ impl<'a> Recorder<'a> {
                     layer: 0,
                     clear,
                     compare: DepthCompare::Greater,
+                    stencil,
                 },
                 vertices,
                 indices,

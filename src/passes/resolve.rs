@@ -18,11 +18,19 @@ pub struct Inside {
 }
 
 impl Inside {
-    /// The answers in the lanes of a mask.
+    /// The answers in the lanes of a mask, all of bits.
     pub fn mask(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/mask.wgsl",
             bindings: vec![Binding::read("mask", mask)],
+        }
+    }
+
+    /// The answers in the lanes of a mask, some of counts.
+    pub fn winding(mask: ResourceId) -> Self {
+        Self {
+            file: "lib/inside/winding.wgsl",
+            ..Self::mask(mask)
         }
     }
 }
@@ -64,14 +72,18 @@ impl Recorder<'_> {
 
     /// The constants of a pass that decides.
     pub(super) fn of_lanes(&self) -> Vec<(&'static str, f64)> {
-        vec![
+        let mut constants = vec![
             ("lane_bits", f64::from(self.lane_bits)),
             ("lane_count", self.relevance.lanes as f64),
             (
                 "near_inside",
                 f64::from(u8::from(self.relevance.near_inside)),
             ),
-        ]
+        ];
+        if self.shows_overlaps() {
+            constants.push(("overlaps", 1.0));
+        }
+        constants
     }
 
     /// The file that fills `cutaway::cap_normal`, and what it binds.

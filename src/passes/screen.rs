@@ -152,20 +152,24 @@ impl Recorder<'_> {
     /// The table of drawn parts, and how many triangles they have.
     fn drawn_parts(&self, ranks: &[usize], first_vertex: u32) -> (Vec<DrawnPart>, u32) {
         let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
-        let lanes_per_word = 32 / self.lane_bits;
+        let lanes = self.lane_table().places;
         let mut triangle_count = 0;
         for (row, rank) in table.iter_mut().zip(ranks) {
             let range = &self.model.ranges[*rank];
-            let place = self.relevance.place_of(*rank) as u32;
-            let has_lane = (place as usize) < self.relevance.lanes;
+            let place = self.relevance.place_of(*rank);
+            let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
             *row = DrawnPart {
                 first_triangle: triangle_count,
                 first_index: range.indices.start,
                 base_vertex: range.base_vertex.cast_unsigned() - first_vertex,
                 cuts: self.relevance.cuts_of(*rank),
-                lane_word: place / lanes_per_word,
-                lane_shift: place % lanes_per_word * self.lane_bits,
-                place: if has_lane { place } else { NO_LANE },
+                lane_word,
+                lane_shift,
+                place: if place < self.relevance.lanes {
+                    place as u32
+                } else {
+                    NO_LANE
+                },
                 part: self.model.prepared.parts[*rank].part as u32,
             };
             triangle_count += (range.indices.end - range.indices.start) / 3;

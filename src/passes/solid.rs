@@ -18,6 +18,14 @@ pub struct Store {
 }
 
 impl Store {
+    /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
+    pub fn nothing(bindings: Vec<Binding>) -> Self {
+        Self {
+            file: "lib/store/nothing.wgsl",
+            bindings,
+        }
+    }
+
     /// The bindings of the pass that makes every pixel ready for its first fragment.
     pub fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
         self.bindings.iter().map(|b| Binding {

@@ -4,7 +4,7 @@
 //! read before it is written or uploaded; nothing is written that nobody reads; passes of slower clocks never read what a
 //! faster clock makes.
 
-use super::{Access, Plan, ResourceId, Role, Shape, Work};
+use super::{Access, Format, Plan, ResourceId, Role, Shape, Work};
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
@@ -27,6 +27,8 @@ pub struct Limits {
     pub texture_layers: u32,
     /// Atomics of 64 bits.
     pub wide_atomics: bool,
+    /// Whether there are textures of 32-bit depth with a stencil.
+    pub depth32_stencil8: bool,
 }
 
 impl Limits {
@@ -40,6 +42,7 @@ impl Limits {
         texture_size: 8192,
         texture_layers: 256,
         wide_atomics: false,
+        depth32_stencil8: false,
     };
 }
 
@@ -71,6 +74,17 @@ impl Plan {
 
     fn check_sizes(&self, limits: &Limits) -> Result<()> {
         for r in &self.resources {
+            if let Shape::Texture {
+                format: Format::Depth32FloatStencil8,
+                ..
+            } = r.shape
+                && !limits.depth32_stencil8
+            {
+                return Err(Error::Limit(format!(
+                    "{} needs a stencil beside 32 bits of depth; the device has no such texture (depth32float-stencil8)",
+                    r.name
+                )));
+            }
             let (have, most, what) = match r.shape {
                 Shape::Buffer {
                     bytes,
@@ -157,7 +171,7 @@ impl Plan {
             matches!(
                 self.resources[id].shape,
                 Shape::Texture {
-                    format: super::Format::Depth32Float,
+                    format: Format::Depth32Float | Format::Depth32FloatStencil8,
                     ..
                 }
             )

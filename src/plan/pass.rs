@@ -106,6 +106,45 @@ pub enum DepthCompare {
     Less,
     /// All, and nothing is written: a pass must have an attachment even where only its side effects count.
     Always,
+    /// Strictly behind what is there in a reversed buffer, and nothing is written.
+    Behind,
+    /// All, and each replaces what is there: of a draw that covers the picture nothing of before is left.
+    Replace,
+}
+
+impl DepthCompare {
+    /// Whether fragments that pass are written.
+    pub fn writes(self) -> bool {
+        !matches!(self, Self::Always | Self::Behind)
+    }
+}
+
+/// What the fragments of a draw do to the stencil of their pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StencilStep {
+    /// Each that passes the depth test inverts these bits.
+    Flip {
+        /// The bits.
+        bits: u8,
+    },
+    /// Each that passes the depth test adds 1 where it shows its inner side and takes 1 where it shows its outer, modulo 256.
+    Wind,
+    /// Likewise each that is not discarded, hidden or not.
+    WindAll,
+    /// Only pixels with one of these bits are drawn; all bits of every pixel met end at 0.
+    Take {
+        /// The bits.
+        bits: u8,
+    },
+}
+
+/// The stencil of a depth attachment that has one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stencil {
+    /// Set to 0 before the first draw.
+    pub clear: bool,
+    /// What fragments do to it.
+    pub step: StencilStep,
 }
 
 /// The depth attachment.
@@ -119,6 +158,8 @@ pub struct DepthTarget {
     pub clear: bool,
     /// The test.
     pub compare: DepthCompare,
+    /// What is done to the stencil; none where it is left alone or the texture has none.
+    pub stencil: Option<Stencil>,
 }
 
 /// Bytes of a vertex of [`Vertices::Mesh`].
@@ -212,7 +253,8 @@ impl Pass {
             }
             all.push(*indices);
             all.extend(color.filter(|c| !c.clear).map(|c| c.resource));
-            all.extend((!depth.clear).then_some(depth.resource));
+            let keeps = !depth.clear || depth.stencil.is_some_and(|s| !s.clear);
+            all.extend(keeps.then_some(depth.resource));
         }
         all
     }
@@ -227,7 +269,8 @@ impl Pass {
         let mut all: Vec<ResourceId> = bound.collect();
         if let Work::Draw { color, depth, .. } = &self.work {
             all.extend(color.map(|c| c.resource));
-            all.extend((depth.compare != DepthCompare::Always).then_some(depth.resource));
+            let writes = depth.compare.writes() || depth.stencil.is_some();
+            all.extend(writes.then_some(depth.resource));
         }
         all
     }

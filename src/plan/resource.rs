@@ -16,6 +16,8 @@ pub enum Format {
     Rg32Uint,
     /// Depth.
     Depth32Float,
+    /// Depth and a stencil of 8 bits; not on every device ([`Limits::depth32_stencil8`](super::Limits)).
+    Depth32FloatStencil8,
 }
 
 impl Format {
@@ -24,6 +26,7 @@ impl Format {
         match self {
             Self::Rg32Uint => 8,
             Self::Depth32Float => 4,
+            Self::Depth32FloatStencil8 => 5,
         }
     }
 }

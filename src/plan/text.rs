@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::{Clock, Pass, Plan, ResourceId, Work};
+use super::{Clock, Pass, Plan, ResourceId, StencilStep, Work};
 
 impl Plan {
     /// One paragraph per pass, by clock, and the bytes of each clock.
@@ -75,13 +75,22 @@ impl Plan {
 fn describe(work: &Work) -> String {
     match work {
         Work::Compute { groups: [x, y, z] } => format!("compute {x} x {y} x {z} groups"),
-        Work::Draw { draws, .. } => {
+        Work::Draw { draws, depth, .. } => {
             let triangles: u64 = draws
                 .iter()
                 .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
                 .sum();
             let plural = if draws.len() == 1 { "" } else { "s" };
-            format!("draw {triangles} triangles in {} draw{plural}", draws.len())
+            let stencil = match depth.stencil.map(|s| s.step) {
+                None => String::new(),
+                Some(StencilStep::Flip { bits }) => format!(", stencil bits {bits:#04x} flip"),
+                Some(StencilStep::Wind | StencilStep::WindAll) => ", stencil winds".to_owned(),
+                Some(StencilStep::Take { bits }) => format!(", where stencil bits {bits:#04x} are"),
+            };
+            format!(
+                "draw {triangles} triangles in {} draw{plural}{stencil}",
+                draws.len()
+            )
         }
     }
 }

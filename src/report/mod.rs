@@ -91,6 +91,8 @@ pub struct ExactReport {
     pub background_px: usize,
     /// Pixels where sampling is ambiguous, so that no answer can be called wrong.
     pub undecided_px: usize,
+    /// Pixels whose cap several solids share.
+    pub overlap_px: usize,
     /// Time of the evaluation on the CPU.
     pub time_ms: f64,
 }
@@ -103,6 +105,7 @@ impl ExactReport {
             surface_px: exact.layers.count(Kind::Surface),
             background_px: exact.layers.count(Kind::Background),
             undecided_px: exact.undecided_px(),
+            overlap_px: exact.layers.overlap_px(),
             time_ms,
         }
     }
@@ -258,6 +261,7 @@ pub(crate) mod tests {
                 surface_px: 20,
                 background_px: 3042,
                 undecided_px: 1,
+                overlap_px: 0,
                 time_ms: 5.0,
             },
             draw_only_ms: Samples::of(vec![2.0]),

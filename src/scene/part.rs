@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::{Bounds, Driver, Material, Mesh, Motion, Pose};
+use super::{Bounds, Driver, Fill, Material, Mesh, Motion, Pose};
 
 /// What a cut does to a part (Diepstraten et al. 2003, rule R1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -31,6 +31,8 @@ pub struct Part {
     pub role: Role,
     /// Who wins where solids share a point: higher first; parts without one follow, the smaller solid first.
     pub priority: Option<i32>,
+    /// Which points its mesh encloses.
+    pub fill: Fill,
     /// What can move its vertices.
     pub motion: Option<Arc<Motion>>,
     /// How they stand now.
@@ -49,6 +51,7 @@ impl Part {
             material: Material::default(),
             role: Role::Exterior,
             priority: None,
+            fill: Fill::EvenOdd,
             motion: None,
             pose: Pose::default(),
             driver: None,

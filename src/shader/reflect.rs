@@ -11,8 +11,10 @@ pub enum BindingKind {
     StorageRead,
     /// `var<storage, read_write>`.
     StorageReadWrite,
-    /// A texture to load from.
+    /// A texture of words to load from.
     Texture,
+    /// A texture of depths to load from.
+    DepthTexture,
     /// A texture with layers to load from.
     TextureArray,
 }
@@ -52,6 +54,10 @@ pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
                 AddressSpace::Storage { .. } => BindingKind::StorageRead,
                 _ => match module.types[variable.ty].inner {
                     TypeInner::Image { arrayed: true, .. } => BindingKind::TextureArray,
+                    TypeInner::Image {
+                        class: naga::ImageClass::Depth { .. },
+                        ..
+                    } => BindingKind::DepthTexture,
                     _ => BindingKind::Texture,
                 },
             };

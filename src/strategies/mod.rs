@@ -55,14 +55,21 @@ pub fn record_with(
     };
     let rasteriser = options.rasteriser;
     let grids = matches!(strategy.surface, CapSurface::Grid { .. });
-    let peels = matches!(strategy.inside, InsideTest::Vds { .. });
-    if rasteriser == Rasteriser::Compute && (grids || peels) {
+    let needs_targets = matches!(
+        strategy.inside,
+        InsideTest::Vds { .. } | InsideTest::Stencil
+    );
+    if rasteriser == Rasteriser::Compute && (grids || needs_targets) {
         return Err(refuse(format!(
             "the compute rasteriser draws no grid and peels no sprite: {strategy} is drawn by the hardware rasteriser alone"
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
     recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
+    recorder.interference = options.interference;
+    if let Some(reason) = beyond(&recorder, strategy) {
+        return Err(refuse(reason));
+    }
     recorder.pose_parts().map_err(refuse)?;
     if recorder.relevance.lanes == 0 {
         recorder.draw_plain_parts(false);
@@ -71,6 +78,12 @@ pub fn record_with(
         match (strategy.surface, strategy.inside) {
             (CapSurface::Raycast, InsideTest::Mask) => {
                 inside::mask::record(&mut recorder, rasteriser, capacities).map_err(refuse)?
+            }
+            (CapSurface::Raycast, InsideTest::Stencil) => {
+                inside::stencil::record(&mut recorder, capacities).map_err(refuse)?;
+            }
+            (CapSurface::Alone, InsideTest::Stencil) => {
+                inside::stencil::alone::record(&mut recorder).map_err(refuse)?;
             }
             (CapSurface::Raycast, InsideTest::ABuffer) => {
                 inside::abuffer::record(&mut recorder, rasteriser, capacities).map_err(refuse)?;
@@ -110,8 +123,27 @@ pub fn record_with(
                     "{inside} answers for crossings of rays, and a grid asks about points"
                 )));
             }
+            (CapSurface::Alone, inside) => {
+                return Err(refuse(format!("{inside} does not draw caps by itself")));
+            }
         }
     }
     recorder.shade();
     Ok(recorder.plan)
+}
+
+/// What of the scene is more than the strategy knows of.
+fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
+    let inside = strategy.inside;
+    if !inside.counts_winding() && recorder.has_nonzero() {
+        return Some(format!(
+            "{inside} knows parity alone, and a part that is cut has fill = \"nonzero\""
+        ));
+    }
+    if recorder.shows_overlaps() && !strategy.tells_overlaps() {
+        return Some(format!(
+            "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
+        ));
+    }
+    None
 }

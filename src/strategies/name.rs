@@ -1,4 +1,4 @@
-//! Names of strategies: `raycast+mask`, `grid:256+vds:1024`.
+//! Names of strategies: `raycast+mask`, `grid:256+vds:1024`, and `stencil`, which stands alone.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,6 +11,8 @@ use crate::error::did_you_mean;
 pub enum CapSurface {
     /// All crossings of each pixel's ray, exactly.
     Raycast,
+    /// None: the inside test draws the caps itself.
+    Alone,
     /// The paper's quad, refined and displaced.
     Grid {
         /// Cells along a side.
@@ -23,6 +25,8 @@ pub enum CapSurface {
 pub enum InsideTest {
     /// Parity bits per crossing, written by the one pass over the mesh.
     Mask,
+    /// Parity in the stencil buffer, a draw of the mesh for each crossing.
+    Stencil,
     /// All fragments of each pixel, in lists.
     ABuffer,
     /// The nearest fragments of each pixel and part.
@@ -42,6 +46,13 @@ pub enum InsideTest {
     },
 }
 
+impl InsideTest {
+    /// Whether it can fill a part by the nonzero rule.
+    pub fn counts_winding(self) -> bool {
+        matches!(self, Self::Mask | Self::Stencil)
+    }
+}
+
 /// A cap surface with an inside test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strategy {
@@ -57,14 +68,26 @@ impl Strategy {
         surface: CapSurface::Raycast,
         inside: InsideTest::Mask,
     };
+    /// The same by fixed-function hardware.
+    pub const RAYCAST_STENCIL: Self = Self {
+        surface: CapSurface::Raycast,
+        inside: InsideTest::Stencil,
+    };
+    /// The classic for one plane.
+    pub const STENCIL: Self = Self {
+        surface: CapSurface::Alone,
+        inside: InsideTest::Stencil,
+    };
     /// The paper, with its own parameters.
     pub const PAPER: Self = Self {
         surface: CapSurface::Grid { cells: 256 },
         inside: InsideTest::Vds { resolution: 1024 },
     };
     /// All that are built, with their usual parameters; what `all` means.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::RAYCAST_MASK,
+        Self::RAYCAST_STENCIL,
+        Self::STENCIL,
         Self::raycast(InsideTest::ABuffer),
         Self::raycast(InsideTest::KBuffer { depths: 8 }),
         Self::raycast(InsideTest::Ldi { resolution: 1024 }),
@@ -82,12 +105,18 @@ impl Strategy {
             inside,
         }
     }
+
+    /// Whether it can say where several parts share a cap: all parts are asked at one crossing.
+    pub fn tells_overlaps(self) -> bool {
+        self.surface == CapSurface::Raycast
+    }
 }
 
 impl fmt::Display for CapSurface {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Raycast => f.write_str("raycast"),
+            Self::Alone => f.write_str("no cap surface"),
             Self::Grid { cells } => write!(f, "grid:{cells}"),
         }
     }
@@ -97,6 +126,7 @@ impl fmt::Display for InsideTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mask => f.write_str("mask"),
+            Self::Stencil => f.write_str("stencil"),
             Self::ABuffer => f.write_str("abuffer"),
             Self::KBuffer { depths } => write!(f, "kbuffer:{depths}"),
             Self::Vds { resolution } => write!(f, "vds:{resolution}"),
@@ -107,6 +137,9 @@ impl fmt::Display for InsideTest {
 
 impl fmt::Display for Strategy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.surface == CapSurface::Alone {
+            return write!(f, "{}", self.inside);
+        }
         write!(f, "{}+{}", self.surface, self.inside)
     }
 }
@@ -117,10 +150,14 @@ impl FromStr for Strategy {
     fn from_str(text: &str) -> Result<Self, Error> {
         let wrong =
             |what: String, mend: String| Error::input(format!("strategy `{text}`"), what, mend);
+        if text.trim() == "stencil" {
+            return Ok(Self::STENCIL);
+        }
         let Some((surface, inside)) = text.split_once('+') else {
             return Err(wrong(
                 "a strategy is a cap surface and an inside test".to_owned(),
-                "write for example raycast+mask or grid:256+vds:1024".to_owned(),
+                "write for example raycast+mask or grid:256+vds:1024; only stencil stands alone"
+                    .to_owned(),
             ));
         };
         let number =
@@ -156,6 +193,7 @@ impl FromStr for Strategy {
         let (name, value) = parts(inside);
         let inside = match (name.as_str(), value.as_deref()) {
             ("mask", None) => InsideTest::Mask,
+            ("stencil", None) => InsideTest::Stencil,
             ("abuffer", None) => InsideTest::ABuffer,
             ("kbuffer", value) => InsideTest::KBuffer {
                 depths: number("kbuffer", value, 8, 1, 32)?,
@@ -169,7 +207,10 @@ impl FromStr for Strategy {
             _ => {
                 return Err(wrong(
                     format!("there is no inside test `{inside}`"),
-                    did_you_mean(&name, ["mask", "abuffer", "kbuffer", "vds", "ldi"]),
+                    did_you_mean(
+                        &name,
+                        ["mask", "stencil", "abuffer", "kbuffer", "vds", "ldi"],
+                    ),
                 ));
             }
         };
@@ -185,6 +226,8 @@ mod tests {
     fn names_survive_a_round_trip() {
         for name in [
             "raycast+mask",
+            "raycast+stencil",
+            "stencil",
             "raycast+abuffer",
             "raycast+kbuffer:4",
             "raycast+ldi:64",

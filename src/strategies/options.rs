@@ -10,4 +10,17 @@ pub struct FrameOptions {
     /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. `None`
     /// leaves it to the adapter, and to core WebGPU where a plan is recorded without one.
     pub wide_atomics: Option<bool>,
+    /// Shows caps that several solids share in this colour, sRGB.
+    pub interference: Option<[u8; 3]>,
+}
+
+impl FrameOptions {
+    /// The usual options, drawn by this rasteriser.
+    pub const fn by(rasteriser: Rasteriser) -> Self {
+        Self {
+            rasteriser,
+            wide_atomics: None,
+            interference: None,
+        }
+    }
 }

@@ -3,10 +3,10 @@
 use cutaway::scene::Scene;
 
 use super::table::{Case, Expected};
-use super::{bumps, solids};
+use super::{bumps, solids, windings};
 use crate::common::{scenes, tolerances};
 
-use Expected::{Band, Exact, Fails, Marked, Share};
+use Expected::{Band, Exact, Fails, Marked, Refuses, Share};
 
 const MILD: Expected = Share(tolerances::PAPER_MILD);
 const ROUGH: Expected = Share(tolerances::PAPER_ROUGH);
@@ -104,6 +104,48 @@ pub(crate) const CASES: &[Case] = &[
         |_| vec![solids::doubled()],
         Exact,
         Fails("peeling loses the second of two faces"),
+    ),
+    case(
+        16,
+        "hollow ball, nonzero",
+        |px| windings::nonzero(solids::hollow(px)),
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        17,
+        "overlapping balls, nonzero",
+        |px| windings::nonzero(solids::overlapping(px)),
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        18,
+        "solids that cross themselves",
+        windings::self_crossing,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        18,
+        "solids that cross themselves, nonzero",
+        |px| windings::nonzero(windings::self_crossing(px)),
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        19,
+        "every face twice, nonzero",
+        |_| windings::nonzero(vec![solids::doubled()]),
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        20,
+        "one triangle missing, nonzero",
+        |px| windings::nonzero(solids::open(px)),
+        Marked,
+        Refuses("nonzero"),
     ),
     case(
         20,

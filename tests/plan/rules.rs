@@ -35,7 +35,7 @@ fn scenes() -> Vec<Scene> {
 
 /// A limit that a plan says it breaks, if that is what is wrong with it.
 fn broken_limit(plan: &Plan) -> Option<String> {
-    match plan.check(&Limits::CORE) {
+    match plan.check(&WITH_STENCIL) {
         Ok(()) => None,
         Err(Error::Limit(reason)) => Some(reason),
         Err(e) => panic!("{e}\n{}", plan.to_text()),

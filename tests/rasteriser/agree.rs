@@ -11,10 +11,7 @@ use crate::common::{Judged, Question, class_of, scenes, session};
 
 const SIZE: [u32; 2] = [160, 120];
 
-const COMPUTE: FrameOptions = FrameOptions {
-    rasteriser: Rasteriser::Compute,
-    wide_atomics: None,
-};
+const COMPUTE: FrameOptions = FrameOptions::by(Rasteriser::Compute);
 
 const SHAPES: [&str; 9] = [
     "cube",

@@ -47,10 +47,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    session.set_options(FrameOptions {
-        rasteriser: Rasteriser::Compute,
-        ..FrameOptions::default()
-    });
+    session.set_options(FrameOptions::by(Rasteriser::Compute));
     let drawn = session
         .draw(&model, &view, &strategy)
         .unwrap_or_else(|e| panic!("{e}"));

@@ -8,17 +8,11 @@ use glam::DVec3;
 
 use crate::common::{scenes, strategy};
 
-const COMPUTE: FrameOptions = FrameOptions {
-    rasteriser: Rasteriser::Compute,
-    wide_atomics: None,
-};
-const HARDWARE: FrameOptions = FrameOptions {
-    rasteriser: Rasteriser::Hardware,
-    wide_atomics: None,
-};
+const COMPUTE: FrameOptions = FrameOptions::by(Rasteriser::Compute);
+const HARDWARE: FrameOptions = FrameOptions::by(Rasteriser::Hardware);
 const WIDE: FrameOptions = FrameOptions {
-    rasteriser: Rasteriser::Compute,
     wide_atomics: Some(true),
+    ..COMPUTE
 };
 /// Core WebGPU but for atomics of 64 bits.
 const LIMITS: Limits = Limits {

@@ -48,6 +48,7 @@ fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> 
     let options = FrameOptions {
         rasteriser: Rasteriser::Compute,
         wide_atomics: Some(wide),
+        ..FrameOptions::default()
     };
     // More than any of these scenes needs.
     let capacities = Capacities {

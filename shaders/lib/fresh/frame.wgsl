@@ -3,8 +3,8 @@
 
 #define_import_path cutaway::fresh
 
+#import cutaway::background::background
 #import cutaway::frame::{frame, pixel_count}
-#import cutaway::light::background
 
 @group(1) @binding(5) var<storage, read_write> nearest: array<vec2<u32>>;
 @group(1) @binding(6) var<storage, read_write> painted: array<u32>;

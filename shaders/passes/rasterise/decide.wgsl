@@ -17,6 +17,7 @@
 override lane_bits: u32 = 32u;
 override lane_count: u32 = 1u;
 override near_inside: bool = false;
+override overlaps: bool = false;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -32,7 +33,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             drawn.word = select(layer_word(SURFACE, UNRANKED, 0u), UNRELIABLE, found.x == 0u);
             drawn.normal = found.x;
         }
-        let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside), drawn);
+        let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside, overlaps), drawn);
         write(id.xy, decision, decision.surface);
         is_painted = kind_of(decision.word) != BACKGROUND;
     }

@@ -146,6 +146,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
 
     let drawer = args.look.drawer(&opened)?;
     let mut session = args.device.open()?;
+    session.set_options(opened.options(session.options()));
     let plays = args.plays.unwrap_or(Plays::Forever);
     let mut encoder = encoder(&target, opened.size_px, &times, plays)?;
     console.expect_frames(times.count);

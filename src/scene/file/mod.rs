@@ -71,6 +71,7 @@ use std::sync::{Arc, Mutex};
 use glam::Vec3;
 
 pub use keys::{Interpolation, Key};
+pub use parts::parse_color;
 use reader::{Entry, Source, Table};
 pub(super) use script::Script;
 
@@ -87,6 +88,7 @@ const KEYS: &[&str] = &[
     "key",
     "resolution",
     "background",
+    "interference",
 ];
 
 /// Everything a scene file says.
@@ -102,6 +104,8 @@ pub struct SceneFile {
     pub resolution: Option<[u32; 2]>,
     /// Colour behind everything, as sRGB in 0..=1.
     pub background: Option<Vec3>,
+    /// Colour of caps that several solids share, as sRGB in 0..=1, where they are to be shown.
+    pub interference: Option<Vec3>,
     /// Numbers of the scene over time.
     pub keys: Vec<Key>,
     /// What the user should know: what was mended in a mesh, and what was read without effect.
@@ -169,6 +173,10 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
         resolution: root.get("resolution").map(|e| resolution(&e)).transpose()?,
         background: root
             .get("background")
+            .map(|e| parts::color(&e))
+            .transpose()?,
+        interference: root
+            .get("interference")
             .map(|e| parts::color(&e))
             .transpose()?,
         keys: script.keys().cloned().collect(),

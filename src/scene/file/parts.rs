@@ -7,7 +7,7 @@ use super::reader::{Entry, Table};
 use super::stock::Held;
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::motion::Outwards;
-use crate::scene::{Bounds, Part, Role};
+use crate::scene::{Bounds, Fill, Part, Role};
 
 /// Keys of a part.
 pub(super) const KEYS: &[&str] = &[
@@ -27,6 +27,7 @@ pub(super) const KEYS: &[&str] = &[
     "matrix",
     "role",
     "priority",
+    "fill",
     "material",
 ];
 
@@ -66,6 +67,10 @@ pub(super) fn read(
         .get("priority")
         .map(|p| p.whole::<i32>())
         .transpose()?;
+    let fill = table
+        .get("fill")
+        .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
+        .transpose()?;
     let look = table.get("material").map(|m| look(&m)).transpose()?;
     let mut parts = solids.parts.clone();
     for (part, rest) in parts.iter_mut().zip(&solids.rest) {
@@ -73,6 +78,7 @@ pub(super) fn read(
         part.place(placed);
         part.role = role.unwrap_or(part.role);
         part.priority = priority.or(part.priority);
+        part.fill = fill.unwrap_or(part.fill);
         if let Some(look) = &look {
             part.material.color = look.color.unwrap_or(part.material.color);
             part.material.cap_color = look.cap_color.or(part.material.cap_color);
@@ -193,7 +199,8 @@ pub(super) fn color(entry: &Entry<'_>) -> Result<Vec3> {
     })
 }
 
-fn parse_color(text: &str) -> Option<Vec3> {
+/// A colour from its digits: `#rrggbb` or `#rgb`, as sRGB in 0..=1.
+pub fn parse_color(text: &str) -> Option<Vec3> {
     let digits = text.strip_prefix('#')?;
     if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
         return None;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::{DMat3, Vec3};
 
 use super::SceneSpace;
-use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Material, Part, ShadingMesh};
+use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Fill, Material, Part, ShadingMesh};
 
 /// A part in scene space.
 #[derive(Clone, Debug)]
@@ -33,6 +33,8 @@ pub struct PreparedPart {
     pub volume_at_rest: f64,
     /// Look.
     pub material: Material,
+    /// Which points the mesh encloses.
+    pub fill: Fill,
     /// Indices into [`Prepared::cuts`](super::Prepared::cuts) of the cuts that apply.
     pub cuts: Vec<usize>,
 }
@@ -87,6 +89,7 @@ impl PreparedPart {
             bounds,
             volume_at_rest: volume.abs() * part.world_from_part.matrix3.determinant().abs(),
             material: part.material,
+            fill: part.fill,
             cuts,
         }
     }

@@ -185,6 +185,7 @@ fn draw(
                 layer: 0,
                 clear: true,
                 compare: DepthCompare::Always,
+                stencil: None,
             },
             vertices,
             indices,

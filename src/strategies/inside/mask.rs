@@ -6,10 +6,21 @@
 //! complexity. The top bit of a lane gets every fragment and ends at 0 wherever the mesh is closed. Ancestor: Eisemann &
 //! Décoret, *Single-pass GPU solid voxelization* (2008), with uniform voxels in the place of the few depths that matter.
 //!
-//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part. Exact for closed meshes up to ties of f32.
+//! A part filled by the nonzero rule has counts in the place of bits: a fragment adds 1 or -1, by the side it shows, to a byte
+//! for each crossing it lies behind, and crossing i is inside where its byte is not 0. One word more holds the sum over all
+//! fragments, which a closed mesh ends with at 0, and their number, which says whether a byte may have run over: more than 254
+//! fragments in a pixel are marked. The other parts of the scene keep their bits.
+//!
+//! Why the nearest kept fragment is a true boundary though inner shells are fragments too: were the ray inside the part
+//! before it as well as after, it would have come inside by a fragment, which would be kept and nearer; or by leaving what is
+//! removed, which is a cap and nearer; or at the near plane, which has a cap of its own.
+//!
+//! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes where it is
+//! filled nonzero. Exact for closed meshes up to ties of f32.
 //! The resolve looks at every lane of a pixel, so its time grows with the number of cut parts.
 //!
-//! Cannot: repair an open mesh; it marks the pixels where the total is odd. Where the near plane meets a part's box an odd
+//! Cannot: repair an open mesh; it marks the pixels where the total is odd or, under the nonzero rule, not 0, which faces that
+//! do not agree on what is out make as well. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
 use crate::passes::{Inside, Rasteriser, Recorder, Store};
@@ -24,13 +35,26 @@ pub fn record(
 ) -> Result<(), String> {
     let capacity = raycast::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
+    let nonzero = recorder.has_nonzero();
+    if nonzero {
+        recorder.winding_words = 1 + capacity.div_ceil(4);
+    }
     let mask = recorder.mask();
     let store = Store {
-        file: "lib/store/mask.wgsl",
+        file: if nonzero {
+            "lib/store/winding.wgsl"
+        } else {
+            "lib/store/mask.wgsl"
+        },
         bindings: vec![Binding::update("mask", mask)],
     };
     let crossings = raycast::record(recorder, capacity, &store);
     recorder.over_mesh(rasteriser, &store, &crossings)?;
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
+    let inside = if nonzero {
+        Inside::winding(mask)
+    } else {
+        Inside::mask(mask)
+    };
+    recorder.resolve(rasteriser, inside, &crossings);
     Ok(())
 }

@@ -100,6 +100,7 @@ pub fn record(
             layer: 0,
             clear: true,
             compare: DepthCompare::Always,
+            stencil: None,
         },
     );
     for layer in 0..layers {
@@ -126,6 +127,7 @@ pub fn record(
                 layer,
                 clear: true,
                 compare: DepthCompare::Less,
+                stencil: None,
             },
         );
     }
@@ -170,13 +172,9 @@ pub(super) fn probed(
     recorder.lay_lanes(capacity);
     let images = images(recorder)?;
     let mask = recorder.reduced_mask();
-    let nothing = |bindings| Store {
-        file: "lib/store/nothing.wgsl",
-        bindings,
-    };
-    let emptied = nothing(vec![Binding::write("mask", mask)]);
+    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = raycast::record(recorder, capacity, &emptied);
-    recorder.over_mesh(rasteriser, &nothing(Vec::new()), &crossings)?;
+    recorder.over_mesh(rasteriser, &Store::nothing(Vec::new()), &crossings)?;
     for (places, volume) in images {
         let name = format!("probe {}", places.start);
         recorder.probe(name, places, &volume, mask, &crossings);

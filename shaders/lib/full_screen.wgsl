@@ -1,0 +1,7 @@
+// A triangle that covers the picture, from the number of its corner.
+
+#define_import_path cutaway::full_screen
+
+fn corner_of_screen(index: u32) -> vec4<f32> {
+    return vec4<f32>(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,38 @@
+// The inside test `mask` where some part is filled by the nonzero rule: a crossing is inside such a part where the steps of the
+// fragments behind it do not cancel. The others are asked for parity.
+
+#define_import_path cutaway::inside
+
+#import cutaway::cuts::parts
+#import cutaway::lanes::{Lanes, WINDING}
+#import cutaway::parity::{is_odd_at, is_odd_in_all, word_at}
+#import cutaway::winding::{count_at, may_exceed, sum_and_number}
+
+fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
+    let part = parts[place];
+    if part.lane_shift != WINDING {
+        return is_odd_at(lanes, place, pixel, crossing);
+    }
+    return count_at(word_at(part.lane_word + 1u + crossing / 4u, pixel), crossing % 4u) != 0;
+}
+
+// Whether the ray of a pixel starts inside a part, as far as its fragments tell: a total that is not 0. Where no part can be
+// there, it says that the mesh is open or its faces do not agree which side is out.
+fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
+    let part = parts[place];
+    if part.lane_shift != WINDING {
+        return is_odd_in_all(lanes, place, pixel);
+    }
+    return sum_and_number(word_at(part.lane_word, pixel)).x != 0;
+}
+
+// Whether the answers for a pixel may be wrong because something found no room: so many fragments that a byte may have run over.
+fn in_doubt(lanes: Lanes, pixel: u32) -> bool {
+    for (var place = 0u; place < lanes.count; place++) {
+        let part = parts[place];
+        if part.lane_shift == WINDING && may_exceed(sum_and_number(word_at(part.lane_word, pixel))) {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,30 @@
+// Draws the cap of one part: the plane, where the stencil says that it is inside. The draw sets the stencil back for the next
+// part on its way; so no fragment is discarded, and where there is no cap its depth is that of the far plane, which hides it.
+
+#import cutaway::cuts::{cut_table, parts}
+#import cutaway::full_screen::corner_of_screen
+#import cutaway::layers::{CAP, layer_word, pack_normal}
+#import cutaway::sheet::sheet_at
+
+struct Corner {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) rank: u32,
+}
+
+struct Cap {
+    @location(0) words: vec2<u32>,
+    @builtin(frag_depth) z: f32,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) rank: u32) -> Corner {
+    return Corner(corner_of_screen(index), rank);
+}
+
+@fragment
+fn fragment(corner: Corner) -> Cap {
+    let sheet = sheet_at(corner.position.xy);
+    let word = layer_word(CAP, cut_table.surfaces[0].surface, parts[corner.rank].part);
+    let normal = pack_normal(-cut_table.surfaces[0].normal.xyz);
+    return Cap(vec2<u32>(word, normal), select(0.0, sheet.z, sheet.begins_removed));
+}

@@ -1,0 +1,104 @@
+//! What one ray is worked out on: its lists of crossings, roots and events, and its states, reused from ray to ray.
+
+use super::ambiguity::Scratch;
+use super::clip::{Graze, Root};
+use super::outline::Brush;
+use super::raster::Crossing;
+use super::walk::{Cause, Event, State, by_depth};
+use crate::scene::Prepared;
+
+/// What one ray is worked out on; reused from ray to ray.
+pub(super) struct Bench {
+    pub(super) crossings: Vec<Crossing>,
+    pub(super) roots: Vec<Root>,
+    pub(super) grazes: Vec<Graze>,
+    pub(super) events: Vec<Event>,
+    /// Ranks of the parts the ray meets or almost meets, in order.
+    pub(super) ranks: Vec<u16>,
+    /// Per surface: its roots are listed.
+    pub(super) met: Vec<bool>,
+    pub(super) coincident: Vec<(u32, u16)>,
+    pub(super) start: State,
+    pub(super) state: State,
+    pub(super) scratch: Scratch,
+    /// Winding numbers after all crossings of the line.
+    pub(super) end: State,
+}
+
+impl Bench {
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        Self {
+            crossings: Vec::new(),
+            roots: Vec::new(),
+            grazes: Vec::new(),
+            events: Vec::new(),
+            ranks: Vec::new(),
+            met: vec![false; prepared.surfaces.len()],
+            coincident: Vec::new(),
+            start: State::of(prepared),
+            state: State::of(prepared),
+            scratch: Scratch::of(prepared),
+            end: State::of(prepared),
+        }
+    }
+
+    /// Takes the crossings beyond a depth, counts those before it, and tells whether some part is open.
+    pub(super) fn sort_crossings(
+        &mut self,
+        found: &[Crossing],
+        brushes: &[Brush],
+        from: f64,
+    ) -> bool {
+        self.ranks.extend(found.iter().map(|c| c.rank));
+        self.ranks.extend(brushes.iter().map(|b| b.rank));
+        self.ranks.sort_unstable();
+        self.ranks.dedup();
+        for crossing in found {
+            let rank = crossing.rank as usize;
+            let step = i32::from(crossing.step());
+            self.end.winding[rank] += step;
+            if crossing.depth > from {
+                self.crossings.push(*crossing);
+            } else {
+                self.start.winding[rank] += step;
+            }
+        }
+        self.ranks.iter().any(|r| self.end.is_inside(*r))
+    }
+
+    pub(super) fn merge_events(&mut self) {
+        self.events
+            .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
+                depth: c.depth,
+                cause: Cause::Mesh {
+                    rank: c.rank,
+                    step: c.step(),
+                },
+                source: i as u32,
+            }));
+        self.events
+            .extend(self.roots.iter().enumerate().map(|(i, r)| Event {
+                depth: r.depth,
+                cause: Cause::Clip {
+                    surface: r.surface,
+                    to_kept: r.to_kept,
+                },
+                source: i as u32,
+            }));
+        self.events.sort_unstable_by(by_depth);
+    }
+
+    pub(super) fn clear(&mut self) {
+        for rank in self.ranks.drain(..) {
+            self.start.winding[rank as usize] = 0;
+            self.end.winding[rank as usize] = 0;
+        }
+        self.crossings.clear();
+        self.roots.clear();
+        self.grazes.clear();
+        self.events.clear();
+        self.coincident.clear();
+        self.met.fill(false);
+        self.start.removed.fill(false);
+    }
+}

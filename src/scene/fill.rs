@@ -1,0 +1,93 @@
+//! When a point is inside a mesh: the rule that turns crossings into a solid.
+//!
+//! Along any ray from the point each crossing with a triangle counts 1 where the triangle shows its inner side, -1 where it shows
+//! its outer side; the sum is the *winding number*. A closed mesh that is turned outward and does not meet itself has 1
+//! inside and 0 outside, and both rules mean the same solid. They part where shells overlap, nest or repeat: even-odd carves
+//! a void wherever two overlap, nonzero unites them. The names are those of 2D drawing; for solids see Rossignac, Fudos &
+//! Vasilakis, *Direct rendering of Boolean combinations of self-trimmed surfaces* (2013).
+//!
+//! Nonzero hears the orientation of every triangle, even-odd of none: where neighbours face opposite ways, the winding
+//! number jumps across the edge between them, and the mesh is as open there as if one of them were missing.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::Error;
+use crate::error::did_you_mean;
+
+/// Which points a mesh encloses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fill {
+    /// Those that an odd number of crossings lies before.
+    #[default]
+    EvenOdd,
+    /// Those around which the mesh winds.
+    Nonzero,
+}
+
+impl Fill {
+    /// Names, as scene files and options say them.
+    pub const NAMES: [&'static str; 2] = ["even-odd", "nonzero"];
+
+    /// Whether a point with this winding number is inside. Its parity is that of the number of crossings.
+    pub fn holds(self, winding: i32) -> bool {
+        match self {
+            Self::EvenOdd => winding % 2 != 0,
+            Self::Nonzero => winding != 0,
+        }
+    }
+}
+
+impl fmt::Display for Fill {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::EvenOdd => Self::NAMES[0],
+            Self::Nonzero => Self::NAMES[1],
+        })
+    }
+}
+
+impl FromStr for Fill {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        match text {
+            "even-odd" => Ok(Self::EvenOdd),
+            "nonzero" => Ok(Self::Nonzero),
+            _ => Err(Error::input(
+                format!("fill `{text}`"),
+                "there is no such rule",
+                did_you_mean(text, Self::NAMES),
+            )),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rules_part_at_two() {
+        for (winding, even_odd, nonzero) in [
+            (0, false, false),
+            (1, true, true),
+            (-1, true, true),
+            (2, false, true),
+            (-2, false, true),
+            (-3, true, true),
+        ] {
+            assert_eq!(Fill::EvenOdd.holds(winding), even_odd, "{winding}");
+            assert_eq!(Fill::Nonzero.holds(winding), nonzero, "{winding}");
+        }
+    }
+
+    #[test]
+    fn names_are_read_and_mended() {
+        for name in Fill::NAMES {
+            assert_eq!(name.parse::<Fill>().expect(name).to_string(), name);
+        }
+        let message = "nonzer".parse::<Fill>().expect_err("no rule").to_string();
+        assert!(message.contains("`nonzero`"), "{message}");
+    }
+}
