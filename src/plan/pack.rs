@@ -123,7 +123,7 @@ shared! {
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word.
+        /// First bit in that word; 32 where the lane is words of counts.
         lane_shift: u32,
         /// Index in the scene.
         part: u32,
@@ -215,7 +215,7 @@ shared! {
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word.
+        /// First bit in that word; 32 where the lane is words of counts.
         lane_shift: u32,
         /// 1 where the part has bits in the mask.
         has_lane: u32,
