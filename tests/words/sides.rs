@@ -125,7 +125,7 @@ fn ask_mask(
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     let pixel = id.x;
     if pixel >= pixel_count() {{ return; }}
-    clear(pixel, {words_per_pixel}u);
+    clear(pixel);
     for (var i = 0u; i < {longest}u; i++) {{
         let f = fragments[pixel * {longest}u + i];
         if f.x != 0u {{ add_fragment(pixel, f.y, f.z, {lane_bits}u, f.w); }}
