@@ -37,7 +37,7 @@ pub enum InsideTest {
 impl InsideTest {
     /// Whether it can fill a part by the nonzero rule.
     pub fn counts_winding(self) -> bool {
-        !matches!(self, Self::Vds { .. })
+        matches!(self, Self::Mask | Self::Stencil)
     }
 }
 
