@@ -157,6 +157,7 @@ fn compare_reports_every_field_and_keeps_expectations() {
         "surface_px",
         "background_px",
         "undecided_px",
+        "overlap_px",
         "time_ms",
     ] {
         assert!(json["exact"][field].is_number(), "exact.{field}");
@@ -176,6 +177,7 @@ fn compare_reports_every_field_and_keeps_expectations() {
             "edge_wrong_px",
             "decided_wrong_px",
             "odd_parity_px",
+            "overlap_px",
             "depth_error_max",
             "depth_error_mean",
             "normal_error_deg_max",
@@ -480,6 +482,87 @@ fn a_strategy_that_refuses_says_why() {
     assert!(refused["missed_cap_px"].is_null(), "not measured is not 0");
     assert_eq!(drawn["outcome"], "complete");
     assert!(drawn["time_ms"]["frame"]["median"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn fill_and_interference_reach_the_frame() {
+    let folder = Scratch::new("fill");
+    folder.write(
+        "balls.toml",
+        r#"
+[[part]]
+name = "left"
+shape = "sphere?subdivisions=2"
+[[part]]
+name = "right"
+shape = "sphere?subdivisions=2"
+translate = [0.4, 0, 0]
+[[cut]]
+surfaces = [{ section = "-z=50%" }]
+"#,
+    );
+    let overlap = |line: &str| {
+        let json = folder.run(&format!("{line} --json -")).exits(0).json();
+        json["overlap_px"].as_u64().expect("a count")
+    };
+    let render = "render balls.toml --resolution 96,64 --supersample 1";
+    assert_eq!(
+        overlap(&format!("{render} -o plain.png")),
+        0,
+        "nobody asked"
+    );
+    let found = overlap(&format!("{render} --interference -o asked.png"));
+    assert!(found > 100, "{found} pixels");
+    let green = format!("{render} --interference=#0f0 -o green.png");
+    assert_eq!(overlap(&green), found, "the colour changes no count");
+    let bytes = |name: &str| fs::read(folder.path(name)).expect(name);
+    assert_ne!(bytes("plain.png"), bytes("asked.png"), "hatched");
+    assert_ne!(bytes("green.png"), bytes("asked.png"), "in another colour");
+
+    let compared = folder
+        .run("compare balls.toml --resolution 96,64 --interference --rounds 1 --json -")
+        .exits(0)
+        .json();
+    assert_eq!(
+        compared["exact"]["overlap_px"],
+        compared["strategies"][0]["overlap_px"]
+    );
+    let refused = (compared["strategies"].as_array().expect("a list").iter())
+        .find(|s| s["name"] == "stencil")
+        .expect("it is one of all");
+    assert_eq!(refused["outcome"], "refused", "{refused}");
+
+    // A hollow ball with both shells turned outward is full by the nonzero rule.
+    let caps = |flip: u32, fill: &str| {
+        let line = format!(
+            "render shape:shells?flip_inner={flip} --section -z=50% {fill} --resolution 96,64 -o shells.png --json -"
+        );
+        let json = folder.run(&line).exits(0).json();
+        json["cap_px"].as_u64().expect("a count")
+    };
+    assert_eq!(caps(0, ""), caps(1, ""), "parity hears of no side");
+    let [a, b] = [0, 1].map(|flip| caps(flip, "--fill nonzero"));
+    assert_ne!(a, b, "nonzero does");
+
+    // One face turned: the rule hears it, and the user is told.
+    folder.write(
+        "turned.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 4 3\n",
+    );
+    let line = "render turned.obj --section -z=25% --fill nonzero --resolution 64,48 -o turned.png";
+    let ran = folder.run(line).exits(0);
+    assert!(ran.stderr.contains("3 edges"), "{}", ran.stderr);
+    let line = "render turned.obj --section -z=25% --resolution 64,48 -o turned.png";
+    let ran = folder.run(line).exits(0);
+    assert!(!ran.stderr.contains("edges"), "{}", ran.stderr);
+
+    for (line, told) in [
+        ("--fill odd", "even-odd or nonzero"),
+        ("--interference=pink", "#rrggbb"),
+    ] {
+        let ran = folder.run(&format!("{render} {line} -o bad.png")).exits(2);
+        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    }
 }
 
 #[test]

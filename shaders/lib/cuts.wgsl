@@ -45,7 +45,7 @@ struct CutTable {
 struct Part {
     // Bits of the cuts that apply.
     cuts: u32,
-    // Where this part's bits are in the inside mask: word and shift.
+    // Where this part's bits or counts are in the inside mask: word, and shift or WINDING.
     lane_word: u32,
     lane_shift: u32,
     // Index of the part in the scene.

@@ -132,7 +132,7 @@ shared! {
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word.
+        /// First bit in that word; 32 where the lane is words of counts.
         lane_shift: u32,
         /// Index in the scene.
         part: u32,
@@ -206,7 +206,7 @@ shared! {
         cuts: u32,
         /// Word of the inside mask.
         lane_word: u32,
-        /// First bit in that word.
+        /// First bit in that word; 32 where the lane is words of counts.
         lane_shift: u32,
         /// Place in the part table, or `NO_LANE` where it needs no inside test.
         place: u32,

@@ -80,7 +80,8 @@ fn describe(work: &Work) -> String {
                 .iter()
                 .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
                 .sum();
-            let plural = if draws.len() == 1 { "" } else { "s" };
+            let [of_draws, of_triangles] =
+                [draws.len() as u64, triangles].map(|n| if n == 1 { "" } else { "s" });
             let stencil = match depth.stencil.map(|s| s.step) {
                 None => String::new(),
                 Some(StencilStep::Flip { bits }) => format!(", stencil bits {bits:#04x} flip"),
@@ -88,7 +89,7 @@ fn describe(work: &Work) -> String {
                 Some(StencilStep::Take { bits }) => format!(", where stencil bits {bits:#04x} are"),
             };
             format!(
-                "draw {triangles} triangles in {} draw{plural}{stencil}",
+                "draw {triangles} triangle{of_triangles} in {} draw{of_draws}{stencil}",
                 draws.len()
             )
         }

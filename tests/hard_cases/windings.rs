@@ -1,12 +1,13 @@
 //! Cases 16 to 19 by the nonzero rule: which points a mesh winds around, and what is said where it cannot be told.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{ClipSurface, Fill, Mesh, Scene};
+use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::solids;
+use crate::common::numbers::Numbers;
 use crate::common::{Judged, Question, meshes, scenes, session};
 
 /// The same scenes with every part filled by the nonzero rule.
@@ -285,4 +286,67 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
         assert!(marked > 20, "{marked} pixels are marked");
         assert_eq!(super::table::marked_fault(&judged), None);
     }
+}
+
+/// Boxes and lumpy balls in one mesh, some turned inside out, cut by a plane or a relief, filled either way.
+fn random(n: &mut Numbers) -> Scene {
+    let shells = (0..2 + n.below(3)).map(|_| {
+        let mesh = if n.once_in(2) {
+            let half = [(); 3].map(|()| n.between(0.15, 0.5));
+            meshes::block(-DVec3::from(half), DVec3::from(half))
+        } else {
+            meshes::lumpy(2, n.between(0.0, 0.3), n.between(0.0, 6.0))
+        };
+        let by = [(); 3].map(|()| n.between(-0.3, 0.3));
+        let mesh = meshes::moved(&mesh, DAffine3::from_translation(DVec3::from(by)));
+        if n.once_in(3) {
+            meshes::turned(&mesh)
+        } else {
+            mesh
+        }
+    });
+    let mesh = meshes::joined(&shells.collect::<Vec<_>>());
+    let mut scene = scenes::scene("shells", mesh, Vec::new());
+    let at = n.between(40.0, 60.0);
+    let section = format!("-0.3,{:.2},-1@50%,50%,{at:.1}%", n.between(-0.5, 0.5));
+    let surface = if n.once_in(2) {
+        scenes::relief(&scene, &section, "fractal:size=32,amplitude=8%")
+    } else {
+        cutaway::scene::section_surface(&section, &scene.bounds()).expect("a section")
+    };
+    scene.cuts = vec![Cut::of("cut", vec![surface])];
+    if !n.once_in(4) {
+        scene.parts[0].fill = Fill::Nonzero;
+    }
+    scene.camera = scenes::orbit(n.between(0.0, 60.0), n.between(5.0, 50.0), n.once_in(3));
+    scene
+}
+
+#[test]
+fn shells_at_random_are_filled_as_exact_says() {
+    let mut n = Numbers(17);
+    let (mut caps, mut parted) = (0, 0);
+    for i in 0..40 {
+        let mut scene = random(&mut n);
+        let question = Question::of(&scene, [64, 48]);
+        for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
+            let judged = question.answer(&strategy);
+            assert_eq!(judged.fault_of_exact(), None, "{i}: {strategy}");
+        }
+        assert_eq!(
+            by_compute(&question).0.fault_of_exact(),
+            None,
+            "{i}: compute"
+        );
+        caps += question.exact.layers.count(Kind::Cap);
+        // The control: the other rule is another picture, wherever shells overlap.
+        scene.parts[0].fill = match scene.parts[0].fill {
+            Fill::EvenOdd => Fill::Nonzero,
+            Fill::Nonzero => Fill::EvenOdd,
+        };
+        let other = Question::of(&scene, [64, 48]);
+        parted += usize::from(question.compare(&other.exact.layers).decided_wrong_px > 5);
+    }
+    assert!(caps > 5000, "only {caps} cap pixels");
+    assert!(parted > 20, "the rules part in {parted} scenes of 40");
 }

@@ -42,7 +42,7 @@ fn each_crossing_is_laid_down_once_and_eight_pairs_share_a_stencil() {
         "solid",
         "lay 0",
         "mark 0 crossing 0",
-        "mark 0 anything",
+        "mark 0 in all",
         "take 0",
         "resolve",
         "shade",
@@ -229,7 +229,7 @@ per frame: 4 passes, 1.8 MiB
     why     what the plane leaves of `cube 0`; back faces minus front faces
     reads   frame, parts, ray_table, vertices, indices
     writes  surface_words, surface_depth
-  cap 0  [draw 1 triangles in 1 draw, where stencil bits 0x01 are]
+  cap 0  [draw 1 triangle in 1 draw, where stencil bits 0x01 are]
     why     the plane, where it is inside `cube 0`
     reads   frame, cut_table, parts, ray_table, screen indices, surface_words, surface_depth
     writes  surface_words, surface_depth

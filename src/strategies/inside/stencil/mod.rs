@@ -9,6 +9,9 @@
 //! Per frame: the mesh once for its surfaces, and each cut part once more for each crossing a pixel may have and once for the total;
 //! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel beside the mask. No atomics.
 //!
+//! On the adapter of the tests the mask is that of `mask` bit for bit. Elsewhere a depth test may round a depth otherwise than the
+//! shader that ranks the surfaces sees it; then samples within such a rounding of a crossing may differ.
+//!
 //! Cannot: see more than 255 shells of a part filled nonzero, where the stencil runs over unseen; draw by the compute rasteriser.
 //! `stencil` by itself is [`alone`].
 
@@ -111,9 +114,17 @@ impl Marks {
             }
             let place = recorder.relevance.place_of(mark.rank);
             let name = &recorder.model.prepared.parts[mark.rank].name;
-            let (to, what) = match mark.crossing {
-                Some(crossing) => (crossing, format!("crossing {crossing}")),
-                None => (recorder.lane_bits - 1, "anything".to_owned()),
+            let (to, what, reason) = match mark.crossing {
+                Some(i) => (
+                    i,
+                    format!("crossing {i}"),
+                    format!("what of `{name}` is behind crossing {i} counts in the stencil"),
+                ),
+                None => (
+                    recorder.lane_bits - 1,
+                    "in all".to_owned(),
+                    format!("all of `{name}` counts: whether the mesh is closed along the ray"),
+                ),
             };
             let [word, shift] = lanes[place];
             constants.push((TO[bit], f64::from(32 * word + shift + to)));
@@ -124,7 +135,7 @@ impl Marks {
             let pass = Pass {
                 name: format!("mark {place} {what}"),
                 clock: Clock::Frame,
-                reason: format!("what of `{name}` is behind {what} counts in the stencil"),
+                reason,
                 shader: "strategies/inside/stencil/mark.wgsl".into(),
                 bindings: vec![recorder.frame()],
                 constants: Vec::new(),
