@@ -1,6 +1,6 @@
 //! Which passes a change of the plan makes due, without a device.
 
-use cutaway::plan::Contents;
+use cutaway::plan::{Contents, Limits};
 use cutaway::scene::{Motion, Pull};
 
 use super::*;
@@ -160,9 +160,5 @@ fn a_part_that_never_moves_has_no_pass_for_it() {
     scene.parts[0].pose.joints = vec![DAffine3::from_translation(DVec3::Y * 0.1)];
     let plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
     assert!(named(&plan), "the control: {:?}", passes(&plan));
-    assert_eq!(
-        plan.check(&cutaway::plan::Limits::CORE)
-            .map_err(|e| e.to_string()),
-        Ok(())
-    );
+    assert_eq!(plan.check(&Limits::CORE).map_err(|e| e.to_string()), Ok(()));
 }

@@ -252,7 +252,7 @@ fn lanes_of_counts_follow_the_lanes_of_bits() {
     let plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
     let id = plan.resource_named("parts").expect("the parts");
     let contents = plan.resource(id).contents.clone().expect("uploaded");
-    let parts: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&contents.0);
+    let parts: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&contents.bytes());
     let lanes: Vec<[u32; 2]> = parts.iter().map(|p| [p.lane_word, p.lane_shift]).collect();
     // Two lanes of 8 bits share a word; 5 crossings take a word of totals and two of bytes.
     assert_eq!(lanes, [[0, 0], [1, 32], [0, 8], [4, 32]], "word and shift");
