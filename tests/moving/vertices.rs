@@ -78,17 +78,25 @@ fn errors(scene: &Scene, model: &Model) -> [f64; 2] {
     [farthest, turned]
 }
 
-/// How far a vertex of a part that moves is from the truth, in scene units.
+/// How far a vertex of a part that is drawn is from the truth, in scene units. What a cut removes altogether is not placed.
 pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
     if model.moving.iter().all(Option::is_none) {
         return 0.0;
     }
     let truth = Prepared::of(scene);
     let vertices = vertices(scene, model);
+    let placed: Vec<String> = {
+        let session = session();
+        let plan = session.plan(&Strategy::RAYCAST_MASK).expect("a plan");
+        plan.passes.iter().map(|p| p.name.clone()).collect()
+    };
     let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
     let mut farthest = 0.0_f64;
     for (rank, part) in truth.parts.iter().enumerate() {
         assert_eq!(part.part, model.prepared.parts[rank].part, "ranks");
+        if model.moving[rank].is_some() && !placed.contains(&format!("place {}", part.part)) {
+            continue;
+        }
         let range = &model.ranges[rank];
         let own = &indices[range.indices.start as usize..range.indices.end as usize];
         for (corners, positions) in own.as_chunks::<3>().0.iter().zip(part.triangles.iter()) {
