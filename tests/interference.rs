@@ -105,6 +105,8 @@ fn overlaps_are_those_of_exact() {
             (Strategy::RAYCAST_MASK, Rasteriser::Hardware),
             (Strategy::RAYCAST_MASK, Rasteriser::Compute),
             (Strategy::RAYCAST_STENCIL, Rasteriser::Hardware),
+            (strategy("raycast+abuffer"), Rasteriser::Hardware),
+            (strategy("raycast+abuffer"), Rasteriser::Compute),
         ] {
             let (layers, _) = shown(&question, &strategy, asking(rasteriser));
             let what = format!("{name}: {strategy} by {rasteriser}");
@@ -163,20 +165,23 @@ fn the_overlap_is_the_lens_of_the_balls() {
 
 #[test]
 fn the_picture_is_hatched_there_and_nowhere_else() {
+    for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
+        hatched_by(rasteriser);
+    }
+}
+
+fn hatched_by(rasteriser: Rasteriser) {
     let question = Question::of(&balls(&[-0.2, 0.2]), SIZE);
-    let plain = shown(&question, &Strategy::RAYCAST_MASK, FrameOptions::default());
-    let asked = shown(
-        &question,
-        &Strategy::RAYCAST_MASK,
-        asking(Rasteriser::Hardware),
-    );
+    let exact = Strategy::RAYCAST_MASK;
+    let plain = shown(&question, &exact, FrameOptions::by(rasteriser));
+    let asked = shown(&question, &exact, asking(rasteriser));
     let pixels = plain.1.chunks(4).zip(asked.1.chunks(4)).enumerate();
     let (mut striped, mut between) = (0, 0);
     for (i, (before, after)) in pixels {
         let overlaps = asked.0.pixels[i].overlap;
         assert!(
             overlaps || before == after,
-            "pixel {i} changed without a reason"
+            "{rasteriser}: pixel {i} changed without a reason"
         );
         if overlaps {
             let is_magenta = after[1] < after[0] / 2 && after[1] < after[2];
@@ -186,7 +191,7 @@ fn the_picture_is_hatched_there_and_nowhere_else() {
     }
     assert!(
         striped > 200 && between > 100,
-        "{striped} striped, {between} between"
+        "{rasteriser}: {striped} striped, {between} between"
     );
 }
 
@@ -200,17 +205,19 @@ fn plan_of(scene: &Scene, name: &str, options: FrameOptions) -> Result<Plan, Str
 
 #[test]
 fn a_plan_asks_where_solids_overlap_only_if_two_could() {
+    for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
+        asked_of(rasteriser);
+    }
+}
+
+fn asked_of(rasteriser: Rasteriser) {
     let asks = |plan: &Plan| {
-        let resolve = plan
-            .passes
-            .iter()
-            .find(|p| p.name == "resolve")
-            .expect("it resolves");
-        let shade = plan
-            .passes
-            .iter()
-            .find(|p| p.name == "shade")
-            .expect("it shades");
+        let one_of = |names: [&str; 2]| {
+            let mut passes = plan.passes.iter();
+            passes.find(|p| names.contains(&p.name.as_str()))
+        };
+        let resolve = one_of(["resolve", "decide"]).expect("it resolves");
+        let shade = one_of(["shade", "paint"]).expect("it shades");
         let [asks, shows, bound] = [
             resolve.constants.iter().any(|c| c.0 == "overlaps"),
             shade.shader.with.contains(&"lib/overlap/hatched.wgsl"),
@@ -219,7 +226,7 @@ fn a_plan_asks_where_solids_overlap_only_if_two_could() {
         assert!(asks == shows && shows == bound, "all of it or nothing");
         asks
     };
-    let (off, on) = (FrameOptions::default(), asking(Rasteriser::Hardware));
+    let (off, on) = (FrameOptions::by(rasteriser), asking(rasteriser));
     let two = balls(&[-0.2, 0.2]);
     assert!(
         !asks(&plan_of(&two, "raycast+mask", off).expect("a plan")),
@@ -237,6 +244,9 @@ fn a_plan_asks_where_solids_overlap_only_if_two_could() {
         plan_of(&one, "raycast+mask", off).expect("a plan"),
         "one part"
     );
+    if rasteriser == Rasteriser::Compute {
+        return;
+    }
     // Who draws the caps of each part by themselves cannot tell, and says so.
     for name in ["stencil", "grid:8+vds:64"] {
         let told = plan_of(&two, name, on).expect_err(name);
