@@ -111,7 +111,7 @@ impl Program {
                 Real::Texture(texture) => {
                     let size = texture.size();
                     let texels = u64::from(size.width) * u64::from(size.height);
-                    let texel_bytes = texture.format().block_copy_size(None).unwrap_or(0);
+                    let texel_bytes = texel_bytes(texture.format());
                     texels * u64::from(size.depth_or_array_layers) * u64::from(texel_bytes)
                 }
             })
@@ -253,6 +253,16 @@ impl Program {
             Some((_, Real::Buffer(buffer))) => Ok(buffer),
             _ => Err(Error::Plan(format!("{name} is not a buffer"))),
         }
+    }
+}
+
+/// Bytes of a texel, without padding; a combined format has those of each aspect.
+fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
+    let of = |aspect| format.block_copy_size(aspect).unwrap_or(0);
+    match format {
+        // The format has no bytes as a whole, and its depth cannot be copied out: 32 bits of depth and 8 of stencil.
+        wgpu::TextureFormat::Depth32FloatStencil8 => 4 + of(Some(wgpu::TextureAspect::StencilOnly)),
+        _ => of(None),
     }
 }
 

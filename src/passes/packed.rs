@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::DAffine3;
 
 use super::model::Vertex;
-use super::rest::{Rest, posed_bounds};
+use super::rest::Rest;
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
 use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace};
@@ -94,7 +94,7 @@ impl Packed {
         let of_part = if part.pose.is_rest() {
             rest.bounds
         } else {
-            posed_bounds(part)
+            part.posed_bounds()
         };
         let corners = of_part.corners().map(|c| {
             let in_world = part.world_from_part.transform_point3(c);

@@ -159,8 +159,3 @@ fn outward(motion: &Motion, positions: usize) -> Option<Contents> {
         .collect();
     Some(Contents::of(&numbers))
 }
-
-/// A box in part space that holds a part as it is posed.
-pub(super) fn posed_bounds(part: &Part) -> Bounds {
-    part.posed_mesh().bounds()
-}
