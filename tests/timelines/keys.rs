@@ -234,7 +234,7 @@ fn clips_that_are_not_there_are_refused() {
 /// The scenes that the repository shows to users are sound at all times.
 #[test]
 fn the_scenes_of_the_repository_move() {
-    let folder = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let folder = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("experiments/scenes");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
         let path = entry.expect("an entry of it").path();
