@@ -72,6 +72,8 @@ fn bands_show_what_one_frame_shows() {
         let expected = whole.layers(&strategy).expect("layers");
         assert!(expected.count(Kind::Cap) > 500, "{strategy}: caps");
 
+        let expected_picture = whole.picture(&strategy).expect("a picture");
+
         let plan = whole.plan(&strategy).expect("a plan");
         let largest = |p: &Plan| {
             let of_frame = p.resources.iter().filter(|r| r.clock == Clock::Frame);
@@ -96,6 +98,13 @@ fn bands_show_what_one_frame_shows() {
                 SIZE_PX[0] as usize * SIZE_PX[1] as usize * 4,
                 "{what}"
             );
+            // Behind the model is one sky over all bands.
+            let colors = picture
+                .chunks_exact(4)
+                .zip(expected_picture.chunks_exact(4));
+            let sky = layers.pixels.iter().zip(colors);
+            let mut sky = sky.filter(|(p, _)| p.kind == Kind::Background);
+            assert!(sky.all(|(_, (a, b))| a == b), "{what}: another sky");
             // The control: bands in another order would be seen.
             let half = layers.pixels.len() / 2;
             let mut turned = layers.clone();
