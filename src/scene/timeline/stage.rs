@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::{Source, Timeline};
 use crate::error::Result;
-use crate::scene::{Bounds, Part};
+use crate::scene::{Bounds, Part, is_same_motion};
 
 /// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
 const SPREAD: u32 = 65;
@@ -98,12 +98,7 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
 
 /// Whether two parts fill the same place because everything that places them is the same.
 fn stands_alike(a: &Part, b: &Part) -> bool {
-    let same_motion = match (&a.motion, &b.motion) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        _ => false,
-    };
-    same_motion
+    is_same_motion(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)
         && a.world_from_part == b.world_from_part
         && a.pose == b.pose
