@@ -197,11 +197,7 @@ impl Session {
     }
 
     fn slot_name(&self, strategy: &Strategy) -> String {
-        let Some(wide) = self.options.wide_atomics else {
-            return format!("{strategy} by {}", self.options.rasteriser);
-        };
-        let by = self.options.rasteriser;
-        format!("{strategy} by {by}, wide atomics: {wide}")
+        format!("{strategy}, {:?}", self.options)
     }
 
     fn slot(&self, strategy: &Strategy) -> Result<&Slot> {

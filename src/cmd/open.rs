@@ -9,7 +9,7 @@ use super::args::{CameraArgs, SceneArgs, bytes_of};
 use super::console::Console;
 use super::sections::warn_of_misses;
 use super::when::TimeArgs;
-use crate::scene::frames::{Pattern, Sequence};
+use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::scene::shapes::shape;
 use crate::scene::{
     Camera, Cut, Fill, Material, OpenedMesh, Part, Prepared, Scene, Timeline, Topology, View,
@@ -124,9 +124,6 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
         camera: args.camera.clone(),
     })
 }
-
-/// Frames a second of meshes that are numbered frame by frame; a scene file can say another rate.
-const USUAL_FPS: f64 = 24.0;
 
 /// What the inputs hold, before the options have their say.
 pub(super) struct Inputs {

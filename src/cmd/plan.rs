@@ -30,7 +30,8 @@ pub(super) struct PlanArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Whose passes: raycast+mask, raycast+stencil, stencil, grid:N+vds:RES [default: that of the scene, or raycast+mask]
+    /// Whose passes: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N+vds:RES or +ldi:RES; stencil
+    /// [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
     /// The same as JSON; with `-` instead of the text

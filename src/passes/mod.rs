@@ -38,4 +38,4 @@ pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use solid::Store;
-pub use sweep::{INVOCATIONS_PER_ROW, Sweep};
+pub use sweep::{INVOCATIONS_PER_ROW, Sweep, groups_along};

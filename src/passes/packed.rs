@@ -13,7 +13,7 @@ use super::model::Vertex;
 use super::rest::Rest;
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
-use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace};
+use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, is_same_motion};
 
 /// A part packed for upload.
 #[derive(Clone, Debug)]
@@ -58,12 +58,8 @@ impl Packed {
 
     /// Whether the mesh and what can move it are the same; those that are equal but not the same are not looked at.
     fn is_of(&self, part: &Part) -> bool {
-        let same_motion = match (&self.motion, &part.motion) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        };
-        same_motion && Arc::ptr_eq(&self.mesh, &part.mesh)
+        is_same_motion(self.motion.as_ref(), part.motion.as_ref())
+            && Arc::ptr_eq(&self.mesh, &part.mesh)
     }
 
     fn still(index: usize, part: &Part, space: &SceneSpace) -> Self {

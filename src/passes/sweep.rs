@@ -136,7 +136,7 @@ impl Recorder<'_> {
 }
 
 /// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
-pub(super) fn groups_along(items: u32) -> [u32; 3] {
+pub fn groups_along(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(GROUP).max(1);
     let row = INVOCATIONS_PER_ROW / GROUP;
     [groups.min(row), groups.div_ceil(row), 1]

@@ -74,6 +74,10 @@ shared! {
         near_cap: u32,
         /// Tie shift of a crossing: relative, absolute.
         tie: [f32; 2],
+        /// First row and all rows of the picture that this is a band of.
+        band: [u32; 2],
+        /// Unused.
+        padding: [u32; 2],
     }
 }
 
@@ -263,6 +267,8 @@ pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
         } else {
             [TIE_RELATIVE as f32, 0.0]
         },
+        band: view.band,
+        padding: [0; 2],
     }
 }
 

@@ -121,6 +121,8 @@ pub struct View {
     pub far: f64,
     /// Whether the near plane makes caps.
     pub near_cap: bool,
+    /// The first row and all rows of the picture that this is a band of, by [`View::rows`]; of a whole picture 0 and its height.
+    pub band: [u32; 2],
 }
 
 /// Smallest near distance, as a share of the scene's radius: nearer points are not drawn.
@@ -209,6 +211,7 @@ impl Camera {
             near,
             far: near + 2.0 * (farthest - near).max(radius),
             near_cap: self.near_cap,
+            band: [0, size_px[1]],
         }
     }
 }
@@ -264,6 +267,7 @@ impl View {
             size_px: [self.size_px[0], count],
             centre_px: self.centre_px - DVec2::Y * f64::from(first),
             half_height: self.half_height * share,
+            band: [self.band[0] + first, self.band[1]],
             ..*self
         }
     }

@@ -38,6 +38,7 @@ pub use fill::Fill;
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
 pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
+pub(crate) use motion::is_same_motion;
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};

@@ -87,6 +87,10 @@ impl Slot {
                 self.cut_into(1);
                 return Ok(self.refuse(reason));
             }
+            if let Some(capacities) = &mut self.capacities {
+                // What all rows needed together would make every band too large.
+                capacities.fragments = None;
+            }
             self.cut_into(2 * self.bands.len() as u32);
         }
     }

@@ -151,11 +151,11 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} -o frames/%%.png"),
-            vec!["no place for the number", "%04d"],
+            vec!["leaves no number open", "%04d"],
         ),
         (
             format!("animate {cube} -o frames/%d_%d.png"),
-            vec!["more than one", "%04d"],
+            vec!["two numbers", "%04d"],
         ),
         (
             format!("animate {cube} -o frames/%04d.jpg"),

@@ -72,6 +72,8 @@ fn bands_show_what_one_frame_shows() {
         let expected = whole.layers(&strategy).expect("layers");
         assert!(expected.count(Kind::Cap) > 500, "{strategy}: caps");
 
+        let expected_picture = whole.picture(&strategy).expect("a picture");
+
         let plan = whole.plan(&strategy).expect("a plan");
         let largest = |p: &Plan| {
             let of_frame = p.resources.iter().filter(|r| r.clock == Clock::Frame);
@@ -96,6 +98,13 @@ fn bands_show_what_one_frame_shows() {
                 SIZE_PX[0] as usize * SIZE_PX[1] as usize * 4,
                 "{what}"
             );
+            // Behind the model is one sky over all bands.
+            let colors = picture
+                .chunks_exact(4)
+                .zip(expected_picture.chunks_exact(4));
+            let sky = layers.pixels.iter().zip(colors);
+            let mut sky = sky.filter(|(p, _)| p.kind == Kind::Background);
+            assert!(sky.all(|(_, (a, b))| a == b), "{what}: another sky");
             // The control: bands in another order would be seen.
             let half = layers.pixels.len() / 2;
             let mut turned = layers.clone();
@@ -136,4 +145,31 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
     };
     assert!(reason.contains("1024"), "{reason}");
     assert!(held.layers(&strategy).is_err(), "there is no frame");
+}
+
+#[test]
+fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
+    let strategy = strategy("raycast+abuffer");
+    for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
+        let mut whole = session(Limits::CORE.storage_binding_bytes, rasteriser);
+        assert_eq!(draw(&mut whole, &strategy).outcome, Outcome::Complete);
+        let expected = whole.layers(&strategy).expect("layers");
+        let plan = whole.plan(&strategy).expect("a plan");
+        let largest = plan.resources.iter().map(|r| r.shape.bytes()).max();
+        let mut held = session(largest.expect("resources") / 2, rasteriser);
+        // Twice: what one frame learnt must not be held against the bands of the next.
+        for frame in 0..2 {
+            let outcome = draw(&mut held, &strategy).outcome;
+            assert_eq!(outcome, Outcome::Complete, "{rasteriser}, frame {frame}");
+        }
+        assert!(
+            held.bands(&strategy).expect("a frame") > 1,
+            "{rasteriser}: bands"
+        );
+        let layers = held.layers(&strategy).expect("layers");
+        assert!(
+            classes(&layers) == classes(&expected),
+            "{rasteriser}: other classes"
+        );
+    }
 }

@@ -3,6 +3,7 @@
 
 #define_import_path cutaway::overlap
 
+#import cutaway::frame::frame
 #import cutaway::layers::OVERLAP
 
 // Linear light.
@@ -12,6 +13,6 @@
 const STRIPE_PX: u32 = 10u;
 
 fn cap_base(base: vec3<f32>, word: u32, at: vec2<u32>) -> vec3<f32> {
-    let striped = (at.x + at.y) % STRIPE_PX < STRIPE_PX * 3u / 5u;
+    let striped = (at.x + at.y + frame.band.x) % STRIPE_PX < STRIPE_PX * 3u / 5u;
     return select(base, interference.rgb, (word & OVERLAP) != 0u && striped);
 }

@@ -18,8 +18,9 @@ use crate::Result;
 /// An animated PNG that is being written.
 pub(super) struct Apng {
     path: PathBuf,
-    pending: Pending,
+    // Before its place: files are removed when nobody writes to them any more.
     writer: Writer<File>,
+    pending: Pending,
     size_px: [u32; 2],
     last: Option<RgbaImage>,
 }

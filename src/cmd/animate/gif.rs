@@ -42,8 +42,9 @@ fn delay_cs(fps: f64) -> u16 {
 /// A GIF that is being written.
 pub(super) struct Gif {
     path: PathBuf,
-    pending: Pending,
+    // Before its place: files are removed when nobody writes to them any more.
     file: File,
+    pending: Pending,
     size_px: [u32; 2],
     delay_cs: u16,
     plays: Plays,

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::super::output::Output;
 use super::ffmpeg::Program;
-use super::numbered::Pattern;
 use crate::error::did_you_mean;
+use crate::scene::frames::Pattern;
 use crate::{Error, Result};
 
 const OPTION: &str = "--output";
@@ -37,8 +37,16 @@ impl Target {
             ));
         }
         if value.contains('%') {
-            let pattern = Pattern::parse(OPTION, value)?;
-            Output::checked(OPTION, &pattern.of(1).to_string_lossy(), &["png"])?;
+            let pattern = Pattern::parse(value)?;
+            let [first, second] = [1, 2].map(|number| pattern.file(number));
+            if first.parent() != second.parent() {
+                return Err(Error::input(
+                    format!("{OPTION} {value}"),
+                    "the number is in the name of a folder, not of the file",
+                    "number the files of one folder: 'frames/%04d.png'",
+                ));
+            }
+            Output::checked(OPTION, &first.to_string_lossy(), &["png"])?;
             return Ok(Self::Numbered(pattern));
         }
         let path = Path::new(value);
@@ -80,7 +88,7 @@ impl Target {
     pub(super) fn path(&self) -> PathBuf {
         match self {
             Self::Gif(path) | Self::Apng(path) | Self::Mp4(path, _) => path.clone(),
-            Self::Numbered(pattern) => pattern.of(1),
+            Self::Numbered(pattern) => pattern.file(1),
         }
     }
 
@@ -117,6 +125,7 @@ mod tests {
             ("a.webm", "mp4"),
             ("a%d.gif", ".png"),
             ("frames%.png", "%04d"),
+            ("%d/a.png", "folder"),
             ("/", "folder"),
         ] {
             let message = Target::checked(value).unwrap_err().to_string();

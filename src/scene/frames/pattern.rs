@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
 
-const EXAMPLE: &str = "write for example `frames/walk_%04d.ply`; %% stands for a percent sign";
+const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/walk_%04d.ply`; %% stands for a percent sign";
 
 /// Most digits that a number is filled up to.
 const MOST_DIGITS: usize = 12;
@@ -164,6 +164,7 @@ mod tests {
                 "run--x",
             ),
             ("t%02d/mesh.ply", 3, "t03/mesh.ply", "mesh"),
+            ("100%%/a%06d%%.png", 12345, "100%/a012345%.png", "a%"),
         ] {
             let pattern = Pattern::parse(text).expect(text);
             assert_eq!(pattern.file(number), PathBuf::from(file), "{text}");
@@ -179,6 +180,8 @@ mod tests {
             ("100%.ply", "no number"),
             ("%4d.ply", "no number"),
             ("%099d.ply", "no number"),
+            ("%0d.ply", "no number"),
+            ("é%é.ply", "no number"),
             ("%s.ply", "no number"),
             ("%d/%d.ply", "two numbers"),
         ] {

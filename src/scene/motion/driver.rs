@@ -14,7 +14,7 @@ use glam::DAffine3;
 
 use super::bounds::Reach;
 use super::rig::{Clip, Moment, Rig};
-use super::{Motion, pose};
+use super::{Motion, is_same_motion, pose};
 use crate::scene::{Mesh, Part, Pose};
 
 /// A mesh as it was bound, and what can move it.
@@ -38,11 +38,7 @@ impl Bound {
     /// What a part with this very mesh and motion reaches; `None` if it has others by now.
     pub(super) fn reach_of(&self, part: &Part) -> Option<&Reach> {
         let same_mesh = Arc::ptr_eq(&self.mesh, &part.mesh);
-        let same_motion = match (&self.motion, &part.motion) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        };
+        let same_motion = is_same_motion(self.motion.as_ref(), part.motion.as_ref());
         (same_mesh && same_motion).then(|| {
             self.reach
                 .get_or_init(|| Reach::of(&self.mesh, self.motion.as_deref()))

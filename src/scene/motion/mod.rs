@@ -31,6 +31,8 @@ pub use rig::Clip;
 pub(super) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
 pub(super) use track::{Track, Way};
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DVec3};
 
 /// One joint's share of a position.
@@ -54,6 +56,15 @@ pub struct Motion {
     /// Unit vectors out of the rest mesh, as [`Mesh::outward`](super::Mesh::outward) finds them; empty unless something
     /// inflates the part.
     pub outward: Vec<DVec3>,
+}
+
+/// Whether two parts have the very same motion, or both none; those that are equal but not the same are not looked at.
+pub(crate) fn is_same_motion(a: Option<&Arc<Motion>>, b: Option<&Arc<Motion>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        _ => false,
+    }
 }
 
 impl Motion {

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::DVec3;
 
-use super::{Deformer, Motion};
+use super::{Deformer, Motion, is_same_motion};
 use crate::scene::{Mesh, Part};
 
 impl Mesh {
@@ -67,14 +67,9 @@ impl Outwards {
             return;
         }
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = |motion: &Option<Arc<Motion>>| match (motion, &part.motion) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            _ => false,
-        };
-        let found = known
-            .iter()
-            .find(|(mesh, motion, _)| Arc::ptr_eq(mesh, &part.mesh) && same(motion));
+        let found = known.iter().find(|(mesh, motion, _)| {
+            Arc::ptr_eq(mesh, &part.mesh) && is_same_motion(motion.as_ref(), part.motion.as_ref())
+        });
         let whole = match found {
             Some((.., whole)) => Arc::clone(whole),
             None => {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::{Source, Timeline};
 use crate::error::Result;
-use crate::scene::{Bounds, Part};
+use crate::scene::{Bounds, Part, is_same_motion};
 
 /// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
 const SPREAD: u32 = 65;
@@ -18,13 +18,15 @@ const MOST_SINGLED_OUT: usize = 512;
 const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
 
 impl Timeline {
-    /// Times at which the bounds of a scene are looked at.
-    pub(super) fn sampled_times_s(&self, duration_s: f64) -> Vec<f64> {
-        let spread = (0..SPREAD).map(|i| duration_s * f64::from(i) / f64::from(SPREAD - 1));
+    /// Times at which the bounds of a scene are looked at. `clips_s` are the durations of the clips that are played: those that
+    /// are shorter than all begin anew, and times spread over the whole may meet each round at the same places.
+    fn sampled_times_s(&self, duration_s: f64, clips_s: Vec<f64>) -> Vec<f64> {
         let frames = self.all_sequences().flat_map(|s| s.times_s());
         let mut singled: Vec<f64> = frames.chain(self.key_times_s()).collect();
         singled.retain(|t| (0.0..=duration_s).contains(t));
-        spread.chain(few(singled)).collect()
+        let mut times = spread_over(clips_s, duration_s);
+        times.extend(few(singled));
+        times
     }
 
     /// The box of all parts at many times, and of parts without the poses of their clips.
@@ -44,8 +46,11 @@ impl Timeline {
         };
         let mut rest = self.unposed_at(0.0)?;
         rest.iter_mut().for_each(|p| self.outwards.complete(p));
+        let clips_s = (rest.iter())
+            .filter_map(|p| Some(p.clips()[self.clip_of(p)?].duration_s))
+            .collect();
         look_at(rest);
-        for time_s in self.sampled_times_s(duration_s) {
+        for time_s in self.sampled_times_s(duration_s, clips_s) {
             let mut parts = self.unposed_at(time_s)?;
             parts.iter_mut().for_each(|p| self.pose(p, time_s));
             look_at(parts);
@@ -84,6 +89,16 @@ impl Timeline {
     }
 }
 
+/// Times spread over the whole, and over the first round of each shorter clip.
+fn spread_over(mut clips_s: Vec<f64>, duration_s: f64) -> Vec<f64> {
+    clips_s.push(duration_s);
+    clips_s.sort_by(f64::total_cmp);
+    clips_s.dedup();
+    let spread =
+        |whole: f64| (0..SPREAD).map(move |i| whole * f64::from(i) / f64::from(SPREAD - 1));
+    clips_s.into_iter().flat_map(spread).collect()
+}
+
 /// Times in their order without doubles, or some of them spread over all if there are too many.
 fn few(mut times: Vec<f64>) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
@@ -98,13 +113,22 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
 
 /// Whether two parts fill the same place because everything that places them is the same.
 fn stands_alike(a: &Part, b: &Part) -> bool {
-    let same_motion = match (&a.motion, &b.motion) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        _ => false,
-    };
-    same_motion
+    is_same_motion(a.motion.as_ref(), b.motion.as_ref())
         && Arc::ptr_eq(&a.mesh, &b.mesh)
         && a.world_from_part == b.world_from_part
         && a.pose == b.pose
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_clip_is_looked_at_all_the_way_round() {
+        let halfway = |times: &[f64]| times.iter().any(|t| t.rem_euclid(1.0) == 0.5);
+        // The control: spread over the whole alone, all times are at the beginning of a round.
+        assert!(!halfway(&spread_over(Vec::new(), 64.0)));
+        assert!(halfway(&spread_over(vec![1.0, 64.0, 1.0], 64.0)));
+        assert_eq!(spread_over(vec![64.0], 64.0).len(), SPREAD as usize);
+    }
 }

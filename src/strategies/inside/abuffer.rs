@@ -10,8 +10,8 @@
 //! for closed meshes up to ties of f32, as `mask` is; the full depth is kept. What it has over `mask`: the fragments
 //! themselves, to ask other questions of.
 //!
-//! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; more
-//! than a storage binding holds are refused.
+//! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
+//! they are more than a storage binding holds, in bands of rows.
 
 use crate::passes::{Inside, Rasteriser, Recorder, pixels};
 use crate::plan::{Binding, Capacities, Clock};

@@ -16,7 +16,7 @@
 
 use super::vds;
 use crate::passes::{
-    INVOCATIONS_PER_ROW, Rasteriser, Recorder, Screen, ScreenOf, Store, Sweep, Volume, counted,
+    Rasteriser, Recorder, Screen, ScreenOf, Store, Sweep, Volume, counted, groups_along,
     sweep_of_fragments,
 };
 use crate::plan::pack::{self, Sprite};
@@ -41,12 +41,6 @@ pub fn record(
     let lists = recorder.fragment_lists(texels, false, capacities, FRAGMENTS_OF_TEXELS)?;
     let sprites = table(recorder, ranks, resolution);
     let need = recorder.need(Clock::Frame);
-    let row = u64::from(INVOCATIONS_PER_ROW);
-    let groups = [
-        u64::from(lists.count()).min(row).div_ceil(64).max(1) as u32,
-        u64::from(lists.count()).div_ceil(row).max(1) as u32,
-        1,
-    ];
     recorder.plan.add_pass(Pass {
         name: "image clear".to_owned(),
         clock: Clock::Frame,
@@ -54,7 +48,9 @@ pub fn record(
         shader: "strategies/inside/ldi/clear.wgsl".into(),
         bindings: lists.emptied().to_vec(),
         constants: Vec::new(),
-        work: Work::Compute { groups },
+        work: Work::Compute {
+            groups: groups_along(lists.count()),
+        },
     });
     let of = counted(ranks.len(), "part");
     let count = format!("how many fragments each texel has, in the images of {of}");

@@ -265,5 +265,6 @@ pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
         near: 0.0,
         far: 2.0 * half,
         near_cap: false,
+        band: [0, resolution],
     }
 }
