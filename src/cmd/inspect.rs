@@ -10,7 +10,7 @@ use super::output::{Output, write_stdout};
 use super::sections::round;
 use super::when::TimeArgs;
 use crate::report::Table;
-use crate::scene::{Part, Topology};
+use crate::scene::{Clip, Part, Topology};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -47,8 +47,10 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let (scene, timeline) = Inputs::open(&args.inputs, &console)?.at(&args.when)?;
+    let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
+    let (scene, timeline) = inputs.at(&args.when)?;
     args.when.note_of_still(&timeline, &console);
+    let clips = inputs.timeline().clips();
     let parts = scene.posed().parts;
     console.step("inspecting");
     let facts: Vec<(&str, Topology)> = parts
@@ -60,16 +62,24 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
         _ => Topology::of_parts(&parts),
     };
     if let Some(output) = &json {
-        let json = to_json(&facts, &total)?;
+        let json = to_json(&facts, &total, &clips)?;
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {
-        write_stdout(to_text(&parts, &facts, &total).as_bytes())?;
+        let mut text = to_text(&parts, &facts, &total);
+        text.extend(clips.iter().enumerate().map(told));
+        write_stdout(text.as_bytes())?;
     }
     Ok(Verdict::Done)
 }
 
-fn to_json(facts: &[(&str, Topology)], total: &Topology) -> Result<Value> {
+/// A clip, as `--clip` takes it.
+fn told((number, clip): (usize, &Clip)) -> String {
+    let length = round(clip.duration_s);
+    format!("clip {number}: {}, {length} s\n", clip.name)
+}
+
+fn to_json(facts: &[(&str, Topology)], total: &Topology, clips: &[Clip]) -> Result<Value> {
     let value = |t: &Topology| {
         serde_json::to_value(t).map_err(|e| {
             let mend = "leave --json out, and report this";
@@ -84,7 +94,10 @@ fn to_json(facts: &[(&str, Topology)], total: &Topology) -> Result<Value> {
         }
         parts.push(part);
     }
-    Ok(json!({ "parts": parts, "total": value(total)? }))
+    let clips: Vec<Value> = (clips.iter())
+        .map(|c| json!({ "name": c.name, "duration_s": c.duration_s }))
+        .collect();
+    Ok(json!({ "parts": parts, "total": value(total)?, "clips": clips }))
 }
 
 fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> String {

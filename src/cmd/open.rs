@@ -90,7 +90,7 @@ pub(super) fn open(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Resu
 
 /// [`open`] without a word where nothing moves.
 pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
-    let inputs = Inputs::open(&args.inputs, console)?;
+    let inputs = Inputs::open(&args.inputs, when, console)?;
     let (mut scene, timeline) = inputs.at(when)?;
     let of_file = scene.cuts.len();
     fill_by(&mut scene, args.fill);
@@ -139,7 +139,7 @@ pub(super) struct Inputs {
 
 impl Inputs {
     /// Opens them.
-    pub(super) fn open(inputs: &[String], console: &Console) -> Result<Self> {
+    pub(super) fn open(inputs: &[String], when: &TimeArgs, console: &Console) -> Result<Self> {
         match inputs {
             [one] if is_scene(one) => Self::of_scene_file(one, console),
             inputs => {
@@ -150,7 +150,7 @@ impl Inputs {
                         "give it by itself, and name the meshes in it as [[part]] entries",
                     ));
                 }
-                Self::of_meshes(inputs, console)
+                Self::of_meshes(inputs, when.played_fps.unwrap_or(USUAL_FPS), console)
             }
         }
     }
@@ -170,7 +170,7 @@ impl Inputs {
         })
     }
 
-    fn of_meshes(inputs: &[String], console: &Console) -> Result<Self> {
+    fn of_meshes(inputs: &[String], played_fps: f64, console: &Console) -> Result<Self> {
         let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
         let is_sequence = |input: &&String| Pattern::is_in(input) && !Path::new(input).exists();
         let (numbered, single): (Vec<&String>, Vec<&String>) = inputs.iter().partition(is_sequence);
@@ -183,7 +183,7 @@ impl Inputs {
         if !numbered.is_empty() {
             let mut played = Timeline::of_scene(rest);
             for pattern in numbered {
-                let sequence = Sequence::open(pattern, USUAL_FPS)?;
+                let sequence = Sequence::open(pattern, played_fps)?;
                 (sequence.notes().iter()).for_each(|note| console.note(note));
                 played.add_sequence(sequence)?;
             }
@@ -213,7 +213,8 @@ impl Inputs {
         Ok((timeline.at(time_s)?, timeline))
     }
 
-    fn timeline(&self) -> Timeline {
+    /// All that is known of how they move.
+    pub(super) fn timeline(&self) -> Timeline {
         let of_parts = || Timeline::of_scene(self.rest.clone());
         self.timeline.clone().unwrap_or_else(of_parts)
     }

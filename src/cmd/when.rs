@@ -15,6 +15,9 @@ pub(super) struct TimeArgs {
     pub(super) time_s: Option<f64>,
     #[command(flatten)]
     pub(super) clip: ClipArgs,
+    /// Frames a second at which meshes that are numbered on the command line are played, where the output has a rate.
+    #[arg(skip)]
+    pub(super) played_fps: Option<f64>,
 }
 
 /// The animation that is shown.

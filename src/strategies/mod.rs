@@ -61,7 +61,8 @@ pub fn record_with(
     );
     if rasteriser == Rasteriser::Compute && (grids || needs_targets) {
         return Err(refuse(format!(
-            "the compute rasteriser draws no grid and peels no sprite: {strategy} is drawn by the hardware rasteriser alone"
+            "the compute rasteriser draws no grid, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
+             rasteriser alone"
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;

@@ -63,7 +63,7 @@ fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
                 panic!("{}: {scarce} is {outcome:?}", scene.name);
             };
             let told = format!(
-                "fragments per pixel and part need {most}, there are {}",
+                "fragments per pixel and part (the K of kbuffer:K) need {most}, there are {}",
                 most - 1
             );
             assert_eq!(*reason, told, "{scarce}");

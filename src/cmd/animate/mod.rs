@@ -30,6 +30,7 @@ use super::picture::{self, Drawer};
 use super::shown::Shown;
 use super::stopwatch::Stopwatch;
 use super::when::{ClipArgs, TimeArgs};
+use crate::scene::frames::USUAL_FPS;
 use crate::session::{Outcome, Session};
 use crate::{Error, Result};
 use encoder::encoder;
@@ -47,10 +48,7 @@ Examples:
 
 What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.";
 
-/// How fast it is where nothing is said and delays can be anything.
-const USUAL_FPS: f64 = 24.0;
-
-/// The same for GIF: 24 a second would be delays of 4 1/6 hundredths.
+/// The usual rate for GIF: 24 a second would be delays of 4 1/6 hundredths.
 const USUAL_GIF_FPS: f64 = 25.0;
 
 /// Options of `animate`.
@@ -138,6 +136,8 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let when = TimeArgs {
         time_s: Some(args.times.start_s),
         clip: args.clip.clone(),
+        // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
+        played_fps: Some(rate(args, &target).1),
     };
     turn_is_no_input(args)?;
     let opened = open_at(&args.scene, &when, &console)?;
@@ -222,19 +222,11 @@ fn times(args: &AnimateArgs, target: &Target, opened: &Opened, console: &Console
         return Err(Error::input(
             args.scene.inputs.join(" "),
             "nothing moves in this scene: all frames would be the same",
-            "add --turntable to see it from all sides, or give a scene with [[key]] entries or an animated glTF file",
+            "add --turntable to see it from all sides, or give a scene whose [[key]] times lie after 0, an animated glTF file, or \
+             meshes numbered frame by frame as in 'frames/%04d.obj'",
         ));
     }
-    let usual = if matches!(target, Target::Gif(_)) {
-        USUAL_GIF_FPS
-    } else {
-        USUAL_FPS
-    };
-    let asked = args.times.fps.unwrap_or(usual);
-    let fps = match target {
-        Target::Gif(_) => gif::nearest_fps(asked),
-        _ => asked,
-    };
+    let (asked, fps) = rate(args, target);
     if (fps - asked).abs() > 1e-9 * asked {
         console.note(format!(
             "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
@@ -242,6 +234,20 @@ fn times(args: &AnimateArgs, target: &Target, opened: &Opened, console: &Console
         ));
     }
     args.times.times(fps, moving_s)
+}
+
+/// Frames a second that are asked for, and those that the target can have.
+fn rate(args: &AnimateArgs, target: &Target) -> (f64, f64) {
+    match target {
+        Target::Gif(_) => {
+            let asked = args.times.fps.unwrap_or(USUAL_GIF_FPS);
+            (asked, gif::nearest_fps(asked))
+        }
+        _ => {
+            let asked = args.times.fps.unwrap_or(USUAL_FPS);
+            (asked, asked)
+        }
+    }
 }
 
 fn note_of_even_size(target: &Target, opened: &Opened, console: &Console) {

@@ -75,7 +75,7 @@ pub fn record(
         recorder.view.size_px,
     );
     recorder.plan.bounded.push(Bounded {
-        what: "fragments per pixel and part".to_owned(),
+        what: "fragments per pixel and part (the K of kbuffer:K)".to_owned(),
         slot: NEED_OF_FRAGMENTS,
         capacity: depths,
         knob: None,
