@@ -52,7 +52,7 @@ pub enum Error {
     #[error("plan: {0}")]
     Plan(String),
     /// A plan that asks for more than the adapter's limits allow; a strategy's frame is then refused.
-    #[error("{0}")]
+    #[error("{0}\n  mend: lower --resolution, or choose an adapter that binds more with --adapter")]
     Limit(String),
 }
 

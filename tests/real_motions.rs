@@ -39,6 +39,8 @@ const EXACT: &[(&str, Rasteriser)] = &[
     ("raycast+mask", Rasteriser::Compute),
     ("raycast+abuffer", Rasteriser::Hardware),
     ("raycast+abuffer", Rasteriser::Compute),
+    // The compute rasteriser has no stencil.
+    ("raycast+stencil", Rasteriser::Hardware),
 ];
 
 /// The folder of real meshes, if it is there.
