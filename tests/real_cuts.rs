@@ -8,6 +8,7 @@ mod common;
 
 use std::path::{Path, PathBuf};
 
+use common::data::data;
 use common::{Judged, Question, session, strategy};
 use cutaway::compare::Comparison;
 use cutaway::gpu::Gpu;
@@ -19,17 +20,6 @@ use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";
-
-/// The folder of real meshes, if it is there.
-fn data() -> Option<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
-    let there = folder.join("facts.json").is_file();
-    if !there {
-        println!("no real meshes at {}: nothing to check", folder.display());
-    }
-    there.then_some(folder)
-}
 
 /// The mesh files of some folders, in order.
 fn files(folders: &[&str]) -> Vec<PathBuf> {

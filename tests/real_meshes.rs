@@ -10,9 +10,11 @@
     reason = "the helpers of a test fail by panicking, too"
 )]
 
-use std::path::PathBuf;
+#[path = "common/data.rs"]
+mod data;
 
 use cutaway::scene::{Loaded, Topology, load_mesh_file};
+use data::data;
 use serde_json::Value;
 
 /// Relative; the facts were summed in another order, and skins blended in f32.
@@ -83,16 +85,6 @@ const CLOSED_BY_PARITY: &[&str] = &[
     "messy/chair.obj",
     "dense/spinal_implant_lattice.ply",
 ];
-
-fn folder() -> Option<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
-    let there = folder.join("facts.json").is_file();
-    if !there {
-        println!("no meshes in {}: nothing to check", folder.display());
-    }
-    there.then_some(folder)
-}
 
 fn facts(folder: &std::path::Path) -> Vec<Value> {
     let text = std::fs::read_to_string(folder.join("facts.json")).unwrap();
@@ -185,7 +177,7 @@ fn differences(file: &str, ours: &Topology, theirs: &Value) -> Vec<String> {
 
 #[test]
 fn facts_agree() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = data() else { return };
     let mut wrong = Vec::new();
     for entry in facts(&folder) {
         let file = entry["file"].as_str().unwrap();
@@ -196,7 +188,7 @@ fn facts_agree() {
 
 #[test]
 fn the_comparison_can_fail() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = data() else { return };
     let file = "organic/spot.obj";
     let entry = facts(&folder)
         .into_iter()
@@ -217,7 +209,7 @@ fn the_comparison_can_fail() {
 
 #[test]
 fn assemblies_come_apart() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = data() else { return };
     for (file, parts) in [
         ("assembly/cube_gears.glb", 17),
         ("animated/MorphStressTest.glb", 2),
@@ -238,7 +230,7 @@ fn assemblies_come_apart() {
 
 #[test]
 fn what_was_done_is_said() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = data() else { return };
     for (file, words) in [
         (
             "cad/featuretype.stl",
@@ -264,7 +256,7 @@ fn what_was_done_is_said() {
 
 #[test]
 fn an_independent_reader_sees_the_same_triangles() {
-    let Some(folder) = folder() else { return };
+    let Some(folder) = data() else { return };
     for file in [
         "organic/spot.obj",
         "organic/armadillo.obj",

@@ -7,8 +7,7 @@
 
 mod common;
 
-use std::path::PathBuf;
-
+use common::data::data;
 use common::{Question, session};
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
@@ -42,17 +41,6 @@ const EXACT: &[(&str, Rasteriser)] = &[
     // The compute rasteriser has no stencil.
     ("raycast+stencil", Rasteriser::Hardware),
 ];
-
-/// The folder of real meshes, if it is there.
-fn data() -> Option<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
-    let there = folder.join("facts.json").is_file();
-    if !there {
-        println!("no real meshes at {}: nothing to check", folder.display());
-    }
-    there.then_some(folder)
-}
 
 fn is_closed(part: &Part) -> bool {
     Topology::of(&part.mesh).closed

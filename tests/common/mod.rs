@@ -9,6 +9,7 @@
     reason = "each test binary uses its own share of what is here"
 )]
 
+pub(crate) mod data;
 pub(crate) mod meshes;
 pub(crate) mod numbers;
 pub(crate) mod scenes;

@@ -6,6 +6,7 @@ use cutaway::Part;
 use cutaway::scene::{Bounds, Topology, load_mesh_file};
 use glam::DVec3;
 
+use super::data::data;
 use super::oracle::Oracle;
 
 /// The models, and how many of their clips are looked at.
@@ -27,13 +28,8 @@ const TIMES: usize = 10;
 const SAME: f64 = 1e-9;
 
 pub(crate) fn model(name: &str) -> Option<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
-    let path = folder.join("animated").join(format!("{name}.glb"));
-    if !path.is_file() {
-        println!("no model at {}: nothing to check", path.display());
-        return None;
-    }
+    let path = data()?.join("animated").join(format!("{name}.glb"));
+    assert!(path.is_file(), "no model at {}", path.display());
     Some(path)
 }
 

@@ -7,21 +7,17 @@ use cutaway::passes::Model;
 use cutaway::scene::{Scene, Topology, load_mesh_file, section_surface};
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 
+use super::common::data::data;
 use super::common::{Question, session};
 use super::vertices::farthest_of_moving;
 
 const SIZE_PX: [u32; 2] = [128, 96];
 
 fn files() -> Vec<PathBuf> {
-    let beside = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("CUTAWAY_DATA").map_or(beside, PathBuf::from);
-    let Ok(entries) = std::fs::read_dir(folder.join("animated")) else {
-        println!(
-            "no animated models at {}: nothing to check",
-            folder.display()
-        );
+    let Some(data) = data() else {
         return Vec::new();
     };
+    let entries = std::fs::read_dir(data.join("animated")).expect("a folder of models");
     let mut files: Vec<PathBuf> = entries.flatten().map(|e| e.path()).collect();
     files.retain(|f| f.extension().is_some_and(|e| e == "glb"));
     files.sort();

@@ -3,6 +3,7 @@
 use cutaway::scene::{Bounds, Timeline, load_mesh_file};
 use glam::DVec3;
 
+use super::common::data::data;
 use super::{Folder, at, part};
 
 const SCENE: &str = r#"
@@ -103,13 +104,8 @@ fn inflated_parts_keep_their_directions() {
 /// Gears of an assembly, two of them turned against each other; nothing to check where the meshes are not.
 #[test]
 fn gears_of_an_assembly_turn_by_keys() {
-    let beside = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let data = std::env::var_os("CUTAWAY_DATA").map_or(beside, std::path::PathBuf::from);
+    let Some(data) = data() else { return };
     let file = data.join("assembly/cube_gears.glb");
-    if !file.is_file() {
-        println!("no real meshes at {}: nothing to check", data.display());
-        return;
-    }
     let folder = Folder::new("gears");
     let text = format!(
         r#"
