@@ -17,7 +17,7 @@ pub(super) fn warn_of_doubt(layers: &Layers, console: &Console) {
         0 => {}
         unreliable => console.warn(format!(
             "{unreliable} pixels cannot be vouched for: along their rays the mesh is open, or a buffer was too small\n  mend: \
-             `cutaway inspect` says where it is open; close the holes, or use raycast+mask"
+             `cutaway inspect` says where it is open; close the holes"
         )),
     }
 }
