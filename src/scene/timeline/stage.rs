@@ -29,7 +29,8 @@ impl Timeline {
         times
     }
 
-    /// The box of all parts at many times, and of parts without the poses of their clips.
+    /// The box of all parts at many times. Parts whose clips are played are not seen as they rest, often with their arms spread:
+    /// that would only make the picture wider.
     pub(super) fn find_stage(&self, duration_s: f64) -> Result<Bounds> {
         let mut last: Vec<(Part, Bounds)> = Vec::new();
         let mut stage = Bounds::EMPTY;
@@ -44,12 +45,9 @@ impl Timeline {
             last = seen.collect();
             stage = last.iter().fold(stage, |all, (_, b)| all.union(*b));
         };
-        let mut rest = self.unposed_at(0.0)?;
-        rest.iter_mut().for_each(|p| self.outwards.complete(p));
-        let clips_s = (rest.iter())
+        let clips_s = (self.unposed_at(0.0)?.iter())
             .filter_map(|p| Some(p.clips()[self.clip_of(p)?].duration_s))
             .collect();
-        look_at(rest);
         for time_s in self.sampled_times_s(duration_s, clips_s) {
             let mut parts = self.unposed_at(time_s)?;
             parts.iter_mut().for_each(|p| self.pose(p, time_s));
