@@ -8,6 +8,7 @@
 mod common;
 
 use common::data::data;
+use common::scenes::turning_gears;
 use common::{Question, session};
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
@@ -122,43 +123,13 @@ fn models_that_move_are_capped_exactly_at_every_time() {
     assert!(tally.caps > 60, "only {} views have caps", tally.caps);
 }
 
-/// Two gears of an assembly, turned against each other through the cut.
-const GEARS: &str = r#"
-[[part]]
-name = "still"
-mesh = 'FILE'
-except = ["gear 2", "gear 3"]
-[[part]]
-name = "left"
-mesh = 'FILE'
-only = ["gear 2"]
-pivot = "centre"
-rotate_deg = [0, 0, 0]
-[[part]]
-name = "right"
-mesh = 'FILE'
-only = ["gear 3"]
-pivot = "centre"
-rotate_deg = [0, 0, 0]
-[[cut]]
-surfaces = [{ section = "-0.3,-0.25,-1@50%,50%,50%" }]
-[[key]]
-target = "part.left.rotate_deg.2"
-times_s = [0, 4]
-values = [0, 90]
-[[key]]
-target = "part.right.rotate_deg.2"
-times_s = [0, 4]
-values = [0, -90]
-"#;
-
 #[test]
 fn gears_that_turn_are_capped_exactly_at_every_time() {
     let Some(data) = data() else { return };
     let mesh = data.join("assembly/cube_gears.glb");
     let name = format!("cutaway-gears-{}.toml", std::process::id());
     let file = std::env::temp_dir().join(name);
-    let text = GEARS.replace("FILE", &mesh.display().to_string());
+    let text = turning_gears(&mesh, OBLIQUE, 90.0);
     std::fs::write(&file, text).expect("a temporary file");
     let open = |path: &std::path::Path| load_mesh_file(path).map(|l| (l.parts, l.notes));
     let loaded = load_scene_file(&file, &open, &shapes::shape);

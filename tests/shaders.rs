@@ -135,6 +135,41 @@ fn what_is_not_wgsl_does_not_compose() {
     }
 }
 
+/// Whether the vertex stage of a module promises the same position for the same input in every pipeline.
+fn is_invariant(module: &Module) -> bool {
+    let promised = |b: &Option<naga::Binding>| {
+        let position = naga::BuiltIn::Position { invariant: true };
+        *b == Some(naga::Binding::BuiltIn(position))
+    };
+    module.entry_points.iter().any(|entry| {
+        let result = entry.function.result.as_ref();
+        result.is_some_and(|r| match &module.types[r.ty].inner {
+            TypeInner::Struct { members, .. } => members.iter().any(|m| promised(&m.binding)),
+            _ => promised(&r.binding),
+        })
+    })
+}
+
+#[test]
+fn passes_that_must_meet_have_invariant_positions() {
+    for (path, module) in composed() {
+        let meets = [
+            "passes/surface.wgsl",
+            "passes/solid.wgsl",
+            "passes/fragments.wgsl",
+            "strategies/inside/stencil/solid.wgsl",
+            "strategies/inside/stencil/mark.wgsl",
+        ];
+        assert!(
+            !meets.contains(&path) || is_invariant(&module),
+            "{path}: another pipeline may move its vertices"
+        );
+    }
+    let free = "@vertex fn vertex() -> @builtin(position) vec4<f32> { return vec4<f32>(0.0); }";
+    let free = shader::compose_text("planted", free).unwrap_or_else(|e| panic!("{e}"));
+    assert!(!is_invariant(&free), "planted");
+}
+
 // Structs.
 
 /// What differs between a struct of Rust and the one of the same name in a module; `None` if the module has none.

@@ -1,26 +1,20 @@
 // The one pass over the mesh: every fragment ranks itself in its pixel's list of crossings, leaves to the inside test what that
-// wants of it (the open module `store`), and survives if the side it lies on is kept. Which crossings are in front of the nearest survivor is written
-// instead of compared again later, so the decisions of this pass are the only ones.
+// wants of it (the open module `store`), and survives if the side it lies on is kept. Which crossings are in front of the nearest
+// survivor is written instead of compared again later, so the decisions of this pass are the only ones.
 
 #import cutaway::crossings::rank_of
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
-#import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
-#import cutaway::mesh::{Vertex, clip_position, facing}
+#import cutaway::mesh::Vertex
 #import cutaway::store::store
+#import cutaway::surface::{Corner, corner_of, surface_words}
 
 override lane_bits: u32 = 32u;
 
-struct Corner {
-    @builtin(position) @invariant position: vec4<f32>,
-    @location(0) normal: vec3<f32>,
-    @location(1) @interpolate(flat) rank: u32,
-}
-
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(clip_position(v.position), unpack_normal(v.normal), v.rank);
+    return corner_of(v);
 }
 
 @fragment
@@ -33,6 +27,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if is_removed(rank.sides, part.cuts) {
         discard;
     }
-    let word = layer_word(SURFACE, rank.behind, part.part) | select(BACK_FACE, 0u, front);
-    return vec2<u32>(word, pack_normal(facing(normalize(corner.normal), front)));
+    return surface_words(corner, rank.behind, part.part, front);
 }

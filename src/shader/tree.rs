@@ -15,6 +15,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/rays.wgsl",
     "lib/quadratic.wgsl",
     "lib/mesh.wgsl",
+    "lib/surface.wgsl",
     "lib/background.wgsl",
     "lib/light.wgsl",
     "lib/lanes.wgsl",

@@ -4,6 +4,7 @@ use cutaway::scene::{Bounds, Timeline, load_mesh_file};
 use glam::DVec3;
 
 use super::common::data::data;
+use super::common::scenes::turning_gears;
 use super::{Folder, at, part};
 
 const SCENE: &str = r#"
@@ -107,37 +108,7 @@ fn gears_of_an_assembly_turn_by_keys() {
     let Some(data) = data() else { return };
     let file = data.join("assembly/cube_gears.glb");
     let folder = Folder::new("gears");
-    let text = format!(
-        r#"
-[[part]]
-name = "still"
-mesh = '{0}'
-except = ["gear 2", "gear 3"]
-[[part]]
-name = "left"
-mesh = '{0}'
-only = ["gear 2"]
-pivot = "centre"
-rotate_deg = [0, 0, 0]
-[[part]]
-name = "right"
-mesh = '{0}'
-only = ["gear 3"]
-pivot = "centre"
-rotate_deg = [0, 0, 0]
-[[cut]]
-surfaces = [{{ section = "z=50%" }}]
-[[key]]
-target = "part.left.rotate_deg.2"
-times_s = [0, 4]
-values = [0, 360]
-[[key]]
-target = "part.right.rotate_deg.2"
-times_s = [0, 4]
-values = [0, -360]
-"#,
-        file.display()
-    );
+    let text = turning_gears(&file, "z=50%", 360.0);
     let timeline = folder.timeline(&text);
     let whole = load_mesh_file(&file).expect("a mesh that loads").parts;
     let [start, quarter] = [0.0, 1.0].map(|t| at(&timeline, t));

@@ -2,19 +2,13 @@
 // ray starts on the removed side these are the fragments behind the plane.
 
 #import cutaway::cuts::parts
-#import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
-#import cutaway::mesh::{Vertex, clip_position, facing}
+#import cutaway::mesh::Vertex
 #import cutaway::sheet::{is_kept, sheet_at}
-
-struct Corner {
-    @builtin(position) @invariant position: vec4<f32>,
-    @location(0) normal: vec3<f32>,
-    @location(1) @interpolate(flat) rank: u32,
-}
+#import cutaway::surface::{Corner, corner_of, surface_words}
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(clip_position(v.position), unpack_normal(v.normal), v.rank);
+    return corner_of(v);
 }
 
 @fragment
@@ -22,6 +16,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if !is_kept(sheet_at(corner.position.xy), corner.position.z) {
         discard;
     }
-    let word = layer_word(SURFACE, 0u, parts[corner.rank].part) | select(BACK_FACE, 0u, front);
-    return vec2<u32>(word, pack_normal(facing(normalize(corner.normal), front)));
+    return surface_words(corner, 0u, parts[corner.rank].part, front);
 }

@@ -1,0 +1,23 @@
+// A solid as it is drawn by the GPU's own rasteriser: what its vertices hand to fragments, and what a fragment that stays says.
+
+#define_import_path cutaway::surface
+
+#import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
+#import cutaway::mesh::{Vertex, clip_position, facing}
+
+struct Corner {
+    @builtin(position) @invariant position: vec4<f32>,
+    @location(0) normal: vec3<f32>,
+    // Place of the part.
+    @location(1) @interpolate(flat) rank: u32,
+}
+
+fn corner_of(v: Vertex) -> Corner {
+    return Corner(clip_position(v.position), unpack_normal(v.normal), v.rank);
+}
+
+// The words of a surface of a part of the scene. `place` stands where the clip-surface of a cap would.
+fn surface_words(corner: Corner, place: u32, part: u32, front: bool) -> vec2<u32> {
+    let word = layer_word(SURFACE, place, part) | select(BACK_FACE, 0u, front);
+    return vec2<u32>(word, pack_normal(facing(normalize(corner.normal), front)));
+}
