@@ -30,8 +30,8 @@ pub use pose::Moving;
 pub use probe::Volume;
 pub use rasteriser::Rasteriser;
 pub use recorder::{
-    DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SPRITES, Recorder,
-    Targets, counted, pixels,
+    DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_SPRITES,
+    NEED_OF_TRIANGLES, Recorder, Targets, counted, pixels,
 };
 pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;

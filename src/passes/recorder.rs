@@ -19,8 +19,12 @@ pub const NEED_OF_CROSSINGS: u32 = 0;
 pub const NEED_OF_CELLS: u32 = 1;
 /// Word for fragments.
 pub const NEED_OF_FRAGMENTS: u32 = 2;
+/// Word for fragments of sheets.
+pub const NEED_OF_SHEETS: u32 = 3;
+/// Word for triangles that a frame makes of clip-surfaces.
+pub const NEED_OF_TRIANGLES: u32 = 4;
 /// First of the words for sprites, by number of the part.
-pub const NEED_OF_SPRITES: u32 = 3;
+pub const NEED_OF_SPRITES: u32 = 5;
 
 /// What the mesh is drawn into.
 #[derive(Clone, Copy, Debug)]

@@ -70,6 +70,10 @@ pub enum Knob {
     Layers(usize),
     /// [`Capacities::fragments`].
     Fragments,
+    /// [`Capacities::sheets`].
+    Sheets,
+    /// [`Capacities::triangles`].
+    Triangles,
 }
 
 /// Sizes of bounded buffers that a plan is recorded for. They grow by what a frame reports.
@@ -81,6 +85,10 @@ pub struct Capacities {
     pub layers: Vec<u32>,
     /// Fragments in all lists of a frame together.
     pub fragments: Option<u32>,
+    /// Fragments of all sheets of a frame together: surfaces that are drawn to find where rays cross them.
+    pub sheets: Option<u32>,
+    /// Triangles that a frame makes of clip-surfaces.
+    pub triangles: Option<u32>,
 }
 
 impl Capacities {
@@ -94,6 +102,8 @@ impl Capacities {
         crossings: None,
         layers: Vec::new(),
         fragments: None,
+        sheets: None,
+        triangles: None,
     };
 
     /// Layers of the sprite of the part with this rank.
@@ -112,6 +122,8 @@ impl Capacities {
                 self.layers[rank] = size.max(1);
             }
             Knob::Fragments => self.fragments = Some(size),
+            Knob::Sheets => self.sheets = Some(size),
+            Knob::Triangles => self.triangles = Some(size),
         }
     }
 }

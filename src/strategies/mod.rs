@@ -10,7 +10,7 @@ mod name;
 mod options;
 
 pub use crate::passes::Rasteriser;
-pub use name::{CapSurface, InsideTest, Strategy};
+pub use name::{CapSurface, InsideTest, Strategy, Tau};
 pub use options::FrameOptions;
 
 use crate::passes::{Model, Recorder};
@@ -54,14 +54,14 @@ pub fn record_with(
         reason,
     };
     let rasteriser = options.rasteriser;
-    let grids = matches!(strategy.surface, CapSurface::Grid { .. });
-    let needs_targets = matches!(
-        strategy.inside,
-        InsideTest::Vds { .. } | InsideTest::Stencil
-    );
-    if rasteriser == Rasteriser::Compute && (grids || needs_targets) {
+    let needs_targets = strategy.is_by_the_papers_rule()
+        || matches!(
+            strategy.inside,
+            InsideTest::Vds { .. } | InsideTest::Stencil
+        );
+    if rasteriser == Rasteriser::Compute && needs_targets {
         return Err(refuse(format!(
-            "the compute rasteriser draws no grid, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
+            "the compute rasteriser draws no caps, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
              rasteriser alone"
         )));
     }
@@ -76,61 +76,64 @@ pub fn record_with(
         recorder.draw_plain_parts(false);
         recorder.gather();
     } else {
-        match (strategy.surface, strategy.inside) {
-            (CapSurface::Raycast, InsideTest::Mask) => {
-                inside::mask::record(&mut recorder, rasteriser, capacities).map_err(refuse)?
-            }
-            (CapSurface::Raycast, InsideTest::Stencil) => {
-                inside::stencil::record(&mut recorder, capacities).map_err(refuse)?;
-            }
-            (CapSurface::Alone, InsideTest::Stencil) => {
-                inside::stencil::alone::record(&mut recorder).map_err(refuse)?;
-            }
-            (CapSurface::Raycast, InsideTest::ABuffer) => {
-                inside::abuffer::record(&mut recorder, rasteriser, capacities).map_err(refuse)?;
-            }
-            (CapSurface::Raycast, InsideTest::KBuffer { depths }) => {
-                inside::kbuffer::record(&mut recorder, rasteriser, depths, capacities)
-                    .map_err(refuse)?;
-            }
-            (CapSurface::Raycast, InsideTest::Vds { resolution }) => {
-                inside::vds::record_with_raycast(&mut recorder, rasteriser, resolution, capacities)
-                    .map_err(refuse)?;
-            }
-            (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
-                inside::ldi::record_with_raycast(&mut recorder, rasteriser, resolution, capacities)
-                    .map_err(refuse)?;
-            }
-            (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
-                let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
-                    let of_part = |rank: &usize| {
-                        let sprite = inside::vds::record(recorder, *rank, resolution, capacities);
-                        (vec![*rank], sprite)
-                    };
-                    Ok(ranks.iter().map(of_part).collect())
-                };
-                surface::grid::record(&mut recorder, cells, sprites).map_err(refuse)?;
-            }
-            (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
-                let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
-                    let images =
-                        inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
-                    Ok(vec![(ranks.to_vec(), images)])
-                };
-                surface::grid::record(&mut recorder, cells, images).map_err(refuse)?;
-            }
-            (CapSurface::Grid { .. }, inside) => {
-                return Err(refuse(format!(
-                    "{inside} answers for crossings of rays, and a grid asks about points"
-                )));
-            }
-            (CapSurface::Alone, inside) => {
-                return Err(refuse(format!("{inside} does not draw caps by itself")));
-            }
-        }
+        record_cut(&mut recorder, strategy, rasteriser, capacities).map_err(refuse)?;
     }
     recorder.shade();
     Ok(recorder.plan)
+}
+
+/// The plan where a cut opens some part; the reason where the strategy cannot draw it.
+fn record_cut(
+    recorder: &mut Recorder<'_>,
+    strategy: &Strategy,
+    rasteriser: Rasteriser,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let surface = strategy.surface;
+    match (surface, strategy.inside) {
+        (CapSurface::Planar, InsideTest::Alone) => Err("planar is not built yet".to_owned()),
+        (CapSurface::Planar, inside) => Err(format!(
+            "a section knows by itself what is inside, and {inside} has nothing to answer: name planar alone"
+        )),
+        (CapSurface::Alone, InsideTest::Stencil) => inside::stencil::alone::record(recorder),
+        (CapSurface::Alone, inside) => Err(format!("{inside} does not draw caps by itself")),
+        (_, InsideTest::Alone) => Err(format!("{surface} does not know what is inside")),
+        (_, InsideTest::Mask) => inside::mask::record(recorder, surface, rasteriser, capacities),
+        (_, InsideTest::Stencil) => inside::stencil::record(recorder, surface, capacities),
+        (_, InsideTest::ABuffer) => {
+            inside::abuffer::record(recorder, surface, rasteriser, capacities)
+        }
+        (_, InsideTest::KBuffer { depths }) => {
+            inside::kbuffer::record(recorder, surface, rasteriser, depths, capacities)
+        }
+        (CapSurface::Raycast, InsideTest::Vds { resolution }) => {
+            inside::vds::record_with_list(recorder, surface, rasteriser, resolution, capacities)
+        }
+        (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
+            inside::ldi::record_with_list(recorder, surface, rasteriser, resolution, capacities)
+        }
+        (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
+            let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
+                let of_part = |rank: &usize| {
+                    let sprite = inside::vds::record(recorder, *rank, resolution, capacities);
+                    (vec![*rank], sprite)
+                };
+                Ok(ranks.iter().map(of_part).collect())
+            };
+            surface::grid::record(recorder, cells, sprites)
+        }
+        (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
+            let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
+                let images =
+                    inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
+                Ok(vec![(ranks.to_vec(), images)])
+            };
+            surface::grid::record(recorder, cells, images)
+        }
+        (CapSurface::Adaptive { .. }, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
+            Err(format!("{surface} is not drawn by the paper's rule yet"))
+        }
+    }
 }
 
 /// What of the scene is more than the strategy knows of.

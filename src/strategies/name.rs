@@ -1,4 +1,4 @@
-//! Names of strategies: `raycast+mask`, `grid:256+vds:1024`, and `stencil`, which stands alone.
+//! Names of strategies: `raycast+mask`, `adaptive:0.5+mask`, `grid:256+vds:1024`; `planar` and `stencil` stand alone.
 
 use std::fmt;
 use std::str::FromStr;
@@ -18,11 +18,51 @@ pub enum CapSurface {
         /// Cells along a side.
         cells: u32,
     },
+    /// A tessellation as fine as the screen asks for.
+    Adaptive {
+        /// Error on the screen that it stays under.
+        tau: Tau,
+    },
+    /// The section of the mesh by the plane, triangulated.
+    Planar,
+}
+
+/// An error on the screen, kept in thousandths of a pixel so that it is equal to itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tau {
+    thousandths_px: u32,
+}
+
+impl Tau {
+    /// Half a pixel.
+    pub const HALF: Self = Self {
+        thousandths_px: 500,
+    };
+
+    /// So many pixels, rounded to thousandths; none outside of 0.01 to 100.
+    pub fn of_px(px: f64) -> Option<Self> {
+        (0.01..=100.0).contains(&px).then(|| Self {
+            thousandths_px: (px * 1000.0).round() as u32,
+        })
+    }
+
+    /// In pixels.
+    pub fn px(self) -> f64 {
+        f64::from(self.thousandths_px) / 1000.0
+    }
+}
+
+impl fmt::Display for Tau {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.px())
+    }
 }
 
 /// A way to tell whether a point is inside a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InsideTest {
+    /// None: the cap surface ends where the solid does.
+    Alone,
     /// Parity bits per crossing, written by the one pass over the mesh.
     Mask,
     /// Parity in the stencil buffer, a draw of the mesh for each crossing.
@@ -68,6 +108,11 @@ impl Strategy {
         surface: CapSurface::Raycast,
         inside: InsideTest::Mask,
     };
+    /// The section of the mesh, triangulated.
+    pub const PLANAR: Self = Self {
+        surface: CapSurface::Planar,
+        inside: InsideTest::Alone,
+    };
     /// The same by fixed-function hardware.
     pub const RAYCAST_STENCIL: Self = Self {
         surface: CapSurface::Raycast,
@@ -108,7 +153,18 @@ impl Strategy {
 
     /// Whether it can say where several parts share a cap: all parts are asked at one crossing.
     pub fn tells_overlaps(self) -> bool {
-        self.surface == CapSurface::Raycast
+        !self.is_by_the_papers_rule() && self.surface != CapSurface::Alone
+    }
+
+    /// Whether the mesh is clipped by chi at every fragment and the tessellated cap drawn by itself, as in the paper, rather than
+    /// both by one list of crossings: where the inside test answers for points.
+    pub fn is_by_the_papers_rule(self) -> bool {
+        let tessellated = matches!(
+            self.surface,
+            CapSurface::Grid { .. } | CapSurface::Adaptive { .. }
+        );
+        let of_points = matches!(self.inside, InsideTest::Vds { .. } | InsideTest::Ldi { .. });
+        tessellated && of_points
     }
 }
 
@@ -118,6 +174,8 @@ impl fmt::Display for CapSurface {
             Self::Raycast => f.write_str("raycast"),
             Self::Alone => f.write_str("no cap surface"),
             Self::Grid { cells } => write!(f, "grid:{cells}"),
+            Self::Adaptive { tau } => write!(f, "adaptive:{tau}"),
+            Self::Planar => f.write_str("planar"),
         }
     }
 }
@@ -125,6 +183,7 @@ impl fmt::Display for CapSurface {
 impl fmt::Display for InsideTest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Alone => f.write_str("no inside test"),
             Self::Mask => f.write_str("mask"),
             Self::Stencil => f.write_str("stencil"),
             Self::ABuffer => f.write_str("abuffer"),
@@ -140,6 +199,9 @@ impl fmt::Display for Strategy {
         if self.surface == CapSurface::Alone {
             return write!(f, "{}", self.inside);
         }
+        if self.inside == InsideTest::Alone {
+            return write!(f, "{}", self.surface);
+        }
         write!(f, "{}+{}", self.surface, self.inside)
     }
 }
@@ -150,13 +212,15 @@ impl FromStr for Strategy {
     fn from_str(text: &str) -> Result<Self, Error> {
         let wrong =
             |what: String, mend: String| Error::input(format!("strategy `{text}`"), what, mend);
-        if text.trim() == "stencil" {
-            return Ok(Self::STENCIL);
+        match text.trim() {
+            "stencil" => return Ok(Self::STENCIL),
+            "planar" => return Ok(Self::PLANAR),
+            _ => {}
         }
         let Some((surface, inside)) = text.split_once('+') else {
             return Err(wrong(
                 "a strategy is a cap surface and an inside test".to_owned(),
-                "write for example raycast+mask or grid:256+vds:1024; only stencil stands alone"
+                "write for example raycast+mask or grid:256+vds:1024; planar and stencil stand alone"
                     .to_owned(),
             ));
         };
@@ -183,10 +247,20 @@ impl FromStr for Strategy {
             ("grid", value) => CapSurface::Grid {
                 cells: number("grid", value, 256, 1, 2048)?,
             },
+            ("adaptive", None) => CapSurface::Adaptive { tau: Tau::HALF },
+            ("adaptive", Some(value)) => CapSurface::Adaptive {
+                tau: value.parse().ok().and_then(Tau::of_px).ok_or_else(|| {
+                    wrong(
+                        format!("`adaptive:{value}` is out of range"),
+                        "use adaptive:0.01 to adaptive:100, an error in pixels".to_owned(),
+                    )
+                })?,
+            },
+            ("planar", None) => CapSurface::Planar,
             _ => {
                 return Err(wrong(
                     format!("there is no cap surface `{surface}`"),
-                    did_you_mean(&name, ["raycast", "grid"]),
+                    did_you_mean(&name, ["raycast", "grid", "adaptive", "planar"]),
                 ));
             }
         };
@@ -233,6 +307,10 @@ mod tests {
             "raycast+ldi:64",
             "grid:256+vds:1024",
             "grid:8+vds:256",
+            "grid:64+mask",
+            "adaptive:0.5+mask",
+            "adaptive:2+vds:1024",
+            "planar",
         ] {
             assert_eq!(name.parse::<Strategy>().expect(name).to_string(), name);
         }
@@ -248,6 +326,8 @@ mod tests {
             ("raycats+mask", "raycast"),
             ("raycast+msk", "mask"),
             ("grid:0+vds", "grid:1"),
+            ("adaptive:0+mask", "adaptive:0.01"),
+            ("adaptiv+mask", "adaptive"),
             ("mask", "raycast+mask"),
         ] {
             let message = name.parse::<Strategy>().expect_err(name).to_string();

@@ -87,6 +87,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
             crossings: Some(15),
             layers: vec![2],
             fragments: Some(100_000),
+            ..Capacities::UNKNOWN
         };
         let plan = record(&model, &view, &strategy(name), &capacities).expect("a plan");
         let mut program = Program::default();

@@ -15,18 +15,19 @@
 
 use crate::passes::{Inside, Rasteriser, Recorder, pixels};
 use crate::plan::{Binding, Capacities, Clock};
-use crate::strategies::surface::raycast;
+use crate::strategies::{CapSurface, surface};
 
 /// What is bounded, for the report of a frame that needs more.
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
-/// Records the frame of `raycast+abuffer`.
+/// Records the frame of a cap surface with `abuffer`.
 pub fn record(
     recorder: &mut Recorder<'_>,
+    surface: CapSurface,
     rasteriser: Rasteriser,
     capacities: &Capacities,
 ) -> Result<(), String> {
-    let capacity = raycast::capacity(recorder, capacities);
+    let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let several = recorder.relevance.lanes > 1;
     let lists = recorder.fragment_lists(
@@ -35,7 +36,7 @@ pub fn record(
         capacities,
         FRAGMENTS_OF_PIXELS,
     )?;
-    let crossings = raycast::record(recorder, capacity, &lists.counting());
+    let crossings = surface::list(recorder, surface, capacity, &lists.counting(), capacities)?;
     recorder.leave_fragments(
         rasteriser,
         "count",

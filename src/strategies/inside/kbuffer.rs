@@ -14,16 +14,17 @@
 use crate::passes::{Inside, NEED_OF_FRAGMENTS, Rasteriser, Recorder, Store, pixels};
 use crate::plan::pack::Cascade;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Contents, Resource, Role};
-use crate::strategies::surface::raycast;
+use crate::strategies::{CapSurface, surface};
 
-/// Records the frame of `raycast+kbuffer:K`.
+/// Records the frame of a cap surface with `kbuffer:K`.
 pub fn record(
     recorder: &mut Recorder<'_>,
+    surface: CapSurface,
     rasteriser: Rasteriser,
     depths: u32,
     capacities: &Capacities,
 ) -> Result<(), String> {
-    let capacity = raycast::capacity(recorder, capacities);
+    let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let lanes = recorder.relevance.lanes;
     let bytes = pixels(recorder.view.size_px) * 4 * lanes as u64 * u64::from(depths + 1);
@@ -48,7 +49,7 @@ pub fn record(
         file: "lib/store/cascade.wgsl",
         bindings: vec![Binding::update("slots", slots), cascade.clone()],
     };
-    let crossings = raycast::record(recorder, capacity, &store);
+    let crossings = surface::list(recorder, surface, capacity, &store, capacities)?;
     recorder.over_mesh(rasteriser, &store, &crossings)?;
     let mask = recorder.reduced_mask();
     let need = recorder.need(Clock::Frame);

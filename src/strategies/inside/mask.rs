@@ -25,15 +25,16 @@
 
 use crate::passes::{Inside, Rasteriser, Recorder, Store};
 use crate::plan::{Binding, Capacities};
-use crate::strategies::surface::raycast;
+use crate::strategies::{CapSurface, surface};
 
-/// Records the frame of `raycast+mask`.
+/// Records the frame of a cap surface with `mask`.
 pub fn record(
     recorder: &mut Recorder<'_>,
+    surface: CapSurface,
     rasteriser: Rasteriser,
     capacities: &Capacities,
 ) -> Result<(), String> {
-    let capacity = raycast::capacity(recorder, capacities);
+    let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let nonzero = recorder.has_nonzero();
     if nonzero {
@@ -48,7 +49,7 @@ pub fn record(
         },
         bindings: vec![Binding::update("mask", mask)],
     };
-    let crossings = raycast::record(recorder, capacity, &store);
+    let crossings = surface::list(recorder, surface, capacity, &store, capacities)?;
     recorder.over_mesh(rasteriser, &store, &crossings)?;
     let inside = if nonzero {
         Inside::winding(mask)

@@ -26,7 +26,7 @@ use crate::plan::{
     Resource, Role, Work,
 };
 use crate::scene::{Bounds, View};
-use crate::strategies::surface::raycast;
+use crate::strategies::{CapSurface, surface};
 
 /// Layers beyond which a sprite is not built: a texture has no more.
 pub const MOST_LAYERS: u32 = 256;
@@ -144,15 +144,16 @@ pub fn record(
     }
 }
 
-/// Records the frame of `raycast+vds:RES`.
-pub fn record_with_raycast(
+/// Records the frame of a cap surface that lists crossings with `vds:RES`.
+pub fn record_with_list(
     recorder: &mut Recorder<'_>,
+    surface: CapSurface,
     rasteriser: Rasteriser,
     resolution: u32,
     capacities: &Capacities,
 ) -> Result<(), String> {
     let ranks = recorder.relevance.cut_parts().to_vec();
-    probed(recorder, rasteriser, capacities, |recorder| {
+    probed(recorder, surface, rasteriser, capacities, |recorder| {
         let of_part = |(place, rank): (usize, &usize)| {
             let volume = record(recorder, *rank, resolution, capacities);
             (place..place + 1, volume)
@@ -161,19 +162,20 @@ pub fn record_with_raycast(
     })
 }
 
-/// Records the frame of `raycast` with images of volumes: which places of the table each image answers for.
+/// Records the frame of listed crossings with images of volumes: which places of the table each image answers for.
 pub(super) fn probed(
     recorder: &mut Recorder<'_>,
+    surface: CapSurface,
     rasteriser: Rasteriser,
     capacities: &Capacities,
     images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, String>,
 ) -> Result<(), String> {
-    let capacity = raycast::capacity(recorder, capacities);
+    let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let images = images(recorder)?;
     let mask = recorder.reduced_mask();
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = raycast::record(recorder, capacity, &emptied);
+    let crossings = surface::list(recorder, surface, capacity, &emptied, capacities)?;
     recorder.over_mesh(rasteriser, &Store::nothing(Vec::new()), &crossings)?;
     for (places, volume) in images {
         let name = format!("probe {}", places.start);

@@ -16,7 +16,7 @@ use crate::shader::Shader;
 const FIRST_PER_RELIEF: u32 = 7;
 
 /// How many crossings a pixel is given room for.
-pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
+pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
     let surfaces = &recorder.relevance.surfaces;
     let reliefs = surfaces
         .iter()
@@ -33,7 +33,7 @@ pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
 }
 
 /// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way.
-pub fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Crossings {
+pub(super) fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Crossings {
     let count = pixels(recorder.view.size_px);
     let one_surface = recorder.relevance.surfaces.len() < 2;
     let reliefs = recorder.has_reliefs();

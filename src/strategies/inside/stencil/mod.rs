@@ -1,6 +1,6 @@
 //! `stencil`: parity in the stencil buffer, by fixed-function hardware alone.
 //!
-//! With `raycast`: the depth of crossing i of every pixel is laid down in the depth buffer, the solid is drawn with the depth test,
+//! With a cap surface: the depth of crossing i of every pixel is laid down in the depth buffer, the solid is drawn with the depth test,
 //! and what lies behind inverts a bit of the stencil, both faces alike (Carmack's reverse for one surface per pixel). The 8 bits
 //! of a stencil serve 8 pairs of part and crossing before it is taken into the words of the mask, where the same resolve
 //! as that of `mask` finds the same bits. A part filled nonzero has the stencil to itself: back faces add 1, front faces take 1.
@@ -24,7 +24,7 @@ use crate::plan::{
 };
 use crate::scene::Fill;
 use crate::shader::Shader;
-use crate::strategies::surface::raycast;
+use crate::strategies::{CapSurface, surface};
 
 /// Pairs that fit a stencil.
 const BITS: usize = 8;
@@ -39,9 +39,13 @@ struct Mark {
     crossing: Option<u32>,
 }
 
-/// Records the frame of `raycast+stencil`.
-pub fn record(recorder: &mut Recorder<'_>, capacities: &Capacities) -> Result<(), String> {
-    let capacity = raycast::capacity(recorder, capacities);
+/// Records the frame of a cap surface with `stencil`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    surface: CapSurface,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let parts = recorder.relevance.lanes;
     let passes = (capacity as usize + 1) * (parts + 2);
@@ -56,7 +60,7 @@ pub fn record(recorder: &mut Recorder<'_>, capacities: &Capacities) -> Result<()
         Resource::texture("stencil", r.view.size_px, 1, format, Clock::Frame)
     });
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = raycast::record(recorder, capacity, &emptied);
+    let crossings = surface::list(recorder, surface, capacity, &emptied, capacities)?;
     let nothing = Store::nothing(Vec::new());
     recorder.over_mesh(Rasteriser::Hardware, &nothing, &crossings)?;
 
