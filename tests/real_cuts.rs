@@ -6,56 +6,15 @@
 
 mod common;
 
-use std::path::{Path, PathBuf};
-
-use common::data::data;
+use common::data::{cut, files, is_closed};
 use common::{Judged, Question, session, strategy};
 use cutaway::compare::Comparison;
 use cutaway::gpu::Gpu;
-use cutaway::scene::{
-    Cut, ReliefSpec, Scene, Topology, apply_relief, load_mesh_file, section_surface,
-};
+use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
-const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";
-
-/// The mesh files of some folders, in order.
-fn files(folders: &[&str]) -> Vec<PathBuf> {
-    let Some(data) = data() else {
-        return Vec::new();
-    };
-    let mut files: Vec<PathBuf> = folders
-        .iter()
-        .flat_map(|f| std::fs::read_dir(data.join(f)).expect("a folder of meshes"))
-        .map(|entry| entry.expect("an entry of it").path())
-        .collect();
-    files.sort();
-    assert!(!files.is_empty(), "the folders hold meshes");
-    files
-}
-
-/// A file, cut through the middle of its bounds.
-fn cut(file: &Path, relief: Option<&str>) -> Scene {
-    let parts = load_mesh_file(file).expect("a mesh that loads").parts;
-    let mut scene = Scene {
-        parts,
-        ..Scene::default()
-    };
-    let bounds = scene.bounds();
-    let mut surface = section_surface(OBLIQUE, &bounds).expect("a section");
-    if let Some(relief) = relief {
-        let spec = ReliefSpec::parse(relief).expect("a relief");
-        surface = apply_relief(surface, &spec, &bounds).expect("a relief on it");
-    }
-    scene.cuts.push(Cut::of("middle", vec![surface]));
-    scene
-}
-
-fn is_closed(scene: &Scene) -> bool {
-    scene.parts.iter().all(|p| Topology::of(&p.mesh).closed)
-}
 
 /// Wrong pixels by the list that counts them all.
 fn wrong(c: &Comparison) -> usize {
