@@ -9,11 +9,16 @@
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
 
-// Bits 0-7 how many crossings, bit 31 set when the list could not hold them all; and the sides where the ray starts.
+// Bits 0-15 how many crossings, bit 31 set when the list could not hold them all; and the sides where the ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
 // Clip-surface of each crossing; not stored where there is only one.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
+
+// How many crossings a list holds, by the first word of its head.
+fn listed(head: u32) -> u32 {
+    return head & 0xffffu;
+}
 
 fn surface_at(index: u32, pixel: u32) -> u32 {
     if cut_table.surface_count == 1u {
@@ -41,7 +46,7 @@ struct Rank {
 
 fn rank_of(z: f32, pixel: u32) -> Rank {
     let head = crossing_heads[pixel];
-    let count = head.x & 0xffu;
+    let count = listed(head.x);
     var rank = Rank(0u, head.y);
     for (var i = 0u; i < count; i++) {
         if !is_behind(z, z_at(i, pixel)) {

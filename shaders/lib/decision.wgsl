@@ -6,7 +6,7 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, depth_at, rank_of, surface_at}
+#import cutaway::crossings::{crossing_heads, depth_at, listed, rank_of, surface_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
@@ -75,7 +75,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var word = drawn.word;
     var normal = drawn.normal;
     var depth = depth_from_buffer(drawn.z);
-    var limit = head.x & 0xffu;
+    var limit = listed(head.x);
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
         limit = clip_surface_of(word);

@@ -319,7 +319,7 @@ fn a_fragment_is_behind_what_is_strictly_nearer() {
 fn rank_of(z: f32, pixel: u32) -> Rank {
     let head = crossing_heads[pixel];
     var rank = Rank(0u, head.y);
-    for (var i = 0u; i < (head.x & 0xffu); i++) {
+    for (var i = 0u; i < (head.x & 0xffffu); i++) {
         if z > z_at(i, pixel) { break; }
         rank.behind++;
         rank.sides ^= 1u << surface_at(i, pixel);

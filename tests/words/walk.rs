@@ -92,7 +92,7 @@ fn faults(scene: &Scene, judge: &Prepared, camera: &Camera) -> (Vec<String>, usi
             continue;
         };
         let [head, sides] = [heads[2 * pixel], heads[2 * pixel + 1]];
-        let count = (head & 0xff) as usize;
+        let count = (head & 0xffff) as usize;
         crossings += count;
         if head >> 31 == 1 {
             overflows += 1;
