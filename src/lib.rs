@@ -6,7 +6,7 @@
 //! ```text
 //! data     scene -> plan -> passes -> layers -> image / comparison -> report
 //! imports  scene <- exact
-//!          scene <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
+//!          scene <- shader, slice <- plan <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
@@ -24,6 +24,7 @@ pub mod report;
 pub mod scene;
 pub mod session;
 pub mod shader;
+pub mod slice;
 pub mod strategies;
 
 pub use compare::{Comparison, compare};

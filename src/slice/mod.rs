@@ -1,0 +1,36 @@
+//! The section of a mesh by a plane: closed loops by connectivity, the region they enclose, and its triangles.
+//!
+//! # Tie rule
+//!
+//! A vertex is *above* (on the kept side) iff `(P - O).N >= 0`: the sign of the exact real number that these f64s define, with
+//! nothing rounded. A vertex on the plane counts as above. A triangle is crossed iff it has vertices on both sides, and then
+//! in exactly two of its edges; so faces, edges and vertices that lie in the plane need no rule of their own. What comes out
+//! is the section by the plane moved against its normal by less than any number: a face in the plane is in the section iff
+//! the solid lies below it.
+//!
+//! # How
+//!
+//! 1. A tree of boxes over the triangles ([`Slicer`]), built once, gives those near the plane.
+//! 2. Each crossed mesh edge gives one point, computed once, from the lesser end by coordinates: meshes that repeat vertices
+//!    agree to the last bit. Each crossed triangle joins two of them, solid on the left seen from the kept side.
+//! 3. Pieces are joined where they share a mesh edge; an edge of more than two triangles pairs them so that loops do not
+//!    cross there. Distance never joins anything; equality does, for what is left open.
+//! 4. A constrained Delaunay triangulation of the loops is flooded from outside, counting how often each edge is passed.
+//!    Loops that cross are cut where they do.
+//!
+//! Cost: a parallel sort of the triangles once; then per section about what the plane meets, n log n in the points.
+//!
+//! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. What is open
+//! is not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
+
+mod exact_sum;
+mod fill;
+mod loops;
+mod plane;
+mod section;
+mod slicer;
+mod tree;
+
+pub use plane::SlicePlane;
+pub use section::{Loop, Section, SectionDefect};
+pub use slicer::Slicer;

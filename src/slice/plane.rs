@@ -1,0 +1,175 @@
+//! The plane of a section, and on which side of it a point is, exactly.
+
+use glam::{DVec2, DVec3};
+
+use super::exact_sum::sum_of_products;
+use crate::scene::{Bounds, ClipSurface, PreparedSurface, SurfaceFrame};
+
+/// Coordinates up to this are computed with: differences and products with directions stay finite.
+pub(super) const LARGEST: f64 = 1e300;
+
+/// Rounding of `(P - O).N` in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
+const ROUNDING: f64 = 1e-15;
+
+/// A plane with a frame in it. The side that the normal points to is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlicePlane {
+    /// `O`: the point with coordinates (0, 0).
+    pub origin: DVec3,
+    /// `Û`, `V̂` and `N`, orthonormal.
+    pub frame: SurfaceFrame,
+}
+
+impl From<&ClipSurface> for SlicePlane {
+    /// The plane of a clip-surface in world space; its relief, if it has one, is not looked at.
+    fn from(surface: &ClipSurface) -> Self {
+        Self {
+            origin: surface.origin,
+            frame: surface.frame(),
+        }
+    }
+}
+
+impl From<&PreparedSurface> for SlicePlane {
+    /// The plane of a clip-surface in scene space; its relief, if it has one, is not looked at.
+    fn from(surface: &PreparedSurface) -> Self {
+        Self {
+            origin: surface.origin,
+            frame: surface.frame,
+        }
+    }
+}
+
+impl SlicePlane {
+    /// Coordinates along `Û` and `V̂` of the foot of a point.
+    pub fn coordinates(&self, point: DVec3) -> DVec2 {
+        let d = point - self.origin;
+        DVec2::new(d.dot(self.frame.u_hat), d.dot(self.frame.v_hat))
+    }
+
+    /// The point of the plane with some coordinates along `Û` and `V̂`.
+    pub fn point(&self, coordinates: DVec2) -> DVec3 {
+        self.origin + self.frame.u_hat * coordinates.x + self.frame.v_hat * coordinates.y
+    }
+
+    /// Signed distance of a point, positive on the kept side: `(P - O).N` of these very numbers, rounded once, so that its sign
+    /// is exact and it is zero only on the plane.
+    pub fn height(&self, point: DVec3) -> f64 {
+        let (p, o, n) = (point, self.origin, self.frame.normal);
+        sum_of_products([
+            [p.x, n.x],
+            [p.y, n.y],
+            [p.z, n.z],
+            [-o.x, n.x],
+            [-o.y, n.y],
+            [-o.z, n.z],
+        ])
+    }
+
+    /// Whether a point is on the kept side or on the plane.
+    pub fn is_above(&self, point: DVec3) -> bool {
+        let terms = (point - self.origin) * self.frame.normal;
+        let sum = terms.x + terms.y + terms.z;
+        let least = terms.abs().element_sum() * ROUNDING + f64::MIN_POSITIVE;
+        if sum.abs() > least {
+            sum > 0.0
+        } else {
+            self.height(point) >= 0.0
+        }
+    }
+
+    /// Whether all of a box is clearly on one side. May say no of a box that is, never yes of one that is not.
+    pub(super) fn misses(&self, bounds: &Bounds) -> bool {
+        // Halves first: the sum of two coordinates may be too large.
+        let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
+        let (centre, reach) = (low + high, high - low);
+        let normal = self.frame.normal.abs();
+        let distance = (centre - self.origin).dot(self.frame.normal).abs();
+        let extent = reach.dot(normal);
+        let size = (centre.abs() + self.origin.abs() + reach).dot(normal);
+        // Of infinities and NaN nothing is clear.
+        distance > extent + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
+    }
+
+    /// Whether it can be computed with.
+    pub(super) fn is_usable(&self) -> bool {
+        let SurfaceFrame {
+            u_hat,
+            v_hat,
+            normal,
+        } = self.frame;
+        let is_direction = |v: DVec3| (0.5..2.0).contains(&v.length_squared());
+        is_within(self.origin) && [u_hat, v_hat, normal].into_iter().all(is_direction)
+    }
+}
+
+/// Whether a point can be computed with.
+pub(super) fn is_within(point: DVec3) -> bool {
+    point.abs().cmple(DVec3::splat(LARGEST)).all()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plane(origin: DVec3, normal: DVec3) -> SlicePlane {
+        SlicePlane::from(&ClipSurface::plane(origin, normal))
+    }
+
+    #[test]
+    fn one_ulp_decides() {
+        let origin = DVec3::new(0.1, 0.7, -0.3);
+        for axis in 0..3 {
+            let plane = plane(origin, DVec3::AXES[axis]);
+            let mut p = DVec3::splat(123.456);
+            for (at, above) in [
+                (origin[axis].next_down(), false),
+                (origin[axis], true),
+                (origin[axis].next_up(), true),
+            ] {
+                p[axis] = at;
+                assert_eq!(plane.is_above(p), above, "{at} on axis {axis}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_sign_is_that_of_the_exact_sum() {
+        // On the diagonal plane x = y the sum cancels to nothing but the difference, far below the rounding of its terms.
+        let mut oblique = plane(DVec3::ZERO, DVec3::Z);
+        oblique.frame.normal = DVec3::new(0.6, -0.6, 0.0);
+        oblique.origin = DVec3::new(1e17, 1e17, 0.0);
+        let p = DVec3::new(0.3, 0.3_f64.next_up(), 5.0);
+        let rounded = (p - oblique.origin).dot(oblique.frame.normal);
+        assert_eq!(rounded, 0.0, "f64 alone would do: the case proves nothing");
+        assert!(!oblique.is_above(p), "below by an ulp of 0.3");
+        assert!(oblique.is_above(DVec3::new(0.3, 0.3, 5.0)), "on the plane");
+    }
+
+    #[test]
+    fn a_box_that_touches_is_not_missed() {
+        let plane = plane(DVec3::new(0.0, 0.0, 1.0), DVec3::Z);
+        let between = |low: f64, high: f64| Bounds {
+            min: DVec3::new(-1.0, -1.0, low),
+            max: DVec3::new(1.0, 1.0, high),
+        };
+        for (low, high, misses) in [
+            (1.0, 2.0, false),
+            (0.0, 1.0, false),
+            (1.001, 2.0, true),
+            (-3.0, 0.999, true),
+            (-1e300, 1e300, false),
+        ] {
+            assert_eq!(plane.misses(&between(low, high)), misses, "{low}..{high}");
+        }
+    }
+
+    #[test]
+    fn coordinates_and_points_are_inverse() {
+        let plane = plane(DVec3::new(3.0, 1.0, 2.0), DVec3::new(1.0, 2.0, -0.5));
+        let at = DVec2::new(0.25, -7.0);
+        let back = plane.coordinates(plane.point(at));
+        assert!((back - at).length() < 1e-14, "{back}");
+        assert!(plane.height(plane.point(at)).abs() < 1e-14, "on the plane");
+    }
+}

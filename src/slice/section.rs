@@ -1,0 +1,167 @@
+//! What a plane cuts out of a mesh: points, loops, triangles, and what is wrong with them.
+
+use glam::{DVec2, DVec3};
+
+use super::SlicePlane;
+
+/// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` from the plane's origin, in units of the input.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Section {
+    /// All points, each once: no two are equal. Those at which loops cross follow those of the loops.
+    pub points: Vec<DVec2>,
+    /// Closed curves. Loops may nest, touch, cross and repeat; what they enclose is decided by the rule the section was made by.
+    pub loops: Vec<Loop>,
+    /// Curves that end where the mesh does, as far as they go. They bound nothing.
+    pub open: Vec<Vec<u32>>,
+    /// The region that the loops enclose, counter-clockwise seen from the kept side, without overlap.
+    pub triangles: Vec<[u32; 3]>,
+    /// Outline of the region: edges of `triangles` with the region on their left and none on their right, in no order.
+    pub boundary: Vec<[u32; 2]>,
+    /// What the mesh lacks for a section without doubt.
+    pub defects: Vec<SectionDefect>,
+}
+
+/// A closed curve. Of a mesh whose triangles face outward it has the solid on its left, seen from the kept side: outlines run
+/// counter-clockwise, holes clockwise.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Loop {
+    /// Indices of points, at least three, no two in a row the same; the last is joined to the first.
+    pub points: Vec<u32>,
+}
+
+/// Something about a section that its user should know.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SectionDefect {
+    /// The plane is no plane.
+    #[error("the plane has an origin that is not finite or directions that are not of length 1")]
+    Plane,
+    /// Triangles that cannot be computed with.
+    #[error(
+        "{triangles} triangles have corners that are not there or coordinates beyond 1e300 and are left out"
+    )]
+    Unusable {
+        /// How many, of the whole mesh.
+        triangles: usize,
+    },
+    /// The mesh ends on the plane.
+    #[error(
+        "the mesh is open: {chains} curves of the section do not close, one ends at {at}; they bound no cap"
+    )]
+    Open {
+        /// How many curves.
+        chains: usize,
+        /// An end of one of them.
+        at: DVec3,
+    },
+    /// Neighbours that face opposite ways: the rule *nonzero* has to guess which of them are wrong.
+    #[error("{pieces} pieces of the outline face the other way than the rest of their loops")]
+    Turned {
+        /// How many pieces.
+        pieces: usize,
+    },
+    /// The mesh passes through itself.
+    #[error(
+        "the outline crosses itself {crossings} times, as at {at}; the rule of the fill decides"
+    )]
+    Crossing {
+        /// Points at which loops were cut.
+        crossings: usize,
+        /// One of them.
+        at: DVec3,
+    },
+    /// Loops that could not be kept apart from others in f64, or cross too often.
+    #[error("{loops} loops cross others too often or too finely, one at {at}, and are not capped")]
+    LeftOut {
+        /// How many loops.
+        loops: usize,
+        /// A point of one of them.
+        at: DVec3,
+    },
+}
+
+impl SectionDefect {
+    /// Whether some of the solid may be without a cap, or capped where it should not be.
+    pub fn loses_cap(&self) -> bool {
+        !matches!(self, Self::Turned { .. } | Self::Crossing { .. })
+    }
+}
+
+impl Section {
+    /// Whether everything that the plane meets is capped.
+    pub fn is_whole(&self) -> bool {
+        !self.defects.iter().any(SectionDefect::loses_cap)
+    }
+
+    /// Whether the plane meets nothing of the mesh but perhaps open ends.
+    pub fn is_empty(&self) -> bool {
+        self.loops.is_empty() && self.open.is_empty()
+    }
+
+    /// Area of the region, in square units: the shoelace sum over `boundary`, which is that of `triangles`.
+    pub fn area(&self) -> f64 {
+        let edges = self.boundary.iter();
+        self.shoelace(edges.map(|e| e.map(|i| self.points[i as usize])))
+    }
+
+    /// Length of the outline of the region, in units. Where loops coincide and cancel there is none.
+    pub fn perimeter(&self) -> f64 {
+        let lengths = self.boundary.iter().map(|e| {
+            let [a, b] = e.map(|i| self.points[i as usize]);
+            a.distance(b)
+        });
+        sum(lengths)
+    }
+
+    /// Signed area within a loop, counter-clockwise positive, each point counted as often as the loop winds around it.
+    pub fn loop_area(&self, one: &Loop) -> f64 {
+        let next = one.points.iter().cycle().skip(1);
+        let edges = one.points.iter().zip(next);
+        self.shoelace(edges.map(|(a, b)| [*a, *b].map(|i| self.points[i as usize])))
+    }
+
+    /// The corners of a triangle.
+    pub fn corners(&self, triangle: usize) -> [DVec2; 3] {
+        self.triangles[triangle].map(|i| self.points[i as usize])
+    }
+
+    /// All points in the space of the mesh.
+    pub fn points_in(&self, plane: &SlicePlane) -> Vec<DVec3> {
+        self.points.iter().map(|p| plane.point(*p)).collect()
+    }
+
+    /// Sum over closed curves, around a point near them: around a far origin the terms would cancel.
+    fn shoelace(&self, edges: impl Iterator<Item = [DVec2; 2]>) -> f64 {
+        let mut edges = edges.peekable();
+        let centre = edges.peek().map_or(DVec2::ZERO, |e| e[0]);
+        let terms = edges.map(|[a, b]| (a - centre).perp_dot(b - centre));
+        0.5 * sum(terms)
+    }
+}
+
+/// A sum that keeps what each addition rounds away (Neumaier 1974).
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let (sum, lost) = terms.fold((0.0_f64, 0.0), |(sum, lost), term| {
+        let next = sum + term;
+        let rest = if sum.abs() >= term.abs() {
+            (sum - next) + term
+        } else {
+            (term - next) + sum
+        };
+        (next, lost + rest)
+    });
+    // Beyond f64 what was lost is infinite too.
+    if sum.is_finite() { sum + lost } else { sum }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_terms_are_not_lost_beside_large_ones() {
+        let terms = || [1e17, 1.0, 3.0, -1e17, -3.0].into_iter();
+        assert_eq!(sum(terms()), 1.0, "by compensation");
+        assert_ne!(terms().sum::<f64>(), 1.0, "f64 alone would do");
+    }
+}
