@@ -19,6 +19,8 @@ mod resolve;
 mod rest;
 mod scan;
 mod screen;
+mod sections;
+mod sliced;
 mod solid;
 mod sweep;
 
@@ -37,5 +39,6 @@ pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
+pub use sections::Sections;
 pub use solid::Store;
 pub use sweep::{INVOCATIONS_PER_ROW, Sweep, groups_along};

@@ -4,6 +4,7 @@
 //! tessellated ones are drawn by the paper's rule as well ([`grid::record`]), where an inside test answers for points instead.
 
 pub mod grid;
+pub mod planar;
 mod raycast;
 
 use super::CapSurface;
