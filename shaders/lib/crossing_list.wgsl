@@ -28,7 +28,7 @@ struct List {
 // A list that was finished, to be gone on with.
 fn resume(pixel: u32, capacity: u32) -> List {
     let head = crossing_heads[pixel];
-    return List(pixel, capacity, head.x & 0xffu, head.y, (head.x & 0x80000000u) != 0u);
+    return List(pixel, capacity, head.x & 0xffffu, head.y, (head.x & 0x80000000u) != 0u);
 }
 
 fn put(at: u32, z: f32, surface: u32) {

@@ -288,7 +288,7 @@ impl RasteriserArgs {
     }
 }
 
-fn parse_fill(text: &str) -> Result<Fill, String> {
+pub(super) fn parse_fill(text: &str) -> Result<Fill, String> {
     text.parse().map_err(|_: crate::Error| {
         "there is no such rule\n  mend: say even-odd or nonzero".to_owned()
     })

@@ -23,6 +23,7 @@ mod output;
 mod picture;
 mod plan;
 mod render;
+mod section;
 mod sections;
 mod shown;
 mod stopwatch;
@@ -50,6 +51,7 @@ Examples:
   cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
   cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
   cutaway animate shape:crank --section -z=50% --turntable -o crank.gif
+  cutaway section bracket.stl --section z=50% -o cut.svg
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
   cutaway demo
@@ -83,6 +85,9 @@ enum Command {
     /// Say what a model is like: closed or not, how many pieces, how deep
     #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
     Inspect(inspect::InspectArgs),
+    /// Slice a model by planes: areas, outlines as SVG, everything as JSON; needs no graphics adapter
+    #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
+    Section(section::SectionCommandArgs),
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
     Plan(plan::PlanArgs),
@@ -100,6 +105,7 @@ pub fn main() -> ExitCode {
         Command::Compare(args) => compare::run(&args),
         Command::Animate(args) => animate::run(&args),
         Command::Inspect(args) => inspect::run(&args),
+        Command::Section(args) => section::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Demo(args) => demo::run(&args),
     };

@@ -13,7 +13,7 @@ use super::pipelines::Pipelines;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, Due, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
+use crate::plan::{Clock, CpuWork, Due, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
 use crate::{Error, Result};
 
 /// A resource on the device.
@@ -121,16 +121,25 @@ impl Program {
     /// Runs what is due and some passes besides, by name, and waits for them.
     pub fn run_due(&mut self, gpu: &Gpu, besides: &Due) -> Result<RunTimes> {
         let due = &self.due.passes;
-        let times = self.run_passes(gpu, |pass| {
+        let mut times = self.run_passes(gpu, |pass| {
             due.contains(&pass.name) || besides.passes.contains(&pass.name)
         })?;
+        times.add_before(PassTime::of_cpu(&self.plan, |w| w.took_ms));
         self.due = Due::default();
         Ok(times)
     }
 
-    /// Runs the passes of some clocks and waits for them.
+    /// Runs the passes of some clocks and waits for them; what the CPU does on these clocks is done again for its time.
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
-        self.run_passes(gpu, |pass| clocks.contains(pass.clock))
+        let again = |w: &CpuWork| {
+            clocks
+                .contains(w.clock)
+                .then(|| Stopwatch::ms_of(&*w.again))
+        };
+        let works = PassTime::of_cpu(&self.plan, again);
+        let mut times = self.run_passes(gpu, |pass| clocks.contains(pass.clock))?;
+        times.add_before(works);
+        Ok(times)
     }
 
     fn run_passes(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {

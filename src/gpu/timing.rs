@@ -7,7 +7,7 @@
 use std::time::Instant;
 
 use super::Gpu;
-use crate::plan::Clock;
+use crate::plan::{Clock, CpuWork, Plan};
 
 /// A set of clocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -52,8 +52,22 @@ pub struct PassTime {
     pub name: String,
     /// Its clock.
     pub clock: Clock,
-    /// Milliseconds on the device.
+    /// Milliseconds on the device, or on the CPU where that did it.
     pub time_ms: f64,
+}
+
+impl PassTime {
+    /// Times of what the CPU does for a plan.
+    pub(super) fn of_cpu(plan: &Plan, ms: impl Fn(&CpuWork) -> Option<f64>) -> Vec<Self> {
+        let timed = plan.on_cpu.iter().filter_map(|work| {
+            Some(Self {
+                name: work.name.clone(),
+                clock: work.clock,
+                time_ms: ms(work)?,
+            })
+        });
+        timed.collect()
+    }
 }
 
 /// Times of one run of a program.
@@ -74,6 +88,14 @@ impl RunTimes {
             *clocks_ms[pass.clock as usize].get_or_insert(0.0) += pass.time_ms;
         }
         Self { passes, clocks_ms }
+    }
+
+    /// Adds work of the CPU that passes waited for, before them.
+    pub(super) fn add_before(&mut self, works: Vec<PassTime>) {
+        for work in &works {
+            *self.clocks_ms[work.clock as usize].get_or_insert(0.0) += work.time_ms;
+        }
+        self.passes.splice(0..0, works);
     }
 
     /// Adds the times of a run of the same passes on other rows; passes that it has besides come last.
@@ -161,6 +183,13 @@ impl Stopwatch {
             passes,
             clocks_ms: spans.map(|s| s.map(|(b, e)| (e - b) as f64 * ms_per_tick)),
         }
+    }
+
+    /// How long some work of the CPU takes.
+    pub(super) fn ms_of(work: &dyn Fn()) -> f64 {
+        let started = Self::now();
+        work();
+        started.elapsed().as_secs_f64() * 1e3
     }
 
     /// The moment, for adapters without timestamps.

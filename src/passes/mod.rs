@@ -20,6 +20,8 @@ mod rest;
 mod scan;
 mod screen;
 mod sheet;
+mod sections;
+mod sliced;
 mod solid;
 mod sweep;
 
@@ -39,5 +41,6 @@ pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use sheet::{SheetDraw, Sheets};
+pub use sections::Sections;
 pub use solid::Store;
 pub use sweep::{INVOCATIONS_PER_ROW, Sweep, groups_along};

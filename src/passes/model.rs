@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
+use super::sliced::Sliced;
 use crate::plan::Contents;
 use crate::plan::pack::{NO_RELIEF, flat_height};
 use crate::scene::{OffsetMap, Prepared, PreparedPart, PreparedSurface, Scene, SceneSpace};
@@ -158,6 +159,11 @@ impl Model {
         uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
         uncut.first_texel.clear();
         uncut
+    }
+
+    /// What slicing a part needs again, by rank.
+    pub(super) fn sliced(&self, rank: usize) -> Arc<Sliced> {
+        self.packed[self.prepared.parts[rank].part].sliced.clone()
     }
 
     /// Whether a clip-surface is a true relief rather than a plane or a flat map.

@@ -11,6 +11,7 @@ use glam::DAffine3;
 
 use super::model::Vertex;
 use super::rest::Rest;
+use super::sliced::Sliced;
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
 use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, is_same_motion};
@@ -30,6 +31,8 @@ pub(super) struct Packed {
     pub(super) vertex_count: u32,
     /// Of a part that moves.
     pub(super) rest: Option<Arc<Rest>>,
+    /// Of a part that stands still.
+    pub(super) sliced: Arc<Sliced>,
     /// Whether its mesh was another before.
     is_other: bool,
 }
@@ -122,6 +125,7 @@ impl Packed {
             indices: Arc::new([]),
             vertex_count: 0,
             rest: None,
+            sliced: Arc::default(),
             is_other: false,
         }
     }

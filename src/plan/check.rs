@@ -64,6 +64,7 @@ impl Plan {
             .iter()
             .map(|r| r.name.as_str())
             .chain(self.passes.iter().map(|p| p.name.as_str()))
+            .chain(self.on_cpu.iter().map(|w| w.name.as_str()))
             .collect();
         names.sort_unstable();
         match names.windows(2).find(|w| w[0] == w[1]) {

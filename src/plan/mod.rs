@@ -6,6 +6,7 @@
 //! no other target, buffer or clear.
 
 mod check;
+mod cpu;
 mod due;
 pub mod pack;
 mod pass;
@@ -13,6 +14,7 @@ mod resource;
 mod text;
 
 pub use check::Limits;
+pub use cpu::CpuWork;
 pub use due::Due;
 pub use pass::{
     Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, INDEX_BYTES, Pass, Stencil,
@@ -135,6 +137,8 @@ pub struct Plan {
     pub resources: Vec<Resource>,
     /// In order; passes of slower clocks come first.
     pub passes: Vec<Pass>,
+    /// What the CPU did for the uploads, beyond packing them.
+    pub on_cpu: Vec<CpuWork>,
     /// The layers of the frame: three words per pixel.
     pub layers: Option<ResourceId>,
     /// The picture: one RGBA8 word per pixel.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::{Clock, Pass, Plan, ResourceId, StencilStep, Work};
+use super::{Clock, CpuWork, Pass, Plan, ResourceId, StencilStep, Work};
 
 impl Plan {
     /// One paragraph per pass, by clock, and the bytes of each clock.
@@ -13,6 +13,7 @@ impl Plan {
         for clock in Clock::ALL {
             let passes: Vec<&Pass> = self.passes_on(clock).collect();
             let bytes = self.bytes_on(clock);
+            let works: Vec<&CpuWork> = self.on_cpu.iter().filter(|w| w.clock == clock).collect();
             if passes.is_empty() && bytes == 0 {
                 continue;
             }
@@ -25,6 +26,11 @@ impl Plan {
                 if passes.len() == 1 { "" } else { "es" },
                 human_bytes(bytes)
             );
+            for w in works {
+                let _ = writeln!(text, "  {}  [on the CPU]", w.name);
+                let _ = writeln!(text, "    why     {}", w.reason);
+                let _ = writeln!(text, "    writes  {}", self.names(&w.makes));
+            }
             for p in passes {
                 let _ = writeln!(text, "  {}  [{}]", p.name, describe(&p.work));
                 let _ = writeln!(text, "    why     {}", p.reason);
@@ -50,6 +56,11 @@ impl Plan {
                     "reads": list(p.reads()), "writes": list(p.writes()), "reason": p.reason })
             })
             .collect();
+        let on_cpu: Vec<Value> = self
+            .on_cpu
+            .iter()
+            .map(|w| json!({ "name": w.name, "clock": w.clock, "writes": list(w.makes.clone()), "reason": w.reason }))
+            .collect();
         let resources: Vec<Value> = self
             .resources
             .iter()
@@ -57,7 +68,7 @@ impl Plan {
             .collect();
         let [solid, cut, frame] = Clock::ALL.map(|c| self.bytes_on(c));
         let scene: u64 = Clock::ALL.map(|c| self.scene_bytes_on(c)).iter().sum();
-        json!({ "passes": passes, "resources": resources,
+        json!({ "passes": passes, "on_cpu": on_cpu, "resources": resources,
             "bytes": { "solid": solid, "cut": cut, "frame": frame, "scene": scene } })
     }
 

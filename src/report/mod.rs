@@ -7,6 +7,8 @@
 
 mod html;
 mod markdown;
+mod section;
+mod svg;
 mod table;
 mod text;
 
@@ -15,6 +17,8 @@ use serde_json::{Map, Value};
 
 pub use html::{Figure, html};
 pub use markdown::markdown;
+pub use section::{Curve, Drawn, PartReport, PlaneReport, SectionReport};
+pub use svg::{Unit, svg};
 pub use table::Table;
 pub use text::text;
 

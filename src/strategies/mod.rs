@@ -91,7 +91,9 @@ fn record_cut(
 ) -> Result<(), String> {
     let surface = strategy.surface;
     match (surface, strategy.inside) {
-        (CapSurface::Planar, InsideTest::Alone) => Err("planar is not built yet".to_owned()),
+        (CapSurface::Planar, InsideTest::Alone) => {
+            surface::planar::record(recorder, rasteriser, capacities)
+        }
         (CapSurface::Planar, inside) => Err(format!(
             "a section knows by itself what is inside, and {inside} has nothing to answer: name planar alone"
         )),
@@ -141,7 +143,7 @@ fn record_cut(
 /// What of the scene is more than the strategy knows of.
 fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
     let inside = strategy.inside;
-    if !inside.counts_winding() && recorder.has_nonzero() {
+    if !strategy.counts_winding() && recorder.has_nonzero() {
         return Some(format!(
             "{inside} knows parity alone, and a part that is cut has fill = \"nonzero\""
         ));

@@ -129,10 +129,11 @@ impl Strategy {
         inside: InsideTest::Vds { resolution: 1024 },
     };
     /// All that are built, with their usual parameters; what `all` means.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::RAYCAST_MASK,
         Self::RAYCAST_STENCIL,
         Self::STENCIL,
+        Self::PLANAR,
         Self::raycast(InsideTest::ABuffer),
         Self::raycast(InsideTest::KBuffer { depths: 8 }),
         Self::raycast(InsideTest::Ldi { resolution: 1024 }),
@@ -149,6 +150,11 @@ impl Strategy {
             surface: CapSurface::Raycast,
             inside,
         }
+    }
+
+    /// Whether it can fill a part by the nonzero rule.
+    pub fn counts_winding(self) -> bool {
+        self.inside.counts_winding() || self.surface == CapSurface::Planar
     }
 
     /// Whether it can say where several parts share a cap: all parts are asked at one crossing.

@@ -5,6 +5,7 @@
 
 pub mod grid;
 pub mod paper;
+pub mod planar;
 mod raycast;
 pub mod tessellation;
 

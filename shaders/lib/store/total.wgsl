@@ -1,0 +1,17 @@
+// What a fragment leaves where sections answer the inside test and some of them is not closed: the top bit of its lane, which
+// ends as the parity of all fragments and says where the mesh is open.
+
+#define_import_path cutaway::store
+
+#import cutaway::lanes::Fragment
+#import cutaway::mask::{add_fragment, clear}
+
+fn store(fragment: Fragment) {
+    let lane = fragment.lane;
+    add_fragment(fragment.pixel, lane.word, lane.shift, lane.bits, 0u);
+}
+
+// Makes a pixel ready for the first fragment.
+fn begin(pixel: u32) {
+    clear(pixel);
+}

@@ -1,0 +1,39 @@
+// Draws the sections of parts by planes, triangulated on the CPU, into the mask: where a section is, the crossing of its plane is
+// inside its part. One fragment owns one pixel of one triangle.
+//
+// The bit is flipped and not set: triangles that share their corners cover each pixel of their polygon an odd number of times,
+// also where rounding has turned one of them over, and each pixel outside of it an even number.
+
+#import cutaway::crossings::{crossing_heads, surface_at}
+#import cutaway::cuts::{MAX_SURFACES, parts}
+#import cutaway::frame::{pixel_count, pixel_index}
+#import cutaway::mask::mask
+#import cutaway::mesh::clip_position
+
+struct Corner {
+    @builtin(position) position: vec4<f32>,
+    // Where the part's bits are: word and shift; and the plane's place among the clip-surfaces.
+    @location(0) @interpolate(flat) lane: vec2<u32>,
+    @location(1) @interpolate(flat) surface: u32,
+}
+
+// The instance is the part's place in the table times MAX_SURFACES, and the clip-surface's.
+@vertex
+fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
+    let part = parts[instance / MAX_SURFACES];
+    let lane = vec2<u32>(part.lane_word, part.lane_shift);
+    return Corner(clip_position(position), lane, instance % MAX_SURFACES);
+}
+
+@fragment
+fn fragment(corner: Corner) {
+    let pixel = pixel_index(vec2<u32>(corner.position.xy));
+    let count = crossing_heads[pixel].x & 0xffu;
+    for (var i = 0u; i < count; i++) {
+        if surface_at(i, pixel) == corner.surface {
+            // A ray crosses a plane once.
+            atomicXor(&mask[corner.lane.x * pixel_count() + pixel], 1u << (corner.lane.y + i));
+            return;
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! The sections of cut parts by planes as uploads: sliced and triangulated on the CPU, drawn from any camera.
+//!
+//! What was sliced before by the same plane is not sliced again; the rest is, on all cores. The time goes to the clock of the cut.
+//! Buffers have room for more than they hold, so that a plane that moves a little finds them large enough.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::sliced::{PackedSection, Sliced};
+use super::{Recorder, counted};
+use crate::plan::pack::{MAX_SURFACES, flat_height};
+use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Resource, ResourceId, Role};
+use crate::scene::PreparedPart;
+use crate::slice::SlicePlane;
+
+/// The sections of a frame that have an inside.
+pub struct Sections {
+    /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
+    pub vertices: ResourceId,
+    /// Three to a triangle.
+    pub indices: ResourceId,
+    /// A draw for each section; the instance is the part's place in the table times [`MAX_SURFACES`], and the clip-surface's place.
+    pub draws: Vec<Draw>,
+}
+
+/// A part that is to be sliced, and by which plane.
+struct Wanted {
+    part: PreparedPart,
+    sliced: Arc<Sliced>,
+    plane: SlicePlane,
+    instance: u32,
+}
+
+impl Wanted {
+    fn sliced(&self) -> PackedSection {
+        self.sliced.slice(&self.part, &self.plane)
+    }
+}
+
+impl Recorder<'_> {
+    /// The sections of the cut parts by the planes that cut them; none where all planes pass by, and whether some part may have
+    /// too little of a section, as an open mesh has. All clip-surfaces must be planes, and the vertices of cut parts here.
+    pub fn sections(&mut self) -> (Option<Sections>, bool) {
+        let wanted = self.wanted();
+        let known: Vec<_> =
+            (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
+        let started = now();
+        let all: Vec<Arc<PackedSection>> = (wanted.par_iter().zip(&known))
+            .map(|(w, known)| known.clone().unwrap_or_else(|| Arc::new(w.sliced())))
+            .collect();
+        let took_ms =
+            (known.iter().any(Option::is_none)).then(|| started.elapsed().as_secs_f64() * 1e3);
+        for ((w, known), section) in wanted.iter().zip(&known).zip(&all) {
+            if known.is_none() {
+                w.sliced.keep(w.plane, w.part.fill, section.clone());
+            }
+        }
+        let is_doubtful = all.iter().any(|s| s.is_doubtful);
+        let met: Vec<_> = (wanted.iter().zip(&all))
+            .filter(|(_, s)| s.index_count > 0)
+            .collect();
+        if met.is_empty() {
+            return (None, is_doubtful);
+        }
+        let draws = draws(&met);
+        let [vertices, indices] = self.upload(&met);
+        self.plan.on_cpu.push(CpuWork {
+            name: "slice".to_owned(),
+            clock: Clock::Cut,
+            reason: format!(
+                "{}, triangulated: where a plane is inside a part",
+                counted(met.len(), "section")
+            ),
+            makes: vec![vertices, indices],
+            took_ms,
+            again: Arc::new(move || {
+                wanted.par_iter().map(Wanted::sliced).collect::<Vec<_>>();
+            }),
+        });
+        let sections = Sections {
+            vertices,
+            indices,
+            draws,
+        };
+        (Some(sections), is_doubtful)
+    }
+
+    fn wanted(&self) -> Vec<Wanted> {
+        let prepared = &self.model.prepared;
+        let mut wanted = Vec::new();
+        for (place, rank) in self.relevance.cut_parts().iter().enumerate() {
+            let cuts = self.relevance.cuts_of(*rank);
+            let bits = (self.relevance.cuts.iter().enumerate())
+                .filter(|(cut, _)| cuts >> cut & 1 == 1)
+                .fold(0, |bits, (_, of_cut)| bits | of_cut);
+            for (slot, number) in self.relevance.surfaces.iter().enumerate() {
+                if bits >> slot & 1 == 0 {
+                    continue;
+                }
+                let surface = &prepared.surfaces[*number];
+                let lift = flat_height(surface).unwrap_or(0.0);
+                wanted.push(Wanted {
+                    part: prepared.parts[*rank].clone(),
+                    sliced: self.model.sliced(*rank),
+                    plane: SlicePlane {
+                        origin: surface.origin - surface.frame.normal * lift,
+                        frame: surface.frame,
+                    },
+                    instance: (place * MAX_SURFACES + slot) as u32,
+                });
+            }
+        }
+        wanted
+    }
+
+    fn upload(&mut self, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceId; 2] {
+        let mut ends = [0_u64; 2];
+        let mut pieces = [Vec::new(), Vec::new()];
+        for (_, section) in met {
+            for (i, bytes) in [&section.vertices, &section.indices]
+                .into_iter()
+                .enumerate()
+            {
+                pieces[i].push(Piece {
+                    offset: ends[i],
+                    bytes: bytes.clone(),
+                });
+                ends[i] += bytes.len() as u64;
+            }
+        }
+        let of = [
+            ("section vertices", Role::Vertex),
+            ("section indices", Role::Index),
+        ];
+        let mut pieces = pieces.into_iter();
+        [0, 1].map(|i| {
+            let contents =
+                Contents::in_pieces(room(ends[i]), pieces.next().unwrap_or_default(), true);
+            self.once(of[i].0, |_| Resource {
+                is_scene: false,
+                ..Resource::upload(of[i].0, of[i].1, contents, Clock::Cut)
+            })
+        })
+    }
+}
+
+fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> Vec<Draw> {
+    let (mut first_vertex, mut first_index) = (0_u32, 0_u32);
+    let draws = met.iter().map(|(wanted, section)| {
+        let draw = Draw {
+            indices: first_index..first_index + section.index_count,
+            base_vertex: first_vertex.cast_signed(),
+            vertex_count: section.vertex_count,
+            instance: wanted.instance,
+        };
+        first_vertex += section.vertex_count;
+        first_index += section.index_count;
+        draw
+    });
+    draws.collect()
+}
+
+#[allow(
+    clippy::disallowed_methods,
+    reason = "no pass does this work, so that nobody else can time it"
+)]
+fn now() -> Instant {
+    Instant::now()
+}
+
+/// Bytes of a buffer for so many: the next power of two.
+fn room(bytes: u64) -> u64 {
+    bytes.next_power_of_two()
+}

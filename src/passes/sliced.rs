@@ -1,0 +1,113 @@
+//! What slicing a part needs again: its slicer, made when it is first sliced, and the sections of late.
+//!
+//! A part keeps both for as long as it keeps its mesh and its place ([`Model::updated`](super::Model::updated)), whatever
+//! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
+//! Memory: the slicer's, and that of [`MOST_KNOWN`] sections at most.
+
+use std::fmt;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use rayon::prelude::*;
+
+use super::model::Vertex;
+use crate::plan::Piece;
+use crate::plan::pack::MAX_SURFACES;
+use crate::scene::{Fill, PreparedPart};
+use crate::slice::{Section, SlicePlane, Slicer};
+
+/// Sections that are kept: as many as one frame can ask for.
+const MOST_KNOWN: usize = MAX_SURFACES;
+
+/// The section of a part by a plane, packed for upload.
+#[derive(Clone)]
+pub(super) struct PackedSection {
+    /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh) has them, in scene space; nobody reads their normals.
+    pub(super) vertices: Arc<[u8]>,
+    pub(super) vertex_count: u32,
+    /// Three to a triangle.
+    pub(super) indices: Arc<[u8]>,
+    pub(super) index_count: u32,
+    /// Some of what the plane meets may have no cap, or one where there should be none.
+    pub(super) is_doubtful: bool,
+}
+
+/// A section, and what it was made by.
+struct Known {
+    plane: SlicePlane,
+    rule: Fill,
+    section: Arc<PackedSection>,
+}
+
+/// The slicer of a part, and its sections of late.
+#[derive(Default)]
+pub(super) struct Sliced {
+    slicer: OnceLock<Slicer>,
+    /// The latest last.
+    known: Mutex<Vec<Known>>,
+}
+
+impl fmt::Debug for Sliced {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.slicer.get() {
+            Some(_) => "sliced",
+            None => "not sliced",
+        })
+    }
+}
+
+impl Sliced {
+    /// The section by a plane, filled by a rule, if it is known.
+    pub(super) fn known(&self, plane: &SlicePlane, rule: Fill) -> Option<Arc<PackedSection>> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = |k: &Known| k.plane == *plane && k.rule == rule;
+        let at = known.iter().position(same)?;
+        let latest = known.remove(at);
+        let section = latest.section.clone();
+        known.push(latest);
+        Some(section)
+    }
+
+    /// Keeps a section in the place of the one that was not asked for the longest.
+    pub(super) fn keep(&self, plane: SlicePlane, rule: Fill, section: Arc<PackedSection>) {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        // Two cuts may have the same plane.
+        if known.iter().any(|k| k.plane == plane && k.rule == rule) {
+            return;
+        }
+        if known.len() == MOST_KNOWN {
+            known.remove(0);
+        }
+        known.push(Known {
+            plane,
+            rule,
+            section,
+        });
+    }
+
+    /// Slices a part, of which the vertices are here, and fills the section by its rule.
+    pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
+        let slicer = self.slicer.get_or_init(|| {
+            let positions = part.positions.par_iter().map(|p| p.as_dvec3());
+            Slicer::of(positions.collect::<Vec<_>>(), &part.triangles)
+        });
+        PackedSection::of(&slicer.section_by(plane, part.fill), plane)
+    }
+}
+
+impl PackedSection {
+    fn of(section: &Section, plane: &SlicePlane) -> Self {
+        let lifted = |p: &glam::DVec2| Vertex {
+            position: plane.point(*p).as_vec3().to_array(),
+            normal: 0,
+        };
+        let vertices: Vec<Vertex> = section.points.iter().map(lifted).collect();
+        let indices = section.triangles.as_flattened();
+        Self {
+            vertex_count: vertices.len() as u32,
+            index_count: indices.len() as u32,
+            vertices: Piece::of(0, &vertices).bytes,
+            indices: Piece::of(0, indices).bytes,
+            is_doubtful: !section.is_whole(),
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! Sections as a drawing: SVG that shows each plane as it is seen from the side that is removed.
+//!
+//! One file has all planes, one group each, side by side. Within its group a path has the very coordinates `u` and `v` of the JSON: the
+//! group turns `v` up, and moves all but the first. One path is one part in the colour of its cap, filled by its rule. Strokes keep
+//! their width on the screen where the viewer knows how to; elsewhere they are a thousandth of the drawing wide. Curves that do
+//! not close are red and bound nothing.
+//!
+//! A unit of the drawing is a unit of the model. With a physical [`Unit`] the drawing has the size of the model; without one it is fitted to
+//! [`LONGEST_PX`] pixels.
+
+use std::fmt::Write;
+
+use super::section::{Curve, PlaneReport, SectionReport};
+
+/// Pixels along the longer side of a drawing of no physical size.
+const LONGEST_PX: f64 = 1000.0;
+/// Room around a drawing and between planes, as a share of the longest side of all.
+const MARGIN: f64 = 0.03;
+/// Digits that are kept of the longest side.
+const DIGITS: i32 = 10;
+
+/// Read by viewers that can: others pass a rule over that asks what they support, and a stroke of one unit could be a blot.
+const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
+    { path { vector-effect: non-scaling-stroke; stroke-width: 1px } .open { stroke-width: 2px } }";
+
+/// How long a unit of the model is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Mm,
+    /// Centimetres.
+    Cm,
+    /// Metres.
+    M,
+    /// Inches.
+    In,
+}
+
+impl Unit {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Mm, Self::Cm, Self::M, Self::In];
+
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mm => "mm",
+            Self::Cm => "cm",
+            Self::M => "m",
+            Self::In => "in",
+        }
+    }
+
+    fn mm(self) -> f64 {
+        match self {
+            Self::Mm => 1.0,
+            Self::Cm => 10.0,
+            Self::M => 1000.0,
+            Self::In => 25.4,
+        }
+    }
+}
+
+/// A rectangle of a plane.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    min: [f64; 2],
+    max: [f64; 2],
+}
+
+impl Frame {
+    /// Around all curves of a plane; the unit square where there is none.
+    fn of(plane: &PlaneReport) -> Self {
+        let curves = plane
+            .parts
+            .iter()
+            .flat_map(|p| p.loops.iter().chain(&p.open_chains));
+        let mut points = curves.flat_map(|c| &c.uv).copied();
+        let Some(first) = points.next() else {
+            return Self {
+                min: [0.0; 2],
+                max: [1.0; 2],
+            };
+        };
+        let start = Self {
+            min: first,
+            max: first,
+        };
+        points.fold(start, |f, p| Self {
+            min: [0, 1].map(|i| f.min[i].min(p[i])),
+            max: [0, 1].map(|i| f.max[i].max(p[i])),
+        })
+    }
+
+    fn size(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.max[i] - self.min[i])
+    }
+}
+
+/// The drawing as the text of a file.
+pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
+    let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
+    let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
+    let longest = if longest > 0.0 { longest } else { 1.0 };
+    let decimals = (DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
+    let gap = longest * MARGIN;
+    let first = frames.first().copied().unwrap_or(Frame {
+        min: [0.0; 2],
+        max: [1.0; 2],
+    });
+    // Planes stand on one line.
+    let width = frames.iter().map(|f| f.size()[0] + gap).sum::<f64>() + gap;
+    let height = frames.iter().map(|f| f.size()[1]).fold(0.0, f64::max) + 2.0 * gap;
+    let corner = [first.min[0] - gap, gap - height - first.min[1]];
+    let number = |value: f64| shortened(value, decimals);
+
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let [wide, high] = match unit {
+        Some(unit) => [width, height].map(|v| format!("{}mm", number(v * unit.mm()))),
+        None => {
+            let per_unit = LONGEST_PX / width.max(height);
+            [width, height].map(|v| shortened(v * per_unit, 3))
+        }
+    };
+    // Writing to a String cannot fail.
+    let _ = writeln!(
+        text,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"{} {} {} {}\">",
+        number(corner[0]),
+        number(corner[1]),
+        number(width),
+        number(height)
+    );
+    let _ = writeln!(text, "<title>{}</title>", escape(&report.scene));
+    let scale = match unit {
+        Some(unit) => format!(
+            "one unit is one unit of the model, drawn as 1 {}",
+            unit.name()
+        ),
+        None => "one unit is one unit of the model; the drawing has no physical size".to_owned(),
+    };
+    let _ = writeln!(
+        text,
+        "<desc>To scale: {scale}. Seen from the side that is removed.</desc>"
+    );
+    let _ = writeln!(text, "<style>{NON_SCALING}</style>");
+    let _ = writeln!(
+        text,
+        "<g stroke-width=\"{}\">",
+        number(width.max(height) / LONGEST_PX)
+    );
+    let mut left = first.min[0];
+    for (number_of, (plane, frame)) in report.sections.iter().zip(&frames).enumerate() {
+        let by = [left - frame.min[0], frame.min[1] - first.min[1]];
+        left += frame.size()[0] + gap;
+        group(&mut text, number_of, plane, by, decimals);
+    }
+    text.push_str("</g>\n</svg>\n");
+    text
+}
+
+fn group(text: &mut String, index: usize, plane: &PlaneReport, by: [f64; 2], decimals: usize) {
+    let number = |value: f64| shortened(value, decimals);
+    let moved = if index == 0 {
+        String::new()
+    } else {
+        format!("translate({} {}) ", number(by[0]), number(by[1]))
+    };
+    let _ = writeln!(
+        text,
+        "<g id=\"section-{}\" transform=\"{moved}scale(1 -1)\">",
+        index + 1
+    );
+    let name = escape(&plane.cut);
+    let _ = writeln!(
+        text,
+        "<title>{name}: area {}, perimeter {}</title>",
+        plane.area, plane.perimeter
+    );
+    for part in &plane.parts {
+        let name = escape(&part.part);
+        if !part.loops.is_empty() {
+            let rule = if part.fill == "nonzero" {
+                "nonzero"
+            } else {
+                "evenodd"
+            };
+            let _ = writeln!(
+                text,
+                "<path d=\"{}\" fill=\"{}\" fill-rule=\"{rule}\" stroke=\"#222222\">\
+                 <title>{name}: area {}</title></path>",
+                outline(&part.loops, decimals, "Z"),
+                part.color,
+                part.area
+            );
+        }
+        if !part.open_chains.is_empty() {
+            let _ = writeln!(
+                text,
+                "<path d=\"{}\" class=\"open\" fill=\"none\" stroke=\"#cc0000\">\
+                 <title>{name}: open</title></path>",
+                outline(&part.open_chains, decimals, "")
+            );
+        }
+    }
+    text.push_str("</g>\n");
+}
+
+/// Curves as the data of one path. Points that are written alike in a row are one.
+fn outline(curves: &[Curve], decimals: usize, end: &str) -> String {
+    let mut data = String::new();
+    for curve in curves {
+        let mut before = String::new();
+        for at in &curve.uv {
+            let point = at.map(|c| shortened(c, decimals)).join(" ");
+            if point != before {
+                let step = if before.is_empty() { "M" } else { "L" };
+                data.push_str(step);
+                data.push_str(&point);
+                before = point;
+            }
+        }
+        data.push_str(end);
+    }
+    data
+}
+
+/// A number with so many decimals, and no more zeros than it needs.
+fn shortened(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Text between tags and in quotes. What XML has no place for is left out.
+fn escape(text: &str) -> String {
+    let told: String = text.chars().filter(|c| !c.is_control()).collect();
+    super::html::escape(&told)
+}

@@ -1,0 +1,140 @@
+//! `planar`: the section of each part by each plane, sliced and triangulated on the CPU and drawn as what is inside.
+//!
+//! The list of crossings of planes in closed form clips the mesh as it does for every inside test. Whether a crossing is inside a
+//! part is then not asked of the part's fragments but of the part's section by that plane: a fragment of the section flips the bit of
+//! its plane's crossing in the part's lane of the mask, and the same resolve as that of `mask` shades. So any number of planes,
+//! parts, priorities and filters goes, and the mesh is drawn once without any atomics. The sections are of the same f32 vertices
+//! that are drawn, so both are of one solid; the outline of a cap is the rasteriser's, within the rounding of its vertices.
+//!
+//! Per cut: slicing and triangulating what the planes meet, on all cores; bytes in proportion to it. Per frame: the mesh once, the
+//! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
+//!
+//! Cannot: cut by reliefs; cap at the near plane; slice parts that the device poses, of which the vertices are not here. Open
+//! meshes are capped as far as their sections close; where one does not, pixels with an odd total of a part's fragments are
+//! marked, as `mask` marks them.
+
+use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Sections, Store, counted};
+use crate::plan::{
+    Binding, Capacities, Clock, DepthCompare, DepthTarget, Format, Pass, Resource, ResourceId,
+    Vertices, Work,
+};
+use crate::strategies::{CapSurface, surface};
+
+/// Records the frame of `planar`.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    capacities: &Capacities,
+) -> Result<(), String> {
+    if let Some(reason) = refusal(recorder) {
+        return Err(reason);
+    }
+    let (sections, is_doubtful) = recorder.sections();
+    let capacity = surface::capacity(recorder, capacities);
+    recorder.lay_lanes(capacity);
+    let mask = recorder.mask();
+    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
+    let crossings = surface::list(
+        recorder,
+        CapSurface::Raycast,
+        capacity,
+        &emptied,
+        capacities,
+    )?;
+    let store = if is_doubtful {
+        Store {
+            file: "lib/store/total.wgsl",
+            bindings: vec![Binding::update("mask", mask)],
+        }
+    } else {
+        Store::nothing(Vec::new())
+    };
+    recorder.over_mesh(rasteriser, &store, &crossings)?;
+    if let Some(sections) = sections {
+        draw(recorder, rasteriser, sections, mask, &crossings);
+    }
+    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
+    Ok(())
+}
+
+fn draw(
+    recorder: &mut Recorder<'_>,
+    rasteriser: Rasteriser,
+    sections: Sections,
+    mask: ResourceId,
+    crossings: &Crossings,
+) {
+    // A pass must have an attachment, though nothing is tested and nothing written.
+    let (depth, clear) = match rasteriser {
+        Rasteriser::Hardware => (recorder.targets().depth, false),
+        Rasteriser::Compute => {
+            let size = recorder.view.size_px;
+            let depth = recorder.once("section depth", |_| {
+                Resource::texture("section depth", size, 1, Format::Depth32Float, Clock::Frame)
+            });
+            (depth, true)
+        }
+    };
+    let bindings = vec![
+        recorder.frame(),
+        recorder.cut_table(),
+        recorder.parts(),
+        Binding::update("mask", mask),
+        Binding::read("crossing_heads", crossings.heads),
+        Binding::read("crossing_surface", crossings.surfaces),
+    ];
+    let pass = Pass {
+        name: "sections".to_owned(),
+        clock: Clock::Frame,
+        reason: format!(
+            "{}: where one is, the crossing of its plane is inside its part",
+            counted(sections.draws.len(), "section")
+        ),
+        shader: "strategies/surface/planar/section.wgsl".into(),
+        bindings,
+        constants: Vec::new(),
+        work: Work::Draw {
+            color: None,
+            depth: DepthTarget {
+                resource: depth,
+                layer: 0,
+                clear,
+                compare: DepthCompare::Always,
+                stencil: None,
+            },
+            vertices: Vertices::Mesh(sections.vertices),
+            indices: sections.indices,
+            draws: sections.draws,
+        },
+    };
+    recorder.plan.add_pass(pass);
+}
+
+/// What of the scene is beyond sections by planes.
+fn refusal(recorder: &Recorder<'_>) -> Option<String> {
+    let prepared = &recorder.model.prepared;
+    let relevance = &recorder.relevance;
+    let relief = relevance
+        .surfaces
+        .iter()
+        .find(|s| recorder.model.is_relief(**s));
+    if let Some(number) = relief {
+        let cut = &prepared.cuts[prepared.surfaces[*number].cut].name;
+        return Some(format!(
+            "planar slices by planes, and clip-surface {number} of cut `{cut}` has a relief"
+        ));
+    }
+    let parts = || relevance.cut_parts().iter().map(|r| &prepared.parts[*r]);
+    if let Some(posed) = parts().find(|p| p.is_on_device) {
+        return Some(format!(
+            "planar slices on the CPU, and `{}` is posed on the device",
+            posed.name
+        ));
+    }
+    let view = recorder.view;
+    let met = parts().find(|p| view.near_cap && view.near_plane_meets(&p.bounds))?;
+    Some(format!(
+        "the near plane meets `{}`: its cap is no section that planar makes",
+        met.name
+    ))
+}
