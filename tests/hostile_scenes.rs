@@ -334,7 +334,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "[\"ragged\", \"bumps\"]",
         "[\"ragged\", \"both\"]",
         "relief.both",
-        "blended from itself",
+        "made of itself",
     ),
     (
         "[\"ragged\", \"bumps\"]",

@@ -2,9 +2,8 @@
 
 use super::console::Console;
 use super::open::Opened;
-use super::sections::words_of;
+use super::sections::{misses, words_of};
 use crate::layers::{Kind, Layers};
-use crate::scene::section_misses;
 
 /// Pixels that the strategy does not vouch for.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
@@ -24,9 +23,9 @@ pub(super) fn warn_of_doubt(layers: &Layers, console: &Console) {
 
 /// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
 pub(super) fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &Console) {
-    let mut surfaces = opened.scene.cuts.iter().flat_map(|c| &c.surfaces);
     let bounds = opened.scene.bounds();
-    if surfaces.any(|s| section_misses(s, &bounds)) {
+    let mut enabled = opened.scene.cuts.iter().filter(|c| c.enabled);
+    if misses(&opened.scene).next().is_some() {
         // That has been said.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
         console.warn(format!(
@@ -34,7 +33,7 @@ pub(super) fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &
              other side (--flip), move the section, or leave the camera options out",
             words_of(&bounds)
         ));
-    } else if !opened.scene.cuts.is_empty() && layers.count(Kind::Cap) == 0 {
+    } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
         console.note(
             "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \
              --camera-azimuth-angle and --flip)",

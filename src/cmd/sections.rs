@@ -203,28 +203,31 @@ impl Section {
     }
 }
 
-/// Warns of clip-surfaces that pass by the model: nearly always a slip of units or of the axis.
-pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
+/// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
+/// does no harm, as where a box sticks out.
+pub(super) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
-    for cut in &scene.cuts {
-        for surface in &cut.surfaces {
-            if !section_misses(surface, &bounds) {
-                continue;
-            }
-            let kept = surface.kept_height(bounds.centre()) > 0.0;
-            let consequence = if kept {
-                "all of it is on the side that stays"
-            } else {
-                "all of it is on the side that is removed"
-            };
-            console.warn(format!(
-                "section {} misses the model: {consequence}\n  bounds: {}\n  mend: give a position within the bounds, \
-                 or a percentage of them such as {}",
-                cut.name,
-                words_of(&bounds),
-                "z=50%"
-            ));
-        }
+    let cuts = scene.cuts.iter().filter(|c| c.enabled);
+    cuts.filter_map(move |cut| {
+        let missing = cut.surfaces.iter().filter(|s| section_misses(s, &bounds));
+        let stays: Vec<bool> = missing
+            .map(|s| s.kept_height(bounds.centre()) > 0.0)
+            .collect();
+        let is_said = stays.contains(&true) || stays.len() == cut.surfaces.len();
+        is_said.then(|| (cut, stays.contains(&true)))
+    })
+}
+
+/// Warns of cuts that pass by the model: nearly always a slip of units or of the axis.
+pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
+    for (cut, stays) in misses(scene) {
+        let side = if stays { "stays" } else { "is removed" };
+        console.warn(format!(
+            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  mend: give a position within \
+             the bounds, or a percentage of them such as z=50%",
+            cut.name,
+            words_of(&scene.bounds())
+        ));
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod crossings;
 mod fragments;
+mod heights;
 mod lanes;
 mod mask;
 mod model;

@@ -9,12 +9,13 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
 use super::sliced::Sliced;
 use crate::plan::Contents;
-use crate::plan::pack::{NO_RELIEF, flat_height};
-use crate::scene::{OffsetMap, Prepared, PreparedPart, PreparedSurface, Scene, SceneSpace};
+use crate::plan::pack::NO_RELIEF;
+use crate::scene::{Prepared, PreparedPart, Scene, SceneSpace};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -53,7 +54,7 @@ pub struct Model {
     /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
     pub first_texel: Vec<u32>,
     /// The maps that `heights` holds.
-    maps: Vec<Arc<OffsetMap>>,
+    maps: Vec<PackedMap>,
     /// By index in the scene.
     packed: Arc<Vec<Packed>>,
     rooms: Vec<Room>,
@@ -120,11 +121,11 @@ impl Model {
             })
         });
         let (ranges, moving) = (ranges.collect(), moving.collect());
-        let (maps, first_texel) = maps(&prepared.surfaces);
-        let same_map = |(a, b): (&Arc<OffsetMap>, &Arc<OffsetMap>)| Arc::ptr_eq(a, b);
-        let heights = before
-            .filter(|b| b.maps.len() == maps.len() && b.maps.iter().zip(&maps).all(same_map))
-            .map_or_else(|| heights(&maps), |b| b.heights.clone());
+        let Heights {
+            contents: heights,
+            first_texel,
+            maps,
+        } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         Self {
             ranges,
             moving,
@@ -175,40 +176,4 @@ impl Model {
     pub fn is_kin_of(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.lineage, &other.lineage) || self.vertices == other.vertices
     }
-}
-
-/// The maps of true reliefs, each once, and where the texels of each clip-surface begin among theirs.
-fn maps(surfaces: &[PreparedSurface]) -> (Vec<Arc<OffsetMap>>, Vec<u32>) {
-    let mut maps: Vec<Arc<OffsetMap>> = Vec::new();
-    let mut starts: Vec<u32> = Vec::new();
-    let mut end = 0;
-    let mut first_texel = Vec::with_capacity(surfaces.len());
-    for surface in surfaces {
-        let relief = surface.relief.as_ref();
-        let Some(map) = relief.filter(|_| flat_height(surface).is_none()) else {
-            first_texel.push(NO_RELIEF);
-            continue;
-        };
-        let known = maps.iter().position(|m| Arc::ptr_eq(m, map));
-        let number = known.unwrap_or(maps.len());
-        if known.is_none() {
-            maps.push(map.clone());
-            starts.push(end);
-            end += map.texels.len() as u32;
-        }
-        first_texel.push(starts[number]);
-    }
-    (maps, first_texel)
-}
-
-/// The texels of all maps. Bindings cannot be empty, so there is one where there is no map, which no plane reads.
-fn heights(maps: &[Arc<OffsetMap>]) -> Contents {
-    let mut heights: Vec<f32> = Vec::new();
-    for map in maps {
-        heights.extend_from_slice(&map.texels);
-    }
-    if heights.is_empty() {
-        heights.push(0.0);
-    }
-    Contents::of(&heights)
 }

@@ -113,6 +113,15 @@ impl ClipSurface {
         (point - self.origin).dot(self.frame().normal) + height * self.scale.z
     }
 
+    /// The same surface moved along `-N`, relief and all: what lies within `distance` of it on the removed side is kept.
+    #[must_use]
+    pub fn keeping(&self, distance: f64) -> Self {
+        Self {
+            origin: self.origin - self.frame().normal * distance,
+            ..self.clone()
+        }
+    }
+
     /// The same surface keeping the other side: `N` and the heights change sign together, the map stays where it is.
     #[must_use]
     pub fn flipped(&self) -> Self {

@@ -1,4 +1,6 @@
 //! Cuts: removed regions, and the parts they apply to.
+//!
+//! A part can have a region of its own: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
 
 use super::{ClipSurface, Part, Role};
 
@@ -13,6 +15,20 @@ pub struct Cut {
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
     pub except: Vec<String>,
+    /// Parts from which more or less is removed.
+    pub offsets: Vec<Offset>,
+    /// Whether anything is removed at all. The clip-surfaces of a cut that is off keep their numbers.
+    pub enabled: bool,
+}
+
+/// How much less a cut removes from some parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Offset {
+    /// Glob of the parts.
+    pub parts: String,
+    /// World units by which every clip-surface of the cut, plane or relief, is moved along `-N`: a positive number keeps more
+    /// of the part, so that it stands out of the cut; a negative one keeps less.
+    pub keeps: f64,
 }
 
 impl Cut {
@@ -23,13 +39,31 @@ impl Cut {
             surfaces,
             applies_to: vec!["*".into()],
             except: Vec::new(),
+            offsets: Vec::new(),
+            enabled: true,
         }
     }
 
     /// Whether the cut removes anything from a part.
     pub fn applies_to(&self, part: &Part) -> bool {
+        self.enabled && part.role == Role::Exterior && self.names(part)
+    }
+
+    /// Whether the globs mean a part.
+    pub(super) fn names(&self, part: &Part) -> bool {
         let any = |globs: &[String]| globs.iter().any(|g| glob_matches(g, &part.name));
-        part.role == Role::Exterior && any(&self.applies_to) && !any(&self.except)
+        any(&self.applies_to) && !any(&self.except)
+    }
+
+    /// By how much more of a part is kept than the clip-surfaces say, in world units. The name itself counts before globs that
+    /// match it, and of those the first.
+    pub fn offset_for(&self, part: &Part) -> f64 {
+        let exact = self.offsets.iter().find(|o| o.parts == part.name);
+        let first = || {
+            let mut all = self.offsets.iter();
+            all.find(|o| glob_matches(&o.parts, &part.name))
+        };
+        exact.or_else(first).map_or(0.0, |o| o.keeps)
     }
 }
 

@@ -21,8 +21,10 @@ use rayon::prelude::*;
 
 use super::{Bounds, Camera, ClipSurface, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap};
 
+mod cuts;
 mod part;
 
+use cuts::CutTable;
 pub use part::PreparedPart;
 pub(crate) use part::facing_out;
 
@@ -90,6 +92,10 @@ pub struct PreparedSurface {
 pub struct PreparedCut {
     /// Name of the cut.
     pub name: String,
+    /// Index in [`Scene::cuts`].
+    pub of: usize,
+    /// How much more it keeps than the cut of the scene says, in world units ([`Cut::offsets`](super::Cut::offsets)).
+    pub keeps: f64,
     /// Indices into [`Prepared::surfaces`]; all removed sides together make the removed region.
     pub surfaces: Vec<usize>,
 }
@@ -103,7 +109,8 @@ pub struct Prepared {
     pub parts: Vec<PreparedPart>,
     /// Clip-surfaces of all cuts in order.
     pub surfaces: Vec<PreparedSurface>,
-    /// Cuts in order.
+    /// Cuts in the order of the scene, by whose numbers layers name clip-surfaces; after them once more those that some parts
+    /// have at an offset, with clip-surfaces of their own.
     pub cuts: Vec<PreparedCut>,
     /// The stage, or else the bounds of all parts.
     pub bounds: Bounds,
@@ -129,15 +136,12 @@ impl Prepared {
     ) -> Self {
         let space = SceneSpace::of(world);
         let to_scene = |p: DVec3| space.point(p);
+        let table = CutTable::of(scene);
         let mut parts: Vec<PreparedPart> = scene
             .parts
             .par_iter()
             .enumerate()
-            .map(|(index, part)| {
-                let cuts = scene.cuts.iter().enumerate();
-                let cuts = cuts.filter_map(|(i, c)| c.applies_to(part).then_some(i));
-                place(index, part, &space, cuts.collect())
-            })
+            .map(|(index, part)| place(index, part, &space, table.cuts_of(scene, part)))
             .collect();
         let priority = |p: &PreparedPart| {
             let given = scene.parts[p.part].priority;
@@ -149,20 +153,7 @@ impl Prepared {
                 .then(a.part.cmp(&b.part))
         });
 
-        let mut surfaces = Vec::new();
-        let mut cuts = Vec::new();
-        for cut in &scene.cuts {
-            let first = surfaces.len();
-            surfaces.extend(
-                cut.surfaces.iter().map(|s| {
-                    PreparedSurface::place(s, to_scene(s.origin), space.scale, cuts.len())
-                }),
-            );
-            cuts.push(PreparedCut {
-                name: cut.name.clone(),
-                surfaces: (first..surfaces.len()).collect(),
-            });
-        }
+        let (cuts, surfaces) = table.placed(scene, &space);
         Self {
             name: scene.name.clone(),
             bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {

@@ -49,7 +49,7 @@ impl Amount {
     }
 
     /// The coordinate between two others; 0 % and 100 % are exactly they.
-    fn between(self, min: f64, max: f64) -> f64 {
+    pub(super) fn between(self, min: f64, max: f64) -> f64 {
         match self {
             Self::Units(v) => v,
             Self::Percent(p) => min * (1.0 - p / 100.0) + max * (p / 100.0),

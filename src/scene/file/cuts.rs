@@ -1,20 +1,32 @@
-//! `[[cut]]`: clip-surfaces in three forms, and the parts they cut.
+//! `[[cut]]`: clip-surfaces in three forms, boxes and wedges, and the parts they cut.
 //!
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
-//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them.
+//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
+//! `wedge` ([`regions`]) stand beside `surfaces` or instead: all together make the region that is removed.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::reader::{Entry, Table};
+use super::regions::{self, Union};
 use super::reliefs::Maps;
 use crate::error::{Result, did_you_mean};
+use crate::scene::cut::glob_matches;
 use crate::scene::relief::{Placement, parse_wrap, place_map};
-use crate::scene::section::section_surface;
-use crate::scene::{Bounds, ClipSurface, Cut, OffsetMap, Part, Wrap};
+use crate::scene::section::{Amount, section_surface};
+use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap};
 
-const KEYS: &[&str] = &["name", "applies_to", "except", "surfaces"];
+const KEYS: &[&str] = &[
+    "name",
+    "enabled",
+    "applies_to",
+    "except",
+    "offset",
+    "surfaces",
+    "box",
+    "wedge",
+];
 const FULL: &[&str] = &["origin", "u", "v", "scale", "relief", "wrap", "flip"];
 const SECTION: &[&str] = &["section", "relief", "amplitude", "period", "wrap", "flip"];
 const NORMAL: &[&str] = &[
@@ -36,28 +48,20 @@ pub(super) struct Context<'a> {
     pub(super) maps: &'a Maps,
 }
 
-/// Reads one cut.
+/// Reads one cut. What is no intersection of clip-surfaces is made into several cuts of one name.
 pub(super) fn read(
     entry: &Entry<'_>,
     index: usize,
     context: &Context<'_>,
     notes: &mut Vec<String>,
-) -> Result<Cut> {
+) -> Result<Vec<Cut>> {
     let table = entry.table(KEYS)?;
     let name = match table.get("name") {
         Some(name) => name.text()?.to_owned(),
         None => format!("{index}"),
     };
-    let surfaces = table.need("surfaces", "[{ section = \"z=50%\" }]")?;
-    let all = surfaces.list()?;
-    if all.is_empty() {
-        return Err(surfaces.fault("a cut needs a surface", "add `{ section = \"z=50%\" }`"));
-    }
-    let all = all
-        .iter()
-        .map(|s| surface(s, context))
-        .collect::<Result<_>>()?;
-    let mut cut = Cut::of(name, all);
+    let region = region(&table, context)?;
+    let mut cut = Cut::of(name, Vec::new());
     if let Some(globs) = table.get("applies_to") {
         cut.applies_to = globs_of(&globs, context)?;
     }
@@ -67,20 +71,92 @@ pub(super) fn read(
     if !context.parts.iter().any(|p| cut.applies_to(p)) {
         notes.push(format!("{}: it cuts no part", entry.key));
     }
-    Ok(cut)
+    if let Some(offsets) = table.get("offset") {
+        cut.offsets = offsets_of(&offsets, &cut, context)?;
+    }
+    let enabled = table.get("enabled").map_or(Ok(true), |e| e.flag())?;
+    cut.enabled = enabled && !region.is_empty;
+    let of_surfaces = |surfaces: Vec<ClipSurface>| Cut {
+        surfaces,
+        ..cut.clone()
+    };
+    Ok(region.alternatives.into_iter().map(of_surfaces).collect())
+}
+
+/// The region of a cut: what `surfaces`, `box` and `wedge` have in common.
+fn region(table: &Table<'_>, context: &Context<'_>) -> Result<Union> {
+    let mut region = Union::everywhere();
+    let [surfaces, block, wedge] = ["surfaces", "box", "wedge"].map(|key| table.get(key));
+    if let Some(surfaces) = &surfaces {
+        let all = surfaces.list()?;
+        if all.is_empty() {
+            return Err(surfaces.fault("a cut needs a surface", "add `{ section = \"z=50%\" }`"));
+        }
+        let all = all.iter().map(|s| surface(s, context));
+        region.intersect(Union::of(all.collect::<Result<_>>()?));
+    }
+    if let Some(block) = &block {
+        region.intersect(regions::block(block, context)?);
+    }
+    if let Some(wedge) = &wedge {
+        region.intersect(regions::wedge(wedge, context)?);
+    }
+    if region.is_everywhere() {
+        let mend =
+            "add for example `surfaces = [{ section = \"z=50%\" }]`, or a `box` or a `wedge`";
+        return Err(table
+            .entry
+            .fault("it has no clip-surface, and would remove everything", mend));
+    }
+    Ok(region)
+}
+
+/// Offsets by glob. Which of several globs counts for a part is nothing that a file says: there may be only one, beside the name
+/// itself.
+fn offsets_of(entry: &Entry<'_>, cut: &Cut, context: &Context<'_>) -> Result<Vec<Offset>> {
+    let diagonal = context.bounds.size().length();
+    let mut offsets = Vec::new();
+    for (glob, value) in entry.open_table()?.all() {
+        must_name_a_part(&value, glob, context)?;
+        let keeps = match value.amount()? {
+            Amount::Units(v) => v,
+            Amount::Percent(p) => diagonal * p / 100.0,
+        };
+        offsets.push(Offset {
+            parts: glob.to_owned(),
+            keeps,
+        });
+    }
+    for part in context.parts.iter().filter(|p| cut.names(p)) {
+        let fits = |o: &&Offset| glob_matches(&o.parts, &part.name);
+        let globs: Vec<&str> = (offsets.iter().filter(fits))
+            .map(|o| o.parts.as_str())
+            .collect();
+        if globs.len() > 1 && !globs.contains(&part.name.as_str()) {
+            let what = format!("part `{}` fits {}", part.name, globs.join(" and "));
+            let mend = format!("add `\"{}\" = 0.1`, which counts before them", part.name);
+            return Err(entry.fault(what, mend));
+        }
+    }
+    Ok(offsets)
 }
 
 /// Globs; one without a wildcard has to be the name of a part, for it can be nothing but a slip otherwise.
 fn globs_of(entry: &Entry<'_>, context: &Context<'_>) -> Result<Vec<String>> {
     let globs = entry.texts()?;
-    let names = || context.names.iter().map(String::as_str);
     for glob in &globs {
-        if !glob.contains(['*', '?']) && !names().any(|n| n == glob) {
-            let what = format!("there is no part `{glob}`");
-            return Err(entry.fault(what, did_you_mean(glob, names())));
-        }
+        must_name_a_part(entry, glob, context)?;
     }
     Ok(globs)
+}
+
+fn must_name_a_part(entry: &Entry<'_>, glob: &str, context: &Context<'_>) -> Result<()> {
+    let names = || context.names.iter().map(String::as_str);
+    if glob.contains(['*', '?']) || names().any(|n| n == glob) {
+        return Ok(());
+    }
+    let what = format!("there is no part `{glob}`");
+    Err(entry.fault(what, did_you_mean(glob, names())))
 }
 
 fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
@@ -103,12 +179,18 @@ fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
     } else {
         in_full(&entry.table(FULL)?, context)?
     };
-    if let Some(what) = surface.defect() {
-        let mend = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
-        return Err(entry.fault(what, mend));
-    }
+    sound(&surface, entry)?;
     let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
     Ok(if flip { surface.flipped() } else { surface })
+}
+
+/// Refuses what is no clip-surface.
+pub(super) fn sound(surface: &ClipSurface, entry: &Entry<'_>) -> Result<()> {
+    let mend = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
+    match surface.defect() {
+        Some(what) => Err(entry.fault(what, mend)),
+        None => Ok(()),
+    }
 }
 
 /// The paper's form: nothing is computed, nothing moved.
@@ -127,7 +209,12 @@ fn in_full(table: &Table<'_>, context: &Context<'_>) -> Result<ClipSurface> {
     })
 }
 
-fn on_plane(plane: ClipSurface, table: &Table<'_>, context: &Context<'_>) -> Result<ClipSurface> {
+/// A plane with the relief of its table, if it has one.
+pub(super) fn on_plane(
+    plane: ClipSurface,
+    table: &Table<'_>,
+    context: &Context<'_>,
+) -> Result<ClipSurface> {
     let Some(map) = map_of(table, context)? else {
         for key in ["amplitude", "period", "wrap"] {
             if let Some(entry) = table.get(key) {

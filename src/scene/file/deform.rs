@@ -139,7 +139,7 @@ fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
 }
 
 /// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z.
-fn usual_across(along: DVec3) -> DVec3 {
+pub(super) fn usual_across(along: DVec3) -> DVec3 {
     let nearest = (0..3)
         .rev()
         .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
@@ -148,7 +148,7 @@ fn usual_across(along: DVec3) -> DVec3 {
 }
 
 /// `"x"`, `"-y"` or a vector of any length but 0.
-fn direction(entry: &Entry<'_>) -> Result<DVec3> {
+pub(super) fn direction(entry: &Entry<'_>) -> Result<DVec3> {
     if entry.is_text() {
         return entry.choice(&[
             ("x", DVec3::X),

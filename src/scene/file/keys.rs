@@ -2,10 +2,11 @@
 //!
 //! A key finds its numbers in the text of the file ([`target`](super::target)). At a time the text is read again with other
 //! numbers in their place, so whatever the file can say in numbers can move, and every check of the readers holds at every
-//! time. Before the first and after the last of its times a key stays at its end.
+//! time. Before the first and after the last of its times a key stays at its end. A flag is moved by true and false, or 1 and 0,
+//! and only in steps.
 
 use super::reader::{Entry, Source, Table};
-use super::target::{self, Slot, Target};
+use super::target::{self, Shape, Slot, Target};
 use crate::error::{Result, did_you_mean};
 
 const KEYS: &[&str] = &["target", "times_s", "values", "interpolation"];
@@ -25,7 +26,7 @@ pub enum Interpolation {
     Smooth,
 }
 
-/// A number field of the scene, or a vector of numbers, over time.
+/// A number of the scene, a vector of numbers or a flag, over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
     /// Dotted path of the field, for example `cut.front.surfaces.0.origin`.
@@ -33,6 +34,7 @@ pub struct Key {
     /// Ascending times.
     pub times_s: Vec<f64>,
     /// One value for each time, all of the same length; a single number has length 1, and rows of a matrix follow each other.
+    /// True is 1, and false is 0.
     pub values: Vec<Vec<f64>>,
     /// What lies between.
     pub interpolation: Interpolation,
@@ -124,6 +126,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
         return Err(list.fault("the values differ in length, or have none", mend));
     }
     let example = match values[0].as_slice() {
+        [one] if shapes[0] == Shape::Flag => format!("{}", *one != 0.0),
         [one] => format!("{one}"),
         several => format!("{several:?}"),
     };
@@ -133,7 +136,13 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
         shape,
     } = target::find(root.entry.value, source, path, &example)
         .map_err(|(what, mend)| target.fault(what, mend))?;
-    if shape != shapes[0] {
+    let is_flag = shape == Shape::Flag;
+    let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
+    if is_flag && !values.iter().all(switches) {
+        let what = format!("`{full}` is on or off");
+        return Err(list.fault(what, "let every value be true or false"));
+    }
+    if shape != shapes[0] && !is_flag {
         let what = format!("the values are {} each, but `{full}` is {shape}", shapes[0]);
         return Err(list.fault(what, "write both alike, here or there"));
     }
@@ -144,12 +153,20 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
             ("smooth", Interpolation::Smooth),
         ])
     });
+    let interpolation = match (interpolation.transpose()?, is_flag) {
+        (None | Some(Interpolation::Step), true) => Interpolation::Step,
+        (Some(_), true) => {
+            let what = format!("there is nothing between on and off, which `{full}` is");
+            return Err(table.entry.fault(what, "write `interpolation = \"step\"`"));
+        }
+        (given, false) => given.unwrap_or_default(),
+    };
     Ok(Keyed {
         key: Key {
             target: path.to_owned(),
             times_s,
             values,
-            interpolation: interpolation.transpose()?.unwrap_or_default(),
+            interpolation,
         },
         own_path: entry.key.clone(),
         path: full,
@@ -169,7 +186,7 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
         return Err(target.fault("it names no number of the scene", mend));
     }
     let last = path.rsplit('.').next();
-    if root == "part" && matches!(last, Some("fps" | "first")) {
+    if matches!(root, "part" | "relief") && matches!(last, Some("fps" | "first" | "loop")) {
         let what = "it says how files are played, which cannot change while they play";
         return Err(target.fault(what, "move another number"));
     }

@@ -59,6 +59,7 @@ mod deform;
 mod keys;
 mod parts;
 mod reader;
+mod regions;
 mod reliefs;
 mod script;
 mod stock;
@@ -251,9 +252,8 @@ fn read_scene(
     let entries = root.tables("cut")?;
     names_differ(&entries)?;
     let numbered = entries.iter().enumerate();
-    scene.cuts = numbered
-        .map(|(i, entry)| cuts::read(entry, i, &context, notes))
-        .collect::<Result<_>>()?;
+    let read = numbered.map(|(i, entry)| cuts::read(entry, i, &context, notes));
+    scene.cuts = read.collect::<Result<Vec<_>>>()?.concat();
     Ok(scene)
 }
 

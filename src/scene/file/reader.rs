@@ -189,8 +189,11 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested.
+    /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested. A flag is 0 or 1.
     pub(super) fn nested(&self) -> Result<(Vec<f64>, Shape)> {
+        if let DeValue::Boolean(flag) = self.value {
+            return Ok((vec![f64::from(u8::from(*flag))], Shape::Flag));
+        }
         if !self.is_list() {
             return Ok((vec![self.number()?], Shape::Number));
         }
@@ -210,6 +213,23 @@ impl<'a> Entry<'a> {
             return Amount::parse(self.text()?).map_err(|what| self.fault(what, mend));
         }
         self.number().map(Amount::Units)
+    }
+
+    /// A list of `N` lengths or texts with percentages.
+    pub(super) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
+        let elements = match self.value {
+            DeValue::Array(a) if a.len() == N => self.list()?,
+            _ => {
+                let example = format!("[{}]", ["\"50%\""; N].join(", "));
+                let what = format!("a list of {N} numbers or percentages");
+                return Err(self.expected(&what, &example));
+            }
+        };
+        let mut amounts = [Amount::Units(0.0); N];
+        for (slot, element) in amounts.iter_mut().zip(&elements) {
+            *slot = element.amount()?;
+        }
+        Ok(amounts)
     }
 
     /// Texts of a list.

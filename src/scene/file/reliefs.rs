@@ -1,16 +1,36 @@
 //! `[relief.NAME]`: where heights come from.
+//!
+//! ```toml
+//! [relief.steps]
+//! kind = "profile"                # one row of heights along U
+//! heights = [0, 0.2, 1, 0.2]
+//!
+//! [relief.moving]
+//! kind = "layers"                 # layer 0 at 0, layer 1 at 1, what is between at 0.5
+//! images = "frames/%03d.png"      # or `of = ["a", "b"]`, names of other reliefs
+//! at = 0.0
+//! wrap = "repeat"
+//! ```
+//!
+//! Images are read once; what a key moves is computed again from them.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::reader::{Entry, Table};
 use crate::error::{Result, did_you_mean};
-use crate::scene::OffsetMap;
-use crate::scene::relief::{BlendOp, Procedure, Relief, resolve};
+use crate::scene::frames::Pattern;
+use crate::scene::relief::{BlendOp, MAX_TEXELS, Procedure, Relief, resolve};
+use crate::scene::{OffsetMap, Wrap};
 
 const IMAGE_KEYS: &[&str] = &["kind", "image"];
 const BLEND_KEYS: &[&str] = &["kind", "blend", "op", "share"];
+const PROFILE_KEYS: &[&str] = &["kind", "heights"];
+const LAYERS_KEYS: &[&str] = &["kind", "of", "images", "first", "at", "wrap"];
+
+/// Kinds that are not computed.
+const OTHER_KINDS: [&str; 4] = ["image", "blend", "profile", "layers"];
 
 /// Offset maps by name.
 pub(super) type Maps = BTreeMap<String, Arc<OffsetMap>>;
@@ -20,39 +40,59 @@ pub(super) type Maps = BTreeMap<String, Arc<OffsetMap>>;
 pub(super) struct Resolved {
     described: BTreeMap<String, Relief>,
     maps: Maps,
+    /// The images of patterns, listed once: what is opened does not change while a scene is played.
+    listed: BTreeMap<String, Vec<PathBuf>>,
 }
 
 impl Resolved {
     /// Whether a relief, and all that it is blended from, is what it was.
     fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
         let relief = described.get(name);
+        let parts = relief.map_or(&[] as &[String], Relief::of);
         relief == self.described.get(name)
-            && match relief {
-                Some(Relief::Blend { of, .. }) => of.iter().all(|n| self.still_holds(n, described)),
-                _ => self.maps.contains_key(name),
-            }
+            && self.maps.contains_key(name)
+            && parts.iter().all(|n| self.still_holds(n, described))
     }
 }
 
 /// Reads all reliefs of `[relief]` and computes those that are not what they were: maps of the others stay the same.
 pub(super) fn read(entry: &Entry<'_>, folder: &Path, last: &mut Resolved) -> Result<Maps> {
+    let table = entry.open_table()?;
     let mut described = BTreeMap::new();
-    for (name, relief) in entry.open_table()?.all() {
-        described.insert(name.to_owned(), describe(&relief, folder)?);
+    for (name, relief) in table.all() {
+        let read = describe(&relief, folder, &mut last.listed)?;
+        described.insert(name.to_owned(), read);
+    }
+    // Layers that are images are reliefs too.
+    let images: Vec<PathBuf> = last.listed.values().flatten().cloned().collect();
+    for path in images {
+        described.insert(name_of_image(&path), Relief::Image(path));
     }
     let mut maps = last.maps.clone();
     maps.retain(|name, _| last.still_holds(name, &described));
-    for (name, relief) in entry.open_table()?.all() {
+    for (name, relief) in table.all() {
         resolve(name, &described, &mut maps).map_err(|e| relief.place(e))?;
     }
-    *last = Resolved {
-        described,
-        maps: maps.clone(),
-    };
-    Ok(maps)
+    let named = table.all().filter_map(|(name, _)| {
+        let map = maps.get(name)?;
+        Some((name.to_owned(), Arc::clone(map)))
+    });
+    let named = named.collect();
+    last.described = described;
+    last.maps = maps;
+    Ok(named)
 }
 
-fn describe(entry: &Entry<'_>, folder: &Path) -> Result<Relief> {
+/// The name of an image among reliefs. It begins with a character that keys do not hold unless it is written in digits.
+fn name_of_image(path: &Path) -> String {
+    format!("\u{7f}{}", path.display())
+}
+
+fn describe(
+    entry: &Entry<'_>,
+    folder: &Path,
+    listed: &mut BTreeMap<String, Vec<PathBuf>>,
+) -> Result<Relief> {
     let open = entry.open_table()?;
     let sources = ["image", "blend"].map(|key| open.get(key));
     if let [Some(_), Some(blend)] = sources {
@@ -75,8 +115,10 @@ fn describe(entry: &Entry<'_>, folder: &Path) -> Result<Relief> {
             Ok(Relief::Image(folder.join(file)))
         }
         ("blend", _) => blended(&entry.table(BLEND_KEYS)?),
+        ("profile", _) => profile(&entry.table(PROFILE_KEYS)?),
+        ("layers", _) => layers(&entry.table(LAYERS_KEYS)?, folder, listed),
         (_, None) => {
-            let known = Procedure::NAMES.into_iter().chain(["image", "blend"]);
+            let known = Procedure::NAMES.into_iter().chain(OTHER_KINDS);
             let mend = did_you_mean(kind, known);
             let kind_entry = open.get("kind").unwrap_or_else(|| entry.clone());
             Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), mend))
@@ -120,4 +162,81 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
         }
     }
     Ok(Relief::Blend { of, op: operation })
+}
+
+fn profile(table: &Table<'_>) -> Result<Relief> {
+    let list = table.need("heights", "[0, 1, 0.5]")?;
+    let heights: Vec<f64> = list
+        .list()?
+        .iter()
+        .map(Entry::number)
+        .collect::<Result<_>>()?;
+    let count = heights.len() as u64;
+    if count == 0 || count > MAX_TEXELS {
+        let what = format!("there are {count} heights");
+        return Err(list.fault(what, format!("give from 1 to {MAX_TEXELS}")));
+    }
+    Ok(Relief::Profile(heights))
+}
+
+fn layers(
+    table: &Table<'_>,
+    folder: &Path,
+    listed: &mut BTreeMap<String, Vec<PathBuf>>,
+) -> Result<Relief> {
+    let of = match (table.get("of"), table.get("images")) {
+        (Some(_), Some(images)) => {
+            return Err(images.fault("the layers are named by `of` too", "keep one of the two"));
+        }
+        (Some(of), None) => {
+            if let Some(first) = table.get("first") {
+                let what = "it says where images begin, but there are none";
+                return Err(first.fault(what, "remove it"));
+            }
+            of.texts()?
+        }
+        (None, Some(images)) => {
+            let files = images_of(&images, table.get("first"), folder, listed)?;
+            files.iter().map(|path| name_of_image(path)).collect()
+        }
+        (None, None) => {
+            let mend =
+                "add `of = [\"a\", \"b\"]`, names of reliefs, or `images = \"frames/%03d.png\"`";
+            return Err(table.entry.fault("it has no layers", mend));
+        }
+    };
+    let wrap = match table.get("wrap") {
+        Some(entry) => entry.choice(&[
+            ("repeat", Wrap::Repeat),
+            ("mirror", Wrap::Mirror),
+            ("clamp", Wrap::Clamp),
+        ])?,
+        None => Wrap::default(),
+    };
+    Ok(Relief::Layers {
+        of,
+        at: table.get("at").map_or(Ok(0.0), |at| at.number())?,
+        wrap,
+    })
+}
+
+/// The images of a pattern, counted up from `first`, or from 0 or 1.
+fn images_of<'a>(
+    entry: &Entry<'_>,
+    first: Option<Entry<'_>>,
+    folder: &Path,
+    listed: &'a mut BTreeMap<String, Vec<PathBuf>>,
+) -> Result<&'a [PathBuf]> {
+    let first = first.map(|f| f.whole::<u32>()).transpose()?;
+    let pattern = entry.text()?;
+    let known = format!("{pattern} {first:?}");
+    if !listed.contains_key(&known) {
+        let found = Pattern::parse(pattern).and_then(|p| p.inside(folder).files(first));
+        let (files, gap) = found.map_err(|e| entry.place(e))?;
+        if let Some(gap) = gap {
+            return Err(entry.fault(gap, "add the missing image, or number the others anew"));
+        }
+        listed.insert(known.clone(), files);
+    }
+    Ok(listed.get(&known).map_or(&[], Vec::as_slice))
 }

@@ -16,6 +16,8 @@ use crate::error::did_you_mean;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
     Number,
+    /// True or false.
+    Flag,
     List(Vec<Self>),
 }
 
@@ -23,6 +25,7 @@ impl fmt::Display for Shape {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number => write!(f, "a number"),
+            Self::Flag => write!(f, "true or false"),
             Self::List(all) if all.iter().all(|s| *s == Self::Number) => {
                 write!(f, "a list of {} numbers", all.len())
             }
@@ -31,22 +34,31 @@ impl fmt::Display for Shape {
     }
 }
 
-/// A number of the file.
+/// A number of the file, or a flag.
 #[derive(Clone, Debug)]
 pub(super) struct Slot {
     /// Its bytes.
     pub(super) span: Range<usize>,
-    /// Whether it is written without a point.
-    is_whole: bool,
+    form: Form,
+}
+
+/// How the file writes a value.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// Without a point.
+    Whole,
+    Real,
+    Flag,
 }
 
 impl Slot {
-    /// A value as the file would write it: whole numbers stay whole where they can.
+    /// A value as the file would write it: whole numbers stay whole where they can; a flag is on unless it is 0.
     pub(super) fn write(&self, value: f64) -> String {
-        if self.is_whole && value.fract().abs() <= 0.0 && value.abs() < 1e15 {
-            format!("{value:.0}")
-        } else {
-            format!("{value:?}")
+        let is_whole = value.fract().abs() <= 0.0 && value.abs() < 1e15;
+        match self.form {
+            Form::Flag => format!("{}", value != 0.0),
+            Form::Whole if is_whole => format!("{value:.0}"),
+            Form::Whole | Form::Real => format!("{value:?}"),
         }
     }
 }
@@ -161,12 +173,14 @@ fn name_of(value: &DeValue<'_>) -> Option<String> {
 
 fn numbers(value: &DeValue<'_>, span: Range<usize>, slots: &mut Vec<Slot>) -> Option<Shape> {
     match value {
-        DeValue::Integer(_) | DeValue::Float(_) => {
-            slots.push(Slot {
-                span,
-                is_whole: matches!(value, DeValue::Integer(_)),
-            });
-            Some(Shape::Number)
+        DeValue::Integer(_) | DeValue::Float(_) | DeValue::Boolean(_) => {
+            let (form, shape) = match value {
+                DeValue::Integer(_) => (Form::Whole, Shape::Number),
+                DeValue::Boolean(_) => (Form::Flag, Shape::Flag),
+                _ => (Form::Real, Shape::Number),
+            };
+            slots.push(Slot { span, form });
+            Some(shape)
         }
         DeValue::Array(array) => array
             .iter()

@@ -108,7 +108,10 @@ impl Pattern {
     }
 
     /// The files from a first number up until one is missing, and what to say if there are more behind the gap.
-    pub(super) fn files(&self, first: Option<u32>) -> Result<(Vec<PathBuf>, Option<String>)> {
+    pub(in crate::scene) fn files(
+        &self,
+        first: Option<u32>,
+    ) -> Result<(Vec<PathBuf>, Option<String>)> {
         let is_there = |number: &u32| self.file(*number).is_file();
         let start = match first {
             Some(first) => is_there(&first).then_some(first),

@@ -1,4 +1,4 @@
-//! Where the heights of a relief come from: a procedure, an image, or a blend of two others.
+//! Where the heights of a relief come from: a procedure, an image, numbers, a blend of two others or a place between layers.
 //!
 //! A [`Relief`] says where heights come from; [`resolve`] turns named ones, which may blend each other, into offset maps.
 //! [`ReliefSpec`] is the form of the command line: a relief, and how high and wide it stands on a section.
@@ -6,6 +6,7 @@
 mod blend;
 mod heights;
 mod image;
+mod layers;
 mod noise;
 mod procedures;
 mod spec;
@@ -16,11 +17,12 @@ use std::sync::Arc;
 
 pub use blend::BlendOp;
 pub use image::read_offset_map;
+pub use layers::between_layers;
 pub use procedures::{MAX_TEXELS, Procedure, ProcedureKind};
 pub(super) use spec::parse_wrap;
 pub use spec::{Placement, ReliefSpec, apply_relief, place_map};
 
-use super::OffsetMap;
+use super::{OffsetMap, Wrap};
 use crate::error::{Error, Result, did_you_mean};
 
 /// A source of heights.
@@ -37,6 +39,28 @@ pub enum Relief {
         /// How.
         op: BlendOp,
     },
+    /// Heights in a row along `U`, all the same along `V`.
+    Profile(Vec<f64>),
+    /// A place between named reliefs of one size ([`between_layers`]).
+    Layers {
+        /// Names of the layers, in order.
+        of: Vec<String>,
+        /// The coordinate across them: layer `i` is at `i`.
+        at: f64,
+        /// How they go on beyond the first and the last.
+        wrap: Wrap,
+    },
+}
+
+impl Relief {
+    /// Names of the reliefs that it is made of.
+    pub fn of(&self) -> &[String] {
+        match self {
+            Self::Blend { of, .. } => of,
+            Self::Layers { of, .. } => of,
+            Self::Procedure(_) | Self::Image(_) | Self::Profile(_) => &[],
+        }
+    }
 }
 
 /// The offset map of a named relief, from those it is made of. Maps already made are in `done` and stay there.
@@ -59,15 +83,9 @@ fn resolve_within(
     }
     let culprit = format!("relief `{name}`");
     if within.iter().any(|n| n == name) {
-        let what = format!(
-            "it is blended from itself: {} -> {name}",
-            within.join(" -> ")
-        );
-        return Err(Error::input(
-            culprit,
-            what,
-            "blend only reliefs that do not use this one",
-        ));
+        let what = format!("it is made of itself: {} -> {name}", within.join(" -> "));
+        let mend = "make it only of reliefs that do not use this one";
+        return Err(Error::input(culprit, what, mend));
     }
     let Some(relief) = reliefs.get(name) else {
         let mend = if reliefs.is_empty() {
@@ -77,21 +95,38 @@ fn resolve_within(
         };
         return Err(Error::input(culprit, "there is no such relief", mend));
     };
+    within.push(name.to_owned());
+    let made_of = relief.of().iter();
+    let parts: Vec<Arc<OffsetMap>> = made_of
+        .map(|part| resolve_within(part, reliefs, done, within))
+        .collect::<Result<_>>()?;
+    within.pop();
     let map = match relief {
-        Relief::Procedure(procedure) => procedure.map(),
-        Relief::Image(path) => read_offset_map(path)?,
-        Relief::Blend { of, op } => {
-            within.push(name.to_owned());
-            let a = resolve_within(&of[0], reliefs, done, within)?;
-            let b = resolve_within(&of[1], reliefs, done, within)?;
-            within.pop();
-            op.blend(&a, &b)
-                .map_err(|what| Error::input(culprit, what, "scale the images of the two down"))?
+        Relief::Procedure(procedure) => Arc::new(procedure.map()),
+        Relief::Image(path) => Arc::new(read_offset_map(path)?),
+        Relief::Blend { op, .. } => {
+            let blended = op.blend(&parts[0], &parts[1]);
+            let mend = "scale the images of the two down";
+            Arc::new(blended.map_err(|what| Error::input(culprit, what, mend))?)
+        }
+        Relief::Profile(heights) => {
+            let mend = "give heights within the range of f32";
+            Arc::new(profile(heights).map_err(|what| Error::input(culprit, what, mend))?)
+        }
+        Relief::Layers { at, wrap, .. } => {
+            let mend =
+                "give layers of one size: add `size = [256, 256]` to each, or scale the images";
+            between_layers(&parts, *at, *wrap).map_err(|what| Error::input(culprit, what, mend))?
         }
     };
-    let map = Arc::new(map);
     done.insert(name.to_owned(), Arc::clone(&map));
     Ok(map)
+}
+
+/// One row of heights.
+fn profile(heights: &[f64]) -> Result<OffsetMap, String> {
+    let width = u32::try_from(heights.len()).unwrap_or(u32::MAX);
+    OffsetMap::new([width, 1], heights.iter().map(|h| *h as f32).collect())
 }
 
 #[cfg(test)]

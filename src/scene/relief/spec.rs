@@ -5,10 +5,11 @@
 //! lies over the middle of the bounds. Height 1 of the map rises from the kept side, so grooves of a map are grooves of
 //! the solid.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{Procedure, Relief, read_offset_map};
+use super::{Procedure, Relief, resolve};
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::section::Amount;
 use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
@@ -149,15 +150,18 @@ pub fn apply_relief(
     spec: &ReliefSpec,
     bounds: &Bounds,
 ) -> Result<ClipSurface> {
-    let map = match &spec.relief {
-        Relief::Procedure(p) => p.map(),
-        Relief::Image(path) => read_offset_map(path)?,
-        Relief::Blend { .. } => {
-            let mend = "blend reliefs in a scene file: [relief.NAME] blend = [\"a\", \"b\"]";
-            return Err(Error::input(&spec.text, "a blend needs names", mend));
-        }
-    };
-    place_map(surface, Arc::new(map), &spec.placement, bounds)
+    let name = "relief";
+    if !spec.relief.of().is_empty() {
+        let mend = "describe it in a scene file: [relief.NAME] blend = [\"a\", \"b\"]";
+        return Err(Error::input(
+            &spec.text,
+            "it is made of others by name",
+            mend,
+        ));
+    }
+    let only = BTreeMap::from([(name.to_owned(), spec.relief.clone())]);
+    let map = resolve(name, &only, &mut BTreeMap::new())?;
+    place_map(surface, map, &spec.placement, bounds)
         .map_err(|what| Error::input(format!("relief `{}`", spec.text), what, EXAMPLE))
 }
 

@@ -1,0 +1,67 @@
+//! The cuts of a scene as they are prepared: one for each distance that parts have from it.
+//!
+//! A part for which a cut is offset has a copy of the cut to itself, moved in world space before anything is rounded; parts with
+//! equal offsets share one. Copies come after all cuts of the scene, so that those keep their numbers. Nothing downstream knows
+//! of offsets, and what no part has costs nothing there.
+
+use super::{PreparedCut, PreparedSurface, SceneSpace};
+use crate::scene::{Part, Scene};
+
+/// Which cuts there are: index in the scene, and offset.
+pub(super) struct CutTable(Vec<(usize, f64)>);
+
+impl CutTable {
+    /// The cuts of the scene, then those at an offset.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let mut table: Vec<(usize, f64)> = (0..scene.cuts.len()).map(|cut| (cut, 0.0)).collect();
+        for (index, cut) in scene.cuts.iter().enumerate() {
+            if cut.offsets.is_empty() {
+                continue;
+            }
+            for part in scene.parts.iter().filter(|p| cut.applies_to(p)) {
+                let entry = (index, cut.offset_for(part));
+                if !table.contains(&entry) {
+                    table.push(entry);
+                }
+            }
+        }
+        Self(table)
+    }
+
+    /// Indices of the cuts that remove something of a part.
+    pub(super) fn cuts_of(&self, scene: &Scene, part: &Part) -> Vec<usize> {
+        let cuts = scene.cuts.iter().enumerate();
+        cuts.filter(|(_, cut)| cut.applies_to(part))
+            .filter_map(|(index, cut)| {
+                let entry = (index, cut.offset_for(part));
+                self.0.iter().position(|e| *e == entry)
+            })
+            .collect()
+    }
+
+    /// The cuts and their clip-surfaces in scene space.
+    pub(super) fn placed(
+        &self,
+        scene: &Scene,
+        space: &SceneSpace,
+    ) -> (Vec<PreparedCut>, Vec<PreparedSurface>) {
+        let mut surfaces = Vec::new();
+        let cuts = self.0.iter().enumerate().map(|(number, (of, keeps))| {
+            let cut = &scene.cuts[*of];
+            let first = surfaces.len();
+            surfaces.extend(cut.surfaces.iter().map(|surface| {
+                let moved = surface.keeping(*keeps);
+                let surface = if *keeps == 0.0 { surface } else { &moved };
+                let origin = space.point(surface.origin);
+                PreparedSurface::place(surface, origin, space.scale, number)
+            }));
+            PreparedCut {
+                name: cut.name.clone(),
+                of: *of,
+                keeps: *keeps,
+                surfaces: (first..surfaces.len()).collect(),
+            }
+        });
+        (cuts.collect(), surfaces)
+    }
+}
