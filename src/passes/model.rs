@@ -13,7 +13,10 @@ use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
 use crate::plan::Contents;
 use crate::plan::pack::{NO_RELIEF, flat_height};
-use crate::scene::{OffsetMap, Prepared, PreparedPart, PreparedSurface, Scene, SceneSpace};
+use crate::scene::{
+    Cutter, OffsetMap, Part, Prepared, PreparedPart, PreparedSurface, PreparedVolume, Scene,
+    SceneSpace,
+};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -79,13 +82,18 @@ impl Model {
         let packed: Vec<Packed> = (scene.parts.par_iter().enumerate())
             .map(|(index, part)| Packed::of(index, part, &space, old.get(index)))
             .collect();
-        let prepared = Prepared::with_parts(scene, &world, |index, part, _, cuts| PreparedPart {
+        let place = |index: usize, part: &Part, _: &SceneSpace, cuts: Vec<usize>| PreparedPart {
             name: part.name.clone(),
             material: part.material,
             fill: part.fill,
             cuts,
             ..packed[index].part.clone()
-        });
+        };
+        let place_volume = |cutter: &Cutter, space: &SceneSpace, surface: usize| {
+            let before = before.and_then(|b| b.prepared.surfaces.get(surface)?.volume.as_deref());
+            Arc::new(PreparedVolume::place(cutter, space, before))
+        };
+        let prepared = Prepared::with_parts(scene, &world, place, place_volume);
 
         let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
         let changes =

@@ -1,14 +1,16 @@
 //! Cuts: removed regions, and the parts they apply to.
 
-use super::{ClipSurface, Part, Role};
+use super::{ClipSurface, Cutter, Part, Role};
 
-/// The intersection of the removed sides of its clip-surfaces, removed from the parts it applies to.
+/// The intersection of the removed sides of its clip-surfaces and of its cutter, removed from the parts it applies to.
 #[derive(Clone, Debug)]
 pub struct Cut {
     /// Name for reports and keys.
     pub name: String,
-    /// At least one clip-surface.
+    /// At least one clip-surface, unless there is a cutter.
     pub surfaces: Vec<ClipSurface>,
+    /// A closed mesh that acts as one more clip-surface, after the others.
+    pub volume: Option<Cutter>,
     /// Globs of the parts that are cut; `*` and `?` are understood.
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
@@ -21,8 +23,17 @@ impl Cut {
         Self {
             name: name.into(),
             surfaces,
+            volume: None,
             applies_to: vec!["*".into()],
             except: Vec::new(),
+        }
+    }
+
+    /// A cut of all parts by a closed mesh.
+    pub fn by(cutter: Cutter) -> Self {
+        Self {
+            volume: Some(cutter.clone()),
+            ..Self::of(cutter.name(), Vec::new())
         }
     }
 

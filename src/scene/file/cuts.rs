@@ -1,12 +1,14 @@
 //! `[[cut]]`: clip-surfaces in three forms, and the parts they cut.
 //!
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
-//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them.
+//! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. A closed mesh may
+//! be one more of them, or stand alone: [`cutters`].
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::cutters;
 use super::reader::{Entry, Table};
 use super::reliefs::Maps;
 use crate::error::{Result, did_you_mean};
@@ -14,7 +16,19 @@ use crate::scene::relief::{Placement, parse_wrap, place_map};
 use crate::scene::section::section_surface;
 use crate::scene::{Bounds, ClipSurface, Cut, OffsetMap, Part, Wrap};
 
-const KEYS: &[&str] = &["name", "applies_to", "except", "surfaces"];
+const KEYS: &[&str] = &[
+    "name",
+    "applies_to",
+    "except",
+    "surfaces",
+    "volume",
+    "translate",
+    "rotate_deg",
+    "scale",
+    "pivot",
+    "matrix",
+    "flip",
+];
 const FULL: &[&str] = &["origin", "u", "v", "scale", "relief", "wrap", "flip"];
 const SECTION: &[&str] = &["section", "relief", "amplitude", "period", "wrap", "flip"];
 const NORMAL: &[&str] = &[
@@ -40,6 +54,7 @@ pub(super) struct Context<'a> {
 pub(super) fn read(
     entry: &Entry<'_>,
     index: usize,
+    cutter: Option<&cutters::Held>,
     context: &Context<'_>,
     notes: &mut Vec<String>,
 ) -> Result<Cut> {
@@ -48,9 +63,15 @@ pub(super) fn read(
         Some(name) => name.text()?.to_owned(),
         None => format!("{index}"),
     };
-    let surfaces = table.need("surfaces", "[{ section = \"z=50%\" }]")?;
-    let all = surfaces.list()?;
-    if all.is_empty() {
+    let volume = cutters::read(&table, cutter)?;
+    let surfaces = match table.get("surfaces") {
+        None if volume.is_some() => None,
+        _ => Some(table.need("surfaces", "[{ section = \"z=50%\" }]")?),
+    };
+    let all = surfaces.as_ref().map_or(Ok(Vec::new()), |s| s.list())?;
+    if let Some(surfaces) = &surfaces
+        && all.is_empty()
+    {
         return Err(surfaces.fault("a cut needs a surface", "add `{ section = \"z=50%\" }`"));
     }
     let all = all
@@ -58,6 +79,7 @@ pub(super) fn read(
         .map(|s| surface(s, context))
         .collect::<Result<_>>()?;
     let mut cut = Cut::of(name, all);
+    cut.volume = volume;
     if let Some(globs) = table.get("applies_to") {
         cut.applies_to = globs_of(&globs, context)?;
     }

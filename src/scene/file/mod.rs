@@ -15,6 +15,12 @@
 //! [[cut]]
 //! name = "front"
 //! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
+//!
+//! [[cut]]
+//! volume = "shape:sphere"                # or a mesh file: what is inside is removed, if it is closed
+//! scale = 0.3                            # placed as parts are: `translate`, `rotate_deg`, `scale`, `pivot`, `matrix`
+//! translate = [0.5, 0, 0]
+//! flip = false                           # true removes what is outside
 //! ```
 //!
 //! # What moves
@@ -55,6 +61,7 @@
 
 mod camera;
 mod cuts;
+mod cutters;
 mod deform;
 mod keys;
 mod parts;
@@ -152,6 +159,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
         path: path.to_owned(),
         text: source.text.to_owned(),
         stock: stock::open(&entries, folder(path), loaders, &mut notes)?,
+        cutters: cutters::open(&root.tables("cut")?, folder(path), loaders, &mut notes)?,
         keys: Vec::new(),
         reliefs: Mutex::default(),
         outwards: Outwards::default(),
@@ -221,7 +229,7 @@ fn read_parts(
 
 fn read_scene(
     root: &Table<'_>,
-    path: &Path,
+    (path, cutters): (&Path, &[Option<cutters::Held>]),
     contents: Contents,
     stage: Option<Bounds>,
     reliefs: &mut reliefs::Resolved,
@@ -252,7 +260,10 @@ fn read_scene(
     names_differ(&entries)?;
     let numbered = entries.iter().enumerate();
     scene.cuts = numbered
-        .map(|(i, entry)| cuts::read(entry, i, &context, notes))
+        .map(|(i, entry)| {
+            let cutter = cutters.get(i).and_then(Option::as_ref);
+            cuts::read(entry, i, cutter, &context, notes)
+        })
         .collect::<Result<_>>()?;
     Ok(scene)
 }
