@@ -6,7 +6,7 @@
 
 mod common;
 
-use common::data::{cut, files, is_closed};
+use common::real::{cut, files, is_closed};
 use common::{Judged, Question, session, strategy};
 use cutaway::compare::Comparison;
 use cutaway::gpu::Gpu;

@@ -14,6 +14,7 @@
 use glam::DVec3;
 
 use super::clip::{Graze, Ray, Root};
+use super::cutter;
 use super::outline::{Brush, NEAR_PX};
 use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, Sight, State, by_depth, walk};
@@ -73,6 +74,10 @@ pub(super) struct Case<'a> {
     pub(super) roots: &'a [Root],
     pub(super) grazes: &'a [Graze],
     pub(super) brushes: &'a [Brush],
+    /// With outlines of cutters, whose ranks follow those of the parts.
+    pub(super) cutter_brushes: &'a [Brush],
+    /// Clip-surfaces of the cutters.
+    pub(super) cutters: &'a [u16],
     /// The answer.
     pub(super) sight: Option<Sight>,
     /// Per event that is a mesh crossing: the surface its triangle lies in, if any.
@@ -100,7 +105,7 @@ impl Scratch {
 impl Case<'_> {
     /// What of the answer is open.
     pub(super) fn openness(&self, scratch: &mut Scratch) -> Openness {
-        if self.brushed() {
+        if self.brushed() || self.bitten() {
             return Openness::All;
         }
         let grazed = self.grazed(scratch);
@@ -142,6 +147,24 @@ impl Case<'_> {
                 return false;
             }
             brush.odd || !self.clearly_removed(brush)
+        })
+    }
+
+    /// An outline of a cutter that may change what is seen.
+    fn bitten(&self) -> bool {
+        let parts = self.prepared.parts.len();
+        let mut brushes = self.cutter_brushes.iter();
+        brushes.any(|brush| {
+            let surface = self.cutters[usize::from(brush.rank) - parts];
+            let events = self.events.iter().map(|e| (e, self.margin(e)));
+            brush.depth - brush.margin <= self.seen_depth()
+                && cutter::bites(
+                    self.prepared,
+                    (brush, surface),
+                    self.ranks,
+                    self.start,
+                    events,
+                )
         })
     }
 
@@ -307,7 +330,10 @@ impl Case<'_> {
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
                 // Two surfaces that are one plane happen at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
-                s != t && (a.depth != b.depth || g.cross(h) != DVec3::ZERO)
+                // Of a face that a cutter shares with another surface no such thing is known: triangles round each for itself.
+                let of_cutter = |surface: u16| self.cutters.binary_search(&surface).is_ok();
+                let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
+                s != t && (apart || of_cutter(s) || of_cutter(t))
             }
         }
     }

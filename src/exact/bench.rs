@@ -10,6 +10,8 @@ use crate::scene::Prepared;
 /// What one ray is worked out on; reused from ray to ray.
 pub(super) struct Bench {
     pub(super) crossings: Vec<Crossing>,
+    /// With one cutter.
+    pub(super) of_cutter: Vec<Crossing>,
     pub(super) roots: Vec<Root>,
     pub(super) grazes: Vec<Graze>,
     pub(super) events: Vec<Event>,
@@ -29,6 +31,7 @@ impl Bench {
     pub(super) fn of(prepared: &Prepared) -> Self {
         Self {
             crossings: Vec::new(),
+            of_cutter: Vec::new(),
             roots: Vec::new(),
             grazes: Vec::new(),
             events: Vec::new(),

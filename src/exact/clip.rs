@@ -27,6 +27,15 @@ impl Ray {
     }
 }
 
+/// A triangle of a cutter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Face {
+    /// Its number.
+    pub(super) triangle: u32,
+    /// How far apart the depths of its corners are.
+    pub(super) extent: f64,
+}
+
 /// A crossing of a ray with a clip-surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Root {
@@ -40,6 +49,8 @@ pub(super) struct Root {
     pub(super) gradient: DVec3,
     /// Coefficient of the square of the depth in `F` along the ray; 0 for a plane.
     pub(super) bend: f64,
+    /// The triangle that the crossing is in, for a cutter.
+    pub(super) face: Option<Face>,
 }
 
 impl Root {
@@ -48,7 +59,8 @@ impl Root {
         let change = change_per_px(view, self.gradient, self.depth) * NEAR_PX;
         let slope = self.gradient.dot(ray.direction).abs();
         // Near a tangent point the square takes over from the slope.
-        (change / slope).min((change / self.bend.abs()).sqrt())
+        let change = (change / slope).min((change / self.bend.abs()).sqrt());
+        self.face.map_or(change, |face| change.min(face.extent))
     }
 }
 
@@ -133,6 +145,7 @@ impl Clip {
                 to_kept: slope > 0.0,
                 gradient: self.normal,
                 bend: 0.0,
+                face: None,
             });
         }
         slope > 0.0
@@ -184,6 +197,7 @@ mod tests {
             height_scale: 0.5,
             relief: Some(Arc::new(OffsetMap::new([SIZE; 2], texels).unwrap())),
             wrap,
+            volume: None,
             cut: 0,
         }
     }

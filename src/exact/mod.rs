@@ -3,7 +3,7 @@
 //! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
 //! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
 //! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
-//! clip-surface (`clip`, `relief`), walks them in order (`walk`), and says which answers hang on less than a picture
+//! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`walk`), and says which answers hang on less than a picture
 //! can tell (`ambiguity`). It shares no algorithm with the strategies it judges.
 //!
 //! *Inside* is by the part's [`Fill`](crate::scene::Fill). The crossings of the whole line count, behind the eye too: inside
@@ -17,6 +17,7 @@
 mod ambiguity;
 mod bench;
 mod clip;
+mod cutter;
 mod outline;
 mod raster;
 mod relief;
@@ -24,17 +25,17 @@ mod screen;
 mod shading;
 mod walk;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use self::ambiguity::{Case, Openness};
 use self::bench::Bench;
-use self::clip::{Clip, Ray};
+use self::clip::{Clip, Ray, Root};
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
-use crate::scene::{Prepared, View};
+use crate::scene::{Prepared, PreparedVolume, View};
 
 /// The right answer for every pixel of a view, rows from the top.
 #[derive(Clone, Debug)]
@@ -110,7 +111,11 @@ pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
 struct Lines<'a> {
     prepared: &'a Prepared,
     view: &'a View,
+    /// Parts by rank, then cutters.
     parts: Vec<Projected<'a>>,
+    /// Clip-surfaces of the cutters, in the order of `parts`.
+    cutters: Vec<u16>,
+    /// By number; those of cutters are not asked.
     clips: Vec<Clip>,
     triangles: Bands,
     outlines: Vec<Vec<Outline>>,
@@ -128,10 +133,14 @@ const PAD_PX: f64 = 4.0;
 
 impl<'a> Lines<'a> {
     fn of(prepared: &'a Prepared, view: &'a View) -> Self {
+        let volumes: Vec<(u16, &'a PreparedVolume)> = (prepared.surfaces.iter().enumerate())
+            .filter_map(|(i, s)| Some((i as u16, s.volume.as_deref()?)))
+            .collect();
         let parts: Vec<Projected<'a>> = prepared
             .parts
             .iter()
             .map(|p| Projected::of(view, p))
+            .chain(volumes.iter().map(|(_, v)| Projected::of_volume(view, v)))
             .collect();
         let triangle_rows: Vec<_> = parts.iter().map(|p| raster::rows_of(view, p)).collect();
         let outlines: Vec<Vec<Outline>> = parts
@@ -160,6 +169,7 @@ impl<'a> Lines<'a> {
                 .collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
+            cutters: volumes.into_iter().map(|(surface, _)| surface).collect(),
             parts,
             outlines,
         }
@@ -195,6 +205,10 @@ impl<'a> Lines<'a> {
 
     fn pixel(&self, at: DVec2, found: &[Crossing], brushes: &[Brush], bench: &mut Bench) -> Answer {
         let (prepared, view) = (self.prepared, self.view);
+        let parts = prepared.parts.len() as u16;
+        let (found, of_cutters) = found.split_at(found.partition_point(|c| c.rank < parts));
+        let (brushes, cutter_brushes) =
+            brushes.split_at(brushes.partition_point(|b| b.rank < parts));
         let ray = Ray::through(view, at);
         // From a little before the near plane, so that an event just before it is known to be close.
         let slack = self.pad(view.near);
@@ -232,7 +246,8 @@ impl<'a> Lines<'a> {
         } else {
             (depths[0] - self.pad(depths[0])).max(before_near)
         };
-        self.meet_clips(&ray, [from, depths[1] + self.pad(depths[1])], bench);
+        let range = [from, depths[1] + self.pad(depths[1])];
+        layer.unreliable |= self.meet_clips(&ray, range, of_cutters, bench);
         self.snap_coincident(&ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
@@ -258,6 +273,8 @@ impl<'a> Lines<'a> {
             roots: &bench.roots,
             grazes: &bench.grazes,
             brushes,
+            cutter_brushes,
+            cutters: &self.cutters,
             sight,
             coincident: &bench.coincident,
         };
@@ -270,12 +287,33 @@ impl<'a> Lines<'a> {
         PAD_PX * self.view.pixel_size(depth).abs()
     }
 
-    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets.
-    fn meet_clips(&self, ray: &Ray, range: [f64; 2], bench: &mut Bench) {
+    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets, and tells whether it has no side of some
+    /// cutter. `of_cutters` are its crossings with the meshes of all cutters.
+    fn meet_clips(
+        &self,
+        ray: &Ray,
+        range: [f64; 2],
+        of_cutters: &[Crossing],
+        bench: &mut Bench,
+    ) -> bool {
+        let mut odd = false;
         for rank in &bench.ranks {
             for cut in &self.prepared.parts[*rank as usize].cuts {
                 for surface in &self.prepared.cuts[*cut].surfaces {
                     if std::mem::replace(&mut bench.met[*surface], true) {
+                        continue;
+                    }
+                    let number = *surface as u16;
+                    if let Some(volume) = &self.prepared.surfaces[*surface].volume {
+                        let rank = self.rank_of_cutter(number);
+                        let own = of_cutters.iter().filter(|c| c.rank == rank);
+                        bench.of_cutter.clear();
+                        bench.of_cutter.extend(own);
+                        let mesh = (&self.parts[rank as usize], number, volume.keeps_inside);
+                        let met =
+                            cutter::meet(mesh, ray, range, &mut bench.of_cutter, &mut bench.roots);
+                        bench.start.removed[*surface] = met.removed;
+                        odd |= met.odd;
                         continue;
                     }
                     bench.start.removed[*surface] = self.clips[*surface].meet(
@@ -287,6 +325,24 @@ impl<'a> Lines<'a> {
                     );
                 }
             }
+        }
+        odd
+    }
+
+    /// Where the mesh of a cutter is among those of the parts, by the number of its clip-surface.
+    fn rank_of_cutter(&self, surface: u16) -> u16 {
+        let place = self.cutters.partition_point(|s| *s < surface);
+        (self.prepared.parts.len() + place) as u16
+    }
+
+    /// Whether a triangle lies in the clip-surface where a ray crosses it, to the last bit.
+    fn holds(&self, root: &Root, points: [DVec3; 3]) -> bool {
+        match root.face {
+            Some(face) => {
+                let mesh = &self.parts[self.rank_of_cutter(root.surface) as usize];
+                cutter::lies_in(points, mesh.facet(face.triangle).points)
+            }
+            None => self.clips[root.surface as usize].holds(points),
         }
     }
 
@@ -303,7 +359,7 @@ impl<'a> Lines<'a> {
                 let points = self.parts[crossing.rank as usize]
                     .facet(crossing.triangle)
                     .points;
-                if self.clips[root.surface as usize].holds(points) {
+                if self.holds(root, points) {
                     crossing.depth = root.depth;
                     bench.coincident.push((index as u32, root.surface));
                 }

@@ -56,7 +56,6 @@ struct Use {
 pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec<Outline> {
     let names = points(projected);
     let mut uses: Vec<Use> = projected
-        .part
         .triangles
         .par_iter()
         .enumerate()
@@ -81,7 +80,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         })
         .collect();
     uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
-    let fill = projected.part.fill;
+    let fill = projected.fill;
     let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
     uses.chunk_by(|a, b| a.key == b.key)
         .filter(|faces| {
@@ -114,7 +113,7 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
 
 /// For each vertex, the first vertex at the same position.
 fn points(projected: &Projected<'_>) -> Vec<u32> {
-    let positions = &projected.part.positions;
+    let positions = projected.positions;
     // Adding 0 turns -0 into 0.
     let bits = |i: u32| {
         positions[i as usize]

@@ -7,19 +7,25 @@
 //! Triangles behind the eye are crossed like all others, at negative depths: only so does a closed part have an even
 //! number of crossings in every pixel, wherever the camera is.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::screen::{Corner, Line, facing};
-use crate::scene::{PreparedPart, View};
+use crate::scene::{Fill, PreparedPart, PreparedVolume, ShadingMesh, View};
 
 /// Rows of pixels in a band.
 pub(super) const BAND_ROWS: u32 = 8;
 
-/// A part as the picture sees it.
+/// A part or a cutter as the picture sees it.
 pub(super) struct Projected<'a> {
-    /// The part.
-    pub(super) part: &'a PreparedPart,
+    /// Its vertices in scene space.
+    pub(super) positions: &'a [Vec3],
+    /// Corners of its triangles.
+    pub(super) triangles: &'a [[u32; 3]],
+    /// Which points it encloses.
+    pub(super) fill: Fill,
+    /// Normals to be shown; a cutter has none.
+    pub(super) shading: Option<&'a ShadingMesh>,
     /// Where its vertices land.
     pub(super) corners: Vec<Corner>,
     /// [`facing`] of its triangles.
@@ -29,13 +35,24 @@ pub(super) struct Projected<'a> {
 impl<'a> Projected<'a> {
     /// Projects a part.
     pub(super) fn of(view: &View, part: &'a PreparedPart) -> Self {
-        let corners: Vec<Corner> = part
-            .positions
+        Self {
+            fill: part.fill,
+            shading: Some(&*part.shading),
+            ..Self::of_mesh(view, &part.positions, &part.triangles)
+        }
+    }
+
+    /// Projects a cutter.
+    pub(super) fn of_volume(view: &View, volume: &'a PreparedVolume) -> Self {
+        Self::of_mesh(view, &volume.positions, volume.triangles())
+    }
+
+    fn of_mesh(view: &View, positions: &'a [Vec3], triangles: &'a [[u32; 3]]) -> Self {
+        let corners: Vec<Corner> = positions
             .par_iter()
             .map(|p| Corner::of(view, p.as_dvec3()))
             .collect();
-        let facing = part
-            .triangles
+        let facing = triangles
             .par_iter()
             .map(|t| {
                 let [a, b, c] = t.map(|i| &corners[i as usize]);
@@ -43,7 +60,10 @@ impl<'a> Projected<'a> {
             })
             .collect();
         Self {
-            part,
+            positions,
+            triangles,
+            fill: Fill::EvenOdd,
+            shading: None,
             corners,
             facing,
         }
@@ -51,13 +71,13 @@ impl<'a> Projected<'a> {
 
     /// Where the corners of a triangle land.
     pub(super) fn corners(&self, triangle: u32) -> [&Corner; 3] {
-        self.part.triangles[triangle as usize].map(|i| &self.corners[i as usize])
+        self.triangles[triangle as usize].map(|i| &self.corners[i as usize])
     }
 
     /// The plane of a triangle.
     pub(super) fn facet(&self, triangle: u32) -> Facet {
-        let points = self.part.triangles[triangle as usize]
-            .map(|i| self.part.positions[i as usize].as_dvec3());
+        let points =
+            self.triangles[triangle as usize].map(|i| self.positions[i as usize].as_dvec3());
         let depths = self.corners(triangle).map(|c| c.depth);
         Facet::of(points, depths)
     }
@@ -206,7 +226,7 @@ const SLACK_PX: f64 = 1e-6;
 /// Rows whose samples each triangle of a part may hold.
 pub(super) fn rows_of(view: &View, projected: &Projected<'_>) -> Vec<Option<[u32; 2]>> {
     let [width, height] = view.size_px;
-    (0..projected.part.triangles.len() as u32)
+    (0..projected.triangles.len() as u32)
         .into_par_iter()
         .map(|t| {
             if projected.facing[t as usize] == 0 {

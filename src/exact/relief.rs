@@ -256,6 +256,7 @@ impl Walk<'_> {
             to_kept,
             gradient: self.relief.gradient(&cell, self.local(depth, at)),
             bend,
+            face: None,
         }
     }
 

@@ -14,7 +14,9 @@ pub(super) fn cap_normal(root: &Root) -> Vec3 {
 pub(super) fn surface_normal(part: &Projected<'_>, crossing: &Crossing, point: DVec3) -> Vec3 {
     let facet = part.facet(crossing.triangle);
     let shares = barycentric(facet.points, facet.normal, point);
-    let shading = &part.part.shading;
+    let Some(shading) = part.shading else {
+        return facet.normal.normalize_or_zero().as_vec3();
+    };
     let [a, b, c] = shading.triangles[crossing.triangle as usize]
         .map(|vertex| shading.normals[vertex as usize].as_dvec3());
     let normal = (a * shares[0] + b * shares[1] + c * shares[2]).normalize_or(facet.normal);

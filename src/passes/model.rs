@@ -15,7 +15,7 @@ use super::pose::{Moving, Standing};
 use super::sliced::Sliced;
 use crate::plan::Contents;
 use crate::plan::pack::NO_RELIEF;
-use crate::scene::{Prepared, PreparedPart, Scene, SceneSpace};
+use crate::scene::{Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -81,13 +81,18 @@ impl Model {
         let packed: Vec<Packed> = (scene.parts.par_iter().enumerate())
             .map(|(index, part)| Packed::of(index, part, &space, old.get(index)))
             .collect();
-        let prepared = Prepared::with_parts(scene, &world, |index, part, _, cuts| PreparedPart {
+        let place = |index: usize, part: &Part, _: &SceneSpace, cuts: Vec<usize>| PreparedPart {
             name: part.name.clone(),
             material: part.material,
             fill: part.fill,
             cuts,
             ..packed[index].part.clone()
-        });
+        };
+        let place_volume = |cutter: &Cutter, space: &SceneSpace, surface: usize| {
+            let before = before.and_then(|b| b.prepared.surfaces.get(surface)?.volume.as_deref());
+            Arc::new(PreparedVolume::place(cutter, space, before))
+        };
+        let prepared = Prepared::with_parts(scene, &world, place, place_volume);
 
         let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
         let changes =

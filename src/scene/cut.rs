@@ -2,15 +2,17 @@
 //!
 //! A part can have a region of its own: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
 
-use super::{ClipSurface, Part, Role};
+use super::{ClipSurface, Cutter, Part, Role};
 
-/// The intersection of the removed sides of its clip-surfaces, removed from the parts it applies to.
+/// The intersection of the removed sides of its clip-surfaces and of its cutter, removed from the parts it applies to.
 #[derive(Clone, Debug)]
 pub struct Cut {
     /// Name for reports and keys.
     pub name: String,
-    /// At least one clip-surface.
+    /// At least one clip-surface, unless there is a cutter.
     pub surfaces: Vec<ClipSurface>,
+    /// A closed mesh that acts as one more clip-surface, after the others.
+    pub volume: Option<Cutter>,
     /// Globs of the parts that are cut; `*` and `?` are understood.
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
@@ -37,10 +39,19 @@ impl Cut {
         Self {
             name: name.into(),
             surfaces,
+            volume: None,
             applies_to: vec!["*".into()],
             except: Vec::new(),
             offsets: Vec::new(),
             enabled: true,
+        }
+    }
+
+    /// A cut of all parts by a closed mesh.
+    pub fn by(cutter: Cutter) -> Self {
+        Self {
+            volume: Some(cutter.clone()),
+            ..Self::of(cutter.name(), Vec::new())
         }
     }
 

@@ -8,6 +8,7 @@ mod bounds;
 mod camera;
 mod clip_surface;
 mod cut;
+mod cutter;
 mod file;
 mod fill;
 pub mod frames;
@@ -34,6 +35,7 @@ pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use cut::{Cut, Offset};
+pub use cutter::Cutter;
 pub use file::{Interpolation, Key, OpenMesh, OpenedMesh, SceneFile, load_scene_file, parse_color};
 pub use fill::Fill;
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
@@ -44,7 +46,9 @@ pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull}
 pub use offset_map::{OffsetMap, Wrap};
 pub use part::{Part, Role};
 pub(crate) use prepared::facing_out;
-pub use prepared::{Prepared, PreparedCut, PreparedPart, PreparedSurface, SceneSpace};
+pub use prepared::{
+    Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
+};
 pub use regions::{Block, Face, Wedge};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};

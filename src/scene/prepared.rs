@@ -19,14 +19,18 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 
-use super::{Bounds, Camera, ClipSurface, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap};
+use super::{
+    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap,
+};
 
 mod cuts;
 mod part;
+mod volume;
 
 use cuts::CutTable;
 pub use part::PreparedPart;
 pub(crate) use part::facing_out;
+pub use volume::PreparedVolume;
 
 /// Where scene space lies in the world: `scene = (world - centre) * scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +87,8 @@ pub struct PreparedSurface {
     pub relief: Option<Arc<OffsetMap>>,
     /// How the map goes on outside 0..1.
     pub wrap: Wrap,
+    /// A closed mesh in the place of plane and relief: its inside is the removed side.
+    pub volume: Option<Arc<PreparedVolume>>,
     /// Index into [`Prepared::cuts`].
     pub cut: usize,
 }
@@ -124,15 +130,20 @@ pub struct Prepared {
 impl Prepared {
     /// Poses, flattens, recentres and ranks a scene.
     pub fn of(scene: &Scene) -> Self {
-        Self::with_parts(scene, &scene.bounds(), PreparedPart::place)
+        let place = |cutter: &Cutter, space: &SceneSpace, _: usize| {
+            Arc::new(PreparedVolume::place(cutter, space, None))
+        };
+        Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place)
     }
 
     /// As [`Prepared::of`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
-    /// cuts that apply. `world` is what [`Scene::bounds`] says, which may have to look at every vertex.
+    /// cuts that apply; and cutters likewise, from the cutter, scene space and the number of the clip-surface. `world` is what
+    /// [`Scene::bounds`] says, which may have to look at every vertex.
     pub(crate) fn with_parts(
         scene: &Scene,
         world: &Bounds,
         place: impl Fn(usize, &Part, &SceneSpace, Vec<usize>) -> PreparedPart + Sync,
+        place_volume: impl Fn(&Cutter, &SceneSpace, usize) -> Arc<PreparedVolume>,
     ) -> Self {
         let space = SceneSpace::of(world);
         let to_scene = |p: DVec3| space.point(p);
@@ -153,7 +164,7 @@ impl Prepared {
                 .then(a.part.cmp(&b.part))
         });
 
-        let (cuts, surfaces) = table.placed(scene, &space);
+        let (cuts, surfaces) = table.placed(scene, &space, place_volume);
         Self {
             name: scene.name.clone(),
             bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {
@@ -177,12 +188,21 @@ impl Prepared {
 
     /// The view of another camera.
     pub fn view_of(&self, camera: &Camera, size_px: [u32; 2]) -> View {
-        camera.view(
+        let mut view = camera.view(
             |p| (p - self.centre_in_world) * self.scale,
             self.scale,
             self.bounds,
             size_px,
-        )
+        );
+        // What lies behind is counted, of cutters too: they may reach farther than the parts.
+        let corners = (self.surfaces.iter())
+            .filter_map(|s| s.volume.as_ref())
+            .flat_map(|v| v.bounds.corners());
+        let farthest = corners
+            .map(|c| (c - view.eye).dot(view.forward))
+            .fold(f64::NEG_INFINITY, f64::max);
+        view.far = view.far.max(view.near + (farthest - view.near) * 1.01);
+        view
     }
 
     /// Whether the vertices of all parts are here; what a device places is not.
@@ -226,10 +246,29 @@ impl PreparedSurface {
             height_scale: surface.scale.z * scale,
             relief: surface.relief.clone(),
             wrap: surface.wrap,
+            volume: None,
             cut,
         };
         placed.come_near();
         placed
+    }
+
+    /// The clip-surface of a cutter: neither plane nor relief.
+    fn of_volume(volume: Arc<PreparedVolume>, cut: usize) -> Self {
+        Self {
+            origin: volume.bounds.centre(),
+            frame: SurfaceFrame {
+                u_hat: DVec3::X,
+                v_hat: DVec3::Y,
+                normal: DVec3::Z,
+            },
+            map_per_unit: [1.0; 2],
+            height_scale: 0.0,
+            relief: None,
+            wrap: Wrap::default(),
+            volume: Some(volume),
+            cut,
+        }
     }
 
     /// Moves a far origin by whole repeats of the map to where f32 tells texels apart, and rounds what is near.

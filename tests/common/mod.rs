@@ -12,6 +12,7 @@
 pub(crate) mod data;
 pub(crate) mod meshes;
 pub(crate) mod numbers;
+pub(crate) mod real;
 pub(crate) mod scenes;
 pub(crate) mod tolerances;
 

@@ -2,12 +2,14 @@
 //!
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
 //! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
-//! `wedge` ([`regions`]) stand beside `surfaces` or instead: all together make the region that is removed.
+//! `wedge` ([`regions`]) stand beside `surfaces` or instead, and so does a closed mesh ([`cutters`]): all together make the region
+//! that is removed.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::cutters;
 use super::reader::{Entry, Table};
 use super::regions::{self, Union};
 use super::reliefs::Maps;
@@ -26,6 +28,13 @@ const KEYS: &[&str] = &[
     "surfaces",
     "box",
     "wedge",
+    "volume",
+    "translate",
+    "rotate_deg",
+    "scale",
+    "pivot",
+    "matrix",
+    "flip",
 ];
 const FULL: &[&str] = &["origin", "u", "v", "scale", "relief", "wrap", "flip"];
 const SECTION: &[&str] = &["section", "relief", "amplitude", "period", "wrap", "flip"];
@@ -52,6 +61,7 @@ pub(super) struct Context<'a> {
 pub(super) fn read(
     entry: &Entry<'_>,
     index: usize,
+    cutter: Option<&cutters::Held>,
     context: &Context<'_>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Cut>> {
@@ -60,8 +70,10 @@ pub(super) fn read(
         Some(name) => name.text()?.to_owned(),
         None => format!("{index}"),
     };
-    let region = region(&table, context)?;
+    let volume = cutters::read(&table, cutter)?;
+    let region = region(&table, volume.is_some(), context)?;
     let mut cut = Cut::of(name, Vec::new());
+    cut.volume = volume;
     if let Some(globs) = table.get("applies_to") {
         cut.applies_to = globs_of(&globs, context)?;
     }
@@ -72,6 +84,11 @@ pub(super) fn read(
         notes.push(format!("{}: it cuts no part", entry.key));
     }
     if let Some(offsets) = table.get("offset") {
+        if cut.volume.is_some() {
+            let mend =
+                "a mesh has no side to move to: scale it in a cut of its own for these parts";
+            return Err(offsets.fault("the cut has a `volume`, which no offset moves", mend));
+        }
         cut.offsets = offsets_of(&offsets, &cut, context)?;
     }
     let enabled = table.get("enabled").map_or(Ok(true), |e| e.flag())?;
@@ -83,8 +100,8 @@ pub(super) fn read(
     Ok(region.alternatives.into_iter().map(of_surfaces).collect())
 }
 
-/// The region of a cut: what `surfaces`, `box` and `wedge` have in common.
-fn region(table: &Table<'_>, context: &Context<'_>) -> Result<Union> {
+/// The region of a cut: what `surfaces`, `box` and `wedge` have in common; all of space only beside a cutter.
+fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<Union> {
     let mut region = Union::everywhere();
     let [surfaces, block, wedge] = ["surfaces", "box", "wedge"].map(|key| table.get(key));
     if let Some(surfaces) = &surfaces {
@@ -101,9 +118,8 @@ fn region(table: &Table<'_>, context: &Context<'_>) -> Result<Union> {
     if let Some(wedge) = &wedge {
         region.intersect(regions::wedge(wedge, context)?);
     }
-    if region.is_everywhere() {
-        let mend =
-            "add for example `surfaces = [{ section = \"z=50%\" }]`, or a `box` or a `wedge`";
+    if region.is_everywhere() && !has_volume {
+        let mend = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge` or a `volume`";
         return Err(table
             .entry
             .fault("it has no clip-surface, and would remove everything", mend));

@@ -15,6 +15,12 @@
 //! [[cut]]
 //! name = "front"
 //! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
+//!
+//! [[cut]]
+//! volume = "shape:sphere"                # or a mesh file: what is inside is removed, if it is closed
+//! scale = 0.3                            # placed as parts are: `translate`, `rotate_deg`, `scale`, `pivot`, `matrix`
+//! translate = [0.5, 0, 0]
+//! flip = false                           # true removes what is outside
 //! ```
 //!
 //! # What moves
@@ -55,6 +61,7 @@
 
 mod camera;
 mod cuts;
+mod cutters;
 mod deform;
 mod keys;
 mod parts;
@@ -153,6 +160,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
         path: path.to_owned(),
         text: source.text.to_owned(),
         stock: stock::open(&entries, folder(path), loaders, &mut notes)?,
+        cutters: cutters::open(&root.tables("cut")?, folder(path), loaders, &mut notes)?,
         keys: Vec::new(),
         reliefs: Mutex::default(),
         outwards: Outwards::default(),
@@ -222,7 +230,7 @@ fn read_parts(
 
 fn read_scene(
     root: &Table<'_>,
-    path: &Path,
+    (path, cutters): (&Path, &[Option<cutters::Held>]),
     contents: Contents,
     stage: Option<Bounds>,
     reliefs: &mut reliefs::Resolved,
@@ -252,7 +260,10 @@ fn read_scene(
     let entries = root.tables("cut")?;
     names_differ(&entries)?;
     let numbered = entries.iter().enumerate();
-    let read = numbered.map(|(i, entry)| cuts::read(entry, i, &context, notes));
+    let read = numbered.map(|(i, entry)| {
+        let cutter = cutters.get(i).and_then(Option::as_ref);
+        cuts::read(entry, i, cutter, &context, notes)
+    });
     scene.cuts = read.collect::<Result<Vec<_>>>()?.concat();
     Ok(scene)
 }

@@ -108,7 +108,7 @@ pub(super) fn read(
 }
 
 /// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
-fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
+pub(super) fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
     let steps = ["translate", "rotate_deg", "scale", "pivot"].map(|key| table.get(key));
     if let Some(matrix) = table.get("matrix") {
         if let Some(step) = steps.iter().flatten().next() {

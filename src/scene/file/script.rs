@@ -25,6 +25,8 @@ pub(in crate::scene) struct Script {
     pub(super) text: String,
     pub(super) keys: Vec<Keyed>,
     pub(super) stock: Vec<Held>,
+    /// Of each cut.
+    pub(super) cutters: Vec<Option<super::cutters::Held>>,
     /// The reliefs as they were last read.
     pub(super) reliefs: Mutex<Resolved>,
     pub(super) outwards: Outwards,
@@ -80,7 +82,14 @@ impl Script {
         notes: &mut Vec<String>,
     ) -> Result<Scene> {
         let mut reliefs = self.reliefs.lock().unwrap_or_else(PoisonError::into_inner);
-        super::read_scene(root, &self.path, contents, stage, &mut reliefs, notes)
+        super::read_scene(
+            root,
+            (&self.path, &self.cutters),
+            contents,
+            stage,
+            &mut reliefs,
+            notes,
+        )
     }
 
     fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {

@@ -4,8 +4,10 @@
 //! equal offsets share one. Copies come after all cuts of the scene, so that those keep their numbers. Nothing downstream knows
 //! of offsets, and what no part has costs nothing there.
 
-use super::{PreparedCut, PreparedSurface, SceneSpace};
-use crate::scene::{Part, Scene};
+use std::sync::Arc;
+
+use super::{PreparedCut, PreparedSurface, PreparedVolume, SceneSpace};
+use crate::scene::{Cutter, Part, Scene};
 
 /// Which cuts there are: index in the scene, and offset.
 pub(super) struct CutTable(Vec<(usize, f64)>);
@@ -39,13 +41,14 @@ impl CutTable {
             .collect()
     }
 
-    /// The cuts and their clip-surfaces in scene space.
+    /// The cuts and their clip-surfaces in scene space; a cutter, which no offset moves, after those it goes with.
     pub(super) fn placed(
         &self,
         scene: &Scene,
         space: &SceneSpace,
+        place_volume: impl Fn(&Cutter, &SceneSpace, usize) -> Arc<PreparedVolume>,
     ) -> (Vec<PreparedCut>, Vec<PreparedSurface>) {
-        let mut surfaces = Vec::new();
+        let mut surfaces: Vec<PreparedSurface> = Vec::new();
         let cuts = self.0.iter().enumerate().map(|(number, (of, keeps))| {
             let cut = &scene.cuts[*of];
             let first = surfaces.len();
@@ -55,6 +58,10 @@ impl CutTable {
                 let origin = space.point(surface.origin);
                 PreparedSurface::place(surface, origin, space.scale, number)
             }));
+            if let Some(cutter) = &cut.volume {
+                let volume = place_volume(cutter, space, surfaces.len());
+                surfaces.push(PreparedSurface::of_volume(volume, number));
+            }
             PreparedCut {
                 name: cut.name.clone(),
                 of: *of,

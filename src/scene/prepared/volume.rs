@@ -1,0 +1,63 @@
+//! A cutter in scene space: placed and rounded to f32 once, as parts are.
+//!
+//! Everything large is shared. Neither orientation nor normals are kept: what is inside is told by parity, and a normal is that
+//! of the triangle, turned towards who looks.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, Vec3};
+
+use super::SceneSpace;
+use crate::scene::{Bounds, Cutter, Mesh};
+
+/// A closed mesh in scene space, whose inside is the removed side of a clip-surface.
+#[derive(Clone, Debug)]
+pub struct PreparedVolume {
+    /// Name of the cutter.
+    pub name: String,
+    /// Vertices in scene space, rounded to f32.
+    pub positions: Arc<Vec<Vec3>>,
+    /// The mesh as it was given: its triangles are indices of `positions`.
+    pub mesh: Arc<Mesh>,
+    /// Bounds of `positions`.
+    pub bounds: Bounds,
+    /// The outside is the removed side.
+    pub keeps_inside: bool,
+    placement: DAffine3,
+    space: SceneSpace,
+}
+
+impl PreparedVolume {
+    /// Moves a cutter to scene space, with what is still right of how it was moved before.
+    pub(crate) fn place(cutter: &Cutter, space: &SceneSpace, before: Option<&Self>) -> Self {
+        let placement = cutter.world_from_cutter;
+        let known = before.filter(|b| {
+            Arc::ptr_eq(&b.mesh, cutter.mesh()) && b.placement == placement && b.space == *space
+        });
+        let positions = known.map_or_else(
+            || {
+                let all = cutter.mesh().positions.iter();
+                let placed = all.map(|p| space.point(placement.transform_point3(*p)).as_vec3());
+                Arc::new(placed.collect::<Vec<_>>())
+            },
+            |k| k.positions.clone(),
+        );
+        Self {
+            name: cutter.name().to_owned(),
+            bounds: known.map_or_else(
+                || Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+                |k| k.bounds,
+            ),
+            positions,
+            mesh: cutter.mesh().clone(),
+            keeps_inside: cutter.keeps_inside,
+            placement,
+            space: *space,
+        }
+    }
+
+    /// Corners of the triangles, as indices of the vertices.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.mesh.triangles
+    }
+}

@@ -1,0 +1,46 @@
+//! Real meshes, cut.
+
+use std::path::{Path, PathBuf};
+
+use cutaway::scene::{
+    Cut, ReliefSpec, Scene, Topology, apply_relief, load_mesh_file, section_surface,
+};
+
+use super::data::data;
+
+/// The mesh files of some folders, in order.
+pub(crate) fn files(folders: &[&str]) -> Vec<PathBuf> {
+    let Some(data) = data() else {
+        return Vec::new();
+    };
+    let mut files: Vec<PathBuf> = folders
+        .iter()
+        .flat_map(|f| std::fs::read_dir(data.join(f)).expect("a folder of meshes"))
+        .map(|entry| entry.expect("an entry of it").path())
+        .collect();
+    files.sort();
+    assert!(!files.is_empty(), "the folders hold meshes");
+    files
+}
+
+/// A file, cut through the middle of its bounds by an oblique plane, or by a relief on it.
+pub(crate) fn cut(file: &Path, relief: Option<&str>) -> Scene {
+    let parts = load_mesh_file(file).expect("a mesh that loads").parts;
+    let mut scene = Scene {
+        parts,
+        ..Scene::default()
+    };
+    let bounds = scene.bounds();
+    let mut surface = section_surface("-0.3,-0.25,-1@50%,50%,50%", &bounds).expect("a section");
+    if let Some(relief) = relief {
+        let spec = ReliefSpec::parse(relief).expect("a relief");
+        surface = apply_relief(surface, &spec, &bounds).expect("a relief on it");
+    }
+    scene.cuts.push(Cut::of("middle", vec![surface]));
+    scene
+}
+
+/// Whether all meshes of a scene are closed.
+pub(crate) fn is_closed(scene: &Scene) -> bool {
+    scene.parts.iter().all(|p| Topology::of(&p.mesh).closed)
+}
