@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::cutters::Cutters;
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
 use crate::plan::Contents;
@@ -54,6 +55,8 @@ pub struct Model {
     pub heights: Contents,
     /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
     pub first_texel: Vec<u32>,
+    /// The cutters.
+    pub cutters: Cutters,
     /// The maps that `heights` holds.
     maps: Vec<Arc<OffsetMap>>,
     /// By index in the scene.
@@ -132,7 +135,9 @@ impl Model {
         let heights = before
             .filter(|b| b.maps.len() == maps.len() && b.maps.iter().zip(&maps).all(same_map))
             .map_or_else(|| heights(&maps), |b| b.heights.clone());
+        let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         Self {
+            cutters,
             ranges,
             moving,
             vertices,
@@ -168,9 +173,14 @@ impl Model {
         uncut
     }
 
-    /// Whether a clip-surface is a true relief rather than a plane or a flat map.
+    /// Whether a clip-surface is a true relief rather than a plane, a flat map or a cutter.
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF
+    }
+
+    /// Whether a clip-surface is a cutter.
+    pub fn is_cutter(&self, surface: usize) -> bool {
+        self.prepared.surfaces[surface].volume.is_some()
     }
 
     /// Whether one is the other at another time, or of the same solids.
