@@ -120,7 +120,8 @@ fn record_cut(
                 };
                 Ok(ranks.iter().map(of_part).collect())
             };
-            surface::grid::record(recorder, cells, sprites)
+            let tessellate = |r: &mut Recorder<'_>| Ok(surface::grid::tessellation(r, cells));
+            surface::paper::record(recorder, tessellate, sprites)
         }
         (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
             let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
@@ -128,7 +129,8 @@ fn record_cut(
                     inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
                 Ok(vec![(ranks.to_vec(), images)])
             };
-            surface::grid::record(recorder, cells, images)
+            let tessellate = |r: &mut Recorder<'_>| Ok(surface::grid::tessellation(r, cells));
+            surface::paper::record(recorder, tessellate, images)
         }
         (CapSurface::Adaptive { .. }, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
             Err(format!("{surface} is not drawn by the paper's rule yet"))

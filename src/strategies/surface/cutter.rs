@@ -10,20 +10,39 @@
 //!
 //! Cannot: say on which side of a cutter a point lies that is on no ray of the picture. The paper's rule asks that.
 
-use crate::passes::{Recorder, SheetDraw, Sheets};
-use crate::plan::{Clock, Contents, Draw, Resource, ResourceId, Role, Vertices};
+use super::raycast;
+use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
+use crate::plan::{Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices};
 use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
-pub fn bits(recorder: &Recorder<'_>) -> u32 {
+pub(super) fn bits(recorder: &Recorder<'_>) -> u32 {
     let numbers = recorder.relevance.surfaces.iter().enumerate();
     numbers
         .filter(|(_, number)| recorder.model.is_cutter(**number))
         .fold(0, |bits, (index, _)| bits | 1 << index)
 }
 
+/// Records the passes that write the list of crossings where no other clip-surface is made of triangles: planes and reliefs as
+/// `raycast` finds them, then the cutters, if there are some.
+pub(super) fn list(
+    recorder: &mut Recorder<'_>,
+    capacity: u32,
+    store: &Store,
+    capacities: &Capacities,
+) -> Result<Crossings, String> {
+    let bits = bits(recorder);
+    let crossings = raycast::record(recorder, capacity, store, bits);
+    if bits != 0 {
+        let mut sheets = Sheets::default();
+        add(recorder, &mut sheets);
+        recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
+    }
+    Ok(crossings)
+}
+
 /// Adds the cutters to the sheets of a frame.
-pub fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
+pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
     let bits = bits(recorder);
     if bits == 0 {
         return;
@@ -72,5 +91,7 @@ fn uploaded(
     role: Role,
     contents: impl FnOnce(&Recorder<'_>) -> Contents,
 ) -> ResourceId {
-    recorder.once(name, |r| Resource::upload(name, role, contents(r), Clock::Cut))
+    recorder.once(name, |r| {
+        Resource::upload(name, role, contents(r), Clock::Cut)
+    })
 }

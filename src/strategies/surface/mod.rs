@@ -1,10 +1,13 @@
 //! Cap surfaces.
 //!
 //! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
-//! tessellated ones are drawn by the paper's rule as well ([`grid::record`]), where an inside test answers for points instead.
+//! tessellated ones are drawn by the paper's rule as well ([`paper::record`]), where an inside test answers for points instead.
 
+mod cutter;
 pub mod grid;
+pub mod paper;
 mod raycast;
+pub mod tessellation;
 
 use super::CapSurface;
 use crate::passes::{Crossings, Recorder, Store};
@@ -22,13 +25,15 @@ pub fn list(
     surface: CapSurface,
     capacity: u32,
     store: &Store,
-    _capacities: &Capacities,
+    capacities: &Capacities,
 ) -> Result<Crossings, String> {
     match surface {
-        CapSurface::Raycast => Ok(raycast::record(recorder, capacity, store)),
-        CapSurface::Grid { .. } | CapSurface::Adaptive { .. } => {
-            Err(format!("{surface} lists no crossings yet"))
+        CapSurface::Raycast => cutter::list(recorder, capacity, store, capacities),
+        CapSurface::Grid { cells } => {
+            let tessellate = |r: &mut Recorder<'_>| Ok(grid::tessellation(r, cells));
+            tessellation::list(recorder, capacity, store, capacities, tessellate)
         }
+        CapSurface::Adaptive { .. } => Err(format!("{surface} lists no crossings yet")),
         CapSurface::Planar | CapSurface::Alone => Err(format!("{surface} lists no crossings")),
     }
 }
