@@ -3,6 +3,8 @@
 
 mod common;
 
+#[path = "cutters/agree.rs"]
+mod agree;
 #[path = "cutters/exact.rs"]
 mod exact;
 #[path = "cutters/scenes.rs"]

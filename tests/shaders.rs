@@ -158,6 +158,7 @@ fn passes_that_must_meet_have_invariant_positions() {
             "passes/solid.wgsl",
             "passes/fragments.wgsl",
             "passes/sheet/draw.wgsl",
+            "strategies/surface/cutter/draw.wgsl",
             "strategies/inside/stencil/solid.wgsl",
             "strategies/inside/stencil/mark.wgsl",
         ];

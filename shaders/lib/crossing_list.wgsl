@@ -7,7 +7,7 @@
 #define_import_path cutaway::crossing_list
 
 #import cutaway::frame::{frame, is_behind, pixel_count}
-#import cutaway::cuts::cut_table
+#import cutaway::cuts::keeps_words
 
 @group(1) @binding(0) var<storage, read_write> crossing_heads: array<vec2<u32>>;
 @group(1) @binding(1) var<storage, read_write> crossing_z: array<f32>;
@@ -31,17 +31,17 @@ fn resume(pixel: u32, capacity: u32) -> List {
     return List(pixel, capacity, head.x & 0xffffu, head.y, (head.x & 0x80000000u) != 0u);
 }
 
-fn put(at: u32, z: f32, surface: u32) {
+fn put(at: u32, z: f32, word: u32) {
     crossing_z[at] = z;
-    if cut_table.surface_count > 1u {
-        crossing_surface[at] = surface;
+    if keeps_words() {
+        crossing_surface[at] = word;
     }
 }
 
-// Adds a crossing at depth-buffer value z. The kept side owns a tie: where the ray enters it the crossing moves towards the
+// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). The kept side owns a tie: where the ray enters it the crossing moves towards the
 // eye, where the ray leaves it away, by more than the rounding of rasterised depths. A face that lies in the clip-surface
 // is thus kept as a whole, whatever the rounding of each of its fragments.
-fn add(list: ptr<function, List>, z: f32, surface: u32, enters_kept: bool) {
+fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     let tie = z * frame.tie.x + frame.tie.y;
     let moved = select(z - tie, z + tie, enters_kept);
     let stride = pixel_count();
@@ -61,13 +61,13 @@ fn add(list: ptr<function, List>, z: f32, surface: u32, enters_kept: bool) {
         if !is_behind(z_before, moved) {
             break;
         }
-        var surface_before = surface;
-        if cut_table.surface_count > 1u {
-            surface_before = crossing_surface[before];
+        var word_before = word;
+        if keeps_words() {
+            word_before = crossing_surface[before];
         }
-        put(before + stride, z_before, surface_before);
+        put(before + stride, z_before, word_before);
     }
-    put(i * stride + (*list).pixel, moved, surface);
+    put(i * stride + (*list).pixel, moved, word);
 }
 
 // Writes the head of the list.

@@ -6,14 +6,15 @@
 
 #define_import_path cutaway::crossings
 
-#import cutaway::cuts::cut_table
+#import cutaway::crossing_words::surface_of_word
+#import cutaway::cuts::keeps_words
 #import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
 
 // Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or is not vouched for; and the sides where the
 // ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
-// Clip-surface of each crossing; not stored where there is only one.
+// Word of each crossing (`crossing_words`); not stored where there is only one clip-surface and it brings no normals.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
 
 // How many crossings a list holds, by the first word of its head.
@@ -21,11 +22,16 @@ fn listed(head: u32) -> u32 {
     return head & 0xffffu;
 }
 
-fn surface_at(index: u32, pixel: u32) -> u32 {
-    if cut_table.surface_count == 1u {
+// Clip-surface of a crossing, and what else is kept of it.
+fn word_at(index: u32, pixel: u32) -> u32 {
+    if !keeps_words() {
         return 0u;
     }
     return crossing_surface[index * pixel_count() + pixel];
+}
+
+fn surface_at(index: u32, pixel: u32) -> u32 {
+    return surface_of_word(word_at(index, pixel));
 }
 
 fn z_at(index: u32, pixel: u32) -> f32 {

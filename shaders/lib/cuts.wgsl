@@ -36,7 +36,9 @@ const NO_RELIEF: u32 = 0xffffffffu;
 struct CutTable {
     surface_count: u32,
     cut_count: u32,
-    padding: vec2<u32>,
+    // 1 where crossings with some clip-surface bring a normal.
+    has_normals: u32,
+    padding: u32,
     // Bits of the clip-surfaces of cut 4 i + j in [i][j].
     surfaces_of_cut: array<vec4<u32>, 8>,
     surfaces: array<ClipSurface, 32>,
@@ -60,6 +62,11 @@ struct Part {
 
 fn surfaces_of_cut(cut: u32) -> u32 {
     return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];
+}
+
+// Whether a list keeps a word for each crossing beside its depth: where there is but one clip-surface it goes without saying.
+fn keeps_words() -> bool {
+    return cut_table.surface_count > 1u || cut_table.has_normals != 0u;
 }
 
 // Whether a point with these sides is removed from a part that these cuts apply to.

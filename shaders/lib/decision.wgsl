@@ -6,7 +6,7 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, depth_at, listed, rank_of, surface_at}
+#import cutaway::crossings::{crossing_heads, depth_at, listed, rank_of, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
@@ -26,8 +26,8 @@ struct Decision {
     word: u32,
     normal: u32,
     depth: f32,
-    // Clip-surface whose normal is still wanted, or NONE.
-    surface: u32,
+    // Word of the crossing whose normal is still wanted, or NONE, which no word is.
+    crossing: u32,
 }
 
 const NONE: u32 = 0xffffffffu;
@@ -91,7 +91,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         let surface = surface_at(cap.crossing, pixel);
         depth = depth_at(cap.crossing, pixel);
         word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part) | select(0u, OVERLAP, cap.overlap);
-        wanted = surface;
+        wanted = word_at(cap.crossing, pixel);
     }
 
     var odd = false;
@@ -119,6 +119,6 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
 fn write(at: vec2<u32>, decision: Decision, normal: u32) {
     let first = pixel_index(at) * WORDS_PER_PIXEL;
     layers[first] = decision.word;
-    layers[first + 1u] = select(normal, decision.normal, decision.surface == NONE);
+    layers[first + 1u] = select(normal, decision.normal, decision.crossing == NONE);
     layers[first + 2u] = bitcast<u32>(decision.depth);
 }

@@ -20,8 +20,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside, overlaps), drawn(id.xy));
     var normal = 0u;
-    if decision.surface != NONE {
-        normal = packed_cap_normal(id.xy, decision.surface, decision.depth);
+    if decision.crossing != NONE {
+        normal = packed_cap_normal(id.xy, decision.crossing, decision.depth);
     }
     write(id.xy, decision, normal);
 }

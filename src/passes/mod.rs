@@ -3,6 +3,7 @@
 //! volumes, sheets, resolving, gathering, shading.
 
 mod crossings;
+mod cutters;
 mod fragments;
 mod heights;
 mod lanes;
@@ -27,6 +28,7 @@ mod solid;
 mod sweep;
 
 pub use crossings::Crossings;
+pub use cutters::Cutters;
 pub use fragments::{FragmentLists, sweep_of_fragments};
 pub use lanes::LaneTable;
 pub use model::{MeshRange, Model};

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::cutters::Cutters;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
@@ -53,6 +54,8 @@ pub struct Model {
     pub heights: Contents,
     /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
     pub first_texel: Vec<u32>,
+    /// The cutters.
+    pub cutters: Cutters,
     /// The maps that `heights` holds.
     maps: Vec<PackedMap>,
     /// By index in the scene.
@@ -131,7 +134,9 @@ impl Model {
             first_texel,
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
+        let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         Self {
+            cutters,
             ranges,
             moving,
             vertices,
@@ -172,9 +177,14 @@ impl Model {
         self.packed[self.prepared.parts[rank].part].sliced.clone()
     }
 
-    /// Whether a clip-surface is a true relief rather than a plane or a flat map.
+    /// Whether a clip-surface is a true relief rather than a plane, a flat map or a cutter.
     pub fn is_relief(&self, surface: usize) -> bool {
         self.first_texel[surface] != NO_RELIEF
+    }
+
+    /// Whether a clip-surface is a cutter.
+    pub fn is_cutter(&self, surface: usize) -> bool {
+        self.prepared.surfaces[surface].volume.is_some()
     }
 
     /// Whether one is the other at another time, or of the same solids.

@@ -111,6 +111,7 @@ impl<'a> Recorder<'a> {
             let mut table: CutTable = bytemuck::Zeroable::zeroed();
             table.surface_count = r.relevance.surfaces.len() as u32;
             table.cut_count = r.relevance.cuts.len() as u32;
+            table.has_normals = u32::from(r.has_cutters());
             for (i, bits) in r.relevance.cuts.iter().enumerate() {
                 table.surfaces_of_cut[i / 4][i % 4] = *bits;
             }
@@ -153,6 +154,12 @@ impl<'a> Recorder<'a> {
     pub fn has_reliefs(&self) -> bool {
         let surfaces = &self.relevance.surfaces;
         surfaces.iter().any(|s| self.model.is_relief(*s))
+    }
+
+    /// Whether some clip-surface that matters is a cutter.
+    pub fn has_cutters(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_cutter(*s))
     }
 
     /// The heights of all reliefs.

@@ -49,6 +49,9 @@ pub struct Relevance {
     pub cut_box: Bounds,
 }
 
+/// Touching within rounding counts as across: the list of crossings settles it.
+const TOUCHING: f64 = 1e-5;
+
 /// Where a box lies with respect to a clip-surface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
@@ -217,6 +220,16 @@ fn removes_all(prepared: &Prepared, cut: usize, bounds: &Bounds) -> Option<bool>
 }
 
 fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {
+    if let Some(volume) = &surface.volume {
+        // What is beside the cutter's box is outside of the cutter; of the rest nothing is known.
+        let apart = (volume.bounds.min - bounds.max).max_element() > TOUCHING
+            || (bounds.min - volume.bounds.max).max_element() > TOUCHING;
+        return match (apart, volume.keeps_inside) {
+            (false, _) => Side::Across,
+            (true, false) => Side::Kept,
+            (true, true) => Side::Removed,
+        };
+    }
     let heights = bounds
         .corners()
         .map(|c| (c - surface.origin).dot(surface.frame.normal));
@@ -225,11 +238,9 @@ fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {
     });
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + relief[0].min(relief[1]);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + relief[0].max(relief[1]);
-    // Touching within rounding counts as across: the list of crossings settles it.
-    let margin = 1e-5;
-    if low > margin {
+    if low > TOUCHING {
         Side::Kept
-    } else if high < -margin {
+    } else if high < -TOUCHING {
         Side::Removed
     } else {
         Side::Across

@@ -88,11 +88,15 @@ impl Recorder<'_> {
 
     /// The file that fills `cutaway::cap_normal`, and what it binds.
     pub(super) fn cap_normal(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
-        if self.has_reliefs() {
+        let reliefs = self.has_reliefs();
+        if reliefs {
             bindings.push(self.heights());
-            "lib/cap_normal/reliefs.wgsl"
-        } else {
-            "lib/cap_normal/planes.wgsl"
+        }
+        match (self.has_cutters(), reliefs) {
+            (false, false) => "lib/cap_normal/planes.wgsl",
+            (false, true) => "lib/cap_normal/reliefs.wgsl",
+            (true, false) => "lib/cap_normal/cutters.wgsl",
+            (true, true) => "lib/cap_normal/cutters_reliefs.wgsl",
         }
     }
 }

@@ -49,12 +49,31 @@ pub struct Sheets {
     pub by_facing: u32,
     /// Those that bound a solid, the removed side: they are crossed an even number of times by any line.
     pub by_parity: u32,
+    /// Of these, those whose outside is the removed side.
+    pub keeps_inside: u32,
+    /// Of these, those that the near plane does not meet: an odd number of fragments marks the pixel.
+    pub closed: u32,
     /// File that fills `cutaway::sheet_side`: asked on which side of a sheet with facing a ray begins and ends.
     pub side: &'static str,
     /// By how much its answer may be off, in scene units: nearer to a sheet the facings of its crossings say it.
     pub beside: f64,
     /// What that binds.
     pub side_bindings: Vec<Binding>,
+}
+
+impl Default for Sheets {
+    fn default() -> Self {
+        Self {
+            draws: Vec::new(),
+            by_facing: 0,
+            by_parity: 0,
+            keeps_inside: 0,
+            closed: 0,
+            side: "lib/sheet_side/none.wgsl",
+            beside: 0.0,
+            side_bindings: Vec::new(),
+        }
+    }
 }
 
 impl Recorder<'_> {
@@ -119,6 +138,8 @@ impl Recorder<'_> {
                 ("by_facing", f64::from(sheets.by_facing)),
                 ("by_parity", f64::from(sheets.by_parity)),
                 ("beside", sheets.beside),
+                ("keeps_inside", f64::from(sheets.keeps_inside)),
+                ("closed", f64::from(sheets.closed)),
             ],
             self.view.size_px,
         );

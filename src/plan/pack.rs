@@ -120,8 +120,10 @@ shared! {
         surface_count: u32,
         /// How many cuts.
         cut_count: u32,
+        /// 1 where crossings with some clip-surface bring a normal.
+        has_normals: u32,
         /// Unused.
-        padding: [u32; 2],
+        padding: u32,
         /// Bits of the clip-surfaces of each cut.
         surfaces_of_cut: [[u32; 4]; 8],
         /// The clip-surfaces.

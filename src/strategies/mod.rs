@@ -153,5 +153,11 @@ fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
             "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
         ));
     }
+    if recorder.has_cutters() && !strategy.lists_crossings() {
+        return Some(format!(
+            "a cut has a closed mesh for a volume, and {strategy} draws no list of crossings to put it in: name raycast or grid with \
+             mask, stencil, abuffer or kbuffer"
+        ));
+    }
     None
 }

@@ -162,6 +162,12 @@ impl Strategy {
         !self.is_by_the_papers_rule() && self.surface != CapSurface::Alone
     }
 
+    /// Whether surface and caps of a frame follow from the one list of crossings per pixel.
+    pub fn lists_crossings(self) -> bool {
+        let alone = matches!(self.surface, CapSurface::Planar | CapSurface::Alone);
+        !alone && !self.is_by_the_papers_rule()
+    }
+
     /// Whether the mesh is clipped by chi at every fragment and the tessellated cap drawn by itself, as in the paper, rather than
     /// both by one list of crossings: where the inside test answers for points.
     pub fn is_by_the_papers_rule(self) -> bool {

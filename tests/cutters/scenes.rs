@@ -1,9 +1,41 @@
 //! Cutters and what they cut, in few words.
 
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+use cutaway::Gpu;
 use cutaway::scene::{Cut, Cutter, Mesh, Part, Scene};
+use cutaway::session::{Outcome, Session};
+use cutaway::strategies::{FrameOptions, Rasteriser};
 use glam::{DAffine3, DVec3};
 
-use super::common::{meshes, scenes};
+use super::common::{Judged, Question, meshes, scenes, software, strategy};
+
+/// The answer of a strategy that draws the mesh by the compute rasteriser, in a session of its own.
+pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
+    static SESSION: OnceLock<Mutex<Session>> = OnceLock::new();
+    let session = SESSION.get_or_init(|| {
+        let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
+        Mutex::new(Session::with_options(
+            gpu,
+            FrameOptions::by(Rasteriser::Compute),
+        ))
+    });
+    let mut session = session.lock().unwrap_or_else(PoisonError::into_inner);
+    let strategy = strategy(name);
+    let drawn = session.draw(&question.model, &question.view, &strategy);
+    let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
+    assert!(
+        !matches!(outcome, Outcome::Refused(_)),
+        "{name}: {outcome:?}"
+    );
+    let layers = session.layers(&strategy).expect("layers of a drawn frame");
+    Judged {
+        comparison: question.compare(&layers),
+        exact: question.exact.clone(),
+        layers,
+        outcome,
+    }
+}
 
 /// A cutter of a mesh where it is.
 pub(crate) fn cutter(mesh: Mesh) -> Cutter {

@@ -1,7 +1,7 @@
 // Decides what each pixel shows, surface or cap, where the compute rasteriser found the surfaces: `resolve` without what only
 // painted pixels need. One invocation owns one pixel.
 //
-// In the place of its normal a surface keeps the code of its triangle, a cap its clip-surface in the table of cuts. Pixels that
+// In the place of its normal a surface keeps the code of its triangle, a cap the word of its crossing. Pixels that
 // are not background are listed: they are few in most pictures, and painting is dear.
 
 #import cutaway::decision::{Drawn, decide, write}
@@ -34,7 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             drawn.normal = found.x;
         }
         let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside, overlaps), drawn);
-        write(id.xy, decision, decision.surface);
+        write(id.xy, decision, decision.crossing);
         is_painted = kind_of(decision.word) != BACKGROUND;
     }
     if is_painted {

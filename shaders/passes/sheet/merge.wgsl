@@ -4,10 +4,11 @@
 // sheet seen edge-on two of them may have changed places by rounding, which then does no harm. On which side the ray begins is
 // asked at the end of the interval that is farther from the sheet (the open module `sheet_side`); where that is too near to tell,
 // the crossings say it by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
-// hole, and the pixel is marked. A sheet that bounds a solid shows nothing: the ray begins inside, on the removed side, where an
-// odd number of all its crossings lies ahead.
+// hole, and the pixel is marked. A sheet that bounds a solid has no facing: the ray begins inside, on the removed side, where an
+// odd number of all its crossings lies ahead. Its crossings bring normals with them.
 
 #import cutaway::crossing_list::{List, add, finish, resume}
+#import cutaway::crossing_words::HAS_NORMAL
 #import cutaway::cuts::cut_table
 #import cutaway::fragment_runs::{Run, depth_of, owner_of, run_of}
 #import cutaway::frame::{Ray, box_interval, centre_of, depth_from_buffer, frame, is_behind, pixel_index, ray_through}
@@ -20,6 +21,9 @@ override by_facing: u32 = 0u;
 override by_parity: u32 = 0u;
 // A point nearer to a sheet than this, in scene units, is not told by its height; ten times as near it proves no hole.
 override beside: f32 = 0.0;
+// Of the latter: those whose outside is the removed side, and those that no ray of the picture begins inside the box of.
+override keeps_inside: u32 = 0u;
+override closed: u32 = 0u;
 
 struct Fragment {
     found: bool,
@@ -54,11 +58,13 @@ fn cross(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>,
     if !begins_kept {
         (*list).sides |= 1u << surface;
     }
+    let has_normals = ((by_parity >> surface) & 1u) != 0u;
     var kept = begins_kept;
     var crossing = next_after(Fragment(), run, surface, interval);
     for (var n = run.first; n < run.end && crossing.found; n++) {
         kept = !kept;
-        add(list, crossing.z, surface, kept);
+        let word = select(surface, owner_of(crossing.index) | HAS_NORMAL, has_normals);
+        add(list, crossing.z, word, kept);
         crossing = next_after(crossing, run, surface, interval);
     }
 }
@@ -98,13 +104,21 @@ fn cross_by_facing(list: ptr<function, List>, run: Run, surface: u32, ray: Ray, 
 }
 
 fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>) {
-    var begins_kept = true;
+    var begins_removed = ((keeps_inside >> surface) & 1u) != 0u;
+    var is_odd = false;
     for (var i = run.first; i < run.end; i++) {
-        if is_within(i, surface, vec2<f32>(interval.x, 3.4e38)) {
-            begins_kept = !begins_kept;
+        if sheet_of(owner_of(i)) != surface {
+            continue;
+        }
+        is_odd = !is_odd;
+        if depth_from_buffer(depth_of(i)) > interval.x {
+            begins_removed = !begins_removed;
         }
     }
-    cross(list, run, surface, interval, begins_kept);
+    if is_odd && ((closed >> surface) & 1u) != 0u {
+        (*list).cut_short = true;
+    }
+    cross(list, run, surface, interval, !begins_removed);
 }
 
 @compute @workgroup_size(16, 16)

@@ -3,6 +3,7 @@
 //! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
 //! tessellated ones are drawn by the paper's rule as well ([`paper::record`]), where an inside test answers for points instead.
 
+mod cutter;
 pub mod grid;
 pub mod paper;
 pub mod planar;
@@ -28,7 +29,7 @@ pub fn list(
     capacities: &Capacities,
 ) -> Result<Crossings, String> {
     match surface {
-        CapSurface::Raycast => Ok(raycast::record(recorder, capacity, store, 0)),
+        CapSurface::Raycast => cutter::list(recorder, capacity, store, capacities),
         CapSurface::Grid { cells } => {
             let tessellate = |r: &mut Recorder<'_>| Ok(grid::tessellation(r, cells));
             tessellation::list(recorder, capacity, store, capacities, tessellate)

@@ -12,7 +12,7 @@ use crate::plan::pack;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource};
 use crate::shader::Shader;
 
-/// Crossings that one relief is given room for until a frame reports what it needs: with its parity bit a lane of 8.
+/// Crossings that one relief or cutter is given room for until a frame reports what it needs: with its parity bit a lane of 8.
 const FIRST_PER_RELIEF: u32 = 7;
 
 /// How many crossings a pixel is given room for.
@@ -20,7 +20,7 @@ pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 
     let surfaces = &recorder.relevance.surfaces;
     let reliefs = surfaces
         .iter()
-        .filter(|s| recorder.model.is_relief(**s))
+        .filter(|s| recorder.model.is_relief(**s) || recorder.model.is_cutter(**s))
         .count() as u32;
     let planes = surfaces.len() as u32 - reliefs;
     let usual = planes + reliefs * FIRST_PER_RELIEF;
@@ -41,7 +41,7 @@ pub(super) fn record(
     sheets: u32,
 ) -> Crossings {
     let count = pixels(recorder.view.size_px);
-    let one_surface = recorder.relevance.surfaces.len() < 2;
+    let one_surface = recorder.relevance.surfaces.len() < 2 && !recorder.has_cutters();
     let mut surfaces = recorder.relevance.surfaces.iter().enumerate();
     let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && recorder.model.is_relief(*s));
     let mut buffer = |name: &str, bytes: u64| {
@@ -84,7 +84,7 @@ pub(super) fn record(
     } else {
         (
             "strategies/surface/raycast/planes.wgsl",
-            "the one list of depths per pixel; the planes among the clip-surfaces, for reliefs are drawn as sheets",
+            "the one list of depths per pixel; the planes among the clip-surfaces, for the others are drawn as sheets",
         )
     };
     let mut constants = vec![("capacity", f64::from(capacity))];

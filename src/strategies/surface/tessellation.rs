@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::raycast;
+use super::{cutter, raycast};
 use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
 use crate::plan::{Binding, Capacities, Draw, ResourceId, Vertices};
 use crate::shader::Shader;
@@ -107,10 +107,11 @@ pub fn list(
         .map(|(index, _)| index as u32)
         .collect();
     let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
-    let crossings = raycast::record(recorder, capacity, store, by_facing);
     if reliefs.is_empty() {
-        return Ok(crossings);
+        return cutter::list(recorder, capacity, store, capacities);
     }
+    let of_cutters = cutter::bits(recorder);
+    let crossings = raycast::record(recorder, capacity, store, by_facing | of_cutters);
     let tessellation = tessellate(recorder)?;
     let instances: Vec<u32> = reliefs.iter().map(|s| instance(0, *s)).collect();
     let batches = tessellation.batches(&instances).into_iter().enumerate();
@@ -126,14 +127,15 @@ pub fn list(
     });
     let mut side_bindings = vec![recorder.heights()];
     side_bindings.extend(tessellation.bindings.iter().cloned());
-    let sheets = Sheets {
+    let mut sheets = Sheets {
         draws: draws.collect(),
         by_facing,
-        by_parity: 0,
         side: tessellation.side,
         beside: tessellation.beside,
         side_bindings,
+        ..Sheets::default()
     };
+    cutter::add(recorder, &mut sheets);
     recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
     Ok(crossings)
 }

@@ -1,0 +1,15 @@
+// Normals of caps where some clip-surface is a cutter and the others are planes: that of the cutter's triangle, which the
+// crossing brings with it, turned to the removed side already; or the plane's.
+
+#define_import_path cutaway::cap_normal
+
+#import cutaway::crossing_words::{has_normal, normal_of, surface_of_word}
+#import cutaway::cuts::cut_table
+#import cutaway::layers::pack_normal
+
+fn packed_cap_normal(at: vec2<u32>, word: u32, depth: f32) -> u32 {
+    if has_normal(word) {
+        return pack_normal(normal_of(word));
+    }
+    return pack_normal(-cut_table.surfaces[surface_of_word(word)].normal.xyz);
+}

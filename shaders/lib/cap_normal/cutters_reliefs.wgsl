@@ -1,0 +1,17 @@
+// Normals of caps where some clip-surface is a cutter and some a relief: that of the cutter's triangle, which the crossing brings
+// with it, turned to the removed side already; or that of the bilinear height field.
+
+#define_import_path cutaway::cap_normal
+
+#import cutaway::crossing_words::{has_normal, normal_of, surface_of_word}
+#import cutaway::frame::{centre_of, ray_through}
+#import cutaway::layers::pack_normal
+#import cutaway::relief::cap_normal
+
+fn packed_cap_normal(at: vec2<u32>, word: u32, depth: f32) -> u32 {
+    if has_normal(word) {
+        return pack_normal(normal_of(word));
+    }
+    let ray = ray_through(centre_of(at));
+    return pack_normal(cap_normal(surface_of_word(word), ray.origin + depth * ray.direction));
+}

@@ -1,0 +1,333 @@
+//! Every inside test that reads the one list, by both rasterisers, against exact.
+
+use cutaway::layers::{Kind, Layers};
+use cutaway::scene::{Camera, Cut, Part, Scene, section_surface};
+use cutaway::session::Outcome;
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::common::meshes::{self, block, moved, shape};
+use super::common::{Judged, Question, class_of, scenes as cameras, strategy};
+use super::scenes::{bitten, cutter, judged_by_compute, shaped, solid};
+
+const SIZE: [u32; 2] = [160, 120];
+
+/// Strategies that are exact.
+const EXACT: [&str; 4] = [
+    "raycast+mask",
+    "raycast+stencil",
+    "raycast+abuffer",
+    "raycast+kbuffer:32",
+];
+/// Those that the compute rasteriser draws too.
+const BY_COMPUTE: [&str; 2] = ["raycast+mask", "raycast+abuffer"];
+
+/// How far normals of caps may be beside the truth, in degrees: 13 bits of each fraction, and 16 of the layers.
+const NORMAL_ERROR_DEG: f32 = 0.05;
+/// Share of the pixels of caps that may have the normal of the next triangle: those within 1/256 px of an edge, and chance.
+const NEXT_TRIANGLE_SHARE: f64 = 0.02;
+
+/// Caps of one kind whose normals differ.
+fn turned_px(question: &Question, layers: &Layers) -> usize {
+    let pairs = question.exact.layers.pixels.iter().zip(&layers.pixels);
+    pairs
+        .filter(|(a, b)| a.kind == Kind::Cap && class_of(a) == class_of(b))
+        .filter(|(a, b)| a.normal.angle_between(b.normal).to_degrees() > NORMAL_ERROR_DEG)
+        .count()
+}
+
+fn fault(question: &Question, judged: &Judged) -> Option<String> {
+    let turned = turned_px(question, &judged.layers);
+    let few = NEXT_TRIANGLE_SHARE * question.exact.layers.count(Kind::Cap) as f64 + 3.0;
+    (judged.fault_of_exact())
+        .or_else(|| (turned as f64 > few).then(|| format!("{turned} normals are not the truth")))
+}
+
+/// What is wrong with the frames of a scene, if anything is.
+fn faults(name: &str, scene: &Scene) -> Vec<String> {
+    let question = Question::of(scene, SIZE);
+    let caps = question.exact.layers.count(Kind::Cap);
+    let mut faults = Vec::new();
+    if caps < 40 {
+        faults.push(format!("{name}: only {caps} cap pixels: it asks nothing"));
+    }
+    let few = question.boundary_px() / 40 + 40;
+    let undecided = question.exact.undecided_px();
+    if undecided > few {
+        faults.push(format!("{name}: {undecided} undecided, {few} are many"));
+    }
+    for of in EXACT {
+        let judged = question.answer(&strategy(of));
+        faults.extend(fault(&question, &judged).map(|f| format!("{name}: {of}: {f}")));
+    }
+    for of in BY_COMPUTE {
+        let judged = judged_by_compute(&question, of);
+        faults.extend(fault(&question, &judged).map(|f| format!("{name}: {of} by compute: {f}")));
+    }
+    faults
+}
+
+fn crank() -> Vec<Part> {
+    meshes::parts("crank?throws=2&detail=16")
+}
+
+fn centre(parts: &[Part]) -> (DVec3, f64) {
+    let bounds = bitten("", parts.to_vec(), Vec::new()).bounds();
+    (bounds.centre(), bounds.size().length())
+}
+
+#[test]
+fn shapes_bite_into_a_crank() {
+    let (at, size) = centre(&crank());
+    let mut told = Vec::new();
+    for (spec, share) in [
+        ("sphere?subdivisions=3", 0.32),
+        ("knot?segments=160&sides=12", 0.3),
+        ("gears?flank=2", 0.3),
+        ("sponge?level=2", 0.35),
+    ] {
+        for (orthographic, flip) in [(false, false), (true, false), (false, true)] {
+            let unit = shaped(spec, 1.0, DVec3::ZERO).bounds_in_world();
+            let scale = share * size / unit.size().length() * 2.0;
+            let offset = at + DVec3::new(0.02, 0.04, 0.11) * size - unit.centre() * scale;
+            let mut bite = shaped(spec, scale, offset);
+            if flip {
+                bite = bite.flipped();
+            }
+            let mut scene = bitten(spec, crank(), vec![bite]);
+            scene.camera = cameras::orbit(35.0, 40.0, orthographic);
+            told.extend(faults(
+                &format!("{spec}, parallel {orthographic}, flipped {flip}"),
+                &scene,
+            ));
+        }
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+/// Shells, one in the other, and a ball that bites into them.
+fn shells() -> Scene {
+    let parts = meshes::parts("earth?subdivisions=3");
+    let (at, size) = centre(&parts);
+    let ball = shaped(
+        "sphere?subdivisions=3",
+        size * 0.22,
+        at + DVec3::new(0.1, 0.12, 0.22) * size,
+    );
+    let mut scene = bitten("shells", parts, vec![ball]);
+    scene.camera = cameras::orbit(25.0, 30.0, false);
+    scene
+}
+
+#[test]
+fn several_parts_are_cut_as_their_filters_say() {
+    let whole = shells();
+    let names: Vec<String> = whole.parts.iter().map(|p| p.name.clone()).collect();
+    let mut told = faults("all", &whole);
+    for spared in &names {
+        let mut scene = shells();
+        scene.cuts[0].except = vec![spared.clone()];
+        told.extend(faults(&format!("but {spared}"), &scene));
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+#[test]
+fn cutters_go_with_planes_reliefs_and_each_other() {
+    let mut told = Vec::new();
+    for orthographic in [false, true] {
+        let mut scene = shells();
+        scene.camera = cameras::orbit(25.0, 30.0, orthographic);
+        let bounds = scene.bounds();
+        let plane = section_surface("-1,0.2,0.1@55%,50%,50%", &bounds).expect("a section");
+        let rough = cameras::relief(&scene, "-z=60%", "fractal:size=32,amplitude=6%");
+        let ball = scene.cuts[0].volume.clone().expect("the ball");
+        let (at, size) = centre(&scene.parts);
+        let knot = shaped(
+            "knot?segments=120&sides=10",
+            size * 0.12,
+            at + DVec3::Z * 0.3 * size,
+        );
+
+        scene.cuts[0].surfaces = vec![plane.clone()];
+        told.extend(faults("ball and plane", &scene));
+        scene.cuts[0].surfaces = vec![rough.clone()];
+        told.extend(faults("ball and relief", &scene));
+        scene.cuts[0].surfaces = vec![rough.clone(), plane.clone()];
+        told.extend(faults("ball, relief and plane", &scene));
+        scene.cuts = vec![Cut::by(ball.clone()), Cut::of("rough", vec![rough.clone()])];
+        told.extend(faults("ball or relief", &scene));
+        scene.cuts = vec![Cut::by(ball.clone()), Cut::by(knot.clone())];
+        told.extend(faults("ball or knot", &scene));
+        scene.cuts = vec![
+            Cut::by(ball.flipped()),
+            Cut::by(knot),
+            Cut::of("plane", vec![plane]),
+        ];
+        told.extend(faults("outside of ball, or knot, or plane", &scene));
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+#[test]
+fn a_box_cuts_as_exactly_as_its_planes_however_it_is_turned() {
+    let mut told = Vec::new();
+    for turn in 0..4 {
+        let turn = f64::from(turn);
+        let by = DQuat::from_euler(glam::EulerRot::XYZ, 0.3 * turn, 0.2 * turn, 0.5 * turn);
+        let mesh = moved(
+            &shape("cube?divisions=3"),
+            DAffine3::from_rotation_translation(by, DVec3::splat(0.31)),
+        );
+        let mut scene = solid(
+            "box",
+            shape("torus?segments=40&sides=20"),
+            vec![cutter(mesh)],
+        );
+        scene.camera = cameras::orbit(40.0, 30.0, turn > 1.5);
+        told.extend(faults(&format!("turn {turn}"), &scene));
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+/// A cube with a face in the plane of a cutter's, which is divided otherwise.
+fn shared_face(min: DVec3, max: DVec3) -> Scene {
+    let divided = shape("cube?divisions=7");
+    let place = DAffine3::from_translation((min + max) * 0.5) * DAffine3::from_scale(max - min);
+    let cube = block(DVec3::splat(-0.5), DVec3::splat(0.5));
+    solid("shared face", cube, vec![cutter(moved(&divided, place))])
+}
+
+#[test]
+fn a_shared_face_is_kept_as_a_whole() {
+    let mut told = Vec::new();
+    for (min, max) in [
+        (DVec3::splat(-0.5), DVec3::splat(0.5)),
+        (DVec3::new(-0.25, -0.25, 0.5), DVec3::new(0.25, 0.25, 0.75)),
+        (DVec3::new(-0.3, -0.2, 0.1), DVec3::new(0.25, 0.25, 0.5)),
+    ] {
+        for orthographic in [false, true] {
+            let mut scene = shared_face(min, max);
+            scene.camera = cameras::orbit(30.0, 40.0, orthographic);
+            let question = Question::of(&scene, SIZE);
+            assert_eq!(
+                question.exact.layers.count(Kind::Cap),
+                0,
+                "the shell is whole"
+            );
+            for of in EXACT {
+                let judged = question.answer(&strategy(of));
+                told.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
+            }
+            for of in BY_COMPUTE {
+                let judged = judged_by_compute(&question, of);
+                told.extend(
+                    judged
+                        .fault_of_exact()
+                        .map(|f| format!("{of} by compute, {min}: {f}")),
+                );
+            }
+        }
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+#[test]
+fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
+    let void = shaped("sphere?subdivisions=4", 0.35, DVec3::new(0.05, 0.0, 0.02));
+    let mut scene = solid(
+        "void",
+        block(DVec3::splat(-0.5), DVec3::splat(0.5)),
+        vec![void],
+    );
+    let mut told = Vec::new();
+    for (from, to, near) in [
+        (DVec3::ZERO, DVec3::X, 0.01),
+        (DVec3::new(0.1, 0.1, 0.1), DVec3::new(-1.0, 0.3, 0.2), 0.2),
+        (DVec3::new(1.4, 0.3, 0.2), DVec3::ZERO, 1.2),
+        (DVec3::new(1.4, 0.3, 0.2), DVec3::ZERO, 1.45),
+    ] {
+        let mut camera: Camera = cameras::looking(from, to, 70.0);
+        camera.near = Some(near);
+        scene.camera = camera;
+        let question = Question::of(&scene, SIZE);
+        assert!(
+            question.exact.layers.count(Kind::Cap) > 200,
+            "walls of the void"
+        );
+        for of in EXACT {
+            let judged = question.answer(&strategy(of));
+            told.extend(
+                judged
+                    .fault_of_exact()
+                    .map(|f| format!("{of} from {from}: {f}")),
+            );
+        }
+        for of in BY_COMPUTE {
+            let judged = judged_by_compute(&question, of);
+            told.extend(
+                judged
+                    .fault_of_exact()
+                    .map(|f| format!("{of} by compute, {from}: {f}")),
+            );
+        }
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+#[test]
+fn a_cutter_may_reach_far_beyond_the_parts() {
+    let mut told = Vec::new();
+    for orthographic in [false, true] {
+        // All of it but a little is before the near plane, beyond the far plane and beside the picture.
+        let wedge = block(DVec3::new(0.1, 0.05, -40.0), DVec3::new(30.0, 20.0, 50.0));
+        let turn = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, 0.5).normalize(), 0.2);
+        let mesh = moved(&wedge, turn);
+        let mut scene = solid("far", shape("sphere?subdivisions=4"), vec![cutter(mesh)]);
+        scene.camera = cameras::orbit(50.0, 35.0, orthographic);
+        told.extend(faults(&format!("parallel {orthographic}"), &scene));
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+}
+
+fn layers_of(question: &Question, name: &str) -> Layers {
+    let judged = question.answer(&strategy(name));
+    assert_eq!(judged.outcome, Outcome::Complete, "{name}");
+    judged.layers
+}
+
+#[test]
+fn inside_tests_agree_to_the_bit() {
+    let question = Question::of(&shells(), SIZE);
+    let [first, rest @ ..] = EXACT.map(|name| layers_of(&question, name));
+    for (layers, name) in rest.iter().zip(&EXACT[1..]) {
+        assert_eq!(*layers, first, "{name}");
+    }
+}
+
+#[test]
+fn the_other_half_of_a_flipped_cutter_is_caught() {
+    // The control of all of the above: another cutter than the reference was asked about.
+    let mut scene = shells();
+    let question = Question::of(&scene, SIZE);
+    let ball = scene.cuts[0].volume.clone().expect("the ball");
+    for (other, what) in [
+        (ball.clone().flipped(), "flipped"),
+        (
+            ball.placed(DAffine3::from_translation(DVec3::X * 0.02)),
+            "moved",
+        ),
+    ] {
+        scene.cuts[0].volume = Some(other);
+        let asked = Question {
+            exact: question.exact.clone(),
+            ..Question::of(&scene, SIZE)
+        };
+        let judged = asked.answer(&strategy("raycast+mask"));
+        assert!(judged.comparison.decided_wrong_px > 50, "{what}");
+    }
+    // And normals turned to the other side.
+    let mut layers = question.answer(&strategy("raycast+mask")).layers;
+    assert!(turned_px(&question, &layers) < 20, "normals as they are");
+    (layers.pixels.iter_mut()).for_each(|p| p.normal = -p.normal);
+    assert!(turned_px(&question, &layers) > 50, "normals turned round");
+}
