@@ -233,16 +233,16 @@ fn an_open_mesh_is_capped_as_far_as_it_closes_and_its_doubt_is_marked() {
     let closed = judged(whole.clone());
     assert_eq!(marked(&closed), 0, "nothing is doubtful");
     // A hole that the plane does not meet is no matter: the section is whole, and so is the cap.
-    let below = judged(without(&|p| p.z < -0.9));
+    let below = judged(without(&|p| p.z < -0.45));
     assert_eq!(caps(&below), caps(&closed), "a hole beside the plane");
     assert_eq!(marked(&below), 0, "a hole beside the plane");
     // One that it meets leaves the outline open, and no cap.
-    let across = judged(without(&|p| p.x > 0.8));
+    let across = judged(without(&|p| p.x > 0.4));
     assert_eq!(caps(&across), 0, "an outline that does not close");
     assert!(marked(&across) > 100, "{} marked", marked(&across));
     // Another solid of the same mesh closes, and has its cap.
-    let ball = meshes::moved(&whole, DAffine3::from_translation(DVec3::Y * 2.5));
-    let two = judged(meshes::joined(&[without(&|p| p.x > 0.8), ball]));
+    let ball = meshes::moved(&whole, DAffine3::from_translation(DVec3::Y * 1.25));
+    let two = judged(meshes::joined(&[without(&|p| p.x > 0.4), ball]));
     assert!(caps(&two) > 500, "{} cap pixels", caps(&two));
 }
 

@@ -30,9 +30,9 @@ fn planes_in_faces_through_edges_vertices_and_diagonals() {
         DVec3::new(-1.0, 1.0, 1.0),
     ];
     let from = [
-        DVec3::new(0.6, 0.5, 2.0),
-        DVec3::new(-0.7, 0.4, -2.0),
-        DVec3::new(1.9, -1.2, 0.4),
+        DVec3::new(1.1, 0.9, 2.0),
+        DVec3::new(-1.3, 0.8, -1.7),
+        DVec3::new(1.9, -1.2, 0.9),
     ];
     let mut caps = 0;
     for shape in ["cube", "cube?divisions=4", "sponge?level=1"] {
