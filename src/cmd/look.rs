@@ -11,7 +11,7 @@ use crate::strategies::Strategy;
 #[derive(Args)]
 pub(super) struct LookArgs {
     /// Who draws the caps: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N+vds:RES or +ldi:RES;
-    /// stencil (one plane); or exact for the reference [default: that of the scene, or raycast+mask]
+    /// planar (planes); stencil (one plane); or exact for the reference [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
     /// Draw N times as fine along each side and average in linear light, 1 to 4

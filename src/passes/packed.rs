@@ -31,7 +31,7 @@ pub(super) struct Packed {
     pub(super) vertex_count: u32,
     /// Of a part that moves.
     pub(super) rest: Option<Arc<Rest>>,
-    /// Of a part that stands still.
+    /// What slicing it needs again.
     pub(super) sliced: Arc<Sliced>,
     /// Whether its mesh was another before.
     is_other: bool,
@@ -110,6 +110,10 @@ impl Packed {
             vertex_count: rest.vertex_count,
             indices: rest.indices.clone(),
             rest: Some(rest),
+            sliced: match known {
+                Some(k) if k.sliced.stands_as(part, space) => k.sliced.clone(),
+                _ => Arc::new(Sliced::posed(part, space)),
+            },
             ..Self::unpacked(part, space, placed)
         }
     }

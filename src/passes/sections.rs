@@ -41,7 +41,7 @@ impl Wanted {
 
 impl Recorder<'_> {
     /// The sections of the cut parts by the planes that cut them; none where all planes pass by, and whether some part may have
-    /// too little of a section, as an open mesh has. All clip-surfaces must be planes, and the vertices of cut parts here.
+    /// too little of a section, as an open mesh has. All clip-surfaces must be planes.
     pub fn sections(&mut self) -> (Option<Sections>, bool) {
         let wanted = self.wanted();
         let known: Vec<_> =

@@ -1,18 +1,20 @@
 //! What slicing a part needs again: its slicer, made when it is first sliced, and the sections of late.
 //!
-//! A part keeps both for as long as it keeps its mesh and its place ([`Model::updated`](super::Model::updated)), whatever
+//! A part keeps both for as long as it keeps its mesh, its pose and its place ([`Model::updated`](super::Model::updated)), whatever
 //! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
-//! Memory: the slicer's, and that of [`MOST_KNOWN`] sections at most.
+//! A part that the device poses is posed here as well, in f64, when it is sliced: each step of its motion then costs as much as
+//! its first section. Memory: the slicer's, and that of [`MOST_KNOWN`] sections at most.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::model::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
-use crate::scene::{Fill, PreparedPart};
+use crate::scene::{Fill, Part, PreparedPart, SceneSpace};
 use crate::slice::{Section, SlicePlane, Slicer};
 
 /// Sections that are kept: as many as one frame can ask for.
@@ -41,6 +43,8 @@ struct Known {
 /// The slicer of a part, and its sections of late.
 #[derive(Default)]
 pub(super) struct Sliced {
+    /// Of a part that the device poses.
+    posed: Option<(Part, SceneSpace)>,
     slicer: OnceLock<Slicer>,
     /// The latest last.
     known: Mutex<Vec<Known>>,
@@ -56,6 +60,23 @@ impl fmt::Debug for Sliced {
 }
 
 impl Sliced {
+    /// Of a part that the device poses.
+    pub(super) fn posed(part: &Part, space: &SceneSpace) -> Self {
+        Self {
+            posed: Some((part.clone(), *space)),
+            ..Self::default()
+        }
+    }
+
+    /// Whether a part with the same mesh and motion stands as this one does.
+    pub(super) fn stands_as(&self, part: &Part, space: &SceneSpace) -> bool {
+        self.posed.as_ref().is_some_and(|(known, known_space)| {
+            known.pose == part.pose
+                && known.world_from_part == part.world_from_part
+                && known_space == space
+        })
+    }
+
     /// The section by a plane, filled by a rule, if it is known.
     pub(super) fn known(&self, plane: &SlicePlane, rule: Fill) -> Option<Arc<PackedSection>> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -84,19 +105,30 @@ impl Sliced {
         });
     }
 
-    /// Slices a part, of which the vertices are here, and fills the section by its rule.
+    /// Slices the part, and fills the section by its rule.
     pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
         let slicer = self.slicer.get_or_init(|| {
-            let positions = part.positions.par_iter().map(|p| p.as_dvec3());
-            Slicer::of(positions.collect::<Vec<_>>(), &part.triangles)
+            let positions: Vec<DVec3> = match &self.posed {
+                Some((part, space)) => positions_of(part, space),
+                None => part.positions.par_iter().map(|p| p.as_dvec3()).collect(),
+            };
+            Slicer::of(positions, &part.triangles)
         });
         PackedSection::of(&slicer.section_by(plane, part.fill), plane)
     }
 }
 
+/// Where the vertices of a part stand in scene space: those that exact is asked about.
+fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
+    let mesh = part.posed_mesh();
+    let placed = |p: &DVec3| space.point(part.world_from_part.transform_point3(*p));
+    let at = mesh.positions.par_iter().map(placed);
+    at.map(|p| p.as_vec3().as_dvec3()).collect()
+}
+
 impl PackedSection {
     fn of(section: &Section, plane: &SlicePlane) -> Self {
-        let lifted = |p: &glam::DVec2| Vertex {
+        let lifted = |p: &DVec2| Vertex {
             position: plane.point(*p).as_vec3().to_array(),
             normal: 0,
         };

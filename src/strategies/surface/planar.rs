@@ -9,9 +9,9 @@
 //! Per cut: slicing and triangulating what the planes meet, on all cores; bytes in proportion to it. Per frame: the mesh once, the
 //! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
 //!
-//! Cannot: cut by reliefs; cap at the near plane; slice parts that the device poses, of which the vertices are not here. Open
-//! meshes are capped as far as their sections close; where one does not, pixels with an odd total of a part's fragments are
-//! marked, as `mask` marks them.
+//! Cannot: cut by reliefs; cap at the near plane; follow a large mesh that moves as fast as others do, for it is posed on the CPU and
+//! its slicer made anew in each step. Open meshes are capped as far as their sections close; where one does not, pixels with an odd
+//! total of a part's fragments are marked, as `mask` marks them.
 
 use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Sections, Store, counted};
 use crate::plan::{
@@ -124,15 +124,9 @@ fn refusal(recorder: &Recorder<'_>) -> Option<String> {
             "planar slices by planes, and clip-surface {number} of cut `{cut}` has a relief"
         ));
     }
-    let parts = || relevance.cut_parts().iter().map(|r| &prepared.parts[*r]);
-    if let Some(posed) = parts().find(|p| p.is_on_device) {
-        return Some(format!(
-            "planar slices on the CPU, and `{}` is posed on the device",
-            posed.name
-        ));
-    }
+    let mut parts = relevance.cut_parts().iter().map(|r| &prepared.parts[*r]);
     let view = recorder.view;
-    let met = parts().find(|p| view.near_cap && view.near_plane_meets(&p.bounds))?;
+    let met = parts.find(|p| view.near_cap && view.near_plane_meets(&p.bounds))?;
     Some(format!(
         "the near plane meets `{}`: its cap is no section that planar makes",
         met.name
