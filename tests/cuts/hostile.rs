@@ -258,9 +258,9 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     ),
     (
         "origin = [0, 0, \"50%\"]",
-        "origin = [1e308, 0, \"1e300%\"]",
-        "cut.pie.wedge",
-        "mend:",
+        "origin = [0, 0, \"1e400%\"]",
+        "cut.pie.wedge.origin.2",
+        "not finite",
     ),
     (
         "heights = [0, 1, 0.5]",
