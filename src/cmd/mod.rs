@@ -22,6 +22,7 @@ mod open;
 mod output;
 mod picture;
 mod plan;
+mod regions;
 mod render;
 mod section;
 mod sections;

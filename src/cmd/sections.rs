@@ -1,4 +1,4 @@
-//! `--section`, `--relief`, `--flip`, `--cut`, `--exclude`: the cuts of the command line.
+//! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--exclude`: the cuts of the command line.
 //!
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
@@ -6,13 +6,14 @@
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use super::console::Console;
+use super::regions::{Named, RegionArgs};
 use crate::error::did_you_mean;
 use crate::scene::{
     Bounds, ClipSurface, Cut, ReliefSpec, Scene, SectionSpec, apply_relief, section_misses,
 };
 use crate::{Error, Result};
 
-const HEADING: &str = "Cuts";
+pub(super) const HEADING: &str = "Cuts";
 
 #[derive(Args)]
 struct Words {
@@ -33,7 +34,9 @@ struct Words {
         help_heading = HEADING
     )]
     flip: Vec<bool>,
-    /// Several sections: remove what is beyond any of them (union) or beyond all of them (intersection)
+    #[command(flatten)]
+    regions: RegionArgs,
+    /// Several sections, boxes and wedges: remove what any of them removes (union) or all of them (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
     /// Parts that no section of the command line cuts; `*` and `?` are understood. Repeatable
@@ -62,6 +65,7 @@ struct Section {
 #[derive(Clone, Debug)]
 pub(super) struct SectionArgs {
     sections: Vec<Section>,
+    regions: RegionArgs,
     /// What had no section to belong to.
     stray: Option<String>,
     combination: Combination,
@@ -118,11 +122,12 @@ impl FromArgMatches for SectionArgs {
                 None => stray = Some("--flip: there is no section for it".to_owned()),
             }
         }
-        if sections.is_empty() && !words.exclude.is_empty() {
+        if sections.is_empty() && words.regions.is_empty() && !words.exclude.is_empty() {
             stray = Some("--exclude: there is no section for it".to_owned());
         }
         Ok(Self {
             sections,
+            regions: words.regions,
             stray,
             combination: words.cut,
             exclude: words.exclude,
@@ -145,21 +150,20 @@ impl SectionArgs {
         }
         self.check_excluded(scene)?;
         let bounds = scene.bounds();
-        let mut named = Vec::with_capacity(self.sections.len());
+        let mut named: Vec<Named> = Vec::new();
         for words in &self.sections {
-            named.push((words.section.clone(), words.surface(&bounds)?));
+            let surface = words.surface(&bounds)?;
+            named.push((words.section.clone(), vec![vec![surface]]));
         }
-        let mut cuts: Vec<Cut> = match self.combination {
-            _ if named.is_empty() => Vec::new(),
-            Combination::Union => named
-                .into_iter()
-                .map(|(n, s)| Cut::of(n, vec![s]))
-                .collect(),
-            Combination::Intersection => {
-                let (names, surfaces): (Vec<_>, Vec<_>) = named.into_iter().unzip();
-                vec![Cut::of(names.join(" and "), surfaces)]
-            }
-        };
+        named.extend(self.regions.read(&bounds)?);
+        if self.combination == Combination::Intersection {
+            named = named.into_iter().reduce(both).into_iter().collect();
+        }
+        let cuts = named.into_iter().flat_map(|(name, alternatives)| {
+            let cut = move |surfaces| Cut::of(name.clone(), surfaces);
+            alternatives.into_iter().map(cut)
+        });
+        let mut cuts: Vec<Cut> = cuts.collect();
         for cut in &mut cuts {
             cut.except.clone_from(&self.exclude);
         }
@@ -201,6 +205,15 @@ impl Section {
             surface
         })
     }
+}
+
+/// What two regions have in common.
+fn both((a, of_a): Named, (b, of_b): Named) -> Named {
+    let pairs = of_a.iter().flat_map(|x| {
+        let joined = of_b.iter();
+        joined.map(move |y| [x.as_slice(), y.as_slice()].concat())
+    });
+    (format!("{a} and {b}"), pairs.collect())
 }
 
 /// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
@@ -345,6 +358,28 @@ mod tests {
             cuts("--cut intersection").unwrap().is_empty(),
             "no section, no cut"
         );
+    }
+
+    #[test]
+    fn boxes_and_wedges_unite_and_intersect_like_sections() {
+        let counts = |line: &str| -> Vec<usize> {
+            let cuts = cuts(line).unwrap_or_else(|e| panic!("{e}"));
+            cuts.iter().map(|c| c.surfaces.len()).collect()
+        };
+        let line = "--section z=0 --box 0,0,0: --wedge z:0:90 --wedge y:0:200";
+        assert_eq!(counts(line), [1, 3, 2, 1, 1]);
+        assert_eq!(counts(&format!("{line} --cut intersection")), [7, 7]);
+        let cut = &cuts("--wedge z:0:90 --exclude s*").unwrap()[0];
+        assert_eq!((cut.name.as_str(), cut.except.len()), ("wedge z:0:90", 1));
+        for line in [
+            "--box 0,0,0",
+            "--wedge q:0:90",
+            "--box 1,1,1:0,2,2",
+            "--wedge z:5:5",
+        ] {
+            let message = cuts(line).expect_err(line).to_string();
+            assert!(message.contains("mend:"), "{message}");
+        }
     }
 
     #[test]

@@ -6,6 +6,8 @@
 //! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
 //! of it is better off.
 
+mod spec;
+
 use glam::DVec3;
 
 use super::ClipSurface;
@@ -120,6 +122,15 @@ impl Wedge {
         }
         alternatives
     }
+}
+
+/// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z. Where angles begin.
+pub(super) fn next_axis(along: DVec3) -> DVec3 {
+    let nearest = (0..3)
+        .rev()
+        .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
+    let next = DVec3::AXES[(nearest.unwrap_or(0) + 1) % 3];
+    (next - along * next.dot(along)).normalize()
 }
 
 /// The cosine and sine of an angle; those of right angles are exact.

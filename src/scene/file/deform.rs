@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::reader::{Entry, Table};
 use crate::error::Result;
+use crate::scene::regions::next_axis;
 use crate::scene::section::Amount;
 use crate::scene::{Axis, Bounds, Deformer};
 
@@ -129,22 +130,13 @@ fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
             }
             across.normalize()
         }
-        None => usual_across(along),
+        None => next_axis(along),
     };
     Ok(Axis {
         centre,
         along,
         across,
     })
-}
-
-/// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z.
-pub(super) fn usual_across(along: DVec3) -> DVec3 {
-    let nearest = (0..3)
-        .rev()
-        .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
-    let next = DVec3::AXES[(nearest.unwrap_or(0) + 1) % 3];
-    (next - along * next.dot(along)).normalize()
 }
 
 /// `"x"`, `"-y"` or a vector of any length but 0.

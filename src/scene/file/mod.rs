@@ -23,10 +23,31 @@
 //! flip = false                           # true removes what is outside
 //! ```
 //!
+//! # Cuts
+//!
+//! A cut removes what all of its `surfaces`, its `box` and its `wedge` remove; the scene removes the union of its cuts.
+//!
+//! ```toml
+//! [[cut]]
+//! name = "slice"
+//! applies_to = ["*"]
+//! except = ["core"]
+//! offset = { mantle = 0.08, "crust*" = "5%" }   # so much more of these parts is kept; percent of the diagonal
+//! enabled = true
+//! wedge = { axis = "z", from_deg = 0, to_deg = 90, relief = "ragged", faces = ["from", "to"] }
+//!
+//! [[cut]]
+//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }
+//! ```
+//!
+//! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
+//! cut. Where several globs fit a part, its own name has to be there and counts.
+//!
 //! # What moves
 //!
 //! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
-//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay.
+//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay. What is
+//! `true` or `false`, as `cut.slice.enabled`, is moved by such values in steps.
 //!
 //! ```toml
 //! [[part]]

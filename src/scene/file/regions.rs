@@ -16,9 +16,10 @@
 use glam::DVec3;
 
 use super::cuts::{Context, on_plane, sound};
-use super::deform::{direction, usual_across};
+use super::deform::direction;
 use super::reader::{Entry, Table};
 use crate::error::Result;
+use crate::scene::regions::next_axis;
 use crate::scene::section::Amount;
 use crate::scene::{Block, Bounds, ClipSurface, Face, Wedge};
 
@@ -150,7 +151,7 @@ pub(super) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     let wedge = Wedge {
         origin,
         along,
-        zero: usual_across(along),
+        zero: next_axis(along),
         from_deg,
         to_deg,
         min: end("min")?,

@@ -1,0 +1,98 @@
+//! Promise: a cut is the region that its file says, however it is written: boxes, wedges and clip-surfaces in any union and
+//! intersection, farther from some parts than from others, on or off, with heights of any dimension; every exact strategy draws
+//! it as the reference has it, and what is not asked for costs nothing.
+
+mod common;
+
+#[path = "cuts/agree.rs"]
+mod agree;
+#[path = "cuts/areas.rs"]
+mod areas;
+#[path = "cuts/hostile.rs"]
+mod hostile;
+#[path = "cuts/minimum.rs"]
+mod minimum;
+#[path = "cuts/moving.rs"]
+mod moving;
+#[path = "cuts/reliefs.rs"]
+mod reliefs;
+#[path = "cuts/said.rs"]
+mod said;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cutaway::error::Result;
+use cutaway::exact::{Exact, evaluate};
+use cutaway::scene::{
+    Prepared, Scene, SceneFile, Timeline, load_mesh_file, load_scene_file, shapes,
+};
+
+/// A folder of its own for each test, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let name = format!("cutaway-cuts-{name}-{}", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        fs::create_dir_all(&path).expect("a temporary folder");
+        Self(path)
+    }
+
+    fn load(&self, text: &str) -> Result<SceneFile> {
+        let path = self.0.join("scene.toml");
+        fs::write(&path, text).expect("a temporary file");
+        load_scene_file(&path, &open_mesh, &shapes::shape)
+    }
+
+    /// The scene of a sound text.
+    fn scene(&self, text: &str) -> Scene {
+        self.load(text)
+            .unwrap_or_else(|e| panic!("{e}\n{text}"))
+            .scene
+    }
+
+    /// The timeline of a sound text.
+    fn timeline(&self, text: &str) -> Timeline {
+        self.load(text)
+            .unwrap_or_else(|e| panic!("{e}\n{text}"))
+            .timeline
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // A folder that stays behind in the temporary directory harms nobody.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn open_mesh(path: &Path) -> cutaway::scene::OpenedMesh {
+    let loaded = load_mesh_file(path)?;
+    Ok((loaded.parts, loaded.notes))
+}
+
+/// The scene at a time at which it is sound.
+fn at(timeline: &Timeline, time_s: f64) -> Scene {
+    let scene = timeline.at(time_s);
+    scene.unwrap_or_else(|e| panic!("at {time_s} s: {e}"))
+}
+
+/// What is to be seen of a scene through its own camera.
+fn seen(scene: &Scene, size_px: [u32; 2]) -> Exact {
+    let prepared = Prepared::of(scene);
+    evaluate(&prepared, &prepared.view(size_px))
+}
+
+/// A scene file of one shape called `solid`, seen by parallel rays from a direction, and a cut of these lines.
+fn of_shape(shape: &str, from: [i32; 3], height: f64, cut: &str) -> String {
+    let up = if from[1] == 0 && from[0] == 0 {
+        [0, 1, 0]
+    } else {
+        [0, 0, 1]
+    };
+    format!(
+        "[camera]\nposition = {from:?}\nfocal_point = [0, 0, 0]\nview_up = {up:?}\nprojection = \"orthographic\"\n\
+         height = {height:?}\n[[part]]\nname = \"solid\"\nshape = \"{shape}\"\n[[cut]]\nname = \"front\"\n{cut}\n"
+    )
+}
