@@ -113,6 +113,7 @@ fn caps_of(recorder: &Recorder<'_>, rank: usize, cells: u32) -> Vec<Draw> {
             base_vertex: 0,
             vertex_count: 0,
             instance: place * 32 + s,
+            arguments: None,
         })
         .collect()
 }
