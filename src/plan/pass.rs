@@ -267,10 +267,7 @@ impl Pass {
                 all.push(*id);
             }
             all.push(*indices);
-            for id in draws
-                .iter()
-                .filter_map(|d| d.arguments.map(|a| a.resource))
-            {
+            for id in draws.iter().filter_map(|d| d.arguments.map(|a| a.resource)) {
                 if !all.contains(&id) {
                     all.push(id);
                 }

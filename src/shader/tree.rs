@@ -80,6 +80,12 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/deform/mesh.wgsl",
     "lib/full_screen.wgsl",
     "lib/sheet.wgsl",
+    "lib/domain.wgsl",
+    "lib/deviation.wgsl",
+    "lib/bisection.wgsl",
+    "lib/refinement.wgsl",
+    "lib/tessellation/adaptive.wgsl",
+    "lib/sheet_side/adaptive.wgsl",
 ];
 
 /// Whole shaders.
@@ -105,6 +111,12 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/surface/raycast/reliefs.wgsl",
     "strategies/surface/grid/clip.wgsl",
     "strategies/surface/grid/cap.wgsl",
+    "strategies/surface/adaptive/cells.wgsl",
+    "strategies/surface/adaptive/edges.wgsl",
+    "strategies/surface/adaptive/squares.wgsl",
+    "strategies/surface/adaptive/begin.wgsl",
+    "strategies/surface/adaptive/refine.wgsl",
+    "strategies/surface/adaptive/end.wgsl",
     "strategies/inside/abuffer/reduce.wgsl",
     "strategies/inside/kbuffer/reduce.wgsl",
     "strategies/inside/ldi/clear.wgsl",

@@ -3,8 +3,10 @@
 //! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
 //! tessellated ones are drawn by the paper's rule as well ([`grid::record`]), where an inside test answers for points instead.
 
+pub mod adaptive;
 pub mod grid;
 mod raycast;
+pub mod tessellation;
 
 use super::CapSurface;
 use crate::passes::{Crossings, Recorder, Store};
