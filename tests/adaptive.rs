@@ -42,5 +42,9 @@ fn cut_ball(map: OffsetMap, period: f64, height: f64, wrap: Wrap) -> Scene {
         (period, height),
         wrap,
     );
-    scenes::scene("ball", meshes::shape("sphere?subdivisions=3"), vec![surface])
+    scenes::scene(
+        "ball",
+        meshes::shape("sphere?subdivisions=3"),
+        vec![surface],
+    )
 }

@@ -157,6 +157,7 @@ fn passes_that_must_meet_have_invariant_positions() {
             "passes/surface.wgsl",
             "passes/solid.wgsl",
             "passes/fragments.wgsl",
+            "passes/sheet/draw.wgsl",
             "strategies/inside/stencil/solid.wgsl",
             "strategies/inside/stencil/mark.wgsl",
         ];
@@ -261,22 +262,27 @@ fn a_struct_that_drifted_is_noticed() {
         let module = shader::compose_text("planted", &text).unwrap_or_else(|e| panic!("{e}"));
         layout_faults::<Quad>(&module).expect("there is a Quad")
     };
-    let rows = ["corner", "step_u", "step_v"].map(|n| format!("{n}: vec4<f32>,"));
+    let rows = [
+        "corner: vec4<f32>,",
+        "step_u: vec4<f32>,",
+        "step_v: vec4<f32>,",
+    ];
+    let cells = "cells: vec4<u32>,";
     assert_eq!(
-        planted(&rows.concat()),
+        planted(&[rows.concat().as_str(), cells].concat()),
         Vec::<String>::new(),
         "the struct as it is"
     );
     let [corner, u, v] = rows;
     for (drift, body) in [
-        ("a field is gone", format!("{corner}{u}")),
-        ("two are exchanged", format!("{corner}{v}{u}")),
+        ("a field is gone", format!("{corner}{u}{cells}")),
+        ("two are exchanged", format!("{corner}{v}{u}{cells}")),
         (
             "a row is a vec3, of another size",
-            format!("{corner}{u}step_v: vec3<f32>,"),
+            format!("{corner}{u}step_v: vec3<f32>,{cells}"),
         ),
-        ("one is longer", format!("{corner}{u}{v}more: u32,")),
-        ("one moved", format!("{corner}gap: u32,{u}{v}")),
+        ("one is longer", format!("{corner}{u}{v}{cells}more: u32,")),
+        ("one moved", format!("{corner}gap: u32,{u}{v}{cells}")),
     ] {
         assert!(!planted(&body).is_empty(), "{drift}");
     }

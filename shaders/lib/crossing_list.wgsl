@@ -21,8 +21,14 @@ struct List {
     found: u32,
     // Sides where the ray starts.
     sides: u32,
-    // There may be more crossings than were found.
+    // There may be more crossings than were found, or others.
     cut_short: bool,
+}
+
+// A list that was finished, to be gone on with.
+fn resume(pixel: u32, capacity: u32) -> List {
+    let head = crossing_heads[pixel];
+    return List(pixel, capacity, head.x & 0xffu, head.y, (head.x & 0x80000000u) != 0u);
 }
 
 fn put(at: u32, z: f32, surface: u32) {

@@ -9,7 +9,7 @@
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
 
-// Bits 0-7 how many crossings, bit 31 set when the list could not hold them all; and the sides where the ray starts.
+// Bits 0-7 how many crossings, bit 31 set when the list could not hold them all or is not vouched for; and the sides where the ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
 // Clip-surface of each crossing; not stored where there is only one.

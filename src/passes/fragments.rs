@@ -1,13 +1,13 @@
 //! Lists of fragments of any length: counted, laid out by a prefix sum, filled.
 //!
-//! All lists share one buffer, because the passes that fill it have no second binding to spare: a word for each list, 4 bytes
+//! All lists of a kind share one buffer, because the passes that fill it have no second binding to spare: a word for each list, 4 bytes
 //! for the depth of each fragment and, where parts meet in a list, 4 for its owner. As many fragments as the frame before
 //! needed; a frame that needs more says how many and marks what found no room. Nothing is sorted: parity asks for no order.
 //!
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
-use super::recorder::NEED_OF_FRAGMENTS;
-use super::{Rasteriser, Recorder, Scan, ScreenOf, Store, Sweep};
+use super::recorder::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
+use super::{Rasteriser, Recorder, Scan, ScreenOf, Store, Sweep, pixels};
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
     Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Knob, Pass, Resource,
@@ -21,7 +21,36 @@ pub struct FragmentLists {
     fragments: ResourceId,
     pool: Binding,
     layout: FragmentPool,
+    kind: Kind,
 }
+
+/// What keeps the lists of one plan apart.
+#[derive(Clone, Copy, Debug)]
+struct Kind {
+    /// What the passes that lay them out are named after.
+    lists: &'static str,
+    /// Name of their layout.
+    pool: &'static str,
+    /// Word of the need buffer.
+    slot: u32,
+    /// What makes room.
+    knob: Knob,
+}
+
+/// Fragments of the mesh.
+const OF_MESH: Kind = Kind {
+    lists: "lists",
+    pool: "pool",
+    slot: NEED_OF_FRAGMENTS,
+    knob: Knob::Fragments,
+};
+/// Fragments of sheets.
+const OF_SHEETS: Kind = Kind {
+    lists: "sheets",
+    pool: "sheet pool",
+    slot: NEED_OF_SHEETS,
+    knob: Knob::Sheets,
+};
 
 impl FragmentLists {
     /// What a fragment does while lists are counted.
@@ -35,11 +64,18 @@ impl FragmentLists {
     }
 
     fn stored(&self, file: &'static str) -> Store {
-        let fragments = Binding::update("fragments", self.fragments);
         Store {
             file,
-            bindings: vec![fragments, self.pool.clone()],
+            bindings: self.updated().into(),
         }
+    }
+
+    /// The bindings of `shaders/lib/fragment_lists.wgsl` while fragments come.
+    pub fn updated(&self) -> [Binding; 2] {
+        [
+            Binding::update("fragments", self.fragments),
+            self.pool.clone(),
+        ]
     }
 
     /// The bindings of a pass that makes all lists empty.
@@ -74,9 +110,30 @@ impl Recorder<'_> {
         capacities: &Capacities,
         what: &str,
     ) -> Result<FragmentLists, String> {
+        self.lists_of(OF_MESH, lists, has_owners, capacities.fragments, what)
+    }
+
+    /// A list of sheet fragments for each pixel: depths, and a word of `shaders/lib/sheet_words.wgsl` in the place of owners.
+    pub(super) fn sheet_lists(
+        &mut self,
+        capacities: &Capacities,
+        what: &str,
+    ) -> Result<FragmentLists, String> {
+        let lists = pixels(self.view.size_px);
+        self.lists_of(OF_SHEETS, lists, true, capacities.sheets, what)
+    }
+
+    fn lists_of(
+        &mut self,
+        kind: Kind,
+        lists: u64,
+        has_owners: bool,
+        capacity: Option<u32>,
+        what: &str,
+    ) -> Result<FragmentLists, String> {
         let lists = u32::try_from(lists)
             .map_err(|_| format!("{lists} lists of {what} are more than 32 bits can count"))?;
-        let capacity = capacities.fragments.unwrap_or(lists);
+        let capacity = capacity.unwrap_or(lists);
         let words_each = if has_owners { 2 } else { 1 };
         let bytes = 4 * (u64::from(lists) + u64::from(capacity) * words_each);
         let fragments = self.once(what, |_| Resource::storage(what, bytes, Clock::Frame));
@@ -88,16 +145,17 @@ impl Recorder<'_> {
         };
         self.plan.bounded.push(Bounded {
             what: what.to_owned(),
-            slot: NEED_OF_FRAGMENTS,
+            slot: kind.slot,
             capacity,
-            knob: Some(Knob::Fragments),
+            knob: Some(kind.knob),
             exact: false,
         });
-        let pool = self.pool("pool", layout);
+        let pool = self.pool(kind.pool, layout);
         Ok(FragmentLists {
             fragments,
             pool,
             layout,
+            kind,
         })
     }
 
@@ -108,7 +166,7 @@ impl Recorder<'_> {
             ..lists.layout
         };
         FragmentLists {
-            pool: self.pool(&format!("pool from {first_list}"), layout),
+            pool: self.pool(&format!("{} from {first_list}", lists.kind.pool), layout),
             layout,
             ..*lists
         }
@@ -125,12 +183,12 @@ impl Recorder<'_> {
     /// Lays the lists out once they are counted.
     pub fn lay_out(&mut self, lists: &FragmentLists, what: &str, need: ResourceId) {
         Scan {
-            name: "lists",
+            name: lists.kind.lists,
             what,
             clock: Clock::Frame,
             items: lists.fragments,
             length: lists.layout.lists,
-            total: (need, NEED_OF_FRAGMENTS),
+            total: (need, lists.kind.slot),
         }
         .record(&mut self.plan);
     }

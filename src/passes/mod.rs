@@ -1,6 +1,6 @@
 //! Building blocks that strategies share: what of the cuts matters, the scene as resources, the list of crossings, the pass over
 //! the mesh by either rasteriser, what it leaves for an inside test, prefix sums and lists of fragments, questions to images of
-//! volumes, resolving, gathering, shading.
+//! volumes, sheets, resolving, gathering, shading.
 
 mod crossings;
 mod fragments;
@@ -19,6 +19,7 @@ mod resolve;
 mod rest;
 mod scan;
 mod screen;
+mod sheet;
 mod solid;
 mod sweep;
 
@@ -37,5 +38,6 @@ pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
+pub use sheet::{SheetDraw, Sheets};
 pub use solid::Store;
 pub use sweep::{INVOCATIONS_PER_ROW, Sweep, groups_along};

@@ -172,7 +172,7 @@ shared! {
 }
 
 shared! {
-    /// A quad that becomes a cap grid: `shaders/strategies/surface/grid/cap.wgsl`.
+    /// A quad that becomes a cap grid: `shaders/lib/quads.wgsl`.
     Quad {
         /// First corner.
         corner: [f32; 4],
@@ -180,6 +180,8 @@ shared! {
         step_u: [f32; 4],
         /// One cell along `V`.
         step_v: [f32; 4],
+        /// Cells along a side; the rest unused.
+        cells: [u32; 4],
     }
 }
 

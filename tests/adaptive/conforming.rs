@@ -12,9 +12,17 @@ use super::{cut_ball, noise};
 
 /// A camera around the scene, near or far.
 fn somewhere(numbers: &mut Numbers) -> Camera {
-    let direction = DVec3::new(numbers.between(-1.0, 1.0), numbers.between(-1.0, 1.0), numbers.between(-1.0, 1.0));
+    let direction = DVec3::new(
+        numbers.between(-1.0, 1.0),
+        numbers.between(-1.0, 1.0),
+        numbers.between(-1.0, 1.0),
+    );
     let from = direction.normalize_or(DVec3::X) * numbers.between(0.3, 4.0);
-    let to = DVec3::new(numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3));
+    let to = DVec3::new(
+        numbers.between(-0.3, 0.3),
+        numbers.between(-0.3, 0.3),
+        numbers.between(-0.3, 0.3),
+    );
     if numbers.once_in(4) {
         scenes::parallel(from, to, numbers.between(0.3, 2.5))
     } else {
@@ -41,22 +49,39 @@ fn the_device_makes_the_triangles_of_the_rule() {
             for _ in 0..4 {
                 let view = model.prepared.view_of(&somewhere(&mut numbers), [256, 192]);
                 let mut session = session();
-                let outcome = session.draw(&model, &view, &strategy).expect("a frame").outcome;
+                let outcome = session
+                    .draw(&model, &view, &strategy)
+                    .expect("a frame")
+                    .outcome;
                 assert_eq!(outcome, Outcome::Complete, "tau {tau}");
                 let mut sheet = Sheet::of(&session, &strategy, 0);
                 let triangles = drawn(&session, &strategy, 0);
                 drop(session);
                 most = most.max(triangles.len());
-                let found: std::collections::BTreeSet<Triangle> = triangles.iter().copied().collect();
+                let found: std::collections::BTreeSet<Triangle> =
+                    triangles.iter().copied().collect();
                 assert_eq!(found.len(), triangles.len(), "no triangle twice");
                 sheet.leeway = -1e-5;
                 let least = sheet.triangles();
                 sheet.leeway = 1e-5;
                 let all = sheet.triangles();
-                assert!(found.is_superset(&least), "tau {tau}: {:?} is missing", least.difference(&found).next());
-                assert!(found.is_subset(&all), "tau {tau}: {:?} is too many", found.difference(&all).next());
+                assert!(
+                    found.is_superset(&least),
+                    "tau {tau}: {:?} is missing",
+                    least.difference(&found).next()
+                );
+                assert!(
+                    found.is_subset(&all),
+                    "tau {tau}: {:?} is too many",
+                    found.difference(&all).next()
+                );
                 let faults = cracks(&sheet, triangles);
-                assert!(faults.is_empty(), "tau {tau}: {} cracks: {}", faults.len(), faults[0]);
+                assert!(
+                    faults.is_empty(),
+                    "tau {tau}: {} cracks: {}",
+                    faults.len(),
+                    faults[0]
+                );
             }
         }
     }
@@ -70,14 +95,24 @@ fn cracks_are_noticed() {
     let strategy = strategy("adaptive:1+mask");
     let view = model.prepared.view([256, 192]);
     let mut session = session();
-    let _ = session.draw(&model, &view, &strategy).expect("a frame").outcome;
+    let _ = session
+        .draw(&model, &view, &strategy)
+        .expect("a frame")
+        .outcome;
     let sheet = Sheet::of(&session, &strategy, 0);
     let triangles = drawn(&session, &strategy, 0);
     drop(session);
-    assert_eq!(cracks(&sheet, triangles.clone()), Vec::<String>::new(), "as they are");
+    assert_eq!(
+        cracks(&sheet, triangles.clone()),
+        Vec::<String>::new(),
+        "as they are"
+    );
     // One is gone, one is not halved with its neighbour, one is moved by a step, one is turned.
     let inside = |t: &Triangle| t.iter().all(|v| sheet.least_of_borders(&[*v]) > 1e-3);
-    let at = triangles.iter().position(inside).expect("a triangle inside");
+    let at = triangles
+        .iter()
+        .position(inside)
+        .expect("a triangle inside");
     let mut planted = triangles.clone();
     planted.remove(at);
     assert!(!cracks(&sheet, planted).is_empty(), "one is gone");

@@ -28,7 +28,10 @@ fn deviation(sheet: &Sheet, map: &OffsetMap, wrap: Wrap, [apex, a, b]: Triangle)
     let mut greatest: f64 = 0.0;
     for i in 0..=count {
         for j in 0..=count - i {
-            let (s, t) = (f64::from(i) / f64::from(count), f64::from(j) / f64::from(count));
+            let (s, t) = (
+                f64::from(i) / f64::from(count),
+                f64::from(j) / f64::from(count),
+            );
             let chord = hc + s * (ha - hc) + t * (hb - hc);
             greatest = greatest.max((height(c + to_a * s + to_b * t) - chord).abs());
         }
@@ -44,7 +47,10 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     let view = model.prepared.view([32, 32]);
     let strategy = strategy("adaptive:1+mask");
     let mut session = session();
-    session.draw(&model, &view, &strategy).expect("a frame").outcome;
+    session
+        .draw(&model, &view, &strategy)
+        .expect("a frame")
+        .outcome;
     let mut sheet = Sheet::of(&session, &strategy, 0);
     planted(&mut sheet);
 
@@ -86,7 +92,12 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     for y in 0..height {
         for x in 0..width {
             let right = cell(x, y);
-            told(format!("cell {x}, {y}"), sheet.errors[sheet.cell_at([x, y])], right, right * 1.000_1);
+            told(
+                format!("cell {x}, {y}"),
+                sheet.errors[sheet.cell_at([x, y])],
+                right,
+                right * 1.000_1,
+            );
         }
     }
 
@@ -97,7 +108,10 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     for bits in 0..sheet.domain.patch_bits {
         let r = 1_i32 << bits;
         for squares in [false, true] {
-            for (y, x) in (0..=height).step_by(r as usize).flat_map(|y| (0..=width).step_by(r as usize).map(move |x| (y, x))) {
+            for (y, x) in (0..=height)
+                .step_by(r as usize)
+                .flat_map(|y| (0..=width).step_by(r as usize).map(move |x| (y, x)))
+            {
                 let odd = [x, y].map(|c| c / r % 2 == 1);
                 let mut triangles: Vec<Triangle> = Vec::new();
                 let mut come_of_it: Vec<[f64; 2]> = Vec::new();
@@ -109,10 +123,21 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
                     } else {
                         [[[l, b], [rt, b], [l, t]], [[rt, t], [l, t], [rt, b]]]
                     });
-                    come_of_it.extend([[r, 0], [-r, 0], [0, r], [0, -r]].map(|[i, j]| bounds[at(x + i, y + j)]));
+                    come_of_it.extend(
+                        [[r, 0], [-r, 0], [0, r], [0, -r]].map(|[i, j]| bounds[at(x + i, y + j)]),
+                    );
                 } else if !squares && odd[0] != odd[1] {
-                    let (along, across) = if odd[0] { ([r, 0], [0, r]) } else { ([0, r], [r, 0]) };
-                    let v = |f: i32, g: i32| [x + f * along[0] + g * across[0], y + f * along[1] + g * across[1]];
+                    let (along, across) = if odd[0] {
+                        ([r, 0], [0, r])
+                    } else {
+                        ([0, r], [r, 0])
+                    };
+                    let v = |f: i32, g: i32| {
+                        [
+                            x + f * along[0] + g * across[0],
+                            y + f * along[1] + g * across[1],
+                        ]
+                    };
                     for side in [1, -1] {
                         if is_in(v(0, side)) {
                             triangles.push([v(0, side), v(-1, 0), v(1, 0)]);
@@ -131,12 +156,22 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
                 } else {
                     continue;
                 }
-                let own = triangles.iter().map(|t| deviation(&sheet, &map, wrap, *t)).fold(0.0, f64::max);
-                let [least, most] = come_of_it.into_iter().fold([own, own + MISSED * range], |[l, m], [n, o]| {
-                    [l.max(n), m.max(o)]
-                });
+                let own = triangles
+                    .iter()
+                    .map(|t| deviation(&sheet, &map, wrap, *t))
+                    .fold(0.0, f64::max);
+                let [least, most] = come_of_it
+                    .into_iter()
+                    .fold([own, own + MISSED * range], |[l, m], [n, o]| {
+                        [l.max(n), m.max(o)]
+                    });
                 bounds[at(x, y)] = [least, most];
-                told(format!("{} {x}, {y}", if squares { "square" } else { "edge" }), sheet.errors[sheet.vertex_at([x, y])], least, most);
+                told(
+                    format!("{} {x}, {y}", if squares { "square" } else { "edge" }),
+                    sheet.errors[sheet.vertex_at([x, y])],
+                    least,
+                    most,
+                );
             }
         }
     }
@@ -148,7 +183,12 @@ fn errors_are_what_brute_force_finds() {
     for (i, wrap) in WRAPS.into_iter().enumerate() {
         for size in [[37, 23], [1, 64], [64, 1], [128, 100], [2, 2]] {
             let (faults, looked) = faults(noise(size, 7 + i as u64), wrap, |_| {});
-            assert!(faults.is_empty(), "{size:?}, {wrap:?}: {} of {looked}: {:?}", faults.len(), &faults[..faults.len().min(5)]);
+            assert!(
+                faults.is_empty(),
+                "{size:?}, {wrap:?}: {} of {looked}: {:?}",
+                faults.len(),
+                &faults[..faults.len().min(5)]
+            );
         }
     }
 }

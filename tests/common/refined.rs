@@ -41,7 +41,9 @@ impl Sheet {
         Self {
             domain: row_of(plan, "domains", index),
             refinement: row_of(plan, "refinements", index),
-            errors: session.words(strategy, "sheet_errors").expect("errors")
+            errors: session
+                .words(strategy, "sheet_errors")
+                .expect("errors")
                 .into_iter()
                 .map(f32::from_bits)
                 .collect(),
@@ -51,7 +53,9 @@ impl Sheet {
 
     /// Texels along the sides.
     pub(crate) fn texels(&self) -> [i32; 2] {
-        self.domain.patches.map(|n| (n << self.domain.patch_bits) as i32)
+        self.domain
+            .patches
+            .map(|n| (n << self.domain.patch_bits) as i32)
     }
 
     /// Steps along a texel.
@@ -82,7 +86,11 @@ impl Sheet {
     fn twist(&self, cell: [i32; 2]) -> f32 {
         let size = self.texels();
         let is_in = (0..2).all(|i| (0..size[i]).contains(&cell[i]));
-        if is_in { self.errors[self.cell_at(cell)] } else { 0.0 }
+        if is_in {
+            self.errors[self.cell_at(cell)]
+        } else {
+            0.0
+        }
     }
 
     /// The error at the middle of a hypotenuse.
@@ -111,9 +119,14 @@ impl Sheet {
         }
         let [_, a, b] = triangle;
         let length = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
-        let reach = if depth.is_multiple_of(2) { length + length / 2 } else { length };
+        let reach = if depth.is_multiple_of(2) {
+            length + length / 2
+        } else {
+            length
+        };
         let [first, x, y, near] = self.refinement.depth;
-        let seen_at = first + (a[0] + b[0]) / 2 * x + (a[1] + b[1]) / 2 * y - reach * (x.abs() + y.abs());
+        let seen_at =
+            first + (a[0] + b[0]) / 2 * x + (a[1] + b[1]) / 2 * y - reach * (x.abs() + y.abs());
         self.error(triangle, depth) > self.refinement.error_per_depth * seen_at.max(near) as f32
     }
 
@@ -123,7 +136,11 @@ impl Sheet {
             let of = |v: &Vertex| border[0] + v[0] as f32 * border[1] + v[1] as f32 * border[2];
             vertices.iter().map(of).fold(f32::NEG_INFINITY, f32::max)
         };
-        self.refinement.borders.iter().map(greatest).fold(f32::INFINITY, f32::min)
+        self.refinement
+            .borders
+            .iter()
+            .map(greatest)
+            .fold(f32::INFINITY, f32::min)
     }
 
     /// All triangles, sorted.
@@ -171,8 +188,10 @@ impl Sheet {
     pub(crate) fn point(&self, surface: &PreparedSurface, at: DVec2, height: f64) -> DVec3 {
         let map = surface.relief.as_ref().expect("a relief");
         let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map.size[i]));
-        let texel = DVec2::from(self.domain.first_texel.map(f64::from)) + at / f64::from(self.steps());
-        surface.origin + surface.frame.u_hat * ((texel.x + 0.5) / per_unit[0])
+        let texel =
+            DVec2::from(self.domain.first_texel.map(f64::from)) + at / f64::from(self.steps());
+        surface.origin
+            + surface.frame.u_hat * ((texel.x + 0.5) / per_unit[0])
             + surface.frame.v_hat * ((texel.y + 0.5) / per_unit[1])
             - surface.frame.normal * height
     }
@@ -197,10 +216,17 @@ pub(crate) fn halves([apex, a, b]: &Triangle) -> [Triangle; 2] {
 /// The triangles that the device made for the clip-surface that is tessellated as number `slot`, turned as the domain turns.
 pub(crate) fn drawn(session: &Session, strategy: &Strategy, slot: usize) -> Vec<Triangle> {
     let arguments = session.words(strategy, "arguments").expect("arguments");
-    let [count, instances, first, base, instance] = [0, 1, 2, 3, 4].map(|i| arguments[5 * slot + i] as usize);
-    assert_eq!([instances, base, instance], [1, 0, 0], "arguments of a draw");
+    let [count, instances, first, base, instance] =
+        [0, 1, 2, 3, 4].map(|i| arguments[5 * slot + i] as usize);
+    assert_eq!(
+        [instances, base, instance],
+        [1, 0, 0],
+        "arguments of a draw"
+    );
     let words = session.words(strategy, "triangles").expect("indices");
-    let vertices = words[first..first + count].iter().map(|w| [(w & 0xffff) as i32, (w >> 16) as i32]);
+    let vertices = words[first..first + count]
+        .iter()
+        .map(|w| [(w & 0xffff) as i32, (w >> 16) as i32]);
     let vertices: Vec<Vertex> = vertices.collect();
     let (triangles, rest) = vertices.as_chunks::<3>();
     assert!(rest.is_empty(), "{count} indices");
@@ -239,6 +265,9 @@ pub(crate) fn cracks(sheet: &Sheet, triangles: impl IntoIterator<Item = Triangle
 pub(crate) fn is_seen(view: &View, cut_box: &cutaway::scene::Bounds, point: DVec3) -> bool {
     let (at, depth) = view.project(point);
     let size = DVec2::new(f64::from(view.size_px[0]), f64::from(view.size_px[1]));
-    depth > view.near && at.cmpge(DVec2::ZERO).all() && at.cmple(size).all()
-        && point.cmpge(cut_box.min).all() && point.cmple(cut_box.max).all()
+    depth > view.near
+        && at.cmpge(DVec2::ZERO).all()
+        && at.cmple(size).all()
+        && point.cmpge(cut_box.min).all()
+        && point.cmple(cut_box.max).all()
 }

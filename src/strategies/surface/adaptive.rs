@@ -22,7 +22,7 @@ use crate::passes::{NEED_OF_TRIANGLES, Recorder};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
 use crate::plan::{
     ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents, INDEX_BYTES, Knob,
-    Pass, Resource, ResourceId, Role, Shape, Work,
+    Pass, Resource, Role, Shape, Work,
 };
 use crate::strategies::Tau;
 

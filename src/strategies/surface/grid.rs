@@ -1,121 +1,39 @@
-//! `grid:N`: the paper's cap surface, a quad refined N x N and displaced by the offset map in the vertex shader.
+//! `grid:N`: the paper's tessellation, a quad refined N x N and displaced by the offset map in the vertex stage.
 //!
-//! As in the paper, the mesh is clipped by chi at every fragment and the grid is drawn into the same depth buffer, each
-//! fragment tested against the depth sprite of its part, or its layered depth image. Two approximations of one surface meet at
-//! the rim: between grid vertices the cap runs straight where the clip test bends, and the *gap* shows what lies behind. No
-//! finite N closes it where a solid meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
+//! As coarse as it is everywhere: between vertices it runs straight where the clip-surface bends, by up to a quarter of the twist of
+//! a texel where cells are texels, and by as much as the relief is high where they are much larger. By the paper's rule that opens
+//! gaps; with one list of crossings it moves the cap and its rim.
 //!
-//! Per cut: a quad of 48 bytes and N² x 24 bytes of indices. Per frame: the mesh once, (N + 1)² vertices for each part and
-//! clip-surface, d loads for each cap fragment. Cannot: cap at the near plane.
+//! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
 use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 
-use crate::passes::{DrawPass, Recorder, Volume, counted};
+use super::tessellation::{Facets, Tessellation};
+use crate::passes::Recorder;
 use crate::plan::pack::{self, Quad};
-use crate::plan::{Binding, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices};
+use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::{Bounds, PreparedSurface};
-use crate::shader::Shader;
 
-/// Records the frame of `grid:N+vds:RES` or `grid:N+ldi:RES`: each image of volumes with the parts that it answers for.
-pub fn record(
-    recorder: &mut Recorder<'_>,
-    cells: u32,
-    images: impl FnOnce(&mut Recorder<'_>, &[usize]) -> Result<Vec<(Vec<usize>, Volume)>, String>,
-) -> Result<(), String> {
-    let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
-    // Parts that only the near plane opens have no clip-surface to draw a grid on.
-    let capped: Vec<usize> = ranks
-        .iter()
-        .copied()
-        .filter(|r| recorder.relevance.cuts_of(*r) != 0)
-        .collect();
-    let images = if capped.is_empty() {
-        Vec::new()
-    } else {
-        images(recorder, &capped)?
-    };
-
-    let (vertices, indices) = recorder.mesh();
-    let bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
-        recorder.heights(),
-    ];
-    recorder.draw(DrawPass {
-        name: "clip".to_owned(),
-        reason: format!(
-            "{}: chi decides at every fragment",
-            counted(ranks.len(), "cut part")
-        ),
-        shader: "strategies/surface/grid/clip.wgsl".into(),
-        bindings,
-        constants: Vec::new(),
-        vertices,
+/// All clip-surfaces as grids of so many cells along a side.
+pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
+    let indices = indices_of_grid(recorder, cells);
+    let facets = |surface| Facets {
+        surface,
         indices,
-        draws: recorder.draws_of(&ranks),
-    });
-    recorder.draw_plain_parts(false);
-
-    if images.is_empty() {
-        recorder.gather();
-        return Ok(());
-    }
-    let grid = indices_of_grid(recorder, cells);
+        range: 0..cells * cells * 6,
+        arguments: None,
+    };
+    let count = recorder.relevance.surfaces.len() as u32;
     let quads = quads(recorder, cells);
-    for (ranks, volume) in images {
-        let draws = (ranks.iter())
-            .flat_map(|rank| caps_of(recorder, *rank, cells))
-            .collect();
-        let names: Vec<String> = (ranks.iter())
-            .map(|rank| format!("`{}`", recorder.model.prepared.parts[*rank].name))
-            .collect();
-        let first = ranks.first().map_or(0, |r| recorder.relevance.place_of(*r));
-        let mut bindings = vec![
-            recorder.frame(),
-            recorder.cut_table(),
-            recorder.parts(),
-            recorder.heights(),
-            quads.clone(),
-        ];
-        bindings.extend(volume.bindings);
-        recorder.draw(DrawPass {
-            name: format!("cap {first}"),
-            reason: format!(
-                "the displaced grid of {}, cut to the solid by its sprite",
-                names.join(", ")
-            ),
-            shader: Shader::from("strategies/surface/grid/cap.wgsl").with(volume.file),
-            bindings,
-            constants: vec![("cells", f64::from(cells))],
-            vertices: Vertices::None,
-            indices: grid,
-            draws,
-        });
+    Tessellation {
+        file: "lib/tessellation/grid.wgsl",
+        bindings: vec![quads.clone()],
+        side: "lib/sheet_side/grid.wgsl",
+        side_bindings: vec![quads],
+        facets: (0..count).map(facets).collect(),
     }
-    recorder.gather();
-    Ok(())
-}
-
-/// The grids of a part: one for each clip-surface that cuts it.
-fn caps_of(recorder: &Recorder<'_>, rank: usize, cells: u32) -> Vec<Draw> {
-    let relevance = &recorder.relevance;
-    let place = relevance.place_of(rank) as u32;
-    let bits = (0..relevance.cuts.len())
-        .filter(|c| relevance.cuts_of(rank) >> c & 1 == 1)
-        .fold(0, |b, c| b | relevance.cuts[c]);
-    (0..relevance.surfaces.len() as u32)
-        .filter(|s| bits >> s & 1 == 1)
-        .map(|s| Draw {
-            indices: 0..cells * cells * 6,
-            base_vertex: 0,
-            vertex_count: 0,
-            instance: place * 32 + s,
-            arguments: None,
-        })
-        .collect()
 }
 
 /// Two triangles per cell, the diagonal from the first to the last corner.
@@ -186,5 +104,6 @@ fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
         corner: row(surface.origin + lift + u_hat * u + v_hat * v),
         step_u: row(u_hat * u_step),
         step_v: row(v_hat * v_step),
+        cells: [cells, 0, 0, 0],
     }
 }

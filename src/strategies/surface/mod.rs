@@ -1,12 +1,15 @@
 //! Cap surfaces.
 //!
 //! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
-//! tessellated ones are drawn by the paper's rule as well ([`grid::record`]), where an inside test answers for points instead.
+//! tessellated ones are drawn by the paper's rule as well ([`paper::record`]), where an inside test answers for points instead.
 
 pub mod adaptive;
 pub mod grid;
+pub mod paper;
 mod raycast;
 pub mod tessellation;
+
+use tessellation::Tessellation;
 
 use super::CapSurface;
 use crate::passes::{Crossings, Recorder, Store};
@@ -24,13 +27,29 @@ pub fn list(
     surface: CapSurface,
     capacity: u32,
     store: &Store,
-    _capacities: &Capacities,
+    capacities: &Capacities,
 ) -> Result<Crossings, String> {
     match surface {
-        CapSurface::Raycast => Ok(raycast::record(recorder, capacity, store)),
+        CapSurface::Raycast => Ok(raycast::record(recorder, capacity, store, 0)),
         CapSurface::Grid { .. } | CapSurface::Adaptive { .. } => {
-            Err(format!("{surface} lists no crossings yet"))
+            let tessellate = |r: &mut Recorder<'_>| tessellate(r, surface, capacities);
+            tessellation::list(recorder, capacity, store, capacities, tessellate)
         }
         CapSurface::Planar | CapSurface::Alone => Err(format!("{surface} lists no crossings")),
+    }
+}
+
+/// The clip-surfaces as triangles; the reason where a cap surface makes none, or not of these.
+pub fn tessellate(
+    recorder: &mut Recorder<'_>,
+    surface: CapSurface,
+    capacities: &Capacities,
+) -> Result<Tessellation, String> {
+    match surface {
+        CapSurface::Grid { cells } => Ok(grid::tessellation(recorder, cells)),
+        CapSurface::Adaptive { tau } => adaptive::tessellation(recorder, tau, capacities),
+        CapSurface::Raycast | CapSurface::Planar | CapSurface::Alone => {
+            Err(format!("{surface} makes no triangles of clip-surfaces"))
+        }
     }
 }

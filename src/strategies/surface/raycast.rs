@@ -32,11 +32,18 @@ pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 
     most.clamp(1, Capacities::MOST_CROSSINGS)
 }
 
-/// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way.
-pub(super) fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) -> Crossings {
+/// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way. Clip-surfaces with a bit
+/// in `sheets` are left to the passes that draw them as triangles.
+pub(super) fn record(
+    recorder: &mut Recorder<'_>,
+    capacity: u32,
+    store: &Store,
+    sheets: u32,
+) -> Crossings {
     let count = pixels(recorder.view.size_px);
     let one_surface = recorder.relevance.surfaces.len() < 2;
-    let reliefs = recorder.has_reliefs();
+    let mut surfaces = recorder.relevance.surfaces.iter().enumerate();
+    let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && recorder.model.is_relief(*s));
     let mut buffer = |name: &str, bytes: u64| {
         recorder.once(name, |_| Resource::storage(name, bytes, Clock::Frame))
     };
@@ -69,19 +76,28 @@ pub(super) fn record(recorder: &mut Recorder<'_>, capacity: u32, store: &Store) 
             "strategies/surface/raycast/reliefs.wgsl",
             "the one list of depths per pixel; a relief is walked cell by cell",
         )
-    } else {
+    } else if sheets == 0 {
         (
             "strategies/surface/raycast/planes.wgsl",
             "the one list of depths per pixel; only planes, so no walk",
         )
+    } else {
+        (
+            "strategies/surface/raycast/planes.wgsl",
+            "the one list of depths per pixel; the planes among the clip-surfaces, for reliefs are drawn as sheets",
+        )
     };
+    let mut constants = vec![("capacity", f64::from(capacity))];
+    if sheets != 0 {
+        constants.push(("sheets", f64::from(sheets)));
+    }
     recorder.compute(
         "crossings",
         Clock::Frame,
         reason,
         Shader::from(shader).with(store.file),
         bindings,
-        vec![("capacity", f64::from(capacity))],
+        constants,
         recorder.view.size_px,
     );
     recorder.plan.bounded.push(Bounded {

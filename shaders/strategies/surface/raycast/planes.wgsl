@@ -1,4 +1,5 @@
-// One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march.
+// One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march. Those that
+// are drawn as sheets are left to the pass that merges them.
 
 #import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::cut_table
@@ -7,6 +8,8 @@
 #import cutaway::store::begin
 
 override capacity: u32 = 1u;
+// Bits of the clip-surfaces that are drawn as sheets.
+override sheets: u32 = 0u;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -20,7 +23,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         for (var s = 0u; s < cut_table.surface_count; s++) {
-            cross_plane(&list, s, at, interval);
+            if ((sheets >> s) & 1u) == 0u {
+                cross_plane(&list, s, at, interval);
+            }
         }
     }
     finish(&list);

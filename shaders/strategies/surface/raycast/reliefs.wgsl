@@ -15,6 +15,8 @@
 #import cutaway::store::begin
 
 override capacity: u32 = 8u;
+// Bits of the clip-surfaces that are drawn as sheets: the pass that merges them adds theirs.
+override sheets: u32 = 0u;
 
 // Depth at which a linear value reaches a border of cells, counted by integers; infinite where it never does.
 fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
@@ -125,6 +127,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         for (var s = 0u; s < cut_table.surface_count; s++) {
+            if ((sheets >> s) & 1u) != 0u {
+                continue;
+            }
             if cut_table.surfaces[s].first_texel == NO_RELIEF {
                 cross_plane(&list, s, at, interval);
             } else {

@@ -105,7 +105,7 @@ fn of_relief(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Resu
         let [x, y] = patches_at(*bits).map(|[low, high]| (high - low).max(1.0) as u64);
         x * y
     };
-    let patch_bits = (PATCH_BITS)
+    let patch_bits = { PATCH_BITS }
         .find(|bits| count(bits) <= ENOUGH_PATCHES)
         .unwrap_or(*PATCH_BITS.end());
     let first = patches_at(patch_bits).map(|[low, _]| low);

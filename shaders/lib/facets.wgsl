@@ -1,0 +1,20 @@
+// A clip-surface as triangles: what the open module `tessellation` makes of an index and an instance. Its function is
+// `cap_vertex(index: u32, instance: u32) -> CapVertex`; the same arguments give the same bits in every pass.
+
+#define_import_path cutaway::facets
+
+struct CapVertex {
+    // On the clip-surface, in scene space.
+    point: vec3<f32>,
+    // Index in the table of clip-surfaces.
+    surface: u32,
+}
+
+// An instance is a clip-surface for a part: 32 times the place of the part in the table, and the clip-surface.
+fn surface_of(instance: u32) -> u32 {
+    return instance % 32u;
+}
+
+fn place_of(instance: u32) -> u32 {
+    return instance / 32u;
+}

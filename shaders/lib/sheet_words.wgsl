@@ -1,0 +1,16 @@
+// Fragments of sheets as words. Bits 0-4 the clip-surface, by its index in the table; bit 5 set where the triangle shows its front,
+// which is turned to the kept side: there a ray leaves what is kept.
+
+#define_import_path cutaway::sheet_words
+
+fn sheet_word(surface: u32, front: bool) -> u32 {
+    return surface | select(0u, 32u, front);
+}
+
+fn sheet_of(word: u32) -> u32 {
+    return word & 31u;
+}
+
+fn shows_front(word: u32) -> bool {
+    return (word & 32u) != 0u;
+}

@@ -1,0 +1,126 @@
+//! The paper's rule (Trapp & Döllner 2013): chi at every fragment of the mesh, and the cap drawn by itself.
+//!
+//! The mesh is clipped by chi and the tessellated clip-surface is drawn into the same depth buffer, each fragment tested against the
+//! depth sprite of its part, or its layered depth image. Two approximations of one surface meet at the rim: between vertices the cap
+//! runs straight where the clip test bends, and the *gap* shows what lies behind. No finite tessellation closes it where a solid
+//! meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
+//!
+//! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Cannot: cap at the near
+//! plane; draw by the compute rasteriser.
+
+use super::tessellation::{Tessellation, instance};
+use crate::passes::{DrawPass, Recorder, Volume, counted};
+use crate::plan::Vertices;
+use crate::shader::Shader;
+
+/// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the parts that it
+/// answers for.
+pub fn record(
+    recorder: &mut Recorder<'_>,
+    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, String>,
+    images: impl FnOnce(&mut Recorder<'_>, &[usize]) -> Result<Vec<(Vec<usize>, Volume)>, String>,
+) -> Result<(), String> {
+    let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
+    // Parts that only the near plane opens have no clip-surface to draw triangles of.
+    let capped: Vec<usize> = ranks
+        .iter()
+        .copied()
+        .filter(|r| recorder.relevance.cuts_of(*r) != 0)
+        .collect();
+    let images = if capped.is_empty() {
+        Vec::new()
+    } else {
+        images(recorder, &capped)?
+    };
+
+    let (vertices, indices) = recorder.mesh();
+    let bindings = vec![
+        recorder.frame(),
+        recorder.cut_table(),
+        recorder.parts(),
+        recorder.heights(),
+    ];
+    recorder.draw(DrawPass {
+        name: "clip".to_owned(),
+        reason: format!(
+            "{}: chi decides at every fragment",
+            counted(ranks.len(), "cut part")
+        ),
+        shader: "strategies/surface/paper/clip.wgsl".into(),
+        bindings,
+        constants: Vec::new(),
+        vertices,
+        indices,
+        draws: recorder.draws_of(&ranks),
+    });
+    recorder.draw_plain_parts(false);
+
+    if images.is_empty() {
+        recorder.gather();
+        return Ok(());
+    }
+    let tessellation = tessellate(recorder)?;
+    for (ranks, volume) in images {
+        caps(recorder, &tessellation, &ranks, &volume);
+    }
+    recorder.gather();
+    Ok(())
+}
+
+/// Draws the caps of the parts that an image of volumes answers for.
+fn caps(
+    recorder: &mut Recorder<'_>,
+    tessellation: &Tessellation,
+    ranks: &[usize],
+    volume: &Volume,
+) {
+    let instances: Vec<u32> = (ranks.iter())
+        .flat_map(|rank| instances_of(recorder, *rank))
+        .collect();
+    let names: Vec<String> = (ranks.iter())
+        .map(|rank| format!("`{}`", recorder.model.prepared.parts[*rank].name))
+        .collect();
+    let first = ranks.first().map_or(0, |r| recorder.relevance.place_of(*r));
+    for (i, batch) in tessellation.batches(&instances).into_iter().enumerate() {
+        let mut bindings = vec![
+            recorder.frame(),
+            recorder.cut_table(),
+            recorder.parts(),
+            recorder.heights(),
+        ];
+        bindings.extend(tessellation.bindings.iter().cloned());
+        bindings.extend(volume.bindings.iter().cloned());
+        let name = match i {
+            0 => format!("cap {first}"),
+            i => format!("cap {first}.{i}"),
+        };
+        recorder.draw(DrawPass {
+            name,
+            reason: format!(
+                "the displaced triangles of {}, cut to the solid by its image",
+                names.join(", ")
+            ),
+            shader: Shader::from("strategies/surface/paper/cap.wgsl")
+                .with(volume.file)
+                .with(tessellation.file),
+            bindings,
+            constants: batch.constants,
+            vertices: Vertices::None,
+            indices: batch.indices,
+            draws: batch.draws,
+        });
+    }
+}
+
+/// The instances of a part: one for each clip-surface that cuts it.
+fn instances_of(recorder: &Recorder<'_>, rank: usize) -> Vec<u32> {
+    let relevance = &recorder.relevance;
+    let place = relevance.place_of(rank) as u32;
+    let bits = (0..relevance.cuts.len())
+        .filter(|c| relevance.cuts_of(rank) >> c & 1 == 1)
+        .fold(0, |b, c| b | relevance.cuts[c]);
+    (0..relevance.surfaces.len() as u32)
+        .filter(|s| bits >> s & 1 == 1)
+        .map(|s| instance(place, s))
+        .collect()
+}

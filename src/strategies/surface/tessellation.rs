@@ -1,0 +1,152 @@
+//! Clip-surfaces as triangles, for the two uses that strategies make of them: as sheets, whose crossings go into the one list of
+//! depths per pixel, and by the paper's rule, which draws them as they are.
+//!
+//! A tessellation is a file that fills the open module `cutaway::tessellation` and an index buffer for each clip-surface; there are
+//! no vertex buffers, since a vertex follows from its index. Triangles turn with `U` and `V`, so that they show their front to the
+//! kept side.
+
+use std::ops::Range;
+
+use super::raycast;
+use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
+use crate::plan::{Arguments, Binding, Capacities, Draw, ResourceId, Vertices};
+use crate::shader::Shader;
+
+/// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
+const SURFACES_PER_PLACE: u32 = 32;
+
+/// Clip-surfaces as triangles.
+#[derive(Clone, Debug)]
+pub struct Tessellation {
+    /// File that fills `cutaway::tessellation`.
+    pub file: &'static str,
+    /// What it binds beside frame, table of cuts and heights.
+    pub bindings: Vec<Binding>,
+    /// File that fills `cutaway::sheet_side`.
+    pub side: &'static str,
+    /// What that binds beside frame, table of cuts and heights.
+    pub side_bindings: Vec<Binding>,
+    /// The triangles of each clip-surface that has some.
+    pub facets: Vec<Facets>,
+}
+
+/// The triangles of a clip-surface.
+#[derive(Clone, Debug)]
+pub struct Facets {
+    /// Its index in the table.
+    pub surface: u32,
+    /// Index buffer.
+    pub indices: ResourceId,
+    /// Range of it.
+    pub range: Range<u32>,
+    /// Where the device finds out how much of the range there is; none where it is all.
+    pub arguments: Option<Arguments>,
+}
+
+/// Draws that one pass can hold.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Override constants.
+    pub constants: Vec<(&'static str, f64)>,
+    /// Index buffer.
+    pub indices: ResourceId,
+    /// Draws.
+    pub draws: Vec<Draw>,
+}
+
+/// The instance that is a clip-surface for the part at a place of the table.
+pub fn instance(place: u32, surface: u32) -> u32 {
+    place * SURFACES_PER_PLACE + surface
+}
+
+impl Tessellation {
+    /// The draws of some instances, one for each that has triangles.
+    pub fn batches(&self, instances: &[u32]) -> Vec<Batch> {
+        let mut batches: Vec<Batch> = Vec::new();
+        for instance in instances {
+            let surface = instance % SURFACES_PER_PLACE;
+            let Some(facets) = self.facets.iter().find(|f| f.surface == surface) else {
+                continue;
+            };
+            let mut draw = Draw {
+                indices: facets.range.clone(),
+                base_vertex: 0,
+                vertex_count: 0,
+                instance: *instance,
+                arguments: facets.arguments,
+            };
+            if facets.arguments.is_some() {
+                // Such a draw has no instance of its own: the shader is told.
+                draw.instance = 0;
+                batches.push(Batch {
+                    constants: vec![("first_instance", f64::from(*instance))],
+                    indices: facets.indices,
+                    draws: vec![draw],
+                });
+                continue;
+            }
+            let same = |b: &&mut Batch| b.constants.is_empty() && b.indices == facets.indices;
+            match batches.iter_mut().find(same) {
+                Some(batch) => batch.draws.push(draw),
+                None => batches.push(Batch {
+                    constants: Vec::new(),
+                    indices: facets.indices,
+                    draws: vec![draw],
+                }),
+            }
+        }
+        batches
+    }
+
+    /// What every use of the triangles binds.
+    pub fn bindings(&self, recorder: &mut Recorder<'_>) -> Vec<Binding> {
+        let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.heights()];
+        bindings.extend(self.bindings.iter().cloned());
+        bindings
+    }
+}
+
+/// Records the passes that write the list of crossings: planes in closed form, for a sheet adds nothing to them, and reliefs by
+/// the sheets that `tessellate` makes. Without reliefs there is no sheet.
+pub fn list(
+    recorder: &mut Recorder<'_>,
+    capacity: u32,
+    store: &Store,
+    capacities: &Capacities,
+    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, String>,
+) -> Result<Crossings, String> {
+    let surfaces = recorder.relevance.surfaces.iter().enumerate();
+    let reliefs: Vec<u32> = surfaces
+        .filter(|(_, number)| recorder.model.is_relief(**number))
+        .map(|(index, _)| index as u32)
+        .collect();
+    let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
+    let crossings = raycast::record(recorder, capacity, store, by_facing);
+    if reliefs.is_empty() {
+        return Ok(crossings);
+    }
+    let tessellation = tessellate(recorder)?;
+    let instances: Vec<u32> = reliefs.iter().map(|s| instance(0, *s)).collect();
+    let batches = tessellation.batches(&instances).into_iter().enumerate();
+    let bindings = tessellation.bindings(recorder);
+    let draws = batches.map(|(i, batch)| SheetDraw {
+        name: format!("sheet {i}"),
+        shader: Shader::from("passes/sheet/draw.wgsl").with(tessellation.file),
+        bindings: bindings.clone(),
+        constants: batch.constants,
+        vertices: Vertices::None,
+        indices: batch.indices,
+        draws: batch.draws,
+    });
+    let mut side_bindings = vec![recorder.heights()];
+    side_bindings.extend(tessellation.side_bindings.iter().cloned());
+    let sheets = Sheets {
+        draws: draws.collect(),
+        by_facing,
+        by_parity: 0,
+        side: tessellation.side,
+        side_bindings,
+    };
+    recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
+    Ok(crossings)
+}
