@@ -23,8 +23,8 @@ fn deviation(sheet: &Sheet, map: &OffsetMap, wrap: Wrap, [apex, a, b]: Triangle)
     let [c, a, b] = [apex, a, b].map(|v| DVec2::from(v.map(f64::from)));
     let [hc, ha, hb] = [c, a, b].map(height);
     let (to_a, to_b) = (a - c, b - c);
-    let leg = to_a.length();
-    let count = (leg.abs() * f64::from(SAMPLES)).ceil() as i32;
+    // Texels are among the points: they are whole or half steps along the legs.
+    let count = to_a.abs().max_element() as i32 * SAMPLES;
     let mut greatest: f64 = 0.0;
     for i in 0..=count {
         for j in 0..=count - i {

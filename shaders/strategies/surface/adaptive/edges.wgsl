@@ -48,7 +48,7 @@ fn error_of_square(middle: vec2<i32>, towards: vec2<i32>) -> f32 {
         }
         return 0.25 * sheet_errors[domains.surfaces[surface].first_cell + u32(cell.y * size.x + cell.x)];
     }
-    let at = middle + towards * (1i << (half_bits - 1u));
+    let at = middle + towards * ((1i << half_bits) / 2);
     if !is_in_domain(surface, at) {
         return 0.0;
     }
