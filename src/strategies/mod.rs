@@ -120,7 +120,8 @@ fn record_cut(
                 };
                 Ok(ranks.iter().map(of_part).collect())
             };
-            let tessellate = |r: &mut Recorder<'_>| surface::tessellate(r, surface, capacities);
+            let tessellate =
+                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
             surface::paper::record(recorder, tessellate, sprites)
         }
         (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Ldi { resolution }) => {
@@ -129,7 +130,8 @@ fn record_cut(
                     inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
                 Ok(vec![(ranks.to_vec(), images)])
             };
-            let tessellate = |r: &mut Recorder<'_>| surface::tessellate(r, surface, capacities);
+            let tessellate =
+                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
             surface::paper::record(recorder, tessellate, images)
         }
     }

@@ -33,10 +33,11 @@ const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 /// Halvings that the invocations of a workgroup share: `SHARED` in `shaders/strategies/surface/adaptive/refine.wgsl`.
 const SHARED_HALVINGS: u32 = 7;
 
-/// All clip-surfaces as triangles; planes are a square each. The reason where a relief is too large.
+/// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
 pub fn tessellation(
     recorder: &mut Recorder<'_>,
     tau: Tau,
+    with_planes: bool,
     capacities: &Capacities,
 ) -> Result<Tessellation, String> {
     let rows = domain::rows(recorder)?;
@@ -49,7 +50,7 @@ pub fn tessellation(
     let domains = table(recorder, "domains", Clock::Cut, &rows);
     let mut facets = Vec::new();
     for surface in 0..rows.len() as u32 {
-        if !reliefs.contains(&surface) {
+        if with_planes && !reliefs.contains(&surface) {
             facets.push(square(recorder, surface));
         }
     }

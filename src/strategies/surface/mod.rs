@@ -32,22 +32,25 @@ pub fn list(
     match surface {
         CapSurface::Raycast => Ok(raycast::record(recorder, capacity, store, 0)),
         CapSurface::Grid { .. } | CapSurface::Adaptive { .. } => {
-            let tessellate = |r: &mut Recorder<'_>| tessellate(r, surface, capacities);
+            let tessellate = |r: &mut Recorder<'_>| tessellate(r, surface, false, capacities);
             tessellation::list(recorder, capacity, store, capacities, tessellate)
         }
         CapSurface::Planar | CapSurface::Alone => Err(format!("{surface} lists no crossings")),
     }
 }
 
-/// The clip-surfaces as triangles; the reason where a cap surface makes none, or not of these.
+/// The clip-surfaces as triangles, of planes only where they are asked for; the reason where a cap surface makes none, or not of these.
 pub fn tessellate(
     recorder: &mut Recorder<'_>,
     surface: CapSurface,
+    with_planes: bool,
     capacities: &Capacities,
 ) -> Result<Tessellation, String> {
     match surface {
         CapSurface::Grid { cells } => Ok(grid::tessellation(recorder, cells)),
-        CapSurface::Adaptive { tau } => adaptive::tessellation(recorder, tau, capacities),
+        CapSurface::Adaptive { tau } => {
+            adaptive::tessellation(recorder, tau, with_planes, capacities)
+        }
         CapSurface::Raycast | CapSurface::Planar | CapSurface::Alone => {
             Err(format!("{surface} makes no triangles of clip-surfaces"))
         }
