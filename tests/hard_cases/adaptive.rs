@@ -114,14 +114,15 @@ fn case_34_no_crack_along_a_cameras_way() {
             let drawn = session.draw(&model, &view, &strategy).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "frame {frame}");
             let (wrong, asked) = wrong_rays(&session, &strategy, &model, &view, None);
-            assert!(
-                wrong <= 1,
-                "frame {frame}: {wrong} of {asked} rays, one of them planted"
-            );
+            assert!(wrong == 0, "frame {frame}: {wrong} of {asked} rays");
             asked_in_all += asked;
             let layers = session.layers(&strategy).expect("layers");
-            let bad = layers.pixels.iter().filter(|l| l.back_face).count();
-            assert_eq!(bad, 0, "frame {frame}: back faces");
+            let bad = layers
+                .pixels
+                .iter()
+                .filter(|l| l.back_face || l.unreliable)
+                .count();
+            assert_eq!(bad, 0, "frame {frame}: back faces or pixels in doubt");
         }
         let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
             .unwrap_or_else(|e| panic!("{e}"));

@@ -26,6 +26,8 @@ use crate::plan::{
 };
 use crate::strategies::Tau;
 
+/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope.
+const ROUNDING: f64 = 2e-4;
 /// Triangles that each relief is given room for until a frame reports what it needs.
 const FIRST_TRIANGLES: u32 = 1 << 16;
 /// Most triangles of all reliefs: 128 MiB of indices.
@@ -70,6 +72,7 @@ pub fn tessellation(
         bindings: vec![domains],
         side: "lib/sheet_side/adaptive.wgsl",
         side_bindings,
+        beside: ROUNDING,
         facets,
     })
 }

@@ -26,6 +26,8 @@ pub struct Tessellation {
     pub side: &'static str,
     /// What that binds beside frame, table of cuts and heights.
     pub side_bindings: Vec<Binding>,
+    /// By how much the answer of that file may be off, in scene units.
+    pub beside: f64,
     /// The triangles of each clip-surface that has some.
     pub facets: Vec<Facets>,
 }
@@ -145,6 +147,7 @@ pub fn list(
         by_facing,
         by_parity: 0,
         side: tessellation.side,
+        beside: tessellation.beside,
         side_bindings,
     };
     recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
