@@ -4,6 +4,8 @@
 
 mod common;
 
+#[path = "hard_cases/adaptive.rs"]
+mod adaptive;
 #[path = "hard_cases/algebra.rs"]
 mod algebra;
 #[path = "hard_cases/band.rs"]
@@ -20,6 +22,8 @@ mod grids;
 mod meshes;
 #[path = "hard_cases/planes.rs"]
 mod planes;
+#[path = "common/refined.rs"]
+mod refined;
 #[path = "hard_cases/reliefs.rs"]
 mod reliefs;
 #[path = "hard_cases/solids.rs"]

@@ -6,9 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
-    self, Cascade, ClipSurface, CutTable, Deformer, DrawnPart, FragmentPool, Frame, Layout,
+    self, Cascade, ClipSurface, CutTable, Deformer, Domain, DrawnPart, FragmentPool, Frame, Layout,
     MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Quad, RayRow,
-    RaySurface, Sprite, Sweep,
+    RaySurface, Refinement, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -227,17 +227,20 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Cascade>(&modules);
     holds_in_all_shaders::<Pose>(&modules);
     holds_in_all_shaders::<Deformer>(&modules);
+    holds_in_all_shaders::<Domain>(&modules);
+    holds_in_all_shaders::<Refinement>(&modules);
     // The list above is all there is: a struct added to the files must be added here.
     let files = [
         include_str!("../src/plan/pack.rs"),
         include_str!("../src/plan/pack/lists.rs"),
         include_str!("../src/plan/pack/pose.rs"),
+        include_str!("../src/plan/pack/refinement.rs"),
         include_str!("../src/plan/pack/sprite.rs"),
     ];
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 14, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 16, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -417,6 +420,11 @@ fn constants_have_one_value_on_both_sides() {
         ("INFLATE", pack::INFLATE),
         // The near plane and four sides: known to the shaders alone.
         ("BORDERS", 5),
+        ("BORDERS_OF_DOMAIN", pack::BORDERS_OF_DOMAIN as u32),
+        // Cells that a workgroup looks at along a side: known to the shader alone.
+        ("ROW", 22),
+        // Halvings that the invocations of a workgroup share: `src/strategies/surface/adaptive.rs` counts visits by it.
+        ("SHARED", 7),
         ("MIRROR", Wrap::Mirror.code()),
     ];
     for (name, value) in expected {
@@ -444,6 +452,9 @@ fn constants_have_one_value_on_both_sides() {
         ("RayTable", "surfaces", MAX_SURFACES as u32),
         ("DrawnParts", "parts", MOST_DRAWN_PARTS as u32),
         ("Deformers", "rows", MOST_DEFORMERS as u32),
+        ("Domains", "surfaces", MAX_SURFACES as u32),
+        ("Refinements", "surfaces", MAX_SURFACES as u32),
+        ("Refinement", "borders", pack::BORDERS_OF_DOMAIN as u32),
     ] {
         let found = lengths.get(&(of.to_owned(), field.to_owned()));
         assert_eq!(found, Some(&length), "length of {of}.{field}");

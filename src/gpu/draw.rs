@@ -28,8 +28,15 @@ enum RealWork {
         depth: Depth,
         vertices: Option<wgpu::Buffer>,
         indices: wgpu::Buffer,
-        draws: Vec<(Range<u32>, i32, u32)>,
+        draws: Vec<RealDraw>,
     },
+}
+
+enum RealDraw {
+    /// Indices, base vertex, instance.
+    Listed(Range<u32>, i32, u32),
+    /// A buffer of arguments, and where in it.
+    Indirect(wgpu::Buffer, u64),
 }
 
 /// The depth attachment of a draw.
@@ -81,8 +88,16 @@ impl Step {
                 indices: buffer(plan, *indices, real)?.clone(),
                 draws: draws
                     .iter()
-                    .map(|d| (d.indices.clone(), d.base_vertex, d.instance))
-                    .collect(),
+                    .map(|d| {
+                        Ok(match d.arguments {
+                            None => RealDraw::Listed(d.indices.clone(), d.base_vertex, d.instance),
+                            Some(a) => RealDraw::Indirect(
+                                buffer(plan, a.resource, real)?.clone(),
+                                a.offset,
+                            ),
+                        })
+                    })
+                    .collect::<Result<_>>()?,
             },
         };
         Ok(Self {
@@ -179,8 +194,16 @@ impl Step {
                     pass.set_vertex_buffer(0, vertices.slice(..));
                 }
                 pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-                for (range, base_vertex, instance) in draws {
-                    pass.draw_indexed(range.clone(), *base_vertex, *instance..*instance + 1);
+                for draw in draws {
+                    match draw {
+                        RealDraw::Listed(range, base_vertex, instance) => {
+                            let instances = *instance..*instance + 1;
+                            pass.draw_indexed(range.clone(), *base_vertex, instances);
+                        }
+                        RealDraw::Indirect(arguments, offset) => {
+                            pass.draw_indexed_indirect(arguments, *offset);
+                        }
+                    }
                 }
             }
             // A pipeline is made from the same pass as its work.

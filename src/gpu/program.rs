@@ -344,7 +344,14 @@ fn make(gpu: &Gpu, resource: &Resource) -> Real {
         Role::Vertex => {
             wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
         }
-        Role::Index => wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE,
+        Role::Index => {
+            wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
+        }
+        Role::Arguments => {
+            wgpu::BufferUsages::INDIRECT
+                | wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_SRC
+        }
     };
     match (resource.shape, &resource.contents) {
         (Shape::Buffer { role, .. }, Some(contents)) => {

@@ -232,6 +232,7 @@ impl<'a> Recorder<'a> {
                     base_vertex: range.base_vertex,
                     vertex_count: range.vertex_count,
                     instance: self.relevance.place_of(*rank) as u32,
+                    arguments: None,
                 }
             })
             .collect()

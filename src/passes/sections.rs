@@ -154,6 +154,7 @@ fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> Vec<Draw> {
             base_vertex: first_vertex.cast_signed(),
             vertex_count: section.vertex_count,
             instance: wanted.instance,
+            arguments: None,
         };
         first_vertex += section.vertex_count;
         first_index += section.index_count;

@@ -2,9 +2,12 @@
 //!
 //! Rules: names are unique; every binding of a shader has a resource and every resource given has a binding; nothing is
 //! read before it is written or uploaded; nothing is written that nobody reads; passes of slower clocks never read what a
-//! faster clock makes.
+//! faster clock makes; what a draw reads of indices and arguments lies within their buffers. What indices and arguments say on
+//! the device nobody can check here: the pass that writes them answers for it.
 
-use super::{Access, Format, Plan, ResourceId, Role, Shape, Work};
+use super::{
+    ARGUMENT_BYTES, Access, Format, INDEX_BYTES, Plan, ResourceId, Role, Shape, Vertices, Work,
+};
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
@@ -54,6 +57,59 @@ impl Plan {
         self.check_order()?;
         for pass in &self.passes {
             self.check_bindings(pass, limits)?;
+            self.check_draws(pass)?;
+        }
+        Ok(())
+    }
+
+    fn check_draws(&self, pass: &super::Pass) -> Result<()> {
+        let Work::Draw {
+            vertices,
+            indices,
+            draws,
+            ..
+        } = &pass.work
+        else {
+            return Ok(());
+        };
+        let wrong = |what: String| Err(Error::Plan(format!("{}: {what}", pass.name)));
+        let buffer = self.resource(*indices);
+        for draw in draws {
+            let end = u64::from(draw.indices.end) * INDEX_BYTES;
+            if end > buffer.shape.bytes() {
+                return wrong(format!(
+                    "indices {:?} reach beyond {}",
+                    draw.indices, buffer.name
+                ));
+            }
+            let Some(arguments) = draw.arguments else {
+                continue;
+            };
+            let of = self.resource(arguments.resource);
+            let is_for_arguments = matches!(
+                of.shape,
+                Shape::Buffer {
+                    role: Role::Arguments,
+                    ..
+                }
+            );
+            if !is_for_arguments {
+                return wrong(format!("{} is no buffer of arguments", of.name));
+            }
+            if arguments.offset % 4 != 0 || arguments.offset + ARGUMENT_BYTES > of.shape.bytes() {
+                return wrong(format!(
+                    "there are no arguments at byte {} of {}",
+                    arguments.offset, of.name
+                ));
+            }
+            if draw.instance != 0 {
+                return wrong("a draw with arguments has no instance but 0".to_owned());
+            }
+            if *vertices != Vertices::None {
+                return wrong(
+                    "a draw with arguments reads no vertex buffer: nobody knows how far".to_owned(),
+                );
+            }
         }
         Ok(())
     }

@@ -15,7 +15,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::pass::{INDEX_BYTES, VERTEX_BYTES};
+use super::pass::{ARGUMENT_BYTES, INDEX_BYTES, VERTEX_BYTES};
 use super::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work};
 
 /// What must run before the next frame is right.
@@ -125,14 +125,14 @@ fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) 
             depth,
             vertices,
             indices,
-            ..
+            draws,
         },
         Work::Draw {
             color: color_b,
             depth: depth_b,
             vertices: vertices_b,
             indices: indices_b,
-            ..
+            draws: draws_b,
         },
     ) = (&mut renamed, b)
     {
@@ -146,6 +146,12 @@ fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) 
         if let (Vertices::Mesh(v), Vertices::Mesh(w)) = (vertices, vertices_b) {
             all &= same(*v, *w);
             *v = *w;
+        }
+        for (d, e) in draws.iter_mut().zip(draws_b) {
+            if let (Some(a), Some(b)) = (&mut d.arguments, e.arguments) {
+                all &= same(a.resource, b.resource);
+                a.resource = b.resource;
+            }
         }
         if !all {
             return false;
@@ -349,6 +355,13 @@ fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
         };
         let (first, end) = (u64::from(draw.indices.start), u64::from(draw.indices.end));
         all.push(read(*indices, first, end - first, INDEX_BYTES));
+        if let Some(arguments) = draw.arguments {
+            all.push(Use {
+                resource: arguments.resource.0,
+                stretch: arguments.offset..arguments.offset + ARGUMENT_BYTES,
+                access: Access::Read,
+            });
+        }
         if let Vertices::Mesh(id) = vertices {
             let first = u64::from(draw.base_vertex.unsigned_abs());
             all.push(read(*id, first, u64::from(draw.vertex_count), VERTEX_BYTES));

@@ -17,8 +17,8 @@ pub use check::Limits;
 pub use cpu::CpuWork;
 pub use due::Due;
 pub use pass::{
-    Access, Binding, ColorTarget, DepthCompare, DepthTarget, Draw, INDEX_BYTES, Pass, Stencil,
-    StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
+    ARGUMENT_BYTES, Access, Arguments, Binding, ColorTarget, DepthCompare, DepthTarget, Draw,
+    INDEX_BYTES, Pass, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
 };
 pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
 

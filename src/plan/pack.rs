@@ -41,9 +41,11 @@ macro_rules! shared {
 // After the macro, which they use.
 mod lists;
 mod pose;
+mod refinement;
 mod sprite;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
+pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement};
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.

@@ -176,17 +176,32 @@ pub enum Vertices {
     None,
 }
 
+/// Bytes of the arguments of a draw.
+pub const ARGUMENT_BYTES: u64 = 20;
+
+/// Where a draw finds out on the device how many indices it has: [`ARGUMENT_BYTES`] of a buffer that passes write, as
+/// `count, 1, first index, 0, 0`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Arguments {
+    /// The buffer.
+    pub resource: ResourceId,
+    /// Its first byte.
+    pub offset: u64,
+}
+
 /// One indexed draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
-    /// Range of the index buffer.
+    /// Range of the index buffer; with arguments, what they keep within, which only the pass that writes them can see to.
     pub indices: Range<u32>,
     /// Added to every index.
     pub base_vertex: i32,
     /// Vertices from the base one on that the indices reach; 0 without a vertex buffer.
     pub vertex_count: u32,
-    /// What the shader gets as instance index.
+    /// What the shader gets as instance index; with arguments it is 0, for core WebGPU has no other first instance there.
     pub instance: u32,
+    /// Where the device finds the range; none where the plan says it.
+    pub arguments: Option<Arguments>,
 }
 
 /// What a pass does.
@@ -245,13 +260,18 @@ impl Pass {
             depth,
             vertices,
             indices,
-            ..
+            draws,
         } = &self.work
         {
             if let Vertices::Mesh(id) = vertices {
                 all.push(*id);
             }
             all.push(*indices);
+            for id in draws.iter().filter_map(|d| d.arguments.map(|a| a.resource)) {
+                if !all.contains(&id) {
+                    all.push(id);
+                }
+            }
             all.extend(color.filter(|c| !c.clear).map(|c| c.resource));
             let keeps = !depth.clear || depth.stencil.is_some_and(|s| !s.clear);
             all.extend(keeps.then_some(depth.resource));

@@ -42,6 +42,8 @@ pub enum Role {
     Vertex,
     /// 32-bit indices.
     Index,
+    /// Arguments of draws.
+    Arguments,
 }
 
 /// Size and kind.

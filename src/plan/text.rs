@@ -91,6 +91,12 @@ fn describe(work: &Work) -> String {
                 .iter()
                 .map(|d| u64::from(d.indices.end - d.indices.start) / 3)
                 .sum();
+            // The device may draw fewer than there is room for.
+            let at_most = if draws.iter().any(|d| d.arguments.is_some()) {
+                "up to "
+            } else {
+                ""
+            };
             let [of_draws, of_triangles] =
                 [draws.len() as u64, triangles].map(|n| if n == 1 { "" } else { "s" });
             let stencil = match depth.stencil.map(|s| s.step) {
@@ -100,7 +106,7 @@ fn describe(work: &Work) -> String {
                 Some(StencilStep::Take { bits }) => format!(", where stencil bits {bits:#04x} are"),
             };
             format!(
-                "draw {triangles} triangle{of_triangles} in {} draw{of_draws}{stencil}",
+                "draw {at_most}{triangles} triangle{of_triangles} in {} draw{of_draws}{stencil}",
                 draws.len()
             )
         }

@@ -114,7 +114,7 @@ fn record_cut(
         (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
             inside::ldi::record_with_list(recorder, surface, rasteriser, resolution, capacities)
         }
-        (CapSurface::Grid { cells }, InsideTest::Vds { resolution }) => {
+        (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Vds { resolution }) => {
             let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
                 let of_part = |rank: &usize| {
                     let sprite = inside::vds::record(recorder, *rank, resolution, capacities);
@@ -122,20 +122,19 @@ fn record_cut(
                 };
                 Ok(ranks.iter().map(of_part).collect())
             };
-            let tessellate = |r: &mut Recorder<'_>| Ok(surface::grid::tessellation(r, cells));
+            let tessellate =
+                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
             surface::paper::record(recorder, tessellate, sprites)
         }
-        (CapSurface::Grid { cells }, InsideTest::Ldi { resolution }) => {
+        (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Ldi { resolution }) => {
             let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
                 let images =
                     inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
                 Ok(vec![(ranks.to_vec(), images)])
             };
-            let tessellate = |r: &mut Recorder<'_>| Ok(surface::grid::tessellation(r, cells));
+            let tessellate =
+                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
             surface::paper::record(recorder, tessellate, images)
-        }
-        (CapSurface::Adaptive { .. }, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
-            Err(format!("{surface} is not drawn by the paper's rule yet"))
         }
     }
 }

@@ -65,6 +65,7 @@ pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
             base_vertex: range.base_vertex,
             vertex_count: range.vertex_count,
             instance: index as u32,
+            arguments: None,
         });
     }
     let vertices = uploaded(recorder, "cutter vertices", Role::Vertex, |r| {

@@ -26,12 +26,15 @@ pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
         surface,
         indices,
         range: 0..cells * cells * 6,
+        arguments: None,
     };
     let count = recorder.relevance.surfaces.len() as u32;
+    let quads = quads(recorder, cells);
     Tessellation {
         file: "lib/tessellation/grid.wgsl",
-        bindings: vec![quads(recorder, cells)],
+        bindings: vec![quads.clone()],
         side: "lib/sheet_side/grid.wgsl",
+        side_bindings: vec![quads],
         beside: ROUNDING,
         facets: (0..count).map(facets).collect(),
     }

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::{cutter, raycast};
 use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
-use crate::plan::{Binding, Capacities, Draw, ResourceId, Vertices};
+use crate::plan::{Arguments, Binding, Capacities, Draw, ResourceId, Vertices};
 use crate::shader::Shader;
 
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
@@ -22,8 +22,10 @@ pub struct Tessellation {
     pub file: &'static str,
     /// What it binds beside frame, table of cuts and heights.
     pub bindings: Vec<Binding>,
-    /// File that fills `cutaway::sheet_side`; it binds the same.
+    /// File that fills `cutaway::sheet_side`.
     pub side: &'static str,
+    /// What that binds beside frame, table of cuts and heights.
+    pub side_bindings: Vec<Binding>,
     /// By how much the answer of that file may be off, in scene units.
     pub beside: f64,
     /// The triangles of each clip-surface that has some.
@@ -39,6 +41,8 @@ pub struct Facets {
     pub indices: ResourceId,
     /// Range of it.
     pub range: Range<u32>,
+    /// Where the device finds out how much of the range there is; none where it is all.
+    pub arguments: Option<Arguments>,
 }
 
 /// Draws that one pass can hold.
@@ -66,13 +70,25 @@ impl Tessellation {
             let Some(facets) = self.facets.iter().find(|f| f.surface == surface) else {
                 continue;
             };
-            let draw = Draw {
+            let mut draw = Draw {
                 indices: facets.range.clone(),
                 base_vertex: 0,
                 vertex_count: 0,
                 instance: *instance,
+                arguments: facets.arguments,
             };
-            match batches.iter_mut().find(|b| b.indices == facets.indices) {
+            if facets.arguments.is_some() {
+                // Such a draw has no instance of its own: the shader is told.
+                draw.instance = 0;
+                batches.push(Batch {
+                    constants: vec![("first_instance", f64::from(*instance))],
+                    indices: facets.indices,
+                    draws: vec![draw],
+                });
+                continue;
+            }
+            let same = |b: &&mut Batch| b.constants.is_empty() && b.indices == facets.indices;
+            match batches.iter_mut().find(same) {
                 Some(batch) => batch.draws.push(draw),
                 None => batches.push(Batch {
                     constants: Vec::new(),
@@ -126,7 +142,7 @@ pub fn list(
         draws: batch.draws,
     });
     let mut side_bindings = vec![recorder.heights()];
-    side_bindings.extend(tessellation.bindings.iter().cloned());
+    side_bindings.extend(tessellation.side_bindings.iter().cloned());
     let mut sheets = Sheets {
         draws: draws.collect(),
         by_facing,

@@ -244,6 +244,7 @@ fn full_screen(recorder: &mut Recorder<'_>, instance: u32) -> (ResourceId, Vec<D
         base_vertex: 0,
         vertex_count: 0,
         instance,
+        arguments: None,
     };
     (indices, vec![draw])
 }

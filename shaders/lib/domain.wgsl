@@ -1,0 +1,72 @@
+// The part of a clip-surface that is tessellated as finely as a view asks for: whole texels of its map around the box of the cut
+// solids, in square patches. Bound as @group(1) @binding(8).
+//
+// A vertex is two integers, counted from the corner in steps of 1 / 2^step_bits of a texel, so that everybody who meets it computes
+// the same point from the same numbers; vertices of texels lie where the bilinear map has its texel centres.
+
+#define_import_path cutaway::domain
+
+#import cutaway::cuts::{NO_RELIEF, cut_table}
+#import cutaway::relief::{cell_at, height_in, heights, map_of, wrapped}
+
+struct Domain {
+    // Vertex (0, 0) on the plane, and what a step means, in scene space.
+    corner: vec4<f32>,
+    step_x: vec4<f32>,
+    step_y: vec4<f32>,
+    // Texel of the map at vertex (0, 0).
+    first_texel: vec2<i32>,
+    patches: vec2<u32>,
+    // Texels along a patch and steps along a texel, as powers of two.
+    patch_bits: u32,
+    step_bits: u32,
+    // Where the errors of its vertices and of its cells begin.
+    first_vertex: u32,
+    first_cell: u32,
+    // Twist that every cell is taken to have at least.
+    least_twist: f32,
+    // 1 where texel axes turn the other way than U and V.
+    mirrored: u32,
+    padding: vec2<u32>,
+}
+
+struct Domains {
+    surfaces: array<Domain, 32>,
+}
+
+@group(1) @binding(8) var<uniform> domains: Domains;
+
+// Texels along the sides.
+fn domain_texels(surface: u32) -> vec2<u32> {
+    return domains.surfaces[surface].patches << vec2<u32>(domains.surfaces[surface].patch_bits);
+}
+
+fn is_in_domain(surface: u32, texel: vec2<i32>) -> bool {
+    return all(texel >= vec2<i32>(0)) && all(texel <= vec2<i32>(domain_texels(surface)));
+}
+
+// Height of the map at a texel, counted from the corner.
+fn texel_height(surface: u32, texel: vec2<i32>) -> f32 {
+    let map = map_of(surface);
+    let at = domains.surfaces[surface].first_texel + texel;
+    return heights[map.first + wrapped(at.y, map.size.y, map.wrap) * map.size.x + wrapped(at.x, map.size.x, map.wrap)];
+}
+
+// Height of the relief at a vertex, in scene units.
+fn relief_at(surface: u32, at: vec2<i32>) -> f32 {
+    if cut_table.surfaces[surface].first_texel == NO_RELIEF {
+        return 0.0;
+    }
+    let bits = vec2<u32>(domains.surfaces[surface].step_bits);
+    let cell = at >> bits;
+    let within = vec2<f32>(at - (cell << bits)) / f32(1u << bits.x);
+    let form = cell_at(surface, domains.surfaces[surface].first_texel + cell);
+    return height_in(form, within) * cut_table.surfaces[surface].scale.z;
+}
+
+// A vertex on the clip-surface, in scene space.
+fn point_at(surface: u32, at: vec2<i32>) -> vec3<f32> {
+    let on_plane = domains.surfaces[surface].corner.xyz + f32(at.x) * domains.surfaces[surface].step_x.xyz
+        + f32(at.y) * domains.surfaces[surface].step_y.xyz;
+    return on_plane - relief_at(surface, at) * cut_table.surfaces[surface].normal.xyz;
+}

@@ -1,0 +1,103 @@
+// Whether a triangle is halved: where the error that it would keep may be seen in this view. Bound as @group(1) @binding(9), (10).
+//
+// The answer hangs on the middle of the hypotenuse alone, which two triangles share, so either both are halved or none, and no vertex
+// lies on the edge of another's triangle (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). For this a
+// middle's error bounds those of all middles that come of it (the pass that measures sees to it), and the depth that it is seen at is
+// the least in a box that holds theirs. A square of side s and all that comes of it lie within 1.5 s of its middle along each axis,
+// an edge of length s and all that comes of it within s: half a side to the edge and s beyond it, a quarter of s to the middle
+// of the next smaller square and 1.5 s/2 beyond. Depth is linear on the plane and counted in integers, so that no rounding breaks it.
+//
+// Below a texel the map is bilinear, off its chord by |twist| s² / 4 on the diagonal of a square of side s, and nowhere more. The
+// error kept for a cell is such that it is no less than a quarter of its neighbours'.
+
+#define_import_path cutaway::refinement
+
+#import cutaway::bisection::{Triangle, middle_of}
+#import cutaway::domain::{domain_texels, domains}
+
+struct Refinement {
+    // Value at vertex (0, 0), per step in x, per step in y: a triangle that is negative at its corners in one of them is not seen, or
+    // outside the box of the cut solids.
+    borders: array<vec4<f32>, 11>,
+    // Least depth of the clip-surface over vertex (0, 0), per step in x, per step in y, of the near plane: whole units.
+    depth: vec4<i32>,
+    // Greatest error of the map that is not seen at a depth of one unit.
+    error_per_depth: f32,
+    // Triangles that there is room for.
+    capacity: u32,
+    padding: vec2<u32>,
+}
+
+struct Refinements {
+    surfaces: array<Refinement, 32>,
+}
+
+const BORDERS_OF_DOMAIN: u32 = 11u;
+
+@group(1) @binding(9) var<uniform> refinements: Refinements;
+// For each domain the errors of its texels as vertices, row by row, and then the twists of its cells. In units of the map.
+@group(1) @binding(10) var<storage, read> sheet_errors: array<f32>;
+
+// Triangles of this depth are never halved.
+fn greatest_depth(surface: u32) -> u32 {
+    return 2u * (domains.surfaces[surface].patch_bits + domains.surfaces[surface].step_bits);
+}
+
+fn twist_of(surface: u32, cell: vec2<i32>) -> f32 {
+    let size = domain_texels(surface);
+    if any(cell < vec2<i32>(0)) || any(cell >= vec2<i32>(size)) {
+        return 0.0;
+    }
+    return sheet_errors[domains.surfaces[surface].first_cell + u32(cell.y) * size.x + u32(cell.x)];
+}
+
+// Length of the side or edge that a triangle's hypotenuse stands for, in steps.
+fn length_of(triangle: Triangle) -> i32 {
+    let along = abs(triangle.a - triangle.b);
+    return max(along.x, along.y);
+}
+
+// The error that halving at the middle of a hypotenuse avoids.
+fn error_of(surface: u32, triangle: Triangle, depth: u32) -> f32 {
+    let bits = vec2<u32>(domains.surfaces[surface].step_bits);
+    let middle = middle_of(triangle);
+    let length = length_of(triangle);
+    if length > (1 << bits.x) {
+        let texel = vec2<u32>(middle >> bits);
+        return sheet_errors[domains.surfaces[surface].first_vertex + texel.y * (domain_texels(surface).x + 1u) + texel.x];
+    }
+    let side = f32(length) / f32(1u << bits.x);
+    if (depth & 1u) == 0u {
+        return twist_of(surface, middle >> bits) * (side * side * 0.25);
+    }
+    let across = select(vec2<i32>(0, 1), vec2<i32>(1, 0), triangle.a.x == triangle.b.x);
+    let twist = max(twist_of(surface, (middle - across) >> bits), twist_of(surface, middle >> bits));
+    return twist * (side * side * 0.0625);
+}
+
+fn is_halved(surface: u32, triangle: Triangle, depth: u32) -> bool {
+    if depth >= greatest_depth(surface) {
+        return false;
+    }
+    let length = length_of(triangle);
+    let reach = select(length, length + length / 2, (depth & 1u) == 0u);
+    let row = refinements.surfaces[surface].depth;
+    let middle = middle_of(triangle);
+    let seen_at = row.x + middle.x * row.y + middle.y * row.z - reach * (abs(row.y) + abs(row.z));
+    return error_of(surface, triangle, depth) > refinements.surfaces[surface].error_per_depth * f32(max(seen_at, row.w));
+}
+
+// Whether nothing of a triangle, nor of what it is halved into, is seen inside the box of the cut solids.
+fn is_outside(surface: u32, triangle: Triangle) -> bool {
+    let a = vec2<f32>(triangle.a);
+    let b = vec2<f32>(triangle.b);
+    let c = vec2<f32>(triangle.apex);
+    for (var i = 0u; i < BORDERS_OF_DOMAIN; i++) {
+        let border = refinements.surfaces[surface].borders[i];
+        let inside = border.x + max(dot(a, border.yz), max(dot(b, border.yz), dot(c, border.yz)));
+        if inside < 0.0 {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,54 @@
+//! Shared structs of tessellations that are as fine as a view asks for.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::Layout;
+
+/// Borders that triangles are held against: the near plane, the sides of the picture, the faces of the box of the cut solids.
+pub const BORDERS_OF_DOMAIN: usize = 11;
+
+shared! {
+    /// The part of a clip-surface that is tessellated: `shaders/lib/domain.wgsl`.
+    Domain {
+        /// Vertex (0, 0) on the plane.
+        corner: [f32; 4],
+        /// A step along the rows of the map, in scene space.
+        step_x: [f32; 4],
+        /// A step along its columns.
+        step_y: [f32; 4],
+        /// Texel of the map at vertex (0, 0).
+        first_texel: [i32; 2],
+        /// Patches along each side.
+        patches: [u32; 2],
+        /// Texels along a patch, as a power of two.
+        patch_bits: u32,
+        /// Steps along a texel, as a power of two.
+        step_bits: u32,
+        /// Where the errors of its vertices begin.
+        first_vertex: u32,
+        /// Where the twists of its cells begin.
+        first_cell: u32,
+        /// Twist that every cell is taken to have at least.
+        least_twist: f32,
+        /// 1 where texel axes turn the other way than `U` and `V`.
+        mirrored: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
+}
+
+shared! {
+    /// What a view asks of a tessellation: `shaders/lib/refinement.wgsl`.
+    Refinement {
+        /// Values at vertex (0, 0), per step along rows, per step along columns.
+        borders: [[f32; 4]; BORDERS_OF_DOMAIN],
+        /// Least depth over vertex (0, 0), per step along rows, per step along columns, of the near plane, in whole units.
+        depth: [i32; 4],
+        /// Greatest error of the map that is not seen at a depth of one unit.
+        error_per_depth: f32,
+        /// Triangles that there is room for.
+        capacity: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
+}

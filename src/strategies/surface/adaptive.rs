@@ -1,0 +1,231 @@
+//! `adaptive:TAU`: a tessellation that is made anew for every view, as fine as keeps it within TAU pixels of the relief.
+//!
+//! Squares of texels are halved into right triangles, and these at the middle of their longest edge again and again, below a texel
+//! too (Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001). What a triangle would be off by is measured on the
+//! map, once for each cut; what of that is seen follows from the least depth that it may be seen at. Whether an edge is halved is asked
+//! of its middle, in integers where it matters, so that neighbours agree without asking each other and no crack can arise. Triangles
+//! outside the picture or outside the box of the cut solids are left out: nobody asks about crossings there.
+//!
+//! Per cut: a texel is looked at once for each size of square, up to 14 times; 8 bytes per texel around the cut solids. A cut whose
+//! box stays within the same patches is not measured again. Per frame: a workgroup per patch, time in proportion to the triangles that
+//! come out; 12 bytes for each that there is room for. The device draws what it made: nothing is read back.
+//!
+//! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
+//! single texel is hundreds of pixels high. Refuses reliefs of more texels than a storage binding holds: `raycast` draws those.
+
+mod domain;
+mod measure;
+mod view;
+
+use super::tessellation::{Facets, Tessellation};
+use crate::passes::{NEED_OF_TRIANGLES, Recorder};
+use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
+use crate::plan::{
+    ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents, INDEX_BYTES, Knob,
+    Pass, Resource, Role, Shape, Work,
+};
+use crate::strategies::Tau;
+
+/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope.
+const ROUNDING: f64 = 2e-4;
+/// Triangles that each relief is given room for until a frame reports what it needs.
+const FIRST_TRIANGLES: u32 = 1 << 16;
+/// Most triangles of all reliefs: 128 MiB of indices.
+const MOST_TRIANGLES: u32 = (128 << 20) / 12;
+/// Halvings that the invocations of a workgroup share: `SHARED` in `shaders/strategies/surface/adaptive/refine.wgsl`.
+const SHARED_HALVINGS: u32 = 7;
+
+/// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
+pub fn tessellation(
+    recorder: &mut Recorder<'_>,
+    tau: Tau,
+    with_planes: bool,
+    capacities: &Capacities,
+) -> Result<Tessellation, String> {
+    let rows = domain::rows(recorder)?;
+    let reliefs: Vec<u32> = (0..rows.len() as u32)
+        .filter(|s| {
+            let number = recorder.relevance.surfaces[*s as usize];
+            recorder.model.is_relief(number)
+        })
+        .collect();
+    let domains = table(recorder, "domains", Clock::Cut, &rows);
+    let mut facets = Vec::new();
+    for surface in 0..rows.len() as u32 {
+        if with_planes && !reliefs.contains(&surface) {
+            facets.push(square(recorder, surface));
+        }
+    }
+    let mut side_bindings = vec![domains.clone()];
+    if !reliefs.is_empty() {
+        let errors = measure::record(recorder, &rows, &reliefs, &domains);
+        let capacity = room(capacities, reliefs.len() as u32);
+        let refinements: Vec<Refinement> = (rows.iter().enumerate())
+            .map(|(s, row)| view::refinement(recorder, s, row, tau, capacity))
+            .collect();
+        side_bindings.push(table(recorder, "refinements", Clock::Frame, &refinements));
+        side_bindings.push(Binding::read("sheet_errors", errors));
+        facets.extend(refine(recorder, &rows, &reliefs, capacity, &side_bindings));
+    }
+    Ok(Tessellation {
+        file: "lib/tessellation/adaptive.wgsl",
+        bindings: vec![domains],
+        side: "lib/sheet_side/adaptive.wgsl",
+        side_bindings,
+        beside: ROUNDING,
+        facets,
+    })
+}
+
+/// Triangles that each relief has room for: powers of two, so that a camera that moves seldom asks for another buffer.
+fn room(capacities: &Capacities, reliefs: u32) -> u32 {
+    let need = capacities.triangles.unwrap_or(0);
+    let wanted = need.max(FIRST_TRIANGLES).checked_next_power_of_two();
+    let most = MOST_TRIANGLES / reliefs.max(1);
+    wanted.map_or(need, |w| w.min(most).max(need))
+}
+
+/// A uniform with a row for each clip-surface.
+fn table<T: bytemuck::Pod>(
+    recorder: &mut Recorder<'_>,
+    name: &'static str,
+    clock: Clock,
+    rows: &[T],
+) -> Binding {
+    let mut all = vec![T::zeroed(); MAX_SURFACES];
+    all[..rows.len()].copy_from_slice(rows);
+    let id = recorder.once(name, |_| {
+        let resource = Resource::upload(name, Role::Uniform, Contents::of(&all), clock);
+        Resource {
+            is_scene: false,
+            ..resource
+        }
+    });
+    Binding::read(name, id)
+}
+
+/// The two triangles of a plane, whose domain is one step along each side.
+fn square(recorder: &mut Recorder<'_>, surface: u32) -> Facets {
+    let corners = [[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]];
+    let indices = recorder.once("square indices", |_| {
+        let contents = Contents::of(&corners);
+        let resource = Resource::upload("square indices", Role::Index, contents, Clock::Cut);
+        Resource {
+            is_scene: false,
+            ..resource
+        }
+    });
+    Facets {
+        surface,
+        indices,
+        range: 0..6,
+        arguments: None,
+    }
+}
+
+/// Records the passes that make the triangles of a frame.
+fn refine(
+    recorder: &mut Recorder<'_>,
+    rows: &[Domain],
+    reliefs: &[u32],
+    capacity: u32,
+    read: &[Binding],
+) -> Vec<Facets> {
+    let count = reliefs.len() as u64;
+    let of_role = |name: &str, bytes, role| Resource {
+        shape: Shape::Buffer { bytes, role },
+        ..Resource::storage(name, bytes, Clock::Frame)
+    };
+    let bytes = count * u64::from(capacity) * 3 * INDEX_BYTES;
+    let indices = recorder.once("triangles", |_| of_role("triangles", bytes, Role::Index));
+    let arguments = recorder.once("arguments", |_| {
+        of_role("arguments", count * ARGUMENT_BYTES, Role::Arguments)
+    });
+    let sizes = vec![("count", count as f64), ("capacity", f64::from(capacity))];
+    step(
+        recorder,
+        "triangles begin",
+        "no triangles yet",
+        "strategies/surface/adaptive/begin.wgsl",
+        vec![Binding::write("arguments", arguments)],
+        sizes.clone(),
+        [1, 1, 1],
+    );
+    for (slot, surface) in reliefs.iter().enumerate() {
+        let row = &rows[*surface as usize];
+        let halvings = 2 * (row.patch_bits + row.step_bits);
+        let visits = SHARED_HALVINGS + (2 << halvings.saturating_sub(SHARED_HALVINGS));
+        let mut bindings = vec![
+            Binding::write("triangles", indices),
+            Binding::update("arguments", arguments),
+        ];
+        bindings.extend(read.iter().cloned());
+        step(
+            recorder,
+            format!("triangles {slot}"),
+            "a relief as finely as the view asks for, where it is seen",
+            "strategies/surface/adaptive/refine.wgsl",
+            bindings,
+            vec![
+                ("surface", f64::from(*surface)),
+                ("slot", slot as f64),
+                ("most_visits", f64::from(visits)),
+            ],
+            [row.patches[0], row.patches[1], 1],
+        );
+    }
+    let need = recorder.need(Clock::Frame);
+    step(
+        recorder,
+        "triangles end",
+        "how many of them are drawn, and how many there should be room for",
+        "strategies/surface/adaptive/end.wgsl",
+        vec![
+            Binding::update("arguments", arguments),
+            Binding::write("need", need),
+        ],
+        sizes,
+        [1, 1, 1],
+    );
+    recorder.plan.bounded.push(Bounded {
+        what: "triangles of a relief".to_owned(),
+        slot: NEED_OF_TRIANGLES,
+        capacity,
+        knob: Some(Knob::Triangles),
+        exact: false,
+    });
+    let facets = reliefs.iter().zip(0_u32..).map(|(surface, slot)| Facets {
+        surface: *surface,
+        indices,
+        range: 3 * capacity * slot..3 * capacity * (slot + 1),
+        arguments: Some(Arguments {
+            resource: arguments,
+            offset: u64::from(slot) * ARGUMENT_BYTES,
+        }),
+    });
+    facets.collect()
+}
+
+#[allow(
+    clippy::too_many_arguments,
+    reason = "the sentence form of a pass: each word is one argument"
+)]
+fn step(
+    recorder: &mut Recorder<'_>,
+    name: impl Into<String>,
+    reason: &str,
+    shader: &'static str,
+    bindings: Vec<Binding>,
+    constants: Vec<(&'static str, f64)>,
+    groups: [u32; 3],
+) {
+    recorder.plan.add_pass(Pass {
+        name: name.into(),
+        clock: Clock::Frame,
+        reason: reason.to_owned(),
+        shader: shader.into(),
+        bindings,
+        constants,
+        work: Work::Compute { groups },
+    });
+}

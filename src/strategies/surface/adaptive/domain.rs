@@ -1,0 +1,151 @@
+//! Which texels of each clip-surface are tessellated, and in what patches.
+//!
+//! The domain covers the box of the cut solids as seen along the normal: a point of the surface lies over the point of the plane that
+//! it was displaced from. It is rounded out to whole patches, counted from the origin of the map, so that a box that moves a little
+//! keeps its domain. Patches are as large as leaves about a thousand of them: enough to share the work, and few enough triangles where
+//! nothing asks for more. Texels are halved as often as leaves 16 bits for each coordinate of a vertex.
+
+use glam::DVec3;
+
+use crate::passes::Recorder;
+use crate::plan::pack::{Domain, flat_height};
+use crate::scene::{Bounds, PreparedSurface};
+
+/// Patches that are enough.
+const ENOUGH_PATCHES: u64 = 1024;
+/// Texels along a patch: powers of two in this range.
+const PATCH_BITS: std::ops::RangeInclusive<u32> = 1..=6;
+/// Halvings of a texel: at least, and at most.
+const STEP_BITS: std::ops::RangeInclusive<u32> = 3..=8;
+/// Steps along a side that 16 bits can tell apart.
+const MOST_STEPS: u64 = (1 << 16) - 1;
+/// Steps in a domain, lest its triangles be more than 32 bits can count.
+const MOST_AREA: u64 = (1 << 31) - 1;
+/// Texels of all domains: 128 MiB of errors, of which there are two for each texel.
+const MOST_TEXELS: u64 = (128 << 20) / 8;
+/// The length of a texel in scene units beyond which f32 has no room between its corners.
+const LONGEST_TEXEL: f64 = 64.0;
+/// How much the domain is larger than the box on either side, in scene units.
+const MARGIN: f64 = 1e-3;
+
+/// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
+pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, String> {
+    let mut first = 0;
+    let mut rows = Vec::new();
+    for number in &recorder.relevance.surfaces {
+        let surface = &recorder.model.prepared.surfaces[*number];
+        let cut_box = &recorder.relevance.cut_box;
+        if !recorder.model.is_relief(*number) {
+            rows.push(of_plane(surface, cut_box));
+            continue;
+        }
+        let mut row = of_relief(*number, surface, cut_box)?;
+        let [width, height] = texels(&row);
+        row.first_vertex = first as u32;
+        row.first_cell = (first + (width + 1) * (height + 1)) as u32;
+        first += (width + 1) * (height + 1) + width * height;
+        if first > 2 * MOST_TEXELS {
+            return Err(format!(
+                "the reliefs have more than {MOST_TEXELS} texels across the parts, and a buffer holds the errors of no more: \
+                 raycast draws them"
+            ));
+        }
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// Texels along the sides of a domain.
+pub(super) fn texels(row: &Domain) -> [u64; 2] {
+    row.patches.map(|n| u64::from(n) << row.patch_bits)
+}
+
+/// What a box spans along an axis, from the origin of a clip-surface, with a margin.
+fn span(surface: &PreparedSurface, cut_box: &Bounds, axis: DVec3) -> [f64; 2] {
+    let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
+    let low = at.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    [low - MARGIN, high + MARGIN]
+}
+
+/// A plane is one patch of one step along each side.
+fn of_plane(surface: &PreparedSurface, cut_box: &Bounds) -> Domain {
+    let frame = &surface.frame;
+    let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| span(surface, cut_box, axis));
+    let lift = -flat_height(surface).unwrap_or(0.0);
+    let corner = surface.origin + frame.u_hat * u[0] + frame.v_hat * v[0] + frame.normal * lift;
+    Domain {
+        corner: row(corner),
+        step_x: row(frame.u_hat * (u[1] - u[0])),
+        step_y: row(frame.v_hat * (v[1] - v[0])),
+        patches: [1, 1],
+        ..bytemuck::Zeroable::zeroed()
+    }
+}
+
+fn of_relief(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Result<Domain, String> {
+    let map = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map[i]));
+    if per_unit.iter().any(|t| t.abs() * LONGEST_TEXEL < 1.0) {
+        return Err(format!(
+            "a texel of clip-surface {number} is more than {LONGEST_TEXEL} times as long as the scene: raycast draws it"
+        ));
+    }
+    let axes = [surface.frame.u_hat, surface.frame.v_hat];
+    // Texel centres are at integers.
+    let at: [[f64; 2]; 2] = [0, 1].map(|i| {
+        let ends = span(surface, cut_box, axes[i]).map(|d| d * per_unit[i] - 0.5);
+        [ends[0].min(ends[1]).floor(), ends[0].max(ends[1]).ceil()]
+    });
+    let patches_at = |bits: u32| {
+        let side = f64::from(1_u32 << bits);
+        at.map(|[low, high]| [(low / side).floor(), (high / side).ceil()])
+    };
+    let count = |bits: &u32| {
+        let [x, y] = patches_at(*bits).map(|[low, high]| (high - low).max(1.0) as u64);
+        x * y
+    };
+    let patch_bits = { PATCH_BITS }
+        .find(|bits| count(bits) <= ENOUGH_PATCHES)
+        .unwrap_or(*PATCH_BITS.end());
+    let first = patches_at(patch_bits).map(|[low, _]| low);
+    let patches = patches_at(patch_bits).map(|[low, high]| (high - low).max(1.0) as u64);
+    let texels = patches.map(|n| n << patch_bits);
+    let fits = |bits: &u32| {
+        let steps = texels.map(|n| n << bits);
+        steps.iter().all(|s| *s <= MOST_STEPS) && steps[0] * steps[1] <= MOST_AREA
+    };
+    let Some(step_bits) = STEP_BITS.rev().find(fits) else {
+        return Err(format!(
+            "the relief of clip-surface {number} is {} x {} texels across the parts; {} along a side and {} in all can be \
+             tessellated: raycast draws it",
+            texels[0],
+            texels[1],
+            MOST_STEPS >> STEP_BITS.start(),
+            MOST_AREA >> (2 * STEP_BITS.start()),
+        ));
+    };
+    let side = f64::from(1_u32 << patch_bits);
+    let first = first.map(|p| p * side);
+    let unit = |i: usize| axes[i] / per_unit[i];
+    let corner = surface.origin + unit(0) * (first[0] + 0.5) + unit(1) * (first[1] + 0.5);
+    let steps = f64::from(1_u32 << step_bits);
+    let [low, high] = (surface.relief.as_ref()).map_or([0.0, 0.0], |m| m.range().map(f64::from));
+    Ok(Domain {
+        corner: row(corner),
+        step_x: row(unit(0) / steps),
+        step_y: row(unit(1) / steps),
+        first_texel: first.map(|t| t as i32),
+        patches: patches.map(|n| n as u32),
+        patch_bits,
+        step_bits,
+        // No twist is more than twice the range; those of cells more than three away count for 1 / 4^4 at most.
+        least_twist: ((high - low) * (2.0 / 256.0) * 1.000_01) as f32,
+        mirrored: u32::from(per_unit[0] * per_unit[1] < 0.0),
+        ..bytemuck::Zeroable::zeroed()
+    })
+}
+
+fn row(v: DVec3) -> [f32; 4] {
+    v.as_vec3().extend(0.0).to_array()
+}

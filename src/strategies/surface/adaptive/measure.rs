@@ -1,0 +1,78 @@
+//! Measuring, once for each cut, what every triangle of a tessellation would be off by.
+
+use super::domain;
+use crate::passes::Recorder;
+use crate::plan::pack::Domain;
+use crate::plan::{Binding, Clock, Pass, Resource, ResourceId, Work, groups_over};
+
+/// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest on, each no less than those
+/// that come of it.
+pub(super) fn record(
+    recorder: &mut Recorder<'_>,
+    rows: &[Domain],
+    reliefs: &[u32],
+    domains: &Binding,
+) -> ResourceId {
+    let errors: u64 = (reliefs.iter())
+        .map(|s| {
+            let [width, height] = domain::texels(&rows[*s as usize]);
+            (width + 1) * (height + 1) + width * height
+        })
+        .sum();
+    let id = recorder.once("sheet_errors", |_| {
+        Resource::storage("sheet_errors", errors * 4, Clock::Cut)
+    });
+    for (slot, surface) in reliefs.iter().enumerate() {
+        let row = &rows[*surface as usize];
+        let texels = domain::texels(row).map(|n| n as u32);
+        let mut pass = |what: &str, reason: &str, shader: &'static str, bits: Option<u32>, size| {
+            let mut constants = vec![("surface", f64::from(*surface))];
+            constants.extend(bits.map(|b| ("half_bits", f64::from(b))));
+            let errors = match bits {
+                None => Binding::write("sheet_errors", id),
+                Some(_) => Binding::update("sheet_errors", id),
+            };
+            let bindings = vec![
+                recorder.cut_table(),
+                recorder.heights(),
+                domains.clone(),
+                errors,
+            ];
+            recorder.plan.add_pass(Pass {
+                name: format!("errors {slot} {what}"),
+                clock: Clock::Cut,
+                reason: reason.to_owned(),
+                shader: shader.into(),
+                bindings,
+                constants,
+                work: Work::Compute {
+                    groups: groups_over(size),
+                },
+            });
+        };
+        pass(
+            "cells",
+            "how far the map is from flat triangles below a texel",
+            "strategies/surface/adaptive/cells.wgsl",
+            None,
+            texels,
+        );
+        for bits in 0..row.patch_bits {
+            pass(
+                &format!("edges {}", 2 << bits),
+                "how far the map is from the triangles on these edges, and from those that come of them",
+                "strategies/surface/adaptive/edges.wgsl",
+                Some(bits),
+                texels.map(|n| (n >> bits) + 1),
+            );
+            pass(
+                &format!("squares {}", 2 << bits),
+                "the same for the halves of squares",
+                "strategies/surface/adaptive/squares.wgsl",
+                Some(bits),
+                texels.map(|n| n >> (bits + 1)),
+            );
+        }
+    }
+    id
+}
