@@ -286,7 +286,7 @@ fn the_end_that_is_farther_from_the_sheet_says_where_the_ray_begins() {
         for count in 0..8 {
             // What they show does not matter.
             let fragment = |d: f64| {
-                if d.to_bits() % 2 == 0 {
+                if d.to_bits().is_multiple_of(2) {
                     front(d)
                 } else {
                     back(d)
