@@ -424,7 +424,10 @@ fn constants_have_one_value_on_both_sides() {
         // Cells that a workgroup looks at along a side: known to the shader alone.
         ("ROW", 22),
         // Halvings that the invocations of a workgroup share: `src/strategies/surface/adaptive.rs` counts visits by it.
-        ("SHARED", 7),
+        ("SHARED", 5),
+        // A bit for each of them, and one more: known to the shaders alone.
+        ("ALL_BORDERS", (1 << pack::BORDERS_OF_DOMAIN) - 1),
+        ("OUTSIDE", 1 << 31),
         ("MIRROR", Wrap::Mirror.code()),
     ];
     for (name, value) in expected {

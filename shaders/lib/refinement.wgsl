@@ -87,17 +87,29 @@ fn is_halved(surface: u32, triangle: Triangle, depth: u32) -> bool {
     return error_of(surface, triangle, depth) > refinements.surfaces[surface].error_per_depth * f32(max(seen_at, row.w));
 }
 
-// Whether nothing of a triangle, nor of what it is halved into, is seen inside the box of the cut solids.
-fn is_outside(surface: u32, triangle: Triangle) -> bool {
+// All borders, and what a triangle is that lies beyond one.
+const ALL_BORDERS: u32 = 0x7ffu;
+const OUTSIDE: u32 = 0x80000000u;
+
+// Which of some borders, as bits, a triangle lies across, and all that it is halved into may lie across; or that nothing of it is seen
+// inside the box of the cut solids.
+fn borders_across(surface: u32, triangle: Triangle, borders: u32) -> u32 {
     let a = vec2<f32>(triangle.a);
     let b = vec2<f32>(triangle.b);
     let c = vec2<f32>(triangle.apex);
-    for (var i = 0u; i < BORDERS_OF_DOMAIN; i++) {
+    var across = 0u;
+    var rest = borders;
+    for (var n = 0u; n < BORDERS_OF_DOMAIN && rest != 0u; n++) {
+        let i = firstTrailingBit(rest);
+        rest &= rest - 1u;
         let border = refinements.surfaces[surface].borders[i];
-        let inside = border.x + max(dot(a, border.yz), max(dot(b, border.yz), dot(c, border.yz)));
-        if inside < 0.0 {
-            return true;
+        let at = border.x + vec3<f32>(dot(a, border.yz), dot(b, border.yz), dot(c, border.yz));
+        if all(at < vec3<f32>(0.0)) {
+            return OUTSIDE;
+        }
+        if any(at < vec3<f32>(0.0)) {
+            across |= 1u << i;
         }
     }
-    return false;
+    return across;
 }

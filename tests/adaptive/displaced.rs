@@ -2,12 +2,12 @@
 
 use cutaway::layers::Kind;
 use cutaway::passes::{Model, Relevance};
-use cutaway::scene::{Camera, Scene, View, Wrap};
-use cutaway::session::Session;
+use cutaway::scene::{Camera, Cut, Scene, View, Wrap};
+use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Strategy;
 use glam::{DVec2, DVec3};
 
-use super::common::{Question, scenes, session, strategy};
+use super::common::{Question, meshes, scenes, session, strategy};
 use super::refined::{Sheet, Triangle, drawn, is_seen};
 use super::{cut_ball, noise};
 
@@ -155,4 +155,29 @@ fn caps_in_frames_stay_within_tau_of_the_relief() {
     let question = Question::of(&scene, [160, 120]);
     let (farthest, _) = cap_error_px(&question, &strategy("grid:16+mask"));
     assert!(farthest > 1.0, "the control: {farthest} px");
+}
+
+#[test]
+fn the_crank_of_the_demo_takes_fewer_triangles_than_a_grid() {
+    // As `cutaway demo` cuts it.
+    let mut scene = scenes::of_parts("crank", meshes::parts("crank"), Vec::new());
+    let surfaces = [
+        ("-z=50%", "fractal:amplitude=4%,period=45%,seed=7"),
+        ("x=60%", "fractal:amplitude=5%,period=30%,seed=4"),
+    ]
+    .map(|(section, relief)| scenes::relief(&scene, section, relief));
+    scene.cuts = vec![Cut::of("cut", surfaces.to_vec())];
+    let model = Model::of(&scene);
+    let view = model.prepared.view([1024, 768]);
+    let strategy = strategy("adaptive:0.5+mask");
+    let mut session = session();
+    let outcome = session
+        .draw(&model, &view, &strategy)
+        .expect("a frame")
+        .outcome;
+    assert_eq!(outcome, Outcome::Complete, "the paper's view");
+    let counts = [0, 1].map(|slot| drawn(&session, &strategy, slot).len());
+    eprintln!("the crank of the demo takes {counts:?} triangles");
+    assert!(counts.iter().sum::<usize>() < 2 * 256 * 256, "{counts:?}");
+    assert!(counts.iter().all(|n| *n > 1000), "{counts:?}");
 }

@@ -163,7 +163,7 @@ impl Sheet {
     }
 
     fn gather(&self, triangle: Triangle, depth: u32, all: &mut BTreeSet<Triangle>) {
-        if depth <= 7 && self.least_of_borders(&triangle) + self.leeway < 0.0 {
+        if depth <= 5 && self.least_of_borders(&triangle) + self.leeway < 0.0 {
             return;
         }
         if !self.is_halved(&triangle, depth) {

@@ -33,7 +33,7 @@ const FIRST_TRIANGLES: u32 = 1 << 16;
 /// Most triangles of all reliefs: 128 MiB of indices.
 const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 /// Halvings that the invocations of a workgroup share: `SHARED` in `shaders/strategies/surface/adaptive/refine.wgsl`.
-const SHARED_HALVINGS: u32 = 7;
+const SHARED_HALVINGS: u32 = 5;
 
 /// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
 pub fn tessellation(

@@ -1,12 +1,12 @@
-// Makes the triangles of a clip-surface for one view. A workgroup owns a patch, an invocation one of the 256 triangles that it would
-// be halved into seven times over, with all that comes of it; a triangle that is not halved so often belongs to the first of those
+// Makes the triangles of a clip-surface for one view. A workgroup owns a patch, an invocation one of the 64 triangles that it would
+// be halved into five times over, with all that comes of it; a triangle that is not halved so often belongs to the first of those
 // within it. Nothing is stored on the way: a triangle is its vertices and the turns that led to it, and so are its neighbours.
 //
 // Everything is walked through twice: to count, and to write once the workgroup has taken its place in the index buffer.
 
 #import cutaway::bisection::{Triangle, half_of, root_of, whole_of}
 #import cutaway::domain::domains
-#import cutaway::refinement::{is_halved, is_outside, refinements}
+#import cutaway::refinement::{ALL_BORDERS, OUTSIDE, borders_across, is_halved, refinements}
 
 @group(1) @binding(11) var<storage, read_write> triangles: array<u32>;
 @group(1) @binding(12) var<storage, read_write> arguments: array<atomic<u32>>;
@@ -18,9 +18,9 @@ override slot: u32 = 0u;
 override most_visits: u32 = 1u;
 
 // Halvings until every invocation has a triangle of its own.
-const SHARED: u32 = 7u;
+const SHARED: u32 = 5u;
 
-var<workgroup> counts: array<u32, 256>;
+var<workgroup> counts: array<u32, 64>;
 var<workgroup> place: u32;
 
 fn packed(at: vec2<i32>) -> u32 {
@@ -44,13 +44,18 @@ fn walk(patch_at: vec2<i32>, invocation: u32, at: u32, writes: bool) -> u32 {
     let size = 1i << (domains.surfaces[surface].patch_bits + domains.surfaces[surface].step_bits);
     var triangle = root_of(patch_at, (invocation >> SHARED) == 1u, size);
     var depth = 0u;
+    // Those of the view and of the box that lie across.
+    var borders = ALL_BORDERS;
     // Turns since the triangle of this invocation, the last in the lowest bit.
     var turns = 0u;
     var found = 0u;
     var open = true;
     for (var visit = 0u; visit < most_visits && open; visit++) {
-        if depth <= SHARED && is_outside(surface, triangle) {
-            break;
+        if depth <= SHARED {
+            borders = borders_across(surface, triangle, borders);
+            if borders == OUTSIDE {
+                break;
+            }
         }
         if is_halved(surface, triangle, depth) {
             var second = false;
@@ -86,14 +91,14 @@ fn walk(patch_at: vec2<i32>, invocation: u32, at: u32, writes: bool) -> u32 {
     return found;
 }
 
-@compute @workgroup_size(256)
+@compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) invocation: u32) {
     let patch_at = vec2<i32>(group.xy);
     let own = walk(patch_at, invocation, 0u, false);
     counts[invocation] = own;
     workgroupBarrier();
     // Sums of doubling reach (Hillis & Steele 1986).
-    for (var round = 0u; round < 8u; round++) {
+    for (var round = 0u; round < 6u; round++) {
         let reach = 1u << round;
         var sum = counts[invocation];
         if invocation >= reach {
@@ -103,8 +108,8 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         counts[invocation] = sum;
         workgroupBarrier();
     }
-    if invocation == 255u && counts[255] > 0u {
-        place = atomicAdd(&arguments[5u * slot], counts[255]);
+    if invocation == 63u && counts[63] > 0u {
+        place = atomicAdd(&arguments[5u * slot], counts[63]);
     }
     workgroupBarrier();
     if own > 0u {
