@@ -20,11 +20,17 @@ use spade::{
     Triangulation,
 };
 
+use super::section::power_of_two_near;
 use super::slicer::share;
 use crate::scene::Fill;
 
 /// Times that crossing edges are cut.
-const ROUNDS: usize = 12;
+const ROUNDS: usize = 24;
+/// Step of the lattice that vertices stand on where edges are cut, of the size of the outline: some ulps.
+const STEP: f64 = 1.0 / (1_u64 << 47) as f64;
+/// An edge this near to a vertex passes through it, where edges are cut. Less than from the middle of a cell to its corner: else
+/// of two diagonals each would be drawn to the ends of the other for ever.
+const NEAR: f64 = 0.7 * STEP;
 /// Points at which edges are cut, at most: a star of 1,400 edges that all cross each other.
 const MOST_CUTS: usize = 1_000_000;
 
@@ -104,6 +110,8 @@ struct Outline {
     /// Where vertices are, no two equal, and what their points are called.
     vertices: Vec<(DVec2, u32)>,
     vertex_at: HashMap<[u64; 2], u32>,
+    /// Vertices by their cells, once something is to be cut.
+    vertex_in: HashMap<[i64; 2], u32>,
     parts: Vec<Part>,
     /// How many points were given.
     given: usize,
@@ -125,22 +133,20 @@ impl Outline {
     fn of(points: &[DVec2], loops: &[Vec<u32>]) -> Self {
         let used = || loops.iter().flatten().map(|i| points[*i as usize]);
         let largest = used().fold(0.0_f64, |m, p| m.max(p.abs().max_element()));
-        let exponent = if largest > 0.0 { largest.log2() } else { 0.0 };
-        let unit = exponent.ceil().clamp(-1000.0, 1000.0).exp2();
+        let unit = power_of_two_near(largest);
         let mut outline = Self {
             unit,
             vertices: Vec::with_capacity(points.len()),
             vertex_at: HashMap::with_capacity(points.len()),
+            vertex_in: HashMap::new(),
             parts: Vec::with_capacity(points.len()),
             given: points.len(),
             added: Vec::new(),
             left_out: BTreeSet::new(),
         };
         for (of_loop, one) in loops.iter().enumerate() {
-            let vertices: Vec<u32> = one
-                .iter()
-                .map(|i| outline.vertex(points[*i as usize] / unit, Some(*i)))
-                .collect();
+            let places = one.iter().map(|i| (points[*i as usize] / unit, *i));
+            let vertices: Vec<u32> = places.map(|(at, i)| outline.vertex(at, i)).collect();
             let next = vertices.iter().cycle().skip(1);
             for (from, to) in vertices.iter().zip(next) {
                 outline.add(*from, *to, of_loop);
@@ -155,19 +161,47 @@ impl Outline {
         }
     }
 
-    /// The vertex at a place; a new one is called by the point's number, or becomes a point.
-    fn vertex(&mut self, at: DVec2, number: Option<u32>) -> u32 {
+    /// The vertex at a place; a new one is called by the number of its point.
+    fn vertex(&mut self, at: DVec2, number: u32) -> u32 {
         // What is too little for the triangulation is zero, and there is only one zero.
         let at = DVec2::from(at.to_array().map(|c| if c.abs() < LEAST { 0.0 } else { c }));
         let next = self.vertices.len() as u32;
         let key = at.to_array().map(f64::to_bits);
         let vertex = *self.vertex_at.entry(key).or_insert(next);
         if vertex == next {
-            let number = number.unwrap_or_else(|| {
-                self.added.push(at * self.unit);
-                (self.given + self.added.len() - 1) as u32
-            });
             self.vertices.push((at, number));
+        }
+        vertex
+    }
+
+    /// Moves every vertex to its point of the lattice, where some may become one.
+    fn snap(&mut self) {
+        let mut merged = Vec::with_capacity(self.vertices.len());
+        for (at, number) in std::mem::take(&mut self.vertices) {
+            let next = self.vertices.len() as u32;
+            let cell = cell_of(at);
+            let vertex = *self.vertex_in.entry(cell).or_insert(next);
+            if vertex == next {
+                self.vertices.push((middle_of(cell), number));
+            }
+            merged.push(vertex);
+        }
+        for part in &mut self.parts {
+            part.from = merged[part.from as usize];
+            part.to = merged[part.to as usize];
+        }
+        self.parts.retain(|p| p.from != p.to);
+    }
+
+    /// The vertex of the cell that a place is in; a new one becomes a point.
+    fn meeting_vertex(&mut self, at: DVec2) -> u32 {
+        let cell = cell_of(at);
+        let next = self.vertices.len() as u32;
+        let vertex = *self.vertex_in.entry(cell).or_insert(next);
+        if vertex == next {
+            let number = self.given + self.added.len();
+            self.vertices.push((middle_of(cell), number as u32));
+            self.added.push(middle_of(cell) * self.unit);
         }
         vertex
     }
@@ -215,32 +249,48 @@ impl Outline {
 
     /// Cuts the parts that could not be drawn, and what is in their way, where they meet. False if there is nothing to cut or
     /// too much.
+    ///
+    /// All vertices move to a lattice first, and an edge that passes one within half a cell is cut there: then lines that run
+    /// side by side become one, and those that all but meet in one place do. This is snap rounding (Hobby 1999), one crossing
+    /// after the other.
     fn cut(&mut self, drawn: &Drawn) -> bool {
+        if self.vertex_in.is_empty() {
+            self.snap();
+            return true;
+        }
         let mesh = &drawn.mesh;
         let mut meetings = Vec::new();
+        let (mut on_parts, mut on_edges) = (Vec::new(), Vec::new());
         for failed in &drawn.failed {
             let part = self.parts[*failed];
             let ends = [part.from, part.to];
             let [from, to] = ends.map(|v| FixedVertexHandle::from_index(v as usize));
-            let line = ends.map(|v| self.vertices[v as usize].0);
+            let at = |v: u32| self.vertices[v as usize].0;
+            let line = ends.map(at);
             for edge in mesh.get_conflicting_edges_between_vertices(from, to) {
-                let other = edge.positions().map(|p| DVec2::new(p.x, p.y));
+                let others = edge.vertices().map(|v| v.fix().index() as u32);
                 let edge = edge.fix().as_undirected().index();
-                meetings.push((*failed, edge, meeting(line, other)));
+                let other = others.map(at);
+                let before = on_parts.len() + on_edges.len();
+                let near = others.into_iter().filter(|v| is_near(at(*v), line));
+                on_parts.extend(near.map(|v| (*failed, v)));
+                let near = ends.into_iter().filter(|v| is_near(at(*v), other));
+                on_edges.extend(near.map(|v| (edge, v)));
+                if on_parts.len() + on_edges.len() == before {
+                    meetings.push((*failed, edge, meeting(line, other)));
+                }
             }
             if self.added.len() + meetings.len() > MOST_CUTS {
                 return false;
             }
         }
-        if meetings.is_empty() {
-            return false;
-        }
-        let mut on_parts = Vec::with_capacity(meetings.len());
-        let mut on_edges = Vec::with_capacity(meetings.len());
         for (part, edge, at) in meetings {
-            let vertex = self.vertex(at, None);
+            let vertex = self.meeting_vertex(at);
             on_parts.push((part, vertex));
             on_edges.push((edge, vertex));
+        }
+        if on_parts.is_empty() && on_edges.is_empty() {
+            return false;
         }
         on_parts.sort_unstable();
         on_edges.sort_unstable();
@@ -320,6 +370,22 @@ impl Outline {
         }
         filled
     }
+}
+
+/// The cell that a place is in: it is next to the middle of it.
+fn cell_of(at: DVec2) -> [i64; 2] {
+    at.to_array().map(|c| (c / STEP).round() as i64)
+}
+
+fn middle_of(cell: [i64; 2]) -> DVec2 {
+    DVec2::from(cell.map(|c| c as f64)) * STEP
+}
+
+/// Whether an edge passes a vertex so near that it is to pass through it.
+fn is_near(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
+    let way = to - from;
+    let along = ((at - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+    at.distance_squared(from + way * along) < NEAR * NEAR
 }
 
 /// Whether an edge runs in the direction that its count is for.

@@ -130,13 +130,22 @@ impl Section {
         self.points.iter().map(|p| plane.point(*p)).collect()
     }
 
-    /// Sum over closed curves, around a point near them: around a far origin the terms would cancel.
+    /// Sum over closed curves, around a point near them: around a far origin the terms would cancel. In units in which no term
+    /// overflows.
     fn shoelace(&self, edges: impl Iterator<Item = [DVec2; 2]>) -> f64 {
-        let mut edges = edges.peekable();
+        let size = self.points.iter().map(|p| p.abs().max_element());
+        let unit = power_of_two_near(size.fold(0.0, f64::max));
+        let mut edges = edges.map(|e| e.map(|p| p / unit)).peekable();
         let centre = edges.peek().map_or(DVec2::ZERO, |e| e[0]);
         let terms = edges.map(|[a, b]| (a - centre).perp_dot(b - centre));
-        0.5 * sum(terms)
+        0.5 * sum(terms) * unit * unit
     }
+}
+
+/// A power of two that makes coordinates up to `size` about 1, or as near to that as a factor can.
+pub(super) fn power_of_two_near(size: f64) -> f64 {
+    let exponent = if size > 0.0 { size.log2().ceil() } else { 0.0 };
+    exponent.clamp(-1000.0, 1000.0).exp2()
 }
 
 /// A sum that keeps what each addition rounds away (Neumaier 1974).
@@ -150,8 +159,7 @@ fn sum(terms: impl Iterator<Item = f64>) -> f64 {
         };
         (next, lost + rest)
     });
-    // Beyond f64 what was lost is infinite too.
-    if sum.is_finite() { sum + lost } else { sum }
+    sum + lost
 }
 
 #[cfg(test)]
