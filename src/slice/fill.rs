@@ -24,15 +24,17 @@ use super::section::power_of_two_near;
 use super::slicer::share;
 use crate::scene::Fill;
 
-/// Times that crossing edges are cut.
-const ROUNDS: usize = 24;
+/// Times that crossing edges are cut. A star of 60 edges that all pass by its middle takes 40.
+const ROUNDS: usize = 64;
+/// Parts drawn in all rounds together, at most: some seconds.
+const MOST_DRAWN: usize = 8_000_000;
 /// Step of the lattice that vertices stand on where edges are cut, of the size of the outline: some ulps.
 const STEP: f64 = 1.0 / (1_u64 << 47) as f64;
 /// An edge this near to a vertex passes through it, where edges are cut. Less than from the middle of a cell to its corner: else
 /// of two diagonals each would be drawn to the ends of the other for ever.
 const NEAR: f64 = 0.7 * STEP;
-/// Points at which edges are cut, at most: a star of 1,400 edges that all cross each other.
-const MOST_CUTS: usize = 1_000_000;
+/// Points at which edges are cut, at most: a star of 700 edges that all cross each other.
+const MOST_CUTS: usize = 250_000;
 
 /// A filled region. Numbers of points count through the given ones, then through `added`.
 #[derive(Debug, Default)]
@@ -81,7 +83,7 @@ struct Part {
 /// Fills what loops enclose by a rule. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
     let mut outline = Outline::of(points, loops);
-    let mut round = 0;
+    let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
         let Some(drawn) = outline.draw() else {
             // Unreachable, for coordinates are in range. Without a triangulation nothing is filled.
@@ -93,7 +95,9 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
             return outline.filled(&drawn.mesh, rule);
         }
         round += 1;
-        if round > ROUNDS || !outline.cut(&drawn) {
+        parts_drawn += outline.parts.len();
+        let is_enough = round > ROUNDS || parts_drawn > MOST_DRAWN;
+        if is_enough || !outline.cut(&drawn) {
             outline.leave_out(&drawn.failed);
         }
     }
