@@ -1,7 +1,8 @@
 //! Work of the CPU that makes an upload of a plan: told by name and reason, and timed, as a pass is.
 //!
 //! A plan is recorded after such work is done, for what is drawn depends on it; what the plan keeps is what it was, how long it
-//! took this time, and how to do it again where somebody measures.
+//! took this time, and how to do it again where somebody measures. Bands of one picture share what is known, so only the first of them does the work; where
+//! it is done again for its time, each band does it.
 
 use std::fmt;
 use std::sync::Arc;

@@ -17,7 +17,7 @@ const LONGEST_PX: f64 = 1000.0;
 /// Room around a drawing and between planes, as a share of the longest side of all.
 const MARGIN: f64 = 0.03;
 /// Digits that are kept of the longest side.
-const DIGITS: i32 = 10;
+const DRAWN_DIGITS: i32 = 10;
 
 /// Read by viewers that can: others pass a rule over that asks what they support, and a stroke of one unit could be a blot.
 const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
@@ -101,7 +101,7 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
     let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
     let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
     let longest = if longest > 0.0 { longest } else { 1.0 };
-    let decimals = (DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
+    let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
     let gap = longest * MARGIN;
     let first = frames.first().copied().unwrap_or(Frame {
         min: [0.0; 2],

@@ -36,8 +36,11 @@ fn cuts(scene: &Scene, sections: &[&[&str]]) -> Vec<Cut> {
     sections.iter().enumerate().map(named).collect()
 }
 
-/// Ways to cut by planes, each with what parts it needs.
-fn ways() -> Vec<(&'static str, fn(&mut Scene))> {
+/// Gives a scene its cuts, and what parts they need.
+type Way = (&'static str, fn(&mut Scene));
+
+/// Ways to cut by planes.
+fn ways() -> Vec<Way> {
     vec![
         ("one oblique", |s| {
             s.cuts = cuts(s, &[&["-1,-2,-1.5@50%,45%,60%"]]);

@@ -29,10 +29,11 @@ fn planes_in_faces_through_edges_vertices_and_diagonals() {
         DVec3::new(1.0, 1.0, 1.0),
         DVec3::new(-1.0, 1.0, 1.0),
     ];
+    // None looks along a face: there the depth of a snapped face differs by more than the tie, for every strategy alike.
     let from = [
-        DVec3::new(1.1, 0.9, 2.0),
-        DVec3::new(-1.3, 0.8, -1.7),
-        DVec3::new(1.9, -1.2, 0.9),
+        DVec3::new(1.5, 1.4, 1.9),
+        DVec3::new(-1.6, 1.3, -1.7),
+        DVec3::new(1.9, -1.5, 1.4),
     ];
     let mut caps = 0;
     for shape in ["cube", "cube?divisions=4", "sponge?level=1"] {
@@ -166,7 +167,7 @@ fn a_loop_of_a_hundred_thousand_points() {
     let judged = question.answer(&Strategy::PLANAR);
     // Spikes are thinner than the snapping of corners to 1/256 px: along the rim anything may be hit.
     let rim = |i: usize| {
-        let at = glam::DVec2::new((i % 128) as f64 + 0.5, (i / 128) as f64 + 0.5);
+        let at = DVec2::new((i % 128) as f64 + 0.5, (i / 128) as f64 + 0.5);
         let (origin, direction) = question.view.ray(at);
         let plane = &question.model.prepared.surfaces[0];
         let depth =

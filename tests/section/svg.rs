@@ -67,7 +67,7 @@ fn a_drawing_has_the_areas_that_are_told() {
             );
         }
         // The control: a point elsewhere is another area.
-        let moved = drawing.replacen("M", "M9", 1);
+        let moved = drawing.replacen("\"M", "\"M9 7L", 1);
         assert!(
             (areas(&moved)[0] - told[0]).abs() > 1e-3 * told[0],
             "{line}"

@@ -3,8 +3,11 @@
 //! The list of crossings of planes in closed form clips the mesh as it does for every inside test. Whether a crossing is inside a
 //! part is then not asked of the part's fragments but of the part's section by that plane: a fragment of the section flips the bit of
 //! its plane's crossing in the part's lane of the mask, and the same resolve as that of `mask` shades. So any number of planes,
-//! parts, priorities and filters goes, and the mesh is drawn once without any atomics. The sections are of the same f32 vertices
-//! that are drawn, so both are of one solid; the outline of a cap is the rasteriser's, within the rounding of its vertices.
+//! parts, priorities and filters goes, and the mesh is drawn once without any atomics.
+//!
+//! The sections are of the same f32 vertices that are drawn, so both are of one solid. But which fragments stay and what is inside are
+//! decided by different numbers here: where the rasteriser rounds them apart, at a rim or in a face in the plane that is seen from
+//! along it, a pixel may look past both, which `mask` rules out.
 //!
 //! Per cut: slicing and triangulating what the planes meet, on all cores; bytes in proportion to it. Per frame: the mesh once, the
 //! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
