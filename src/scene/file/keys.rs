@@ -138,7 +138,8 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
         .map_err(|(what, mend)| target.fault(what, mend))?;
     let is_flag = shape == Shape::Flag;
     let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
-    if is_flag && !values.iter().all(switches) {
+    let is_list = matches!(shapes[0], Shape::List(_));
+    if is_flag && (is_list || !values.iter().all(switches)) {
         let what = format!("`{full}` is on or off");
         return Err(list.fault(what, "let every value be true or false"));
     }
