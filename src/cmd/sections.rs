@@ -1,4 +1,4 @@
-//! `--section`, `--relief`, `--flip`, `--cut`, `--exclude`: the cuts of the command line.
+//! `--section`, `--relief`, `--flip`, `--cut`, `--cutter`, `--exclude`: the cuts of the command line.
 //!
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
@@ -8,7 +8,8 @@ use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 use super::console::Console;
 use crate::error::did_you_mean;
 use crate::scene::{
-    Bounds, ClipSurface, Cut, ReliefSpec, Scene, SectionSpec, apply_relief, section_misses,
+    Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, apply_relief,
+    section_misses,
 };
 use crate::{Error, Result};
 
@@ -36,7 +37,10 @@ struct Words {
     /// Several sections: remove what is beyond any of them (union) or beyond all of them (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
-    /// Parts that no section of the command line cuts; `*` and `?` are understood. Repeatable
+    /// Removes what is inside a closed mesh, or a `shape:NAME?param=value`, where it is. Repeatable
+    #[arg(long, value_name = "MESH", help_heading = HEADING)]
+    cutter: Vec<String>,
+    /// Parts that no section and no cutter of the command line cuts; `*` and `?` are understood. Repeatable
     #[arg(long, value_name = "PART-GLOB", help_heading = HEADING)]
     exclude: Vec<String>,
 }
@@ -65,6 +69,7 @@ pub(super) struct SectionArgs {
     /// What had no section to belong to.
     stray: Option<String>,
     combination: Combination,
+    cutters: Vec<String>,
     exclude: Vec<String>,
 }
 
@@ -118,13 +123,14 @@ impl FromArgMatches for SectionArgs {
                 None => stray = Some("--flip: there is no section for it".to_owned()),
             }
         }
-        if sections.is_empty() && !words.exclude.is_empty() {
+        if sections.is_empty() && words.cutter.is_empty() && !words.exclude.is_empty() {
             stray = Some("--exclude: there is no section for it".to_owned());
         }
         Ok(Self {
             sections,
             stray,
             combination: words.cut,
+            cutters: words.cutter,
             exclude: words.exclude,
         })
     }
@@ -164,6 +170,20 @@ impl SectionArgs {
             cut.except.clone_from(&self.exclude);
         }
         scene.cuts.extend(cuts);
+        Ok(())
+    }
+
+    /// Adds a cut by each closed mesh, which `open` opens.
+    pub(super) fn add_cutters(
+        &self,
+        scene: &mut Scene,
+        open: impl Fn(&str) -> Result<Vec<Part>>,
+    ) -> Result<()> {
+        for input in &self.cutters {
+            let mut cut = Cut::by(Cutter::of_parts(input, &open(input)?)?);
+            cut.except.clone_from(&self.exclude);
+            scene.cuts.push(cut);
+        }
         Ok(())
     }
 
@@ -207,6 +227,9 @@ impl Section {
 pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
     let bounds = scene.bounds();
     for cut in &scene.cuts {
+        if let Some(cutter) = &cut.volume {
+            warn_of_missing(cutter, &bounds, console);
+        }
         for surface in &cut.surfaces {
             if !section_misses(surface, &bounds) {
                 continue;
@@ -225,6 +248,18 @@ pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
                 "z=50%"
             ));
         }
+    }
+}
+
+fn warn_of_missing(cutter: &Cutter, bounds: &Bounds, console: &Console) {
+    let of_cutter = cutter.bounds_in_world();
+    let apart = (of_cutter.min.cmpgt(bounds.max) | bounds.min.cmpgt(of_cutter.max)).any();
+    if apart {
+        let (name, own, of_model) = (cutter.name(), words_of(&of_cutter), words_of(bounds));
+        console.warn(format!(
+            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  mend: in a scene file `translate`, \
+             `scale` and `rotate_deg` place it"
+        ));
     }
 }
 
