@@ -35,7 +35,7 @@ fn real_meshes_cut_each_other_exactly() {
     for (solid, bite, share) in [
         ("organic/armadillo.obj", "organic/spot.obj", 0.6),
         ("organic/spot.obj", "cad/spool_base.stl", 0.7),
-        ("cad/boiler_section.stl", "organic/armadillo.obj", 0.5),
+        ("cad/spool_base.stl", "organic/armadillo.obj", 0.9),
         ("assembly/cube_gears.glb", "dense/menger_sponge_3.glb", 0.5),
     ] {
         let name = format!("{solid} less {bite}");
@@ -49,7 +49,9 @@ fn real_meshes_cut_each_other_exactly() {
         scene.camera = cameras::orbit(20.0, 35.0, false);
         let question = Question::of(&scene, [320, 240]);
         let caps = question.exact.layers.count(Kind::Cap);
-        assert!(caps > 300, "{name}: only {caps} cap pixels");
+        if caps < 300 {
+            told.push(format!("{name}: only {caps} cap pixels"));
+        }
         for strategy_name in ["raycast+mask", "raycast+abuffer"] {
             let judged = question.answer(&strategy(strategy_name));
             let fault = judged.fault_of_exact();
