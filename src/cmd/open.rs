@@ -98,6 +98,11 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
         note_what_nonzero_hears(part, console);
     }
     args.sections.apply(&mut scene)?;
+    args.sections.add_cutters(&mut scene, |input| {
+        let (parts, notes) = open_model(input)?;
+        notes.iter().for_each(|note| console.note(note));
+        Ok(parts)
+    })?;
     let bounds = scene.bounds();
     let cuts = scene.cuts[of_file..].to_vec();
     let usual_camera = if args.inputs.iter().any(|i| is_scene(i)) {

@@ -1,4 +1,4 @@
-//! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--exclude`: the cuts of the command line.
+//! `--section`, `--relief`, `--flip`, `--box`, `--wedge`, `--cut`, `--cutter`, `--exclude`: the cuts of the command line.
 //!
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
@@ -9,7 +9,8 @@ use super::console::Console;
 use super::regions::{Named, RegionArgs};
 use crate::error::did_you_mean;
 use crate::scene::{
-    Bounds, ClipSurface, Cut, ReliefSpec, Scene, SectionSpec, apply_relief, section_misses,
+    Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, apply_relief,
+    section_misses,
 };
 use crate::{Error, Result};
 
@@ -39,7 +40,10 @@ struct Words {
     /// Several sections, boxes and wedges: remove what any of them removes (union) or all of them (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
-    /// Parts that no section of the command line cuts; `*` and `?` are understood. Repeatable
+    /// Removes what is inside a closed mesh, or a `shape:NAME?param=value`, where it is. Repeatable
+    #[arg(long, value_name = "MESH", help_heading = HEADING)]
+    cutter: Vec<String>,
+    /// Parts that no section and no cutter of the command line cuts; `*` and `?` are understood. Repeatable
     #[arg(long, value_name = "PART-GLOB", help_heading = HEADING)]
     exclude: Vec<String>,
 }
@@ -69,6 +73,7 @@ pub(super) struct SectionArgs {
     /// What had no section to belong to.
     stray: Option<String>,
     combination: Combination,
+    cutters: Vec<String>,
     exclude: Vec<String>,
 }
 
@@ -122,7 +127,9 @@ impl FromArgMatches for SectionArgs {
                 None => stray = Some("--flip: there is no section for it".to_owned()),
             }
         }
-        if sections.is_empty() && words.regions.is_empty() && !words.exclude.is_empty() {
+        let cuts_nothing =
+            sections.is_empty() && words.regions.is_empty() && words.cutter.is_empty();
+        if cuts_nothing && !words.exclude.is_empty() {
             stray = Some("--exclude: there is no section for it".to_owned());
         }
         Ok(Self {
@@ -130,6 +137,7 @@ impl FromArgMatches for SectionArgs {
             regions: words.regions,
             stray,
             combination: words.cut,
+            cutters: words.cutter,
             exclude: words.exclude,
         })
     }
@@ -168,6 +176,20 @@ impl SectionArgs {
             cut.except.clone_from(&self.exclude);
         }
         scene.cuts.extend(cuts);
+        Ok(())
+    }
+
+    /// Adds a cut by each closed mesh, which `open` opens.
+    pub(super) fn add_cutters(
+        &self,
+        scene: &mut Scene,
+        open: impl Fn(&str) -> Result<Vec<Part>>,
+    ) -> Result<()> {
+        for input in &self.cutters {
+            let mut cut = Cut::by(Cutter::of_parts(input, &open(input)?)?);
+            cut.except.clone_from(&self.exclude);
+            scene.cuts.push(cut);
+        }
         Ok(())
     }
 
@@ -220,7 +242,7 @@ fn both((a, of_a): Named, (b, of_b): Named) -> Named {
 /// does no harm, as where a box sticks out.
 pub(super) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
-    let cuts = scene.cuts.iter().filter(|c| c.enabled);
+    let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
     cuts.filter_map(move |cut| {
         let missing = cut.surfaces.iter().filter(|s| section_misses(s, &bounds));
         let stays: Vec<bool> = missing
@@ -240,6 +262,21 @@ pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
              the bounds, or a percentage of them such as z=50%",
             cut.name,
             words_of(&scene.bounds())
+        ));
+    }
+    for cutter in scene.cuts.iter().filter_map(|c| c.volume.as_ref()) {
+        warn_of_missing(cutter, &scene.bounds(), console);
+    }
+}
+
+fn warn_of_missing(cutter: &Cutter, bounds: &Bounds, console: &Console) {
+    let of_cutter = cutter.bounds_in_world();
+    let apart = (of_cutter.min.cmpgt(bounds.max) | bounds.min.cmpgt(of_cutter.max)).any();
+    if apart {
+        let (name, own, of_model) = (cutter.name(), words_of(&of_cutter), words_of(bounds));
+        console.warn(format!(
+            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  mend: in a scene file `translate`, \
+             `scale` and `rotate_deg` place it"
         ));
     }
 }

@@ -14,7 +14,7 @@
 use glam::DVec3;
 
 use super::clip::{Graze, Ray, Root};
-use super::cutter;
+use super::cutter::{self, Cutters};
 use super::outline::{Brush, NEAR_PX};
 use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, Sight, State, by_depth, walk};
@@ -76,8 +76,7 @@ pub(super) struct Case<'a> {
     pub(super) brushes: &'a [Brush],
     /// With outlines of cutters, whose ranks follow those of the parts.
     pub(super) cutter_brushes: &'a [Brush],
-    /// Clip-surfaces of the cutters.
-    pub(super) cutters: &'a [u16],
+    pub(super) cutters: &'a Cutters,
     /// The answer.
     pub(super) sight: Option<Sight>,
     /// Per event that is a mesh crossing: the surface its triangle lies in, if any.
@@ -152,10 +151,9 @@ impl Case<'_> {
 
     /// An outline of a cutter that may change what is seen.
     fn bitten(&self) -> bool {
-        let parts = self.prepared.parts.len();
         let mut brushes = self.cutter_brushes.iter();
         brushes.any(|brush| {
-            let surface = self.cutters[usize::from(brush.rank) - parts];
+            let surface = self.cutters.surface_of(brush.rank);
             let events = self.events.iter().map(|e| (e, self.margin(e)));
             brush.depth - brush.margin <= self.seen_depth()
                 && cutter::bites(
@@ -331,7 +329,7 @@ impl Case<'_> {
                 // Two surfaces that are one plane happen at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);
                 // Of a face that a cutter shares with another surface no such thing is known: triangles round each for itself.
-                let of_cutter = |surface: u16| self.cutters.binary_search(&surface).is_ok();
+                let of_cutter = |surface: u16| self.cutters.contains(surface);
                 let apart = a.depth != b.depth || g.cross(h) != DVec3::ZERO;
                 s != t && (apart || of_cutter(s) || of_cutter(t))
             }

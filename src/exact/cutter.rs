@@ -5,20 +5,61 @@
 //! is then a [`Root`] like that of any other clip-surface, with the triangle's normal for its gradient, and all that holds of
 //! ties and of events that are too close to order holds of it as well.
 //!
-//! A face of a part that lies in a face of the cutter is on the kept side, all of it ([`lies_in`]), as in a clip-plane.
+//! A face of a part that lies in a face of the cutter is on the kept side, all of it ([`lies_in`]), as in a clip-plane. Unlike a plane
+//! the cutter's face ends: where a sample is too close to an edge of either triangle ([`share_the_sample`]) to say that both are met,
+//! rather than one of them and the next triangle of the other, the order is as open as any.
 //!
 //! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
 //! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
 //! inside there, and neither another cut nor another surface of the same cut settles its fate ([`bites`]).
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use robust::{Coord3D, orient3d};
 
 use super::clip::{Face, Ray, Root};
-use super::outline::Brush;
+use super::outline::{Brush, NEAR_PX};
 use super::raster::{Crossing, Projected};
+use super::screen::Corner;
 use super::walk::{Cause, Event, State};
 use crate::scene::Prepared;
+
+/// Which meshes of a picture are those of cutters: they follow the parts, in the order of their clip-surfaces.
+pub(super) struct Cutters {
+    parts: u16,
+    surfaces: Vec<u16>,
+}
+
+impl Cutters {
+    /// The cutters of a scene.
+    pub(super) fn of(prepared: &Prepared) -> Self {
+        let numbers = 0..prepared.surfaces.len() as u16;
+        let is_cutter = |s: &u16| prepared.surfaces[usize::from(*s)].volume.is_some();
+        Self {
+            parts: prepared.parts.len() as u16,
+            surfaces: numbers.filter(is_cutter).collect(),
+        }
+    }
+
+    /// How many things of a list ordered by rank are those of parts.
+    pub(super) fn split<T>(&self, all: &[T], rank: impl Fn(&T) -> u16) -> usize {
+        all.partition_point(|one| rank(one) < self.parts)
+    }
+
+    /// Whether a clip-surface is a cutter.
+    pub(super) fn contains(&self, surface: u16) -> bool {
+        self.surfaces.binary_search(&surface).is_ok()
+    }
+
+    /// Where the mesh of a cutter is.
+    pub(super) fn rank_of(&self, surface: u16) -> u16 {
+        self.parts + self.surfaces.partition_point(|s| *s < surface) as u16
+    }
+
+    /// The clip-surface of a mesh that is no part.
+    pub(super) fn surface_of(&self, rank: u16) -> u16 {
+        self.surfaces[usize::from(rank - self.parts)]
+    }
+}
 
 /// The crossings of a ray with one cutter.
 pub(super) struct Met {
@@ -28,7 +69,7 @@ pub(super) struct Met {
     pub(super) odd: bool,
 }
 
-/// Appends the crossings in `range` as roots of clip-surface `surface`. `found` are all crossings with the mesh.
+/// Appends the crossings in `range` as roots of clip-surface `surface`. `found` are all crossings of the line with the mesh.
 pub(super) fn meet(
     (mesh, surface, keeps_inside): (&Projected<'_>, u16, bool),
     ray: &Ray,
@@ -78,6 +119,27 @@ pub(super) fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
     };
     let [a, b, c] = face.map(of);
     points.iter().all(|p| orient3d(a, b, c, of(*p)) == 0.0)
+}
+
+/// Whether two triangles in one plane are both met, whoever moves a sample a little.
+pub(super) fn share_the_sample(at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
+    !triangles
+        .into_iter()
+        .any(|corners| is_by_an_edge(at, corners))
+}
+
+/// Whether a sample is so close to an edge of a triangle that who moves it a little may find the next triangle; also where the
+/// triangle reaches behind the eye.
+fn is_by_an_edge(at: DVec2, corners: [&Corner; 3]) -> bool {
+    if corners.iter().any(|c| c.at.z <= 0.0) {
+        return true;
+    }
+    let points = corners.map(Corner::pixel);
+    (0..3).any(|i| {
+        let (from, to) = (points[i], points[(i + 1) % 3]);
+        let share = (at - from).dot(to - from) / from.distance_squared(to);
+        from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= NEAR_PX
+    })
 }
 
 /// Whether a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those

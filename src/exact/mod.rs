@@ -31,11 +31,12 @@ use rayon::prelude::*;
 use self::ambiguity::{Case, Openness};
 use self::bench::Bench;
 use self::clip::{Clip, Ray, Root};
+use self::cutter::Cutters;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
-use crate::scene::{Prepared, PreparedVolume, View};
+use crate::scene::{Prepared, View};
 
 /// The right answer for every pixel of a view, rows from the top.
 #[derive(Clone, Debug)]
@@ -113,8 +114,7 @@ struct Lines<'a> {
     view: &'a View,
     /// Parts by rank, then cutters.
     parts: Vec<Projected<'a>>,
-    /// Clip-surfaces of the cutters, in the order of `parts`.
-    cutters: Vec<u16>,
+    cutters: Cutters,
     /// By number; those of cutters are not asked.
     clips: Vec<Clip>,
     triangles: Bands,
@@ -133,14 +133,10 @@ const PAD_PX: f64 = 4.0;
 
 impl<'a> Lines<'a> {
     fn of(prepared: &'a Prepared, view: &'a View) -> Self {
-        let volumes: Vec<(u16, &'a PreparedVolume)> = (prepared.surfaces.iter().enumerate())
-            .filter_map(|(i, s)| Some((i as u16, s.volume.as_deref()?)))
-            .collect();
-        let parts: Vec<Projected<'a>> = prepared
-            .parts
-            .iter()
-            .map(|p| Projected::of(view, p))
-            .chain(volumes.iter().map(|(_, v)| Projected::of_volume(view, v)))
+        let volumes = prepared.surfaces.iter().filter_map(|s| s.volume.as_deref());
+        let solids = prepared.parts.iter().map(|p| Projected::of(view, p));
+        let parts: Vec<Projected<'a>> = solids
+            .chain(volumes.map(|v| Projected::of_volume(view, v)))
             .collect();
         let triangle_rows: Vec<_> = parts.iter().map(|p| raster::rows_of(view, p)).collect();
         let outlines: Vec<Vec<Outline>> = parts
@@ -169,7 +165,7 @@ impl<'a> Lines<'a> {
                 .collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
-            cutters: volumes.into_iter().map(|(surface, _)| surface).collect(),
+            cutters: Cutters::of(prepared),
             parts,
             outlines,
         }
@@ -205,10 +201,8 @@ impl<'a> Lines<'a> {
 
     fn pixel(&self, at: DVec2, found: &[Crossing], brushes: &[Brush], bench: &mut Bench) -> Answer {
         let (prepared, view) = (self.prepared, self.view);
-        let parts = prepared.parts.len() as u16;
-        let (found, of_cutters) = found.split_at(found.partition_point(|c| c.rank < parts));
-        let (brushes, cutter_brushes) =
-            brushes.split_at(brushes.partition_point(|b| b.rank < parts));
+        let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
+        let (brushes, cutter_brushes) = brushes.split_at(self.cutters.split(brushes, |b| b.rank));
         let ray = Ray::through(view, at);
         // From a little before the near plane, so that an event just before it is known to be close.
         let slack = self.pad(view.near);
@@ -248,7 +242,7 @@ impl<'a> Lines<'a> {
         };
         let range = [from, depths[1] + self.pad(depths[1])];
         layer.unreliable |= self.meet_clips(&ray, range, of_cutters, bench);
-        self.snap_coincident(&ray, bench);
+        self.snap_coincident(at, &ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
         let sight = walk(
@@ -287,8 +281,7 @@ impl<'a> Lines<'a> {
         PAD_PX * self.view.pixel_size(depth).abs()
     }
 
-    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets, and tells whether it has no side of some
-    /// cutter. `of_cutters` are its crossings with the meshes of all cutters.
+    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets, and tells whether it has no side of a cutter.
     fn meet_clips(
         &self,
         ray: &Ray,
@@ -303,13 +296,13 @@ impl<'a> Lines<'a> {
                     if std::mem::replace(&mut bench.met[*surface], true) {
                         continue;
                     }
-                    let number = *surface as u16;
                     if let Some(volume) = &self.prepared.surfaces[*surface].volume {
-                        let rank = self.rank_of_cutter(number);
-                        let own = of_cutters.iter().filter(|c| c.rank == rank);
+                        let number = *surface as u16;
+                        let rank = self.cutters.rank_of(number);
                         bench.of_cutter.clear();
+                        let own = of_cutters.iter().filter(|c| c.rank == rank);
                         bench.of_cutter.extend(own);
-                        let mesh = (&self.parts[rank as usize], number, volume.keeps_inside);
+                        let mesh = (self.mesh_of_cutter(number), number, volume.keeps_inside);
                         let met =
                             cutter::meet(mesh, ray, range, &mut bench.of_cutter, &mut bench.roots);
                         bench.start.removed[*surface] = met.removed;
@@ -329,25 +322,24 @@ impl<'a> Lines<'a> {
         odd
     }
 
-    /// Where the mesh of a cutter is among those of the parts, by the number of its clip-surface.
-    fn rank_of_cutter(&self, surface: u16) -> u16 {
-        let place = self.cutters.partition_point(|s| *s < surface);
-        (self.prepared.parts.len() + place) as u16
+    /// The mesh of a cutter, by the number of its clip-surface.
+    fn mesh_of_cutter(&self, surface: u16) -> &Projected<'a> {
+        &self.parts[usize::from(self.cutters.rank_of(surface))]
     }
 
     /// Whether a triangle lies in the clip-surface where a ray crosses it, to the last bit.
     fn holds(&self, root: &Root, points: [DVec3; 3]) -> bool {
         match root.face {
             Some(face) => {
-                let mesh = &self.parts[self.rank_of_cutter(root.surface) as usize];
-                cutter::lies_in(points, mesh.facet(face.triangle).points)
+                let facet = self.mesh_of_cutter(root.surface).facet(face.triangle);
+                cutter::lies_in(points, facet.points)
             }
             None => self.clips[root.surface as usize].holds(points),
         }
     }
 
-    /// Gives a crossing with a triangle that lies in a clip-plane the depth of the plane's root, bit for bit.
-    fn snap_coincident(&self, ray: &Ray, bench: &mut Bench) {
+    /// Gives a crossing with a triangle that lies in a clip-surface the depth of the surface's root, bit for bit.
+    fn snap_coincident(&self, at: DVec2, ray: &Ray, bench: &mut Bench) {
         for root in &bench.roots {
             for (index, crossing) in bench.crossings.iter_mut().enumerate() {
                 let close = (crossing.depth - root.depth).abs()
@@ -361,10 +353,21 @@ impl<'a> Lines<'a> {
                     .points;
                 if self.holds(root, points) {
                     crossing.depth = root.depth;
-                    bench.coincident.push((index as u32, root.surface));
+                    if self.goes_on(at, root, crossing) {
+                        bench.coincident.push((index as u32, root.surface));
+                    }
                 }
             }
         }
+    }
+
+    /// Whether a crossing in the plane of a root is in it whoever moves the sample a little: a plane goes on, a face ends.
+    fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
+        root.face.is_none_or(|face| {
+            let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);
+            let of_part = self.parts[crossing.rank as usize].corners(crossing.triangle);
+            cutter::share_the_sample(at, [of_cutter, of_part])
+        })
     }
 
     /// Fills in what is seen.
