@@ -14,10 +14,14 @@ mod bumps;
 mod cameras;
 #[path = "hard_cases/cases.rs"]
 mod cases;
+#[path = "hard_cases/long_lists.rs"]
+mod long_lists;
 #[path = "hard_cases/meshes.rs"]
 mod meshes;
 #[path = "hard_cases/planes.rs"]
 mod planes;
+#[path = "hard_cases/pyramids.rs"]
+mod pyramids;
 #[path = "hard_cases/reliefs.rs"]
 mod reliefs;
 #[path = "hard_cases/solids.rs"]
