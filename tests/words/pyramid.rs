@@ -228,9 +228,9 @@ fn reliefs_that_share_a_map_share_its_pyramid() {
 fn a_wrong_node_is_noticed() {
     let random = &mut Random(SEED);
     let plain = map(random, [64, 64], |_, _, _| 0.0);
-    let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, 0.2)]);
+    let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, -0.2)]);
     let model = Model::of(&scene);
-    // Low over a plain with one peak, where rays climb to the largest blocks.
+    // Low over a plain with one peak upwards, where rays come a long way through the slab and climb to the largest blocks.
     let camera = camera(84.0, 4.0, false);
     let mut program = Program::default();
     let right = lists(&mut program, plan(&model, &camera, ReliefWalk::Pyramid));

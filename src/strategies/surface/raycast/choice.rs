@@ -8,8 +8,10 @@ use glam::{DVec2, DVec3};
 use crate::passes::{Recorder, ReliefWalk};
 use crate::scene::{Bounds, PreparedSurface, View};
 
-/// Expected cells from which on the pyramid is taken.
-const CELLS_FOR_PYRAMID: f64 = 12.0;
+/// Expected cells from which on the pyramid is taken. Measured on Mesa's llvmpipe, time of the walk over that of the pyramid: 17 cells
+/// 0.8, 27 and 42 about 1, 60 to 150 0.9 to 1.7 (256 x 256 texels, fractal); 65 cells 1.4, 106 1.6, 319 2.4, 600 3.0 (1024 x 1024);
+/// smooth maps are slower by it up to some 70 cells. A map that is built anew in every frame asks for more.
+const CELLS_FOR_PYRAMID: f64 = 40.0;
 /// Rays along each side of the picture, or of what of it the box of the cut solids may be in.
 const RAYS: u32 = 12;
 
