@@ -18,10 +18,14 @@ mod cameras;
 mod cases;
 #[path = "hard_cases/grids.rs"]
 mod grids;
+#[path = "hard_cases/long_lists.rs"]
+mod long_lists;
 #[path = "hard_cases/meshes.rs"]
 mod meshes;
 #[path = "hard_cases/planes.rs"]
 mod planes;
+#[path = "hard_cases/pyramids.rs"]
+mod pyramids;
 #[path = "common/refined.rs"]
 mod refined;
 #[path = "hard_cases/reliefs.rs"]

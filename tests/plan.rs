@@ -21,6 +21,8 @@ mod due;
 mod golden;
 #[path = "plan/minimum.rs"]
 mod minimum;
+#[path = "plan/pyramids.rs"]
+mod pyramids;
 #[path = "plan/rules.rs"]
 mod rules;
 #[path = "plan/session.rs"]

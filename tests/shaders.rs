@@ -7,8 +7,8 @@ use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, CutTable, Deformer, Domain, DrawnPart, FragmentPool, Frame, Layout,
-    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Quad, RayRow,
-    RaySurface, Refinement, Sprite, Sweep,
+    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Pyramid, Quad,
+    RayRow, RaySurface, Refinement, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -27,10 +27,6 @@ const MEANT_EQUALITIES: &[(&str, &str)] = &[
     (
         "cross_plane",
         "a ray exactly parallel to the plane has no crossing; any other has one at a depth that the interval judges",
-    ),
-    (
-        "cross_relief",
-        "likewise for the slab of a relief: an exact 0 is the only slope that must not be divided by",
     ),
     (
         "depth_at_border",
@@ -229,18 +225,20 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Deformer>(&modules);
     holds_in_all_shaders::<Domain>(&modules);
     holds_in_all_shaders::<Refinement>(&modules);
+    holds_in_all_shaders::<Pyramid>(&modules);
     // The list above is all there is: a struct added to the files must be added here.
     let files = [
         include_str!("../src/plan/pack.rs"),
         include_str!("../src/plan/pack/lists.rs"),
         include_str!("../src/plan/pack/pose.rs"),
         include_str!("../src/plan/pack/refinement.rs"),
+        include_str!("../src/plan/pack/pyramid.rs"),
         include_str!("../src/plan/pack/sprite.rs"),
     ];
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 16, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 17, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -429,6 +427,14 @@ fn constants_have_one_value_on_both_sides() {
         ("ALL_BORDERS", (1 << pack::BORDERS_OF_DOMAIN) - 1),
         ("OUTSIDE", 1 << 31),
         ("MIRROR", Wrap::Mirror.code()),
+        // How the shaders look for something: known to them alone.
+        ("SHORT", 8),
+        ("FIRST_LEVEL", 3),
+        ("MISS", 3),
+        ("LOWEST", 2),
+        ("CELLS_OF_BLOCK", 9),
+        // Nodes along a workgroup: `passes/pyramid.rs` dispatches as many.
+        ("SIDE", 16),
     ];
     for (name, value) in expected {
         assert_eq!(

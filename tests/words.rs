@@ -15,6 +15,8 @@ mod fixed_point;
 mod lists;
 #[path = "words/normals.rs"]
 mod normals;
+#[path = "words/pyramid.rs"]
+mod pyramid;
 #[path = "words/quadratic.rs"]
 mod quadratic;
 #[path = "words/reliefs.rs"]

@@ -3,6 +3,7 @@
 #define_import_path cutaway::mask
 
 #import cutaway::frame::pixel_count
+#import cutaway::lanes::thermometer
 
 @group(1) @binding(4) var<storage, read_write> mask: array<atomic<u32>>;
 
@@ -14,9 +15,16 @@ fn clear(pixel: u32) {
 }
 
 // One fragment with `behind` crossings in front of it is behind each of them: the thermometer of the lane, and its top bit,
-// which ends as the parity of all fragments.
+// which ends as the parity of all fragments. Of a lane of several words only those are touched that have something to toggle.
 fn add_fragment(pixel: u32, word: u32, shift: u32, lane_bits: u32, behind: u32) {
-    let thermometer = (1u << behind) - 1u;
-    let total = 1u << (lane_bits - 1u);
-    atomicXor(&mask[word * pixel_count() + pixel], (thermometer | total) << shift);
+    let total = 1u << ((lane_bits - 1u) % 32u);
+    var last = word;
+    if lane_bits > 32u {
+        last += lane_bits / 32u - 1u;
+        let below = min((behind + 31u) / 32u, lane_bits / 32u - 1u);
+        for (var w = 0u; w < below; w++) {
+            atomicXor(&mask[(word + w) * pixel_count() + pixel], thermometer(behind, w));
+        }
+    }
+    atomicXor(&mask[last * pixel_count() + pixel], (thermometer(behind, last - word) | total) << shift);
 }

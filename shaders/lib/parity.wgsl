@@ -15,24 +15,20 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
-// The lane of a part, aligned to bit 0.
-fn lane_of(lanes: Lanes, place: u32, pixel: u32) -> u32 {
-    let word = word_at(parts[place].lane_word, pixel);
-    return (word >> parts[place].lane_shift) & (0xffffffffu >> (32u - lanes.bits));
-}
-
-fn is_odd_at(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
-    return ((lane_of(lanes, place, pixel) >> crossing) & 1u) != 0u;
+// Whether a bit of the lane of a part is set.
+fn is_odd_at(place: u32, pixel: u32, bit: u32) -> bool {
+    let word = word_at(parts[place].lane_word + bit / 32u, pixel);
+    return ((word >> (parts[place].lane_shift + bit % 32u)) & 1u) != 0u;
 }
 
 fn is_odd_in_all(lanes: Lanes, place: u32, pixel: u32) -> bool {
-    return (lane_of(lanes, place, pixel) >> (lanes.bits - 1u)) != 0u;
+    return is_odd_at(place, pixel, lanes.bits - 1u);
 }
 
 // Whether the mask says that something found no room. Asked only where all lanes are bits.
 fn is_doubted(lanes: Lanes, pixel: u32) -> bool {
-    let lanes_per_word = 32u / lanes.bits;
-    let plane = (lanes.count + lanes_per_word - 1u) / lanes_per_word;
+    // Lanes are a power of two wide, or whole words: either way none straddles two words that others share.
+    let plane = (lanes.count * lanes.bits + 31u) / 32u;
     let word = plane * pixel_count() + pixel;
     return word < arrayLength(&mask) && mask[word] != 0u;
 }

@@ -22,6 +22,11 @@ fn toggle(pixel: u32, word: u32, bits: u32) {
     mask[word * pixel_count() + pixel] ^= bits;
 }
 
+// A bit of a lane that begins in this word.
+fn toggle_bit(pixel: u32, word: u32, shift: u32, bit: u32) {
+    toggle(pixel, word + bit / 32u, 1u << (shift + bit % 32u));
+}
+
 fn doubt(pixel: u32) {
     mask[doubt_plane() * pixel_count() + pixel] = 1u;
 }

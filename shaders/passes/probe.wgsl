@@ -4,7 +4,7 @@
 #import cutaway::crossings::{crossing_heads, depth_at, listed, surface_at}
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, Ray, centre_of, pixel_index, ray_through}
-#import cutaway::reduced::{doubt, toggle}
+#import cutaway::reduced::{doubt, toggle, toggle_bit}
 #import cutaway::volume::probe
 
 override lane_bits: u32 = 32u;
@@ -13,12 +13,12 @@ override near_inside: bool = false;
 override first_place: u32 = 0u;
 override end_place: u32 = 1u;
 
-fn asked(place: u32, pixel: u32, ray: Ray, depth: f32, bit: u32) -> u32 {
+fn asked(place: u32, pixel: u32, ray: Ray, depth: f32) -> bool {
     let answer = probe(place, ray.origin + depth * ray.direction);
     if answer.in_doubt {
         doubt(pixel);
     }
-    return select(0u, 1u << bit, answer.is_inside);
+    return answer.is_inside;
 }
 
 @compute @workgroup_size(16, 16)
@@ -31,19 +31,23 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let crossings = listed(head.x);
     let ray = ray_through(centre_of(id.xy));
     for (var place = first_place; place < end_place; place++) {
-        let cuts = parts[place].cuts;
+        let part = parts[place];
+        let cuts = part.cuts;
         var bits = 0u;
         var sides = head.y;
-        if near_inside && !is_removed(sides, cuts) {
-            bits = asked(place, pixel, ray, frame.near, lane_bits - 1u);
+        if near_inside && !is_removed(sides, cuts) && asked(place, pixel, ray, frame.near) {
+            toggle_bit(pixel, part.lane_word, part.lane_shift, lane_bits - 1u);
         }
         for (var i = 0u; i < crossings; i++) {
             let after = sides ^ (1u << surface_at(i, pixel));
             if is_removed(sides, cuts) && !is_removed(after, cuts) {
-                bits |= asked(place, pixel, ray, depth_at(i, pixel), i);
+                bits |= select(0u, 1u << (i % 32u), asked(place, pixel, ray, depth_at(i, pixel)));
             }
             sides = after;
+            if i % 32u == 31u || i + 1u == crossings {
+                toggle(pixel, part.lane_word + i / 32u, bits << part.lane_shift);
+                bits = 0u;
+            }
         }
-        toggle(pixel, parts[place].lane_word, bits << parts[place].lane_shift);
     }
 }

@@ -6,6 +6,7 @@
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
+#import cutaway::layers::UNRANKED
 #import cutaway::mesh::Vertex
 #import cutaway::store::store
 #import cutaway::surface::{Corner, corner_of, surface_words}
@@ -27,5 +28,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if is_removed(rank.sides, part.cuts) {
         discard;
     }
-    return surface_words(corner, rank.behind, part.part, front);
+        // A place that does not fit its bits is looked for again by who decides.
+    return surface_words(corner, min(rank.behind, UNRANKED), part.part, front);
 }

@@ -11,18 +11,21 @@
 //! number or, where the rule is nonzero, a sum that is not 0; they are marked ([`Exact::odd_parity`]) and drawn as if the line
 //! started outside. An eye that is on a mesh to the last bit has no side, and gets odd pixels too.
 //!
-//! Cost: time and memory of the crossings, plus one step per texel border within the relief's slab between the first and
-//! the last crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
+//! Cost: time and memory of the crossings, plus one step per texel border near the relief between the first and the last
+//! crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
 
 mod ambiguity;
 mod bench;
+mod blocks;
 mod clip;
 mod cutter;
 mod outline;
+mod quadratic;
 mod raster;
 mod relief;
 mod screen;
 mod shading;
+mod table;
 mod walk;
 
 use glam::{DVec2, DVec3};

@@ -1,23 +1,24 @@
-//! Where a ray crosses a relief: every texel cell under the ray in turn.
+//! Where a ray crosses a relief: every texel cell under the ray in turn, but for blocks of them that it is far from.
 //!
 //! Within a cell `f` is bilinear and `F` along the ray a quadratic. Signs decide, roots only locate: the sign at the end
 //! of a cell is carried into the next one, one root where the two ends differ, two where they agree but the vertex of the
 //! quadratic does not. Cells are counted in integers and their borders computed afresh from them, so nothing drifts. A
-//! cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell.
+//! cell is skipped when the four-corner bounds of `f` keep `F` away from 0 over the whole cell, and a block of cells when its
+//! bounds do, which skips no cell that would not be.
 //!
-//! Cost: one step per texel border between the depths asked for, within the slab that holds the relief.
+//! Cost: one step per texel border between the depths asked for, where the ray is near the relief; few steps elsewhere.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::ambiguity::rounding;
+use super::blocks::{Block, Blocks, LOWEST};
 use super::clip::{Graze, Ray, Root};
 use super::outline::{NEAR_PX, change_per_px};
-use crate::scene::{OffsetMap, PreparedSurface, View, Wrap};
-
-/// The largest table of wrapped addresses; beyond it they are wrapped one by one.
-const TABLE_TEXELS: i64 = 1 << 20;
+use super::quadratic::Quadratic;
+use super::table::Table;
+use crate::scene::{OffsetMap, PreparedSurface, View};
 
 /// Signed distance from the plane along a ray, `base + slope * depth`.
 #[derive(Clone, Copy, Debug)]
@@ -44,40 +45,7 @@ pub(super) struct Relief {
     slab: [f64; 2],
     /// Texels of the addresses around the scene, along each axis.
     tables: [Table; 2],
-}
-
-struct Table {
-    first: i64,
-    texels: Vec<u32>,
-    wrap: Wrap,
-    size: u32,
-}
-
-impl Table {
-    fn of(wrap: Wrap, size: u32, centre: f64, reach: f64) -> Self {
-        let first = (centre - reach).floor() as i64 - 2;
-        let last = (centre + reach).ceil() as i64 + 3;
-        let texels = if last.saturating_sub(first) < TABLE_TEXELS {
-            (first..=last).map(|i| wrap.texel(i, size)).collect()
-        } else {
-            Vec::new()
-        };
-        Self {
-            first,
-            texels,
-            wrap,
-            size,
-        }
-    }
-
-    fn texel(&self, address: i64) -> usize {
-        let known = usize::try_from(address.wrapping_sub(self.first))
-            .ok()
-            .and_then(|i| self.texels.get(i));
-        known
-            .copied()
-            .unwrap_or_else(|| self.wrap.texel(address, self.size)) as usize
-    }
+    blocks: Blocks,
 }
 
 /// Heights of a cell: `h + x along columns + y along rows + xy of both`, times `Sz`.
@@ -106,6 +74,7 @@ impl Relief {
         };
         Self {
             tables: [table(0), table(1)],
+            blocks: Blocks::of(&map, surface.wrap),
             origin: surface.origin,
             normal: surface.frame.normal,
             axes,
@@ -203,38 +172,6 @@ struct Walk<'a> {
     slope_before: f64,
 }
 
-/// `F(start + s) = a s^2 + b s + c` over `0..length`.
-struct Quadratic {
-    a: f64,
-    b: f64,
-    c: f64,
-    length: f64,
-}
-
-impl Quadratic {
-    fn at(&self, s: f64) -> f64 {
-        self.c + s * (self.b + s * self.a)
-    }
-
-    /// Both roots, least first, in the form that divides by no small number (`c / q`, `q / a`).
-    fn roots(&self) -> [f64; 2] {
-        let root = (self.b * self.b - 4.0 * self.a * self.c).max(0.0).sqrt();
-        let q = -0.5 * (self.b + root.copysign(self.b));
-        let (r, s) = (self.c / q, q / self.a);
-        // A double root at 0 gives 0 / 0.
-        let [r, s] = [r, s].map(|x| if x.is_nan() { 0.0 } else { x });
-        [r.min(s), r.max(s)]
-    }
-
-    /// The root between two ends of different sign.
-    fn crossing(&self) -> f64 {
-        let miss = |r: f64| (r - r.clamp(0.0, self.length)).abs();
-        let [r, s] = self.roots();
-        let best = if miss(r) <= miss(s) { r } else { s };
-        best.clamp(0.0, self.length)
-    }
-}
-
 impl Walk<'_> {
     fn cell_at(&self, depth: f64) -> (i64, i64) {
         let at = |i: usize| (self.p[i] + self.d[i] * depth).floor() as i64;
@@ -278,29 +215,107 @@ impl Walk<'_> {
                 (side as f64 - p[i]) / d[i]
             }
         };
-        let step = d.map(|d| if d > 0.0 { 1 } else { -1 });
+        let up = d.map(|d| d > 0.0);
+        let step = up.map(|up| if up { 1 } else { -1 });
         let mut first = *removed;
         let mut at = from;
         let (mut x, mut y) = self.cell_at(from);
-        let (mut next_x, mut next_y) = (border(x, 0), border(y, 1));
+        let mut level = self.relief.blocks.top();
         loop {
-            let next = next_x.min(next_y).min(to).max(at);
-            let [before, after] = self.cross_cell((x, y), [at, next], *removed, roots, grazes);
-            first.get_or_insert(before);
-            *removed = Some(after);
-            if next >= to {
-                return first.unwrap_or(before);
+            let Block { range, ahead } = self.relief.blocks.block(level, [x, y], up);
+            // The cells before the borders ahead, which the ray leaves the block from.
+            let last = [0, 1].map(|i| if up[i] { ahead[i] - 1 } else { ahead[i] });
+            let (end_x, end_y) = (border(last[0], 0), border(last[1], 1));
+            let end = end_x.min(end_y).min(to).max(at);
+            let [a, b] = range.map(|h| f64::from(h) * self.relief.height);
+            let heights = [a.min(b), a.max(b)];
+            if let Some(side) = self.far_side(heights, [at, end], *removed) {
+                self.slope_before = f64::NAN;
+                let first = *first.get_or_insert(side);
+                *removed = Some(side);
+                if end >= to {
+                    return first;
+                }
+                at = end;
+                // Of the borders along the other axis those were met that come before; ties step along the columns first.
+                if end_x <= end_y {
+                    y = self.cell_by([y, last[1]], 1, |j| border(j, 1) < end_x, at);
+                    x = last[0] + step[0];
+                } else {
+                    x = self.cell_by([x, last[0]], 0, |i| border(i, 0) <= end_y, at);
+                    y = last[1] + step[1];
+                }
+                level = (level + 1).min(self.relief.blocks.top());
+                continue;
             }
-            at = next;
-            // Ties step along the columns first.
-            if next_x <= next_y {
-                x += step[0];
-                next_x = border(x, 0);
-            } else {
-                y += step[1];
-                next_y = border(y, 1);
+            if level > LOWEST {
+                level -= 1;
+                continue;
+            }
+            let mut is_inside = true;
+            while is_inside {
+                let (next_x, next_y) = (border(x, 0), border(y, 1));
+                let next = next_x.min(next_y).min(to).max(at);
+                let [before, after] = self.cross_cell((x, y), [at, next], *removed, roots, grazes);
+                first.get_or_insert(before);
+                *removed = Some(after);
+                if next >= to {
+                    return first.unwrap_or(before);
+                }
+                at = next;
+                if next_x <= next_y {
+                    is_inside = x != last[0];
+                    x += step[0];
+                } else {
+                    is_inside = y != last[1];
+                    y += step[1];
+                }
             }
         }
+    }
+
+    /// The cell along an axis that the ray is in at a depth, of those from `now` to `last`: the first one that `is_left` does not
+    /// say to have been left by then.
+    fn cell_by(
+        &self,
+        [now, last]: [i64; 2],
+        axis: usize,
+        is_left: impl Fn(i64) -> bool,
+        depth: f64,
+    ) -> i64 {
+        let step = (last - now).signum();
+        let guess = (self.p[axis] + self.d[axis] * depth).floor() as i64;
+        let mut cell = guess.clamp(now.min(last), now.max(last));
+        while cell != last && is_left(cell) {
+            cell += step;
+        }
+        while cell != now && !is_left(cell - step) {
+            cell -= step;
+        }
+        cell
+    }
+
+    /// The side of a stretch of the ray that stays away from all heights between two, unless it was on the other side before.
+    fn far_side(
+        &self,
+        [lo, hi]: [f64; 2],
+        [start, end]: [f64; 2],
+        removed: Option<bool>,
+    ) -> Option<bool> {
+        let (g0, g1) = (self.plane.at(start), self.plane.at(end));
+        // No gradient between these heights is longer than `steep`, so no small shift of the sample moves F by more than `reach`.
+        let axes = &self.relief.axes;
+        let steep = 1.0 + (hi - lo) * (axes[0].length() + axes[1].length());
+        let reach = steep * (self.view.pixel_size(end).abs() * NEAR_PX + self.blur(end));
+        let kept = g0.min(g1) + lo > reach;
+        let is_far =
+            (kept && removed != Some(true)) || (g0.max(g1) + hi < -reach && removed != Some(false));
+        is_far.then_some(!kept)
+    }
+
+    /// What rounding may move the sample by at a depth, in scene space.
+    fn blur(&self, depth: f64) -> f64 {
+        rounding(self.view, depth) * self.ray.direction.length()
     }
 
     /// Crosses one cell. Returns the side at its start and at its end.
@@ -314,18 +329,11 @@ impl Walk<'_> {
     ) -> [bool; 2] {
         let relief = self.relief;
         let cell = relief.cell(at.0, at.1);
-        let (g0, g1) = (self.plane.at(start), self.plane.at(end));
-        // No gradient in the cell is longer than `steep`, so no small shift of the sample moves F by more than `reach`.
-        let steep = 1.0 + (cell.hi - cell.lo) * (relief.axes[0].length() + relief.axes[1].length());
-        let blur = rounding(self.view, end) * self.ray.direction.length();
-        let reach = steep * (self.view.pixel_size(end).abs() * NEAR_PX + blur);
-        let kept = g0.min(g1) + cell.lo > reach;
-        if (kept && removed != Some(true))
-            || (g0.max(g1) + cell.hi < -reach && removed != Some(false))
-        {
+        if let Some(side) = self.far_side([cell.lo, cell.hi], [start, end], removed) {
             self.slope_before = f64::NAN;
-            return [!kept; 2];
+            return [side; 2];
         }
+        let (g0, blur) = (self.plane.at(start), self.blur(end));
         let ([lx, ly], [dx, dy]) = (self.local(start, at), self.d);
         let f = Quadratic {
             a: cell.xy * dx * dy,
@@ -370,35 +378,99 @@ impl Walk<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::Quadratic;
+    use glam::DVec2;
 
-    #[test]
-    fn roots_survive_a_vanishing_square_term() {
-        for a in [0.0, 1e-300, 1e-17, -1e-17, 1e-9] {
-            let f = Quadratic {
-                a,
-                b: 2.0,
-                c: -1.0,
-                length: 1.0,
+    use super::*;
+    use crate::scene::{
+        Camera, ClipSurface, Cut, Prepared, Projection, Scene, Viewpoint, Wrap, shapes,
+    };
+
+    /// A cube cut by waves with a spike here and there, seen at an angle to the normal of the plane.
+    fn prepared(wrap: Wrap, size: [u32; 2], height: f64, angle_deg: f64) -> Prepared {
+        let texels = (0..size[0] * size[1]).map(|i| {
+            let wave =
+                (f64::from(i % size[0]) * 0.31).sin() * (f64::from(i / size[0]) * 0.23).cos();
+            wave as f32 + if i * 7919 % 97 == 0 { 3.0 } else { 0.0 }
+        });
+        let map = OffsetMap::new(size, texels.collect()).expect("finite heights");
+        let mut surface = ClipSurface::plane(DVec3::new(0.1, 0.05, 0.0), DVec3::Z);
+        surface.relief = Some(Arc::new(map));
+        surface.wrap = wrap;
+        surface.scale.z = height;
+        Prepared::of(&Scene {
+            parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
+            cuts: vec![Cut::of("c", vec![surface])],
+            camera: Camera {
+                viewpoint: Viewpoint::Orbit {
+                    azimuth_deg: angle_deg,
+                    elevation_deg: 3.0,
+                },
+                projection: Projection::Perspective { fov_y_deg: 40.0 },
+                ..Camera::default()
+            },
+            ..Scene::default()
+        })
+    }
+
+    fn relief_of(prepared: &Prepared) -> Relief {
+        let surface = &prepared.surfaces[0];
+        let map = surface.relief.clone().expect("a relief");
+        Relief::of(surface, map, 2.0)
+    }
+
+    /// All that a picture's rays meet, in words, and how many crossings that is.
+    fn met(prepared: &Prepared, relief: &Relief) -> (String, usize) {
+        let view = prepared.view([24, 24]);
+        let (mut roots, mut grazes) = (Vec::new(), Vec::new());
+        let mut sides = Vec::new();
+        for pixel in 0..24 * 24 {
+            let at = DVec2::new(f64::from(pixel % 24), f64::from(pixel / 24)) + 0.5;
+            let ray = Ray::through(&view, at);
+            let line = PlaneLine {
+                base: (ray.origin - relief.origin).dot(relief.normal),
+                slope: ray.direction.dot(relief.normal),
             };
-            let r = f.crossing();
-            assert!((r - 0.5).abs() < 1e-9, "root {r} for a = {a}");
+            let range = [view.near, 8.0];
+            sides.push(relief.meet(&view, (0, line), &ray, range, &mut roots, &mut grazes));
         }
+        (format!("{sides:?} {roots:?} {grazes:?}"), roots.len())
     }
 
     #[test]
-    fn roots_are_those_of_the_factors() {
-        for (r, s) in [(0.25, 0.75), (0.0, 0.5), (0.5, 0.5), (1e-12, 1.0)] {
-            let f = Quadratic {
-                a: -3.0,
-                b: 3.0 * (r + s),
-                c: -3.0 * r * s,
-                length: 1.0,
+    fn blocks_that_are_passed_change_nothing() {
+        let mut crossings = 0;
+        for wrap in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp] {
+            for (size, height) in [([64, 64], 0.02), ([37, 90], -0.05), ([200, 1], 0.04)] {
+                for angle_deg in [5.0, 60.0, 86.0, 94.0] {
+                    let prepared = prepared(wrap, size, height, angle_deg);
+                    let relief = relief_of(&prepared);
+                    let (passed, count) = met(&prepared, &relief);
+                    let cell_by_cell = Relief {
+                        blocks: relief.blocks.always_near(),
+                        ..relief
+                    };
+                    let same = passed == met(&prepared, &cell_by_cell).0;
+                    assert!(same, "{wrap:?}, {size:?} at {angle_deg} degrees");
+                    crossings += count;
+                }
+            }
+        }
+        assert!(crossings > 5000, "only {crossings} crossings");
+    }
+
+    #[test]
+    fn a_block_with_a_fault_is_noticed() {
+        let prepared = prepared(Wrap::Repeat, [64, 64], 0.02, 60.0);
+        let right = met(&prepared, &relief_of(&prepared)).0;
+        for level in LOWEST..5 {
+            let relief = relief_of(&prepared);
+            let wrong = Relief {
+                blocks: relief.blocks.with_a_fault(level),
+                ..relief
             };
-            let found = f.roots();
             assert!(
-                (found[0] - r).abs() < 1e-9 && (found[1] - s).abs() < 1e-9,
-                "{found:?} for {r}, {s}"
+                met(&prepared, &wrong).0 != right,
+                "a fault of level {level}"
             );
         }
     }

@@ -1,6 +1,6 @@
 //! Where the words of each part are among those of a pixel, for inside tests that keep such words.
 //!
-//! Parts filled even-odd have lanes of bits, as many to a word as fit. Parts filled nonzero have words of their own after all
+//! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled nonzero have words of their own after all
 //! of those, where the inside test has given them some ([`Recorder::winding_words`]).
 
 use super::Recorder;
@@ -21,14 +21,13 @@ pub struct LaneTable {
 impl Recorder<'_> {
     /// Where the lanes are.
     pub fn lane_table(&self) -> LaneTable {
-        let per_word = 32 / self.lane_bits;
         let counts = |rank: &usize| {
             self.winding_words > 0 && self.model.prepared.parts[*rank].fill == Fill::Nonzero
         };
         let ranks = self.relevance.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;
         let mut lane = 0;
-        let mut words = of_bits.div_ceil(per_word);
+        let mut words = (of_bits * self.lane_bits).div_ceil(32);
         let places = ranks
             .iter()
             .map(|rank| {
@@ -37,10 +36,8 @@ impl Recorder<'_> {
                     [words - self.winding_words, COUNTS]
                 } else {
                     lane += 1;
-                    [
-                        (lane - 1) / per_word,
-                        (lane - 1) % per_word * self.lane_bits,
-                    ]
+                    let bit = (lane - 1) * self.lane_bits;
+                    [bit / 32, bit % 32]
                 }
             })
             .collect();

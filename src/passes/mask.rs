@@ -7,9 +7,15 @@ use super::{Recorder, pixels};
 use crate::plan::{Clock, Resource, ResourceId};
 
 impl Recorder<'_> {
-    /// Makes lanes wide enough for lists of so many crossings; before anything mentions the table of parts.
+    /// Makes lanes wide enough for lists of so many crossings; before anything mentions the table of parts. Up to 32 bits they are
+    /// a power of two, beyond that whole words, so that none straddles a word.
     pub fn lay_lanes(&mut self, crossings: u32) {
-        self.lane_bits = (crossings + 1).next_power_of_two().max(2);
+        let bits = crossings + 1;
+        self.lane_bits = if bits > 32 {
+            bits.next_multiple_of(32)
+        } else {
+            bits.next_power_of_two().max(2)
+        };
     }
 
     /// The mask that fragments write.

@@ -13,6 +13,7 @@ mod packed;
 mod picture;
 mod pose;
 mod probe;
+mod pyramid;
 mod rasterise;
 mod rasteriser;
 mod recorder;
@@ -34,6 +35,7 @@ pub use lanes::LaneTable;
 pub use model::{MeshRange, Model};
 pub use pose::Moving;
 pub use probe::Volume;
+pub use pyramid::ReliefWalk;
 pub use rasteriser::Rasteriser;
 pub use recorder::{
     DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_SPRITES,

@@ -1,7 +1,7 @@
 //! Recording a plan: the resources that several passes share are created at first mention, so that what nobody mentions
 //! does not exist.
 
-use super::{Model, Relevance, Screen};
+use super::{Model, Relevance, ReliefWalk, Screen};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{
     Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
@@ -51,6 +51,8 @@ pub struct Recorder<'a> {
     pub wide_atomics: bool,
     /// Words of a lane of counts for each part filled nonzero; 0 where a strategy has no such lanes.
     pub winding_words: u32,
+    /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
+    pub relief_walk: Option<ReliefWalk>,
     /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
     pub interference: Option<[u8; 3]>,
     drawn: bool,
@@ -70,6 +72,7 @@ impl<'a> Recorder<'a> {
             lane_bits: 32,
             wide_atomics: false,
             winding_words: 0,
+            relief_walk: None,
             interference: None,
             drawn: false,
             screen_of_frame: None,

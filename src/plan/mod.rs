@@ -81,7 +81,7 @@ pub enum Knob {
 /// Sizes of bounded buffers that a plan is recorded for. They grow by what a frame reports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Capacities {
-    /// Crossings per pixel; at most 31.
+    /// Crossings per pixel; at most [`Self::MOST_CROSSINGS`].
     pub crossings: Option<u32>,
     /// Layers of each part's sprite, by rank; parts beyond the list have [`Capacities::FIRST_LAYERS`].
     pub layers: Vec<u32>,
@@ -96,8 +96,12 @@ pub struct Capacities {
 impl Capacities {
     /// Layers of a sprite of which nothing is known yet.
     pub const FIRST_LAYERS: u32 = 2;
-    /// Most crossings that a mask can tell apart.
-    pub const MOST_CROSSINGS: u32 = 31;
+    /// Most crossings of a pixel that are ever given room: 32 words of a lane.
+    pub const MOST_CROSSINGS: u32 = 1023;
+    /// Crossings that a lane of one word tells apart.
+    pub const CROSSINGS_OF_A_WORD: u32 = 31;
+    /// Bands of so many rows are not cut any more: what is still too large is not so for its pixels.
+    pub const FEWEST_ROWS: u32 = 64;
 
     /// Nothing known yet.
     pub const UNKNOWN: Self = Self {

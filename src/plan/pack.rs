@@ -12,6 +12,7 @@ mod normal;
 
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
+pub use pyramid::Pyramid;
 pub use sprite::{Sprite, sprite_frame};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
@@ -41,6 +42,7 @@ macro_rules! shared {
 // After the macro, which they use.
 mod lists;
 mod pose;
+mod pyramid;
 mod refinement;
 mod sprite;
 

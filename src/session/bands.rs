@@ -1,7 +1,7 @@
 //! The frame of one strategy: one program, or several that draw a band of rows each.
 //!
 //! A list of crossings per pixel outgrows a storage binding before a picture outgrows the memory. Where a plan breaks a limit,
-//! the picture is cut into twice as many bands until it fits, down to [`FEWEST_ROWS`] rows. Every band is a view with the same
+//! the picture is cut into twice as many bands until it fits, down to [`Capacities::FEWEST_ROWS`] rows. Every band is a view with the same
 //! rays, so all pixels are what they are in one piece, but for those that hang on the rounding of a rasteriser. Each band has
 //! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
 
@@ -12,9 +12,6 @@ use crate::plan::{Capacities, Due, Plan};
 use crate::scene::View;
 use crate::strategies::Refusal;
 use crate::{Error, Result};
-
-/// Bands of so many rows are not cut any more: what is still too large is not so for its pixels.
-pub(super) const FEWEST_ROWS: u32 = 64;
 
 /// Some rows of the frame.
 #[derive(Default)]
@@ -82,7 +79,7 @@ impl Slot {
                 Err(Stop::Refused(reason)) => return Ok(self.refuse(reason)),
                 Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
             };
-            if self.bands.iter().any(|b| b.rows <= FEWEST_ROWS) {
+            if self.bands.iter().any(|b| b.rows <= Capacities::FEWEST_ROWS) {
                 // The next frame begins in one piece: this one says nothing of how many pieces would do.
                 self.cut_into(1);
                 return Ok(self.refuse(reason));

@@ -9,7 +9,7 @@ pub mod surface;
 mod name;
 mod options;
 
-pub use crate::passes::Rasteriser;
+pub use crate::passes::{Rasteriser, ReliefWalk};
 pub use name::{CapSurface, InsideTest, Strategy, Tau};
 pub use options::FrameOptions;
 
@@ -68,6 +68,7 @@ pub fn record_with(
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
     recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
     recorder.interference = options.interference;
+    recorder.relief_walk = options.relief_walk;
     if let Some(reason) = beyond(&recorder, strategy) {
         return Err(refuse(reason));
     }

@@ -1,6 +1,6 @@
 //! What of a frame is neither scene nor strategy.
 
-use crate::passes::Rasteriser;
+use crate::passes::{Rasteriser, ReliefWalk};
 
 /// What of a frame is neither scene nor strategy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,6 +10,8 @@ pub struct FrameOptions {
     /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. `None`
     /// leaves it to the adapter, and to core WebGPU where a plan is recorded without one.
     pub wide_atomics: Option<bool>,
+    /// How rays are followed through reliefs: the crossings are the same. `None` chooses by the cells that a ray meets.
+    pub relief_walk: Option<ReliefWalk>,
     /// Shows caps that several solids share in this colour, sRGB.
     pub interference: Option<[u8; 3]>,
 }
@@ -20,6 +22,7 @@ impl FrameOptions {
         Self {
             rasteriser,
             wide_atomics: None,
+            relief_walk: None,
             interference: None,
         }
     }

@@ -1,12 +1,11 @@
-//! Cases 27, 35 and 36: buffers that are too small, and the sprite's first order.
+//! Cases 35 and 36: buffers that are too small, and the sprite's first order.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{ClipSurface, Scene, Wrap};
+use cutaway::scene::{ClipSurface, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use crate::common::numbers::Numbers;
 use crate::common::{Question, meshes, scenes, session, strategy, tolerances};
 
 /// Sections whose misclassified shares are averaged: with one alone, its alignment with the texels would decide.
@@ -105,55 +104,4 @@ fn case_36_layers_are_counted_at_the_resolution_used() {
         sprite_layers(&strategy)
     });
     assert_eq!(layers, [2, 4], "the needle counts where a texel hits it");
-}
-
-/// White noise seen along its plane: `cells` texels side by side across the solid.
-fn noisy(cells: u32, height: f64) -> Scene {
-    let mut numbers = Numbers(27);
-    let texels: Vec<f32> = (0..cells * cells)
-        .map(|_| (numbers.unit() - 0.5) as f32)
-        .collect();
-    let map = scenes::map([cells; 2], |x, y| texels[(y * cells + x) as usize]);
-    let surface = scenes::mapped(DVec3::ZERO, -DVec3::Y, map, (1.0, height), Wrap::Repeat);
-    let slab = meshes::block(DVec3::new(-0.5, -0.3, -0.5), DVec3::new(0.5, 0.3, 0.5));
-    let mut scene = scenes::scene("noise", slab, vec![surface]);
-    scene.camera = scenes::looking(DVec3::new(0.0, 0.08, 2.0), DVec3::ZERO, 30.0);
-    scene
-}
-
-#[test]
-fn case_27_up_to_31_crossings_the_list_grows() {
-    let judged = Question::of(&noisy(24, 0.4), [128; 2]).answer(&Strategy::RAYCAST_MASK);
-    assert_eq!(judged.fault_of_exact(), None, "noise of 24 texels");
-    let capacity = session()
-        .plan(&Strategy::RAYCAST_MASK)
-        .expect("a plan")
-        .bounded[0]
-        .capacity;
-    assert!(
-        (8..=31).contains(&capacity),
-        "the list holds {capacity}: it did not have to grow"
-    );
-}
-
-#[test]
-fn case_27_beyond_31_crossings_the_pixels_are_marked() {
-    let question = Question::of(&noisy(256, 0.5), [128; 2]);
-    let judged = question.answer(&Strategy::RAYCAST_MASK);
-    assert!(
-        matches!(judged.outcome, Outcome::Overflowed(_)),
-        "more crossings than a mask has bits, and the outcome is {:?}",
-        judged.outcome
-    );
-    let marked = judged.layers.pixels.iter().filter(|p| p.unreliable).count();
-    assert!(marked > 20, "only {marked} pixels are marked");
-    // What is not marked is right.
-    let unmarked = judged
-        .decided_wrong()
-        .find(|i| !judged.layers.pixels[*i].unreliable);
-    assert_eq!(
-        unmarked.map(|i| judged.told(i)),
-        None,
-        "wrong and not marked"
-    );
 }

@@ -267,8 +267,9 @@ fn lanes(scene: &Scene, capacities: &Capacities) -> (u32, u32, u64, Vec<[u32; 2]
 
 #[test]
 fn lanes_are_as_wide_as_the_crossings_ask() {
-    // A lane has a bit for each crossing and one for the total, and is a power of two so that none straddles a word.
-    for (planes_cut, reliefs_cut, crossings, bits) in [
+    // A lane has a bit for each crossing and one for the total, and is a power of two, or whole words, so that none straddles
+    // a word.
+    let cases: [(usize, usize, Option<u32>, u32); 11] = [
         (1, 0, None, 2),
         (2, 0, None, 4),
         (3, 0, None, 4),
@@ -278,8 +279,10 @@ fn lanes_are_as_wide_as_the_crossings_ask() {
         (1, 1, None, 16),
         (0, 1, Some(2), 4),
         (0, 1, Some(31), 32),
-        (0, 1, Some(300), 32),
-    ] {
+        (0, 1, Some(32), 64),
+        (0, 1, Some(300), 320),
+    ];
+    for (planes_cut, reliefs_cut, crossings, bits) in cases {
         let mut cut = planes(0.1, planes_cut);
         cut.surfaces.extend(reliefs(0.1, reliefs_cut).surfaces);
         let scene = scene_of(&["cube"], vec![cut]);
@@ -290,7 +293,7 @@ fn lanes_are_as_wide_as_the_crossings_ask() {
         let what = format!("{planes_cut} planes, {reliefs_cut} reliefs, {crossings:?}");
         assert_eq!(
             lanes(&scene, &capacities),
-            (bits, 1, 1, vec![[0, 0]]),
+            (bits, 1, u64::from(bits.div_ceil(32)), vec![[0, 0]]),
             "{what}"
         );
     }
@@ -309,4 +312,15 @@ fn lanes_fill_word_after_word() {
         let expected: Vec<[u32; 2]> = (0..parts as u32).map(|i| [i / 16, i % 16 * 2]).collect();
         assert_eq!(places, expected, "{parts} parts");
     }
+}
+
+#[test]
+fn long_lanes_are_words_of_their_own() {
+    let scene = scene_of(&["cube"; 3], vec![reliefs(0.1, 1)]);
+    let capacities = Capacities {
+        crossings: Some(70),
+        ..Capacities::UNKNOWN
+    };
+    let places = vec![[0, 0], [3, 0], [6, 0]];
+    assert_eq!(lanes(&scene, &capacities), (96, 3, 9, places));
 }

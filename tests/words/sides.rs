@@ -104,19 +104,22 @@ fn ask_mask(
     let mut frame: cutaway::plan::pack::Frame = bytemuck::Zeroable::zeroed();
     frame.size_px = [pixels.len() as u32, 1];
     assert_eq!(words_of(&[frame]).len() * 4, frame_bytes, "the uniform");
-    let per_word = 32 / lane_bits;
     let longest = pixels.iter().map(|p| p.fragments.len()).max().unwrap_or(0);
     let mut rows: Vec<[u32; 4]> = Vec::new();
     for pixel in pixels {
         for i in 0..longest {
             rows.push(match pixel.fragments.get(i) {
-                Some((lane, behind)) => [1, lane / per_word, lane % per_word * lane_bits, *behind],
+                Some((lane, behind)) => {
+                    let bit = lane * lane_bits;
+                    [1, bit / 32, bit % 32, *behind]
+                }
                 None => [0; 4],
             });
         }
     }
     let shader = format!(
         "#import cutaway::frame::pixel_count
+#import cutaway::lanes::thermometer
 #import cutaway::mask::{{clear, mask}}
 {add_fragment}
 @group(2) @binding(0) var<storage, read> fragments: array<vec4<u32>>;
@@ -156,7 +159,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 /// Lanes that do not say what the fragments say.
 fn wrong_lanes(add_fragment: &str, lane_bits: u32) -> (usize, usize) {
     let random = &mut Random(SEED + u64::from(lane_bits));
-    let words_per_pixel = 2;
+    let words_per_pixel = (lane_bits / 16).max(2);
     let lanes = words_per_pixel * 32 / lane_bits;
     let mut pixels: Vec<Pixel> = Vec::new();
     // One fragment at each place: behind none, behind all.
@@ -172,7 +175,6 @@ fn wrong_lanes(add_fragment: &str, lane_bits: u32) -> (usize, usize) {
         pixels.push(Pixel { fragments });
     }
     let given = ask_mask(add_fragment, lane_bits, words_per_pixel, &pixels);
-    let per_word = 32 / lane_bits;
     let (mut wrong, mut of) = (0, 0);
     for (pixel, words) in pixels.iter().zip(given) {
         for lane in 0..lanes {
@@ -183,13 +185,14 @@ fn wrong_lanes(add_fragment: &str, lane_bits: u32) -> (usize, usize) {
                     .filter(|(l, b)| *l == lane && is(*b))
                     .count() as u32
             };
-            let mut expected = 0_u32;
-            for crossing in 0..lane_bits - 1 {
-                expected |= (count(&|behind| behind > crossing) & 1) << crossing;
-            }
-            expected |= (count(&|_| true) & 1) << (lane_bits - 1);
-            let word = words[(lane / per_word) as usize] >> (lane % per_word * lane_bits);
-            wrong += usize::from(word & (u32::MAX >> (32 - lane_bits)) != expected);
+            let bit = |i: u32| {
+                let at = lane * lane_bits + i;
+                words[at as usize / 32] >> (at % 32) & 1
+            };
+            let total = bit(lane_bits - 1) == count(&|_| true) & 1;
+            let crossings = 0..lane_bits - 1;
+            let all = crossings.map(|i| bit(i) == count(&|behind| behind > i) & 1);
+            wrong += usize::from(!all.fold(total, |all, is| all & is));
             of += 1;
         }
     }
@@ -198,13 +201,16 @@ fn wrong_lanes(add_fragment: &str, lane_bits: u32) -> (usize, usize) {
 
 #[test]
 fn a_lane_holds_the_parity_behind_each_crossing() {
-    for lane_bits in [2, 4, 8, 16, 32] {
+    for lane_bits in [2, 4, 8, 16, 32, 64, 96, 1024] {
         let (wrong, of) = wrong_lanes("#import cutaway::mask::add_fragment", lane_bits);
         assert_eq!(wrong, 0, "of {of} lanes of {lane_bits} bits");
         // The thermometer up to and including the crossing ahead.
         let planted = "fn add_fragment(pixel: u32, word: u32, shift: u32, lane_bits: u32, behind: u32) {
-    let thermometer = (2u << behind) - 1u;
-    atomicXor(&mask[word * pixel_count() + pixel], (thermometer | (1u << (lane_bits - 1u))) << shift);
+    let last = (lane_bits - 1u) / 32u;
+    for (var w = 0u; w <= last; w++) {
+        let total = select(0u, 1u << ((lane_bits - 1u) % 32u), w == last);
+        atomicXor(&mask[(word + w) * pixel_count() + pixel], (thermometer(behind + 1u, w) | total) << shift);
+    }
 }";
         let (wrong, of) = wrong_lanes(planted, lane_bits);
         assert!(

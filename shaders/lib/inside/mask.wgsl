@@ -7,7 +7,7 @@
 
 // Whether a crossing of a pixel is inside a part.
 fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
-    return is_odd_at(lanes, place, pixel, crossing);
+    return is_odd_at(place, pixel, crossing);
 }
 
 // Whether the ray of a pixel starts inside a part, as far as its fragments tell: an odd total. Where no part can be there, it

@@ -11,7 +11,7 @@
 fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
     let part = parts[place];
     if part.lane_shift != WINDING {
-        return is_odd_at(lanes, place, pixel, crossing);
+        return is_odd_at(place, pixel, crossing);
     }
     return count_at(word_at(part.lane_word + 1u + crossing / 4u, pixel), crossing % 4u) != 0;
 }

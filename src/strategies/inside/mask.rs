@@ -16,7 +16,7 @@
 //! removed, which is a cap and nearer; or at the near plane, which has a cap of its own.
 //!
 //! Per frame: one mesh pass, one resolve; 2 to 32 bits per pixel and cut part, 8 to 36 bytes where it is
-//! filled nonzero. Exact for closed meshes up to ties of f32.
+//! filled nonzero, and more where a pixel has more than 31 crossings. Exact for closed meshes up to ties of f32.
 //! The resolve looks at every lane of a pixel, so its time grows with the number of cut parts.
 //!
 //! Cannot: repair an open mesh; it marks the pixels where the total is odd or, under the nonzero rule, not 0, which faces that

@@ -1,19 +1,30 @@
 //! `raycast`: all crossings of each pixel's ray with the clip-surfaces, as one sorted list of depths per pixel.
 //!
 //! No mesh, no tessellation: planes in closed form, reliefs by a walk over the cells of the offset map with the sign carried
-//! from cell to cell and citardauq roots. The list decides surface, cap and inside together, so no pixel can show the inside
+//! from cell to cell and citardauq roots. Where a ray meets many cells, as in grazing views, the walk passes whole blocks of them
+//! by a pyramid of least and greatest heights, to the same list. The list decides surface, cap and inside together, so no pixel can show the inside
 //! of the shell. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
 //! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
 //!
-//! Cannot: hold more than 31 crossings per pixel. A longer list keeps the nearest, marks the pixel and reports its need.
+//! Lists are as long as the longest one that a frame asked for. Cannot: hold more than 1023 crossings per pixel, or lists of more
+//! than 2 GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A longer list keeps the nearest, marks the pixel and
+//! reports its need.
 
-use crate::passes::{Crossings, NEED_OF_CELLS, NEED_OF_CROSSINGS, Recorder, Store, pixels};
+mod choice;
+
+use crate::passes::{
+    Crossings, NEED_OF_CELLS, NEED_OF_CROSSINGS, Recorder, ReliefWalk, Store, pixels,
+};
 use crate::plan::pack;
-use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Resource};
+use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Limits, Resource};
+use crate::scene::Fill;
 use crate::shader::Shader;
 
 /// Crossings that one relief or cutter is given room for until a frame reports what it needs: with its parity bit a lane of 8.
 const FIRST_PER_RELIEF: u32 = 7;
+
+/// Bytes of the lists of a whole picture, in all of its bands together.
+const MOST_BYTES: u64 = 2 << 30;
 
 /// How many crossings a pixel is given room for.
 pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
@@ -23,13 +34,32 @@ pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 
         .filter(|s| recorder.model.is_relief(**s) || recorder.model.is_cutter(**s))
         .count() as u32;
     let planes = surfaces.len() as u32 - reliefs;
-    let usual = planes + reliefs * FIRST_PER_RELIEF;
+    // Wider lanes cost time: who needs them will say so.
+    let usual = (planes + reliefs * FIRST_PER_RELIEF).min(Capacities::CROSSINGS_OF_A_WORD);
     let most = if reliefs == 0 {
         planes
     } else {
         capacities.crossings.unwrap_or(usual).max(planes + reliefs)
     };
-    most.clamp(1, Capacities::MOST_CROSSINGS)
+    most.clamp(1, most_that_fit(recorder))
+}
+
+/// The longest lists that find room in bands of a picture, with the lanes that go with them: in core WebGPU, for the plan of a frame
+/// is not to hang on the adapter.
+fn most_that_fit(recorder: &Recorder<'_>) -> u32 {
+    let parts = &recorder.model.prepared.parts;
+    let cut = recorder.relevance.cut_parts();
+    let nonzero = (cut.iter())
+        .filter(|r| parts[**r].fill == Fill::Nonzero)
+        .count() as u64;
+    // A crossing takes a word of a list, a bit of each lane of bits, a byte of each lane of counts.
+    let words = ((cut.len() as u64 - nonzero).div_ceil(32) + nonzero.div_ceil(4)).max(1);
+    let [width, _] = recorder.view.size_px;
+    let in_band = Limits::CORE.storage_binding_bytes / pixels([width, Capacities::FEWEST_ROWS]);
+    let in_picture = MOST_BYTES / pixels([width, recorder.view.band[1]]).max(1);
+    let most = (in_band / (4 * words)).min(in_picture / 4);
+    let fewest = u64::from(Capacities::CROSSINGS_OF_A_WORD);
+    most.clamp(fewest, u64::from(Capacities::MOST_CROSSINGS)) as u32
 }
 
 /// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way. Clip-surfaces with a bit
@@ -70,22 +100,25 @@ pub(super) fn record(
         Binding::write("need", need),
     ];
     bindings.extend(store.begun());
-    let (shader, reason) = if reliefs {
+    let (shader, how) = if reliefs {
         bindings.push(recorder.heights());
-        (
-            "strategies/surface/raycast/reliefs.wgsl",
-            "the one list of depths per pixel; a relief is walked cell by cell",
-        )
-    } else if sheets == 0 {
-        (
-            "strategies/surface/raycast/planes.wgsl",
-            "the one list of depths per pixel; only planes, so no walk",
-        )
+        let choice = choice::of(recorder);
+        let file = match choice.walk {
+            ReliefWalk::Cells => "lib/relief_crossing/cells.wgsl",
+            ReliefWalk::Pyramid => {
+                bindings.extend(recorder.pyramids());
+                "lib/relief_crossing/pyramid.wgsl"
+            }
+        };
+        let shader = Shader::from("strategies/surface/raycast/reliefs.wgsl").with(file);
+        (shader, choice.reason)
     } else {
-        (
-            "strategies/surface/raycast/planes.wgsl",
-            "the one list of depths per pixel; the planes among the clip-surfaces, for the others are drawn as sheets",
-        )
+        let how = match sheets {
+            0 => "only planes, so no walk",
+            _ => "the planes among the clip-surfaces, for the others are drawn as sheets",
+        };
+        let shader = Shader::from("strategies/surface/raycast/planes.wgsl");
+        (shader, how.to_owned())
     };
     let mut constants = vec![("capacity", f64::from(capacity))];
     if sheets != 0 {
@@ -94,8 +127,8 @@ pub(super) fn record(
     recorder.compute(
         "crossings",
         Clock::Frame,
-        reason,
-        Shader::from(shader).with(store.file),
+        format!("the one list of depths per pixel; {how}"),
+        shader.with(store.file),
         bindings,
         constants,
         recorder.view.size_px,

@@ -5,6 +5,7 @@
 #import cutaway::cuts::parts
 #import cutaway::fragment_runs::{depth_of, owner_of, run_of}
 #import cutaway::frame::{frame, pixel_index}
+#import cutaway::lanes::thermometer
 #import cutaway::reduced::{clear_words, doubt, toggle}
 
 override lane_bits: u32 = 32u;
@@ -17,19 +18,25 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let pixel = pixel_index(id.xy);
     clear_words(pixel);
     let run = run_of(pixel);
-    let total = 1u << (lane_bits - 1u);
-    // Parts are drawn one by one, so a word is rarely left and come back to.
+    let total = 1u << ((lane_bits - 1u) % 32u);
+    let before_last = max(lane_bits / 32u, 1u) - 1u;
+    // Parts are drawn one by one, so a word is rarely left and come back to. It is the last of its lane; those before it are not
+    // empty for fragments behind a crossing only.
     var word = 0u;
     var bits = 0u;
     for (var i = run.first; i < run.end; i++) {
         let owner = owner_of(i);
-        if parts[owner].lane_word != word {
+        let first = parts[owner].lane_word;
+        if first + before_last != word {
             toggle(pixel, word, bits);
-            word = parts[owner].lane_word;
+            word = first + before_last;
             bits = 0u;
         }
-        let thermometer = (1u << rank_of(depth_of(i), pixel).behind) - 1u;
-        bits ^= (thermometer | total) << parts[owner].lane_shift;
+        let behind = rank_of(depth_of(i), pixel).behind;
+        for (var w = 0u; w < min((behind + 31u) / 32u, before_last); w++) {
+            toggle(pixel, first + w, thermometer(behind, w));
+        }
+        bits ^= (thermometer(behind, before_last) | total) << parts[owner].lane_shift;
     }
     toggle(pixel, word, bits);
     if !run.fits {

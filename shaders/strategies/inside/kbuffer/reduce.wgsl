@@ -5,7 +5,7 @@
 #import cutaway::crossings::{crossing_heads, listed, z_at}
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, is_behind, pixel_count, pixel_index}
-#import cutaway::reduced::{clear_words, doubt, toggle}
+#import cutaway::reduced::{clear_words, doubt, toggle, toggle_bit}
 
 override lane_bits: u32 = 32u;
 
@@ -27,7 +27,12 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         let first = first_word(place, pixel);
         let count = slots[first];
         let kept = min(count, cascade.slots);
-        var bits = (count & 1u) << (lane_bits - 1u);
+        let lane_word = parts[place].lane_word;
+        let lane_shift = parts[place].lane_shift;
+        if (count & 1u) != 0u {
+            toggle_bit(pixel, lane_word, lane_shift, lane_bits - 1u);
+        }
+        var bits = 0u;
         var in_front = 0u;
         for (var i = 0u; i < crossings; i++) {
             let crossing = z_at(i, pixel);
@@ -41,8 +46,11 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
                 doubt(pixel);
                 atomicMax(&need[need_at], count);
             }
-            bits |= ((count - in_front) & 1u) << i;
+            bits |= ((count - in_front) & 1u) << (i % 32u);
+            if i % 32u == 31u || i + 1u == crossings {
+                toggle(pixel, lane_word + i / 32u, bits << lane_shift);
+                bits = 0u;
+            }
         }
-        toggle(pixel, parts[place].lane_word, bits << parts[place].lane_shift);
     }
 }

@@ -45,9 +45,12 @@ pub fn record(
     surface: CapSurface,
     capacities: &Capacities,
 ) -> Result<(), String> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
     let parts = recorder.relevance.lanes;
+    // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
+    let most = (MOST_PASSES / (parts + 2)) as u32;
+    let most = most.saturating_sub(1).max(Capacities::CROSSINGS_OF_A_WORD);
+    let capacity = surface::capacity(recorder, capacities).min(most);
+    recorder.lay_lanes(capacity);
     let passes = (capacity as usize + 1) * (parts + 2);
     if passes > MOST_PASSES {
         return Err(format!(

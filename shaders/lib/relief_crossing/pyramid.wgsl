@@ -1,0 +1,152 @@
+// All crossings of a ray with a relief, over nodes of its pyramid: what lies wholly above or below the ray is passed in one step.
+//
+// The list is that of the walk over all cells, bit for bit. Three things see to that. A node is passed only if every cell in it
+// would have been found on the side that the ray is on already, with room for the rounding of such a cell; so a sign is never
+// set but by a cell, and where the side is known without the map, it is the same. Cells are entered where the walk enters them:
+// at the depth of the last border that was met, which hangs on the number of that border and on nothing that was met before. And
+// which cell comes after a node is found by the walk's own comparisons: of the borders along the other axis those were met that
+// come before the one the node is left by; a guess from the depth there is put right by comparing them.
+//
+// From one node to the next the ray goes on at the same level, or one up if the border is one of the parent as well, so no node is
+// asked twice. A node that is near is taken apart, and the cells of the smallest are walked. Invocations look for such a node
+// together, then walk its cells together, which keeps them in step.
+
+#define_import_path cutaway::relief_crossing
+
+#import cutaway::crossing_list::{List, need}
+#import cutaway::cuts::cut_table
+#import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
+#import cutaway::relief_ray::{Carried, Way, begin_way, cross_cell, depth_at_border, way_through}
+
+// Level at which a ray begins; from there it climbs where there is nothing to be met.
+const FIRST_LEVEL: u32 = 3u;
+// Cells of one of the smallest blocks along a ray, with those that a map turned round adds to its border.
+const CELLS_OF_BLOCK: u32 = 9u;
+// By how much f32 may miss the cell of a depth within 2^22 texels.
+const MISS: u32 = 3u;
+
+// Whether the border that a cell is entered by is met before a depth, or at it where ties belong to this axis.
+fn is_met(border: i32, texel: vec2<f32>, depth: f32, ties: bool) -> bool {
+    let at = depth_at_border(border, texel);
+    return at < depth || (ties && at <= depth);
+}
+
+// The cell along one axis that the ray is in at a depth, if it was in cell `now` before and does not come beyond `last`: the last
+// one that is entered before that depth.
+fn cell_at(depth: f32, ties: bool, now: i32, last: i32, up: bool, texel: vec2<f32>) -> i32 {
+    let step = select(-1, 1, up);
+    // Cell i is entered by border i when walking up, by i + 1 when walking down.
+    let by = select(1, 0, up);
+    var cell = clamp(i32(floor(texel.x + depth * texel.y)), min(now, last), max(now, last));
+    for (var i = 0u; i < MISS; i++) {
+        if cell == last || !is_met(cell + step + by, texel, depth, ties) {
+            break;
+        }
+        cell += step;
+    }
+    for (var i = 0u; i < MISS; i++) {
+        if cell == now || is_met(cell + by, texel, depth, ties) {
+            break;
+        }
+        cell -= step;
+    }
+    return cell;
+}
+
+// What the walk over the cells of a node may err by, so that heights beyond it decide: a part for the ray, and a share of the
+// node's range for the place in a cell.
+fn rounding_of(way: Way) -> vec2<f32> {
+    let slab = cut_table.surfaces[way.surface].slab;
+    let height = abs(way.over_plane.x) + way.end * abs(way.over_plane.y) + max(abs(slab.x), abs(slab.y));
+    let texels = abs(way.texel_x.x) + way.end * abs(way.texel_x.y) + abs(way.texel_y.x) + way.end * abs(way.texel_y.y);
+    return vec2<f32>(height, texels + 8.0) * 1e-6;
+}
+
+fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
+    let way = way_through(list, surface, at_px, interval);
+    if !(way.end > 0.0) {
+        return;
+    }
+    let x = way.texel_x;
+    let y = way.texel_y;
+    let up = vec2<bool>(x.y > 0.0, y.y > 0.0);
+    let step = select(vec2<i32>(-1), vec2<i32>(1), up);
+    // The border ahead of cell i is i + 1 when walking up, i when walking down.
+    let ahead = select(vec2<i32>(0), vec2<i32>(1), up);
+    let rounding = rounding_of(way);
+    let levels = levels_of(surface);
+    let cell_limit = cut_table.surfaces[surface].cell_limit;
+    var cell = vec2<i32>(vec2<f32>(floor(x.x), floor(y.x)));
+    var carried = Carried(0.0, true, false);
+    var level = min(FIRST_LEVEL, levels);
+    for (var n = 0u; n < cell_limit; n++) {
+        // Blocks, until one of the smallest is near.
+        var border = vec2<i32>(0);
+        var closes = vec2<bool>(false);
+        var is_near = false;
+        for (var m = 0u; m < cell_limit + 64u; m++) {
+            let along_x = along(cell.x, level, way.map.size.x, way.map.wrap, up.x);
+            let along_y = along(cell.y, level, way.map.size.y, way.map.wrap, up.y);
+            border = vec2<i32>(along_x.border, along_y.border);
+            closes = vec2<bool>(along_x.closes && level < levels, along_y.closes && level < levels);
+            let border_x = depth_at_border(border.x, x);
+            let border_y = depth_at_border(border.y, y);
+            let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
+            let range = range_of(surface, way.map, level, vec2<u32>(along_x.node, along_y.node)) * way.relief_scale;
+            let least = min(range.x, range.y);
+            let greatest = max(range.x, range.y);
+            let here = vec2<f32>(carried.entry, exit) * way.over_plane.y + way.over_plane.x;
+            let room = rounding.x + rounding.y * (greatest - least);
+            let kept = min(here.x, here.y) + least > room;
+            let removed = max(here.x, here.y) + greatest < -room;
+            let side_before = select(select(kept, way.over_plane.y < 0.0, way.from_slab), carried.kept, carried.begun);
+            let side_after = select(kept, way.rises, way.to_slab && exit >= way.end);
+            if !(kept || removed) || side_before != kept || side_after != kept {
+                if level > LOWEST {
+                    level--;
+                    continue;
+                }
+                is_near = true;
+                break;
+            }
+            if !carried.begun {
+                begin_way(list, way, &carried, kept);
+            }
+            carried.entry = exit;
+            if exit >= way.end {
+                return;
+            }
+            // Ties leave by x first, as the walk does. The last cell before border i is i - 1 when walking up, i when walking down.
+            if border_x <= border_y {
+                cell = vec2<i32>(border.x - 1 + ahead.x, cell_at(border_x, false, cell.y, border.y - ahead.y, up.y, y));
+                level += select(0u, 1u, closes.x);
+            } else {
+                cell = vec2<i32>(cell_at(border_y, true, cell.x, border.x - ahead.x, up.x, x), border.y - 1 + ahead.y);
+                level += select(0u, 1u, closes.y);
+            }
+        }
+        if !is_near {
+            break;
+        }
+        // The cells of that block.
+        for (var i = 0u; i < CELLS_OF_BLOCK; i++) {
+            let border_x = depth_at_border(cell.x + ahead.x, x);
+            let border_y = depth_at_border(cell.y + ahead.y, y);
+            let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
+            cross_cell(list, way, &carried, cell, exit);
+            if exit >= way.end {
+                return;
+            }
+            let by_x = border_x <= border_y;
+            let left = select(cell.y + ahead.y == border.y, cell.x + ahead.x == border.x, by_x);
+            cell += select(vec2<i32>(0, step.y), vec2<i32>(step.x, 0), by_x);
+            if left {
+                level += select(0u, 1u, select(closes.y, closes.x, by_x));
+                break;
+            }
+        }
+    }
+    // What is beyond the limit is not looked at: say so.
+    (*list).cut_short = true;
+    atomicMax(&need[1], cell_limit + 1u);
+}

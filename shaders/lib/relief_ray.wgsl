@@ -1,0 +1,127 @@
+// A ray on its way over the cells of an offset map: where it may cross the relief, and what it finds in one cell.
+//
+// Along the ray the bilinear height of a cell is a quadratic in the depth. Whether a cell holds a crossing is decided by
+// signs: the sign at a cell's entry is the one carried over from the cell before, so the number of crossings has the parity
+// that the two ends of the ray imply. Roots only locate: citardauq form, clamped to the cell. Which cells the ray passes, and
+// which of them need no look, is for the open module `relief_crossing` to say.
+
+#define_import_path cutaway::relief_ray
+
+#import cutaway::crossing_list::{List, add}
+#import cutaway::cuts::cut_table
+#import cutaway::frame::buffer_from_depth
+#import cutaway::quadratic::roots_in
+#import cutaway::rays::{ray_table, along_ray}
+#import cutaway::relief::{Map, cell_of, height_in, map_of}
+
+// The way of a ray through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
+struct Way {
+    surface: u32,
+    start: f32,
+    // Depth at which the way ends; none where it is not above 0.
+    end: f32,
+    // It begins and ends on a border of the slab, where the side is known without the map.
+    from_slab: bool,
+    to_slab: bool,
+    // The ray rises over the plane; the other way round it falls or keeps its height.
+    rises: bool,
+    texel_x: vec2<f32>,
+    texel_y: vec2<f32>,
+    over_plane: vec2<f32>,
+    // Height of a texel of value 1.
+    relief_scale: f32,
+    map: Map,
+}
+
+// What a ray carries from cell to cell.
+struct Carried {
+    // Depth at which the next cell is entered.
+    entry: f32,
+    kept: bool,
+    begun: bool,
+}
+
+// Depth at which a linear value reaches a border of cells, counted by integers; infinite where it never does.
+fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
+    return select((f32(border) - value.x) / value.y, 3.4e38, value.y == 0.0);
+}
+
+// The way of the ray of a pixel inside an interval of depths. Where there is none the ray is on one side throughout, which is noted.
+fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) -> Way {
+    let height = along_ray(ray_table.surfaces[surface].height, at_px);
+    let slab = cut_table.surfaces[surface].slab;
+    // Above -slab.x the point is kept and below -slab.y removed, whatever the map says; a margin of a few ulp lets the
+    // walk begin and end where that is beyond doubt.
+    let margin = 1e-6 * (abs(slab.x) + abs(slab.y) + abs(height.x) * 0.25);
+    let kept_above = -slab.x + margin;
+    let removed_below = -slab.y - margin;
+    var walk = interval;
+    let is_parallel = !(abs(height.y) > 0.0);
+    if !is_parallel {
+        let a = (kept_above - height.x) / height.y;
+        let b = (removed_below - height.x) / height.y;
+        walk = vec2<f32>(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
+    }
+    let texel_x = along_ray(ray_table.surfaces[surface].texel_x, at_px);
+    let texel_y = along_ray(ray_table.surfaces[surface].texel_y, at_px);
+    var way = Way(
+        surface,
+        walk.x,
+        walk.y - walk.x,
+        walk.x > interval.x,
+        interval.y > walk.y,
+        height.y > 0.0,
+        vec2<f32>(texel_x.x + walk.x * texel_x.y, texel_x.y),
+        vec2<f32>(texel_y.x + walk.x * texel_y.y, texel_y.y),
+        vec2<f32>(height.x + walk.x * height.y, height.y),
+        cut_table.surfaces[surface].scale.z,
+        map_of(surface),
+    );
+    if walk.x >= walk.y || (is_parallel && (height.x >= kept_above || height.x <= removed_below)) {
+        way.end = 0.0;
+        let at_start = height.x + interval.x * height.y;
+        if at_start < 0.5 * (kept_above + removed_below) {
+            (*list).sides |= 1u << surface;
+        }
+    }
+    return way;
+}
+
+// Notes the side on which the way begins.
+fn begin_way(list: ptr<function, List>, way: Way, carried: ptr<function, Carried>, kept: bool) {
+    (*carried).begun = true;
+    (*carried).kept = kept;
+    if !kept {
+        (*list).sides |= 1u << way.surface;
+    }
+}
+
+// Crosses a cell from where the ray enters it to `exit`.
+fn cross_cell(list: ptr<function, List>, way: Way, carried: ptr<function, Carried>, cell: vec2<i32>, exit: f32) {
+    let entry = (*carried).entry;
+    let length = exit - entry;
+    let x = way.texel_x;
+    let y = way.texel_y;
+    let form = cell_of(way.map, cell);
+    let at = vec2<f32>(x.x + entry * x.y - f32(cell.x), y.x + entry * y.y - f32(cell.y));
+    let slope = form.along + form.twist * at.yx;
+    let a = way.relief_scale * form.twist * x.y * y.y;
+    let b = way.over_plane.y + way.relief_scale * dot(slope, vec2<f32>(x.y, y.y));
+    let c = way.over_plane.x + entry * way.over_plane.y + way.relief_scale * height_in(form, at);
+    if !(*carried).begun {
+        begin_way(list, way, carried, select(c >= 0.0, way.over_plane.y < 0.0, way.from_slab));
+    }
+    var kept_at_exit = c + length * (b + a * length) >= 0.0;
+    if exit >= way.end && way.to_slab {
+        kept_at_exit = way.rises;
+    }
+    let roots = roots_in(a, b, c, length, (*carried).kept, kept_at_exit);
+    var now_kept = (*carried).kept;
+    for (var i = 0u; i < roots.count; i++) {
+        now_kept = !now_kept;
+        let depth = way.start + entry + select(roots.at.y, roots.at.x, i == 0u);
+        add(list, buffer_from_depth(depth), way.surface, now_kept);
+    }
+    (*carried).kept = kept_at_exit;
+    (*carried).entry = exit;
+}
