@@ -101,15 +101,19 @@ fn nonsense(n: &mut Numbers) -> Mesh {
         f64::NAN,
         f64::INFINITY,
     ];
+    let corners = |n: &mut Numbers| {
+        [0; 3].map(|_| {
+            let beyond = n.below(8) / 7;
+            n.below(vertices + beyond)
+        })
+    };
     let positions = (0..vertices).map(|_| {
         let size = n.pick(&sizes);
         n.point(true) * size
     });
     Mesh {
         positions: positions.collect(),
-        triangles: (0..n.below(30))
-            .map(|_| [0; 3].map(|_| n.below(vertices + n.below(8) / 7)))
-            .collect(),
+        triangles: (0..n.below(30)).map(|_| corners(n)).collect(),
         corner_normals: None,
     }
 }
