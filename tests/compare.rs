@@ -164,6 +164,37 @@ fn each_class_counts_its_own() {
 }
 
 #[test]
+fn an_outline_that_moved_is_no_crack_and_a_back_face_always_is_one() {
+    // The background of exact ends with column 3.
+    let sky = |x| with(x, 5, |l| *l = Layer::default());
+    for (x, cracks) in [(4, 0), (5, 1), (6, 1), (15, 1)] {
+        let found = compared(&sky(x));
+        assert_eq!(found.crack_px, cracks, "background in column {x}");
+        assert_eq!(found.wrong_px(), 1, "wrong all the same in column {x}");
+        let back = compared(&with(x, 5, |l| {
+            *l = Layer {
+                back_face: true,
+                ..layer(Kind::Surface, 0)
+            }
+        }));
+        assert_eq!(back.crack_px, 1, "a back face in column {x}");
+    }
+    // What moved by two pixels shows as holes.
+    let mut moved = truth().layers;
+    for (i, pixel) in moved.pixels.iter_mut().enumerate() {
+        if (4..6).contains(&(i as u32 % SIZE[0])) {
+            *pixel = Layer::default();
+        }
+    }
+    let found = compared(&moved);
+    assert_eq!(
+        (found.crack_px, found.missed_cap_px),
+        (12, 24),
+        "two columns of 12 pixels"
+    );
+}
+
+#[test]
 fn the_clip_surface_of_what_is_no_cap_is_nobodys_business() {
     let layers = with(13, 5, |l| l.clip_surface = 9);
     assert_eq!(compared(&layers).wrong_px(), 0, "only caps have one");

@@ -14,6 +14,8 @@ mod bumps;
 mod cameras;
 #[path = "hard_cases/cases.rs"]
 mod cases;
+#[path = "hard_cases/grids.rs"]
+mod grids;
 #[path = "hard_cases/meshes.rs"]
 mod meshes;
 #[path = "hard_cases/planes.rs"]

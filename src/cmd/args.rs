@@ -270,7 +270,7 @@ impl DeviceArgs {
 /// Who rasterises the mesh.
 #[derive(Args)]
 pub(super) struct RasteriserArgs {
-    /// Who rasterises the mesh: hardware, or compute (raycast with mask, abuffer, kbuffer or ldi)
+    /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi)
     #[arg(
         long,
         value_name = "WHO",

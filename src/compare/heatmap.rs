@@ -13,7 +13,7 @@ use crate::layers::{Kind, Layer, Layers};
 /// What a heat map tells apart, the gravest first: a pixel has the colour of the first class that fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
-    /// Background or a back face where there is none, and no cap is due.
+    /// A hole: a back face, or the background away from that of exact, where no cap is due.
     Crack,
     /// Exact says cap, the strategy does not.
     MissedCap,
@@ -21,7 +21,7 @@ pub enum Class {
     LeakedCap,
     /// Kinds agree; part or clip-surface does not.
     WrongPart,
-    /// A surface where exact has background, or the other way round.
+    /// A surface where exact has background, or the other way round at an outline.
     Mismatch,
     /// Right, but not vouched for by the strategy.
     Unreliable,
@@ -55,8 +55,8 @@ pub fn legend() -> [LegendEntry; 7] {
 }
 
 impl Class {
-    fn of(truth: &Layer, found: &Layer, undecided: bool) -> Option<Self> {
-        let verdict = Verdict::of(truth, found);
+    fn of(exact: &Exact, index: usize, found: &Layer) -> Option<Self> {
+        let verdict = Verdict::of(&exact.layers, index, found);
         [
             (verdict.crack && !verdict.missed_cap, Self::Crack),
             (verdict.missed_cap, Self::MissedCap),
@@ -64,7 +64,7 @@ impl Class {
             (verdict.wrong_part, Self::WrongPart),
             (verdict.wrong, Self::Mismatch),
             (found.unreliable, Self::Unreliable),
-            (undecided, Self::Undecided),
+            (exact.undecided[index], Self::Undecided),
         ]
         .into_iter()
         .find_map(|(fits, class)| fits.then_some(class))
@@ -96,11 +96,7 @@ pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
     let index = |x: u32, y: u32| (y * width + x) as usize;
     let class = |x: u32, y: u32| {
         let i = index(x, y);
-        Class::of(
-            &exact.layers.pixels[i],
-            &layers.pixels[i],
-            exact.undecided[i],
-        )
+        Class::of(exact, i, &layers.pixels[i])
     };
     let mut picture = RgbaImage::from_fn(width, height, |x, y| {
         let rgb = class(x, y).map_or_else(|| ground(&exact.layers.pixels[index(x, y)]), Class::rgb);

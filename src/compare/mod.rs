@@ -11,10 +11,12 @@
 //! | missed cap | cap | anything else |
 //! | leaked cap | anything else | cap |
 //! | wrong part | surface or cap | same kind; another part, or another clip-surface |
-//! | crack | surface or cap, not a back face; decided | background or a back face |
+//! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
 //!
-//! Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a number that
-//! must be 0 cannot hang on it. The other classes count all pixels.
+//! A crack is a hole: the inside of a shell is seen, or the sky through a solid. Where exact has background in the 3 x 3 block of a
+//! pixel, background is an outline that was moved, which is what a cap that is tessellated does to it, and no crack; a back face
+//! always is one. Cracks are counted among decided pixels only: a sample on an outline may rightly show the background, and a
+//! number that must be 0 cannot hang on it. The other classes count all pixels.
 //!
 //! What fits none of these (a surface where there is background, an exact back face drawn as background) is still wrong.
 //!
@@ -40,7 +42,8 @@ pub struct Comparison {
     pub leaked_cap_px: usize,
     /// Kinds agree; the part or, for a cap, the clip-surface does not.
     pub wrong_part_px: usize,
-    /// Background or a back face where exact is sure of a surface or a cap that is none.
+    /// A back face where exact is sure of a surface or a cap that is none; or the background, where exact has no background
+    /// within a pixel.
     pub crack_px: usize,
     /// Wrong pixels farther than one pixel from every boundary of the exact image.
     pub interior_wrong_px: usize,
@@ -91,7 +94,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
     let (mut depth, mut depth_px, mut normal) =
         (Error::default(), Error::default(), Error::default());
     for (index, (truth, found)) in exact.layers.pixels.iter().zip(&layers.pixels).enumerate() {
-        let verdict = Verdict::of(truth, found);
+        let verdict = Verdict::of(&exact.layers, index, found);
         result.missed_cap_px += usize::from(verdict.missed_cap);
         result.leaked_cap_px += usize::from(verdict.leaked_cap);
         result.wrong_part_px += usize::from(verdict.wrong_part);
@@ -129,18 +132,21 @@ struct Verdict {
 }
 
 impl Verdict {
-    fn of(truth: &Layer, found: &Layer) -> Self {
+    /// Of a pixel by its index in the exact image.
+    fn of(exact: &Layers, index: usize, found: &Layer) -> Self {
+        let truth = &exact.pixels[index];
         let same_kind = truth.kind == found.kind;
         let wrong_part = same_kind && label(truth) != label(found);
         let solid = truth.kind != Kind::Background && !truth.back_face;
-        let open = found.kind == Kind::Background || found.back_face;
-        let crack = solid && open;
+        let is_sky = |l: &Layer| l.kind == Kind::Background;
+        let hole = solid && is_sky(found) && !block(exact, index).any(is_sky);
+        let inside_out = solid && found.back_face;
         Self {
             missed_cap: truth.kind == Kind::Cap && !same_kind,
             leaked_cap: found.kind == Kind::Cap && !same_kind,
             wrong_part,
-            crack,
-            wrong: !same_kind || wrong_part || crack,
+            crack: hole || inside_out,
+            wrong: !same_kind || wrong_part || inside_out,
         }
     }
 }
@@ -154,16 +160,20 @@ fn label(layer: &Layer) -> (Kind, u16, u8) {
     }
 }
 
+/// The pixel and its eight neighbours, those that there are.
+fn block(exact: &Layers, index: usize) -> impl Iterator<Item = &Layer> {
+    let [width, height] = exact.size_px.map(|s| s as usize);
+    let (x, y) = (index % width, index / width);
+    (y.saturating_sub(1)..(y + 2).min(height)).flat_map(move |j| {
+        (x.saturating_sub(1)..(x + 2).min(width)).map(move |i| &exact.pixels[j * width + i])
+    })
+}
+
 /// Whether the pixel or one of its eight neighbours touches a boundary of the exact image: its 3 x 3 block is not all of
 /// one kind, part and clip-surface.
 fn near_boundary(exact: &Layers, index: usize) -> bool {
-    let [width, height] = exact.size_px.map(|s| s as usize);
-    let (x, y) = (index % width, index / width);
     let own = label(&exact.pixels[index]);
-    (y.saturating_sub(1)..(y + 2).min(height)).any(|j| {
-        (x.saturating_sub(1)..(x + 2).min(width))
-            .any(|i| label(&exact.pixels[j * width + i]) != own)
-    })
+    block(exact, index).any(|l| label(l) != own)
 }
 
 /// Angle between two normals: by the tangent of its half, which is accurate for small angles, where the cosine is not.

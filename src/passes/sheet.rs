@@ -3,8 +3,8 @@
 //! The triangles of a clip-surface leave their fragments in lists of each pixel: counted, laid out by a prefix sum, kept. A pass per
 //! pixel then inserts them into the one list of crossings, by the same rule as crossings that are found in closed form. From there
 //! on nobody knows where a crossing came from: the list decides, so that no tessellation, however coarse, opens the shell of a
-//! solid. What a coarse sheet costs is that the cap lies beside where it should. A sheet must have no crack; where facings do not
-//! alternate along a ray the pixel is marked.
+//! solid. What a coarse sheet costs is that the cap lies beside where it should. A sheet must have no crack: where the ends of a ray
+//! do not lie on the sides that its crossings imply, the pixel is marked.
 //!
 //! Per frame: the triangles twice, by the GPU's rasteriser whoever draws the mesh; a pass that empties the lists, a prefix sum of one
 //! to five passes, a pass that merges, in time quadratic in the crossings of a pixel; 4 bytes per pixel and 8 per fragment.
@@ -53,8 +53,10 @@ pub struct Sheets {
     pub keeps_inside: u32,
     /// Of these, those that the near plane does not meet: an odd number of fragments marks the pixel.
     pub closed: u32,
-    /// File that fills `cutaway::sheet_side`: asked about a sheet with facing where a ray does not cross it.
+    /// File that fills `cutaway::sheet_side`: asked on which side of a sheet with facing a ray begins and ends.
     pub side: &'static str,
+    /// By how much its answer may be off, in scene units: nearer to a sheet the facings of its crossings say it.
+    pub beside: f64,
     /// What that binds.
     pub side_bindings: Vec<Binding>,
 }
@@ -68,6 +70,7 @@ impl Default for Sheets {
             keeps_inside: 0,
             closed: 0,
             side: "lib/sheet_side/none.wgsl",
+            beside: 0.0,
             side_bindings: Vec::new(),
         }
     }
@@ -136,6 +139,7 @@ impl Recorder<'_> {
                 ("by_parity", f64::from(sheets.by_parity)),
                 ("keeps_inside", f64::from(sheets.keeps_inside)),
                 ("closed", f64::from(sheets.closed)),
+                ("beside", sheets.beside),
             ],
             self.view.size_px,
         );

@@ -82,7 +82,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/deform/space.wgsl",
     "lib/deform/mesh.wgsl",
     "lib/full_screen.wgsl",
-    "lib/sheet.wgsl",
+    "lib/lone_plane.wgsl",
     "lib/facets.wgsl",
     "lib/quads.wgsl",
     "lib/tessellation/grid.wgsl",

@@ -17,7 +17,10 @@ pub(crate) const UNDECIDED_BY_CHANCE_PX: f64 = 60.0;
 /// texels, here 0.15 px to each side of a rim, and the grid by its chord; together they reach one rim sample in eight.
 pub(crate) const PAPER_WRONG_PER_BOUNDARY_PX: f64 = 1.0 / 8.0;
 
-/// Wrong pixels of the same away from every boundary of kinds and parts: where two faces of one part meet in front of each
+/// Decided wrong pixels of `grid:128+mask` per boundary pixel at 160 x 120: the chord of its grid alone moves a rim.
+pub(crate) const GRID_WRONG_PER_BOUNDARY_PX: f64 = 1.0 / 8.0;
+
+/// Wrong pixels of `grid:128+vds:512` away from every boundary of kinds and parts: where two faces of one part meet in front of each
 /// other the image of kinds has no boundary, but the sprite still errs.
 pub(crate) const PAPER_INTERIOR_PX: usize = 3;
 

@@ -64,6 +64,8 @@ fn bands_show_what_one_frame_shows() {
         (Strategy::RAYCAST_MASK, Rasteriser::Hardware),
         (Strategy::RAYCAST_MASK, Rasteriser::Compute),
         (grid, Rasteriser::Hardware),
+        (strategy("grid:8+mask"), Rasteriser::Hardware),
+        (strategy("grid:8+mask"), Rasteriser::Compute),
     ] {
         let mut whole = session(Limits::CORE.storage_binding_bytes, rasteriser);
         let drawn = draw(&mut whole, &strategy);

@@ -4,7 +4,7 @@ use super::*;
 
 // The figures, by hand: 64,000 pixels take 28 bytes of targets (8 + 4), layers (12) and picture (4); a list of one crossing
 // and its mask 16 more. A sprite of 64 x 64 is two layers of 16 KiB and a count of as much; the word of need is on the clock
-// of what reports it. A grid of 8 x 8 cells has 128 triangles, 1536 bytes of indices, and a quad of 48.
+// of what reports it. A grid of 8 x 8 cells has 128 triangles, 1536 bytes of indices, and a quad of 64.
 
 #[test]
 fn the_crank_cut_by_a_plane() {
@@ -53,14 +53,14 @@ per solid: 4 passes, 48.0 KiB
     why     layer 1 of `cube 0`, behind the layer before
     reads   sprite 0, sprite layers 0, vertices, indices
     writes  sprite layers 0
-per cut: 0 passes, 1.5 KiB
+per cut: 0 passes, 1.6 KiB
 per frame: 4 passes, 1.7 MiB
   clip  [draw 12 triangles in 1 draw]
     why     1 cut part: chi decides at every fragment
     reads   frame, cut_table, parts, heights, vertices, indices
     writes  surface_words, surface_depth
   cap 0  [draw 128 triangles in 1 draw]
-    why     the displaced grid of `cube 0`, cut to the solid by its sprite
+    why     the displaced triangles of `cube 0`, cut to the solid by its image
     reads   frame, cut_table, parts, heights, quads, sprite 0, sprite layers 0, grid indices, surface_words, surface_depth
     writes  surface_words, surface_depth
   gather  [compute 20 x 13 x 1 groups]

@@ -1,11 +1,11 @@
 // Inserts the crossings with sheets into the one list of each pixel. One invocation owns one pixel.
 //
-// Only crossings inside the ray's interval in the box of the cut solids count. Where they have a facing, the side on which the ray
-// begins follows from the nearest of them, as the side after each does, and facings must alternate: a sheet with a hole shows
-// itself. Two crossings closer than a tie may have changed places by rounding, at a fold of the sheet seen edge-on: such a pair says
-// nothing. Where nothing says anything, the sheet lies on one side of the ray, and that of the interval's end farther from the sheet
-// is asked (the open module `sheet_side`). A sheet that bounds a solid has no facing: crossings alternate by their order, and the
-// ray begins inside, on the removed side, where an odd number of all of them lies ahead. Its crossings bring normals with them.
+// Only crossings inside the ray's interval in the box of the cut solids count, and they alternate by their order: at a fold of a
+// sheet seen edge-on two of them may have changed places by rounding, which then does no harm. On which side the ray begins is
+// asked at the end of the interval that is farther from the sheet (the open module `sheet_side`); where that is too near to tell,
+// the crossings say it by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
+// hole, and the pixel is marked. A sheet that bounds a solid shows nothing: the ray begins inside, on the removed side, where an
+// odd number of all its crossings lies ahead. These bring their normals with them.
 
 #import cutaway::crossing_list::{List, add, finish, resume}
 #import cutaway::crossing_words::HAS_NORMAL
@@ -22,80 +22,92 @@ override by_parity: u32 = 0u;
 // Of the latter: those whose outside is the removed side, and those that no ray of the picture begins inside the box of.
 override keeps_inside: u32 = 0u;
 override closed: u32 = 0u;
+// A point nearer to a sheet than this, in scene units, is not told by its height; ten times as near it proves no hole.
+override beside: f32 = 0.0;
 
 struct Fragment {
     found: bool,
     index: u32,
     z: f32,
-    front: bool,
+}
+
+fn is_within(fragment: u32, surface: u32, interval: vec2<f32>) -> bool {
+    let depth = depth_from_buffer(depth_of(fragment));
+    return sheet_of(owner_of(fragment)) == surface && depth > interval.x && depth < interval.y;
 }
 
 // The nearest fragment of a sheet behind another one, inside the interval. A run is in no order and hardly ever long: it is looked
 // through again for each.
 fn next_after(before: Fragment, run: Run, surface: u32, interval: vec2<f32>) -> Fragment {
-    var next = Fragment(false, 0u, 0.0, false);
+    var next = Fragment();
     for (var i = run.first; i < run.end; i++) {
-        let word = owner_of(i);
-        let z = depth_of(i);
-        let depth = depth_from_buffer(z);
-        if sheet_of(word) != surface || depth <= interval.x || depth >= interval.y {
+        if !is_within(i, surface, interval) {
             continue;
         }
+        let z = depth_of(i);
         let is_later = is_behind(z, before.z) || (!is_behind(before.z, z) && i > before.index);
         if (is_later || !before.found) && (!next.found || is_behind(next.z, z)) {
-            next = Fragment(true, i, z, shows_front(word));
+            next = Fragment(true, i, z);
         }
     }
     return next;
 }
 
-// Whether two crossings may have changed places.
-fn is_pair(a: Fragment, b: Fragment) -> bool {
-    return b.found && a.front != b.front && a.z - b.z <= 2.0 * (a.z * frame.tie.x + frame.tie.y);
+// What the list keeps of a crossing.
+fn word_of(fragment: u32, surface: u32) -> u32 {
+    return select(surface, owner_of(fragment) | HAS_NORMAL, ((by_parity >> surface) & 1u) != 0u);
 }
 
-fn begins_kept_beside(surface: u32, ray: Ray, interval: vec2<f32>) -> bool {
-    let near = height_over_sheet(surface, ray.origin + interval.x * ray.direction);
-    let far = height_over_sheet(surface, ray.origin + interval.y * ray.direction);
-    return select(far, near, abs(near) >= abs(far)) >= 0.0;
-}
-
-fn cross_by_facing(list: ptr<function, List>, run: Run, surface: u32, ray: Ray, interval: vec2<f32>) {
-    var crossing = next_after(Fragment(false, 0u, 0.0, false), run, surface, interval);
-    var begun = false;
-    var begins_kept = true;
-    var kept = true;
-    var is_second = false;
-    for (var n = run.first; n < run.end && crossing.found; n++) {
-        let next = next_after(crossing, run, surface, interval);
-        add(list, crossing.z, surface, !crossing.front);
-        if is_second {
-            is_second = false;
-        } else if (!begun || crossing.front != kept) && is_pair(crossing, next) {
-            is_second = true;
-        } else {
-            if !begun {
-                begun = true;
-                begins_kept = crossing.front;
-                kept = begins_kept;
-            }
-            if crossing.front != kept {
-                (*list).cut_short = true;
-            }
-            kept = !crossing.front;
-        }
-        crossing = next;
-    }
-    if !begun {
-        begins_kept = begins_kept_beside(surface, ray, interval);
-    }
+// Adds all crossings with a sheet; sides alternate.
+fn cross(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>, begins_kept: bool) {
     if !begins_kept {
         (*list).sides |= 1u << surface;
     }
+    var kept = begins_kept;
+    var crossing = next_after(Fragment(), run, surface, interval);
+    for (var n = run.first; n < run.end && crossing.found; n++) {
+        kept = !kept;
+        add(list, crossing.z, word_of(crossing.index, surface), kept);
+        crossing = next_after(crossing, run, surface, interval);
+    }
+}
+
+// Whether crossings say that the ray begins on the kept side: those that show their front leave it.
+fn begins_kept_by_facing(run: Run, surface: u32, interval: vec2<f32>) -> bool {
+    var fronts = 0;
+    for (var i = run.first; i < run.end; i++) {
+        if is_within(i, surface, interval) {
+            fronts += select(-1, 1, shows_front(owner_of(i)));
+        }
+    }
+    if fronts == 0 {
+        return shows_front(owner_of(next_after(Fragment(), run, surface, interval).index));
+    }
+    return fronts > 0;
+}
+
+fn cross_by_facing(list: ptr<function, List>, run: Run, surface: u32, ray: Ray, interval: vec2<f32>) {
+    var count = 0u;
+    for (var i = run.first; i < run.end; i++) {
+        count += select(0u, 1u, is_within(i, surface, interval));
+    }
+    let is_odd = count % 2u == 1u;
+    let start = height_over_sheet(surface, ray.origin + interval.x * ray.direction);
+    let end = height_over_sheet(surface, ray.origin + interval.y * ray.direction);
+    let start_is_farther = abs(start) >= abs(end);
+    var begins_kept = select((end >= 0.0) != is_odd, start >= 0.0, start_is_farther);
+    if count > 0u && max(abs(start), abs(end)) < beside {
+        begins_kept = begins_kept_by_facing(run, surface, interval);
+    }
+    let agree = ((start >= 0.0) == (end >= 0.0)) != is_odd;
+    if !agree && min(abs(start), abs(end)) > 10.0 * beside {
+        (*list).cut_short = true;
+    }
+    cross(list, run, surface, interval, begins_kept);
 }
 
 fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>) {
-    var removed = ((keeps_inside >> surface) & 1u) != 0u;
+    var begins_kept = ((keeps_inside >> surface) & 1u) == 0u;
     var is_odd = false;
     for (var i = run.first; i < run.end; i++) {
         if sheet_of(owner_of(i)) != surface {
@@ -103,21 +115,13 @@ fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: 
         }
         is_odd = !is_odd;
         if depth_from_buffer(depth_of(i)) > interval.x {
-            removed = !removed;
+            begins_kept = !begins_kept;
         }
     }
     if is_odd && ((closed >> surface) & 1u) != 0u {
         (*list).cut_short = true;
     }
-    if removed {
-        (*list).sides |= 1u << surface;
-    }
-    var crossing = next_after(Fragment(false, 0u, 0.0, false), run, surface, interval);
-    for (var n = run.first; n < run.end && crossing.found; n++) {
-        add(list, crossing.z, owner_of(crossing.index) | HAS_NORMAL, removed);
-        removed = !removed;
-        crossing = next_after(crossing, run, surface, interval);
-    }
+    cross(list, run, surface, interval, begins_kept);
 }
 
 @compute @workgroup_size(16, 16)

@@ -16,6 +16,9 @@ use crate::plan::pack::{self, Quad};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::{Bounds, PreparedSurface};
 
+/// By how much a rasterised grid may be beside itself, in scene units: a 256th of a pixel along a steep slope.
+const ROUNDING: f64 = 2e-4;
+
 /// All clip-surfaces as grids of so many cells along a side.
 pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
     let indices = indices_of_grid(recorder, cells);
@@ -29,6 +32,7 @@ pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
         file: "lib/tessellation/grid.wgsl",
         bindings: vec![quads(recorder, cells)],
         side: "lib/sheet_side/grid.wgsl",
+        beside: ROUNDING,
         facets: (0..count).map(facets).collect(),
     }
 }

@@ -24,6 +24,8 @@ pub struct Tessellation {
     pub bindings: Vec<Binding>,
     /// File that fills `cutaway::sheet_side`; it binds the same.
     pub side: &'static str,
+    /// By how much the answer of that file may be off, in scene units.
+    pub beside: f64,
     /// The triangles of each clip-surface that has some.
     pub facets: Vec<Facets>,
 }
@@ -129,6 +131,7 @@ pub fn list(
         draws: draws.collect(),
         by_facing,
         side: tessellation.side,
+        beside: tessellation.beside,
         side_bindings,
         ..Sheets::default()
     };

@@ -4,7 +4,7 @@
 #import cutaway::cuts::{cut_table, parts}
 #import cutaway::full_screen::corner_of_screen
 #import cutaway::layers::{CAP, layer_word, pack_normal}
-#import cutaway::sheet::sheet_at
+#import cutaway::lone_plane::lone_plane_at
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
@@ -23,8 +23,8 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) rank: u32)
 
 @fragment
 fn fragment(corner: Corner) -> Cap {
-    let sheet = sheet_at(corner.position.xy);
+    let plane = lone_plane_at(corner.position.xy);
     let word = layer_word(CAP, cut_table.surfaces[0].surface, parts[corner.rank].part);
     let normal = pack_normal(-cut_table.surfaces[0].normal.xyz);
-    return Cap(vec2<u32>(word, normal), select(0.0, sheet.z, sheet.begins_removed));
+    return Cap(vec2<u32>(word, normal), select(0.0, plane.z, plane.begins_removed));
 }

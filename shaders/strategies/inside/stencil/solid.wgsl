@@ -3,7 +3,7 @@
 
 #import cutaway::cuts::parts
 #import cutaway::mesh::Vertex
-#import cutaway::sheet::{is_kept, sheet_at}
+#import cutaway::lone_plane::{is_kept, lone_plane_at}
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
 @vertex
@@ -13,7 +13,7 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
-    if !is_kept(sheet_at(corner.position.xy), corner.position.z) {
+    if !is_kept(lone_plane_at(corner.position.xy), corner.position.z) {
         discard;
     }
     return surface_words(corner, 0u, parts[corner.rank].part, front);

@@ -1,34 +1,34 @@
 // The only clip-surface of a frame, a plane, where the ray of a pixel crosses it: computed anew by whoever asks, always the same
 // way, and moved by the tie as in a list of crossings. So a fragment's side and the place of the cap agree.
 
-#define_import_path cutaway::sheet
+#define_import_path cutaway::lone_plane
 
 #import cutaway::frame::{buffer_from_depth, frame, is_behind}
 #import cutaway::rays::{along_ray, ray_table}
 
-struct Sheet {
+struct LonePlane {
     // Value of the depth buffer; 0, behind which nothing lies, where the ray does not cross the plane.
     z: f32,
     // The ray starts on the removed side.
     begins_removed: bool,
 }
 
-fn sheet_at(at_px: vec2<f32>) -> Sheet {
+fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
     let height = along_ray(ray_table.surfaces[0].height, at_px);
     if !(abs(height.y) > 0.0) {
-        return Sheet(0.0, height.x < 0.0);
+        return LonePlane(0.0, height.x < 0.0);
     }
     let rises = height.y > 0.0;
     let depth = -height.x / height.y;
     if depth <= frame.near {
-        return Sheet(0.0, !rises);
+        return LonePlane(0.0, !rises);
     }
     let z = buffer_from_depth(depth);
     let tie = z * frame.tie.x + frame.tie.y;
-    return Sheet(select(z - tie, z + tie, rises), rises);
+    return LonePlane(select(z - tie, z + tie, rises), rises);
 }
 
 // Whether a fragment of the pixel is kept.
-fn is_kept(sheet: Sheet, z: f32) -> bool {
-    return sheet.begins_removed == is_behind(z, sheet.z);
+fn is_kept(plane: LonePlane, z: f32) -> bool {
+    return plane.begins_removed == is_behind(z, plane.z);
 }
