@@ -408,6 +408,8 @@ fn constants_have_one_value_on_both_sides() {
         ("STRIPE_PX", 10),
         // No clip-surface: known to the shaders alone, and no number of one.
         ("NONE", u32::MAX),
+        // A bit of the word of a crossing: known to the shaders alone.
+        ("HAS_NORMAL", 32),
         ("REPEAT", Wrap::Repeat.code()),
         ("INVOCATIONS_PER_ROW", INVOCATIONS_PER_ROW),
         ("BLOCK_WORDS", BLOCK_WORDS),

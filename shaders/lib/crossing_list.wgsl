@@ -38,9 +38,9 @@ fn put(at: u32, z: f32, word: u32) {
     }
 }
 
-// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). The kept side owns a tie: where the ray enters it the crossing moves towards the
-// eye, where the ray leaves it away, by more than the rounding of rasterised depths. A face that lies in the clip-surface
-// is thus kept as a whole, whatever the rounding of each of its fragments.
+// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). The kept side owns a tie: where the ray
+// enters it the crossing moves towards the eye, where the ray leaves it away, by more than the rounding of rasterised depths. A
+// face that lies in the clip-surface is thus kept as a whole, whatever the rounding of each of its fragments.
 fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     let tie = z * frame.tie.x + frame.tie.y;
     let moved = select(z - tie, z + tie, enters_kept);

@@ -157,10 +157,29 @@ struct Plane {
     plane: SlicePlane,
 }
 
+impl Plane {
+    /// Where the plane cuts a part: the cut may be offset for it.
+    fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
+        let mut plane = self.plane;
+        plane.origin -= plane.frame.normal * scene.cuts[self.cut].offset_for(part);
+        plane
+    }
+}
+
 /// The planes of all cuts; the culprit where there is none, or where one is no plane.
 fn planes(scene: &Scene) -> Result<Vec<Plane>> {
     let mut planes = Vec::new();
-    for (index, cut) in scene.cuts.iter().enumerate() {
+    for (index, cut) in scene.cuts.iter().enumerate().filter(|(_, c)| c.enabled) {
+        if let Some(cutter) = &cut.volume {
+            return Err(Error::input(
+                format!("cut `{}`", cut.name),
+                format!(
+                    "{} is a mesh that cuts, and a section is flat",
+                    cutter.name()
+                ),
+                "leave it out, or see the cap with `cutaway render`",
+            ));
+        }
         for surface in &cut.surfaces {
             let number = planes.len();
             let Some(plane) = plane_of(surface) else {
@@ -219,9 +238,10 @@ fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
             }
             let slicer = slicer_of(part);
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
-                let section = is_cut(&p).then(|| slicer.section_by(&p.plane, part.fill))?;
+                let plane = is_cut(&p).then(|| p.for_part(scene, part))?;
+                let section = slicer.section_by(&plane, part.fill);
                 let is_met = !section.is_empty() || !section.defects.is_empty();
-                is_met.then(|| PartReport::of(part, &section, &p.plane, drawn))
+                is_met.then(|| PartReport::of(part, &section, &plane, drawn))
             };
             planes.iter().zip(&drawn).map(of_plane).collect()
         })

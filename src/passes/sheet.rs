@@ -137,9 +137,9 @@ impl Recorder<'_> {
                 ("capacity", f64::from(capacity)),
                 ("by_facing", f64::from(sheets.by_facing)),
                 ("by_parity", f64::from(sheets.by_parity)),
-                ("beside", sheets.beside),
                 ("keeps_inside", f64::from(sheets.keeps_inside)),
                 ("closed", f64::from(sheets.closed)),
+                ("beside", sheets.beside),
             ],
             self.view.size_px,
         );

@@ -4,8 +4,8 @@
 // sheet seen edge-on two of them may have changed places by rounding, which then does no harm. On which side the ray begins is
 // asked at the end of the interval that is farther from the sheet (the open module `sheet_side`); where that is too near to tell,
 // the crossings say it by the side that they show. Where the two ends and the number of crossings do not agree, the sheet has a
-// hole, and the pixel is marked. A sheet that bounds a solid has no facing: the ray begins inside, on the removed side, where an
-// odd number of all its crossings lies ahead. Its crossings bring normals with them.
+// hole, and the pixel is marked. A sheet that bounds a solid shows nothing: the ray begins inside, on the removed side, where an
+// odd number of all its crossings lies ahead. These bring their normals with them.
 
 #import cutaway::crossing_list::{List, add, finish, resume}
 #import cutaway::crossing_words::HAS_NORMAL
@@ -19,11 +19,11 @@ override capacity: u32 = 1u;
 // Bits of the clip-surfaces whose sheets have a facing, and of those whose sheets bound a solid.
 override by_facing: u32 = 0u;
 override by_parity: u32 = 0u;
-// A point nearer to a sheet than this, in scene units, is not told by its height; ten times as near it proves no hole.
-override beside: f32 = 0.0;
 // Of the latter: those whose outside is the removed side, and those that no ray of the picture begins inside the box of.
 override keeps_inside: u32 = 0u;
 override closed: u32 = 0u;
+// A point nearer to a sheet than this, in scene units, is not told by its height; ten times as near it proves no hole.
+override beside: f32 = 0.0;
 
 struct Fragment {
     found: bool,
@@ -53,18 +53,21 @@ fn next_after(before: Fragment, run: Run, surface: u32, interval: vec2<f32>) -> 
     return next;
 }
 
+// What the list keeps of a crossing.
+fn word_of(fragment: u32, surface: u32) -> u32 {
+    return select(surface, owner_of(fragment) | HAS_NORMAL, ((by_parity >> surface) & 1u) != 0u);
+}
+
 // Adds all crossings with a sheet; sides alternate.
 fn cross(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>, begins_kept: bool) {
     if !begins_kept {
         (*list).sides |= 1u << surface;
     }
-    let has_normals = ((by_parity >> surface) & 1u) != 0u;
     var kept = begins_kept;
     var crossing = next_after(Fragment(), run, surface, interval);
     for (var n = run.first; n < run.end && crossing.found; n++) {
         kept = !kept;
-        let word = select(surface, owner_of(crossing.index) | HAS_NORMAL, has_normals);
-        add(list, crossing.z, word, kept);
+        add(list, crossing.z, word_of(crossing.index, surface), kept);
         crossing = next_after(crossing, run, surface, interval);
     }
 }
@@ -104,7 +107,7 @@ fn cross_by_facing(list: ptr<function, List>, run: Run, surface: u32, ray: Ray, 
 }
 
 fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>) {
-    var begins_removed = ((keeps_inside >> surface) & 1u) != 0u;
+    var begins_kept = ((keeps_inside >> surface) & 1u) == 0u;
     var is_odd = false;
     for (var i = run.first; i < run.end; i++) {
         if sheet_of(owner_of(i)) != surface {
@@ -112,13 +115,13 @@ fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: 
         }
         is_odd = !is_odd;
         if depth_from_buffer(depth_of(i)) > interval.x {
-            begins_removed = !begins_removed;
+            begins_kept = !begins_kept;
         }
     }
     if is_odd && ((closed >> surface) & 1u) != 0u {
         (*list).cut_short = true;
     }
-    cross(list, run, surface, interval, !begins_removed);
+    cross(list, run, surface, interval, begins_kept);
 }
 
 @compute @workgroup_size(16, 16)
