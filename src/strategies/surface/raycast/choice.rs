@@ -117,5 +117,5 @@ fn passed(
             (direction.dot(axes[i]) * texels_per_unit).abs()
         })
         .sum();
-    (enter < leave).then(|| 1.0 + (leave - enter) * per_depth)
+    (enter < leave).then_some(1.0 + (leave - enter) * per_depth)
 }
