@@ -51,7 +51,9 @@ fn hold(what: &str, scene: &Scene) -> Layers {
         walked == passed,
         "{what}: the two ways show different things"
     );
-    assert!(walked.count(Kind::Cap) > 1000, "{what}: the cap is seen");
+    let caps = walked.count(Kind::Cap);
+    println!("{what}: {caps} cap pixels");
+    assert!(caps > 0, "{what}: no cap is seen");
     walked
 }
 
