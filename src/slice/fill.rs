@@ -1,40 +1,24 @@
 //! The region that loops enclose, in triangles.
 //!
-//! All points go into a Delaunay triangulation, all edges of loops become constraints of it that know how often they are passed
-//! and which way. An edge that would cross another is not forced in: both are cut where they meet, and everything is
-//! triangulated anew, since rounding the meeting point moves the edges a little and may make them cross elsewhere. After a few
-//! rounds, or too many cuts, loops that still cross are left out whole: what stays is closed, so that no count leaks.
+//! The loops are drawn into a triangulation as edges that know how often they are passed and which way, and cut where they
+//! cross until that works (see [`super::outline`]). After many rounds, or too many cuts, loops that still cross are left out
+//! whole: what stays is closed, so that no count leaks.
 //!
-//! The number of times the loops wind around a face is known outside, and changes at a constraint by what that one is passed.
+//! The number of times the loops wind around a face is known outside, and changes across an edge by what that one is passed.
 //! Coincident edges cancel by themselves.
 //!
 //! Cost: n log n in the points for loops that do not cross; every crossing is a point more, and a few rounds.
 
-use std::collections::{BTreeSet, HashMap};
-
 use glam::DVec2;
-use robust::{Coord, orient2d};
-use spade::handles::{DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedVertexHandle};
-use spade::{
-    CdtEdge, ConstrainedDelaunayTriangulation, HasPosition, MIN_ALLOWED_VALUE as LEAST, Point2,
-    Triangulation,
-};
+use spade::Triangulation;
 
-use super::section::power_of_two_near;
-use super::slicer::share;
+use super::outline::{Edge, Mesh, Outline, is_first};
 use crate::scene::Fill;
 
 /// Times that crossing edges are cut. A star of 60 edges that all pass by its middle takes 40.
 const ROUNDS: usize = 64;
 /// Parts drawn in all rounds together, at most: some seconds.
 const MOST_DRAWN: usize = 8_000_000;
-/// Step of the lattice that vertices stand on where edges are cut, of the size of the outline: some ulps.
-const STEP: f64 = 1.0 / (1_u64 << 47) as f64;
-/// An edge this near to a vertex passes through it, where edges are cut. Less than from the middle of a cell to its corner: else
-/// of two diagonals each would be drawn to the ends of the other for ever.
-const NEAR: f64 = 0.7 * STEP;
-/// Points at which edges are cut, at most: a star of 700 edges that all cross each other.
-const MOST_CUTS: usize = 250_000;
 
 /// A filled region. Numbers of points count through the given ones, then through `added`.
 #[derive(Debug, Default)]
@@ -47,37 +31,6 @@ pub(super) struct Filled {
     pub(super) boundary: Vec<[u32; 2]>,
     /// Loops that are not part of it.
     pub(super) left_out: Vec<usize>,
-}
-
-/// A point that knows its number.
-struct Vertex {
-    at: DVec2,
-    number: u32,
-}
-
-impl HasPosition for Vertex {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        Point2::new(self.at.x, self.at.y)
-    }
-}
-
-/// How often an edge is passed: in the direction of its first handle, less those in the other.
-#[derive(Default)]
-struct Passed {
-    net: i32,
-}
-
-type Edge<'a> = DirectedEdgeHandle<'a, Vertex, (), CdtEdge<Passed>, ()>;
-type Mesh = ConstrainedDelaunayTriangulation<Vertex, (), Passed, ()>;
-
-/// An edge of a loop, or a part of one.
-#[derive(Clone, Copy)]
-struct Part {
-    from: u32,
-    to: u32,
-    of_loop: usize,
 }
 
 /// Fills what loops enclose by a rule. Points must be finite.
@@ -107,233 +60,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
     }
 }
 
-/// What is to be filled, scaled into the range of the triangulation by a power of two.
-struct Outline {
-    /// Units of the input per unit in here.
-    unit: f64,
-    /// Where vertices are, no two equal, and what their points are called.
-    vertices: Vec<(DVec2, u32)>,
-    vertex_at: HashMap<[u64; 2], u32>,
-    /// Vertices by their cells, once something is to be cut.
-    vertex_in: HashMap<[i64; 2], u32>,
-    parts: Vec<Part>,
-    /// How many points were given.
-    given: usize,
-    /// Points at which parts were cut, in units of the input.
-    added: Vec<DVec2>,
-    left_out: BTreeSet<usize>,
-}
-
-/// A triangulation with the parts that could be made edges of it.
-struct Drawn {
-    mesh: Mesh,
-    /// Per part that could, its edges in order.
-    covered: Vec<(usize, FixedDirectedEdgeHandle)>,
-    /// Parts that could not.
-    failed: Vec<usize>,
-}
-
 impl Outline {
-    fn of(points: &[DVec2], loops: &[Vec<u32>]) -> Self {
-        let used = || loops.iter().flatten().map(|i| points[*i as usize]);
-        let largest = used().fold(0.0_f64, |m, p| m.max(p.abs().max_element()));
-        let unit = power_of_two_near(largest);
-        let mut outline = Self {
-            unit,
-            vertices: Vec::with_capacity(points.len()),
-            vertex_at: HashMap::with_capacity(points.len()),
-            vertex_in: HashMap::new(),
-            parts: Vec::with_capacity(points.len()),
-            given: points.len(),
-            added: Vec::new(),
-            left_out: BTreeSet::new(),
-        };
-        for (of_loop, one) in loops.iter().enumerate() {
-            let places = one.iter().map(|i| (points[*i as usize] / unit, *i));
-            let vertices: Vec<u32> = places.map(|(at, i)| outline.vertex(at, i)).collect();
-            let next = vertices.iter().cycle().skip(1);
-            for (from, to) in vertices.iter().zip(next) {
-                outline.add(*from, *to, of_loop);
-            }
-        }
-        outline
-    }
-
-    fn add(&mut self, from: u32, to: u32, of_loop: usize) {
-        if from != to {
-            self.parts.push(Part { from, to, of_loop });
-        }
-    }
-
-    /// The vertex at a place; a new one is called by the number of its point.
-    fn vertex(&mut self, at: DVec2, number: u32) -> u32 {
-        // What is too little for the triangulation is zero, and there is only one zero.
-        let at = DVec2::from(at.to_array().map(|c| if c.abs() < LEAST { 0.0 } else { c }));
-        let next = self.vertices.len() as u32;
-        let key = at.to_array().map(f64::to_bits);
-        let vertex = *self.vertex_at.entry(key).or_insert(next);
-        if vertex == next {
-            self.vertices.push((at, number));
-        }
-        vertex
-    }
-
-    /// Moves every vertex to its point of the lattice, where some may become one.
-    fn snap(&mut self) {
-        let mut merged = Vec::with_capacity(self.vertices.len());
-        for (at, number) in std::mem::take(&mut self.vertices) {
-            let next = self.vertices.len() as u32;
-            let cell = cell_of(at);
-            let vertex = *self.vertex_in.entry(cell).or_insert(next);
-            if vertex == next {
-                self.vertices.push((middle_of(cell), number));
-            }
-            merged.push(vertex);
-        }
-        for part in &mut self.parts {
-            part.from = merged[part.from as usize];
-            part.to = merged[part.to as usize];
-        }
-        self.parts.retain(|p| p.from != p.to);
-    }
-
-    /// The vertex of the cell that a place is in; a new one becomes a point.
-    fn meeting_vertex(&mut self, at: DVec2) -> u32 {
-        let cell = cell_of(at);
-        let next = self.vertices.len() as u32;
-        let vertex = *self.vertex_in.entry(cell).or_insert(next);
-        if vertex == next {
-            let number = self.given + self.added.len();
-            self.vertices.push((middle_of(cell), number as u32));
-            self.added.push(middle_of(cell) * self.unit);
-        }
-        vertex
-    }
-
-    /// Triangulates the vertices and makes edges of the parts.
-    fn draw(&self) -> Option<Drawn> {
-        let vertices = self.vertices.iter();
-        let vertices = vertices.map(|(at, number)| Vertex {
-            at: *at,
-            number: *number,
-        });
-        // This way of loading keeps the order.
-        let mut mesh = Mesh::bulk_load_cdt(vertices.collect(), Vec::new()).ok()?;
-        if mesh.num_vertices() != self.vertices.len() {
-            return None;
-        }
-        let mut covered = Vec::with_capacity(self.parts.len());
-        let mut failed = Vec::new();
-        for (i, part) in self.parts.iter().enumerate() {
-            let [from, to] =
-                [part.from, part.to].map(|v| FixedVertexHandle::from_index(v as usize));
-            let edges = mesh.try_add_constraint(from, to);
-            let mut reached = from;
-            let is_path = edges.iter().all(|edge| {
-                let edge = mesh.directed_edge(*edge);
-                edge.from().fix() == std::mem::replace(&mut reached, edge.to().fix())
-            });
-            if !is_path || reached != to {
-                failed.push(i);
-                continue;
-            }
-            for edge in edges {
-                let way = if is_first(edge) { 1 } else { -1 };
-                let passed = mesh.undirected_edge_data_mut(edge.as_undirected());
-                passed.data_mut().net += way;
-                covered.push((i, edge));
-            }
-        }
-        Some(Drawn {
-            mesh,
-            covered,
-            failed,
-        })
-    }
-
-    /// Cuts the parts that could not be drawn, and what is in their way, where they meet. False if there is nothing to cut or
-    /// too much.
-    ///
-    /// All vertices move to a lattice first, and an edge that passes one within half a cell is cut there: then lines that run
-    /// side by side become one, and those that all but meet in one place do. This is snap rounding (Hobby 1999), one crossing
-    /// after the other.
-    fn cut(&mut self, drawn: &Drawn) -> bool {
-        if self.vertex_in.is_empty() {
-            self.snap();
-            return true;
-        }
-        let mesh = &drawn.mesh;
-        let mut meetings = Vec::new();
-        let (mut on_parts, mut on_edges) = (Vec::new(), Vec::new());
-        for failed in &drawn.failed {
-            let part = self.parts[*failed];
-            let ends = [part.from, part.to];
-            let [from, to] = ends.map(|v| FixedVertexHandle::from_index(v as usize));
-            let at = |v: u32| self.vertices[v as usize].0;
-            let line = ends.map(at);
-            for edge in mesh.get_conflicting_edges_between_vertices(from, to) {
-                let others = edge.vertices().map(|v| v.fix().index() as u32);
-                let edge = edge.fix().as_undirected().index();
-                let other = others.map(at);
-                let before = on_parts.len() + on_edges.len();
-                let near = others.into_iter().filter(|v| is_near(at(*v), line));
-                on_parts.extend(near.map(|v| (*failed, v)));
-                let near = ends.into_iter().filter(|v| is_near(at(*v), other));
-                on_edges.extend(near.map(|v| (edge, v)));
-                if on_parts.len() + on_edges.len() == before {
-                    meetings.push((*failed, edge, meeting(line, other)));
-                }
-            }
-            if self.added.len() + meetings.len() > MOST_CUTS {
-                return false;
-            }
-        }
-        for (part, edge, at) in meetings {
-            let vertex = self.meeting_vertex(at);
-            on_parts.push((part, vertex));
-            on_edges.push((edge, vertex));
-        }
-        if on_parts.is_empty() && on_edges.is_empty() {
-            return false;
-        }
-        on_parts.sort_unstable();
-        on_edges.sort_unstable();
-        let before = std::mem::take(&mut self.parts);
-        for (i, edge) in &drawn.covered {
-            let ends = mesh.directed_edge(*edge).vertices();
-            let ends = ends.map(|v| v.fix().index() as u32);
-            let cuts = of(&on_edges, edge.as_undirected().index());
-            self.add_cut(ends, cuts, before[*i].of_loop);
-        }
-        for i in &drawn.failed {
-            let part = before[*i];
-            self.add_cut([part.from, part.to], of(&on_parts, *i), part.of_loop);
-        }
-        true
-    }
-
-    /// Adds what lies between cuts.
-    fn add_cut(&mut self, ends: [u32; 2], cuts: &[(usize, u32)], of_loop: usize) {
-        let at = |v: u32| self.vertices[v as usize].0;
-        let [start, end] = ends.map(at);
-        let mut along: Vec<u32> = cuts.iter().map(|(_, v)| *v).collect();
-        let distance = |v: &u32| (at(*v) - start).dot(end - start);
-        along.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let mut from = ends[0];
-        for to in along.into_iter().chain([ends[1]]) {
-            self.add(from, to, of_loop);
-            from = to;
-        }
-    }
-
-    /// Takes out the loops that some parts belong to.
-    fn leave_out(&mut self, parts: &[usize]) {
-        self.left_out
-            .extend(parts.iter().map(|i| self.parts[*i].of_loop));
-        let left_out = &self.left_out;
-        self.parts.retain(|p| !left_out.contains(&p.of_loop));
-    }
-
     /// Counts from outside to every face, and takes those that the rule takes.
     fn filled(self, mesh: &Mesh, rule: Fill) -> Filled {
         let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
@@ -374,45 +101,4 @@ impl Outline {
         }
         filled
     }
-}
-
-/// The cell that a place is in: it is next to the middle of it.
-fn cell_of(at: DVec2) -> [i64; 2] {
-    at.to_array().map(|c| (c / STEP).round() as i64)
-}
-
-fn middle_of(cell: [i64; 2]) -> DVec2 {
-    DVec2::from(cell.map(|c| c as f64)) * STEP
-}
-
-/// Whether an edge passes a vertex so near that it is to pass through it.
-fn is_near(at: DVec2, [from, to]: [DVec2; 2]) -> bool {
-    let way = to - from;
-    let along = ((at - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-    at.distance_squared(from + way * along) < NEAR * NEAR
-}
-
-/// Whether an edge runs in the direction that its count is for.
-fn is_first(edge: FixedDirectedEdgeHandle) -> bool {
-    edge.as_undirected().as_directed() == edge
-}
-
-/// What a sorted list has for a key.
-fn of(sorted: &[(usize, u32)], key: usize) -> &[(usize, u32)] {
-    let first = sorted.partition_point(|(k, _)| *k < key);
-    let rest = &sorted[first..];
-    &rest[..rest.partition_point(|(k, _)| *k == key)]
-}
-
-/// Where a line crosses an edge whose ends lie on both sides of it: on the edge, however flat they meet.
-fn meeting(line: [DVec2; 2], edge: [DVec2; 2]) -> DVec2 {
-    let [a, b] = line.map(|p| Coord { x: p.x, y: p.y });
-    let [near, far] = edge.map(|p| orient2d(a, b, Coord { x: p.x, y: p.y }).abs());
-    let [from, to] = edge;
-    let at = if near <= far {
-        from + (to - from) * share(near, far)
-    } else {
-        to + (from - to) * share(far, near)
-    };
-    at.clamp(from.min(to), from.max(to))
 }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::fill::{Filled, fill};
 use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
-use super::tree::{GROUP, Tree, sort};
+use super::tree::{BRANCHES, Tree, sort};
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::{Bounds, Fill};
 
@@ -112,8 +112,8 @@ impl Slicer {
     fn pieces(&self, plane: &SlicePlane) -> Vec<Piece> {
         let groups = self.tree.groups(|b: &Bounds| plane.misses(b));
         let of_group = |group: &usize| {
-            let first = group * GROUP;
-            let last = (first + GROUP).min(self.triangles.len());
+            let first = group * BRANCHES;
+            let last = (first + BRANCHES).min(self.triangles.len());
             let triangles = self.triangles[first..last].iter();
             triangles.filter_map(|t| self.piece(plane, *t))
         };

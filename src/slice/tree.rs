@@ -10,25 +10,25 @@ use rayon::prelude::*;
 use crate::scene::Bounds;
 
 /// Triangles to a box, and boxes to the box over them.
-pub(super) const GROUP: usize = 8;
+pub(super) const BRANCHES: usize = 8;
 
 /// A tree of boxes over groups of triangles in order.
 #[derive(Debug, Default)]
 pub(super) struct Tree {
-    /// From the boxes of triangles up to at most [`GROUP`] boxes.
+    /// From the boxes of triangles up to at most [`BRANCHES`] boxes.
     levels: Vec<Vec<Bounds>>,
 }
 
 impl Tree {
     /// The tree over triangles that are sorted by [`sort`].
     pub(super) fn over(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
-        let of_triangles = triangles.par_chunks(GROUP).map(|some| {
+        let of_triangles = triangles.par_chunks(BRANCHES).map(|some| {
             let corners = some.iter().flatten().map(|i| positions[*i as usize]);
             Bounds::of(corners)
         });
         let mut levels: Vec<Vec<Bounds>> = vec![of_triangles.collect()];
-        while let Some(below) = levels.last().filter(|l| l.len() > GROUP) {
-            let over = below.par_chunks(GROUP);
+        while let Some(below) = levels.last().filter(|l| l.len() > BRANCHES) {
+            let over = below.par_chunks(BRANCHES);
             let over = over.map(|some| some.iter().copied().fold(Bounds::EMPTY, Bounds::union));
             let over: Vec<Bounds> = over.collect();
             levels.push(over);
@@ -46,7 +46,7 @@ impl Tree {
             met.retain(|i| !misses(&boxes[*i]));
             if level > 0 {
                 let count = self.levels[level - 1].len();
-                let below = met.iter().flat_map(|i| i * GROUP..(i + 1) * GROUP);
+                let below = met.iter().flat_map(|i| i * BRANCHES..(i + 1) * BRANCHES);
                 met = below.take_while(|i| *i < count).collect();
             }
         }
@@ -117,7 +117,7 @@ mod tests {
         let misses = |b: &Bounds| b.max.z < 0.5 || b.min.z > 0.5;
         let met = tree.groups(misses);
         let all = tree.groups(|_| false);
-        assert_eq!(all.len(), before.div_ceil(GROUP), "groups in all");
+        assert_eq!(all.len(), before.div_ceil(BRANCHES), "groups in all");
         let wanted = all.iter().filter(|i| !misses(&tree.levels[0][**i]));
         assert_eq!(met, wanted.copied().collect::<Vec<_>>(), "groups met");
         assert!(met.len() < all.len() / 2, "the curve does not gather");

@@ -107,7 +107,7 @@ fn areas_within_loops_add_up_to_the_volume() {
         let (slabs, tolerance) = if is_small {
             (None, 1e-8)
         } else {
-            (Some(48), 1e-2)
+            (Some(160), 3e-3)
         };
         let by_areas = sum(&mesh, slabs);
         let off = (by_areas - volume).abs() / volume.abs();
