@@ -6,7 +6,7 @@
 //! of its middle, in integers where it matters, so that neighbours agree without asking each other and no crack can arise. Triangles
 //! outside the picture or outside the box of the cut solids are left out: nobody asks about crossings there.
 //!
-//! Per cut: a texel is looked at once for each size of square, up to 14 times; 8 bytes per texel around the cut solids. A cut whose
+//! Per cut: a texel is looked at once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids. A cut whose
 //! box stays within the same patches is not measured again. Per frame: a workgroup per patch, time in proportion to the triangles that
 //! come out; 12 bytes for each that there is room for. The device draws what it made: nothing is read back.
 //!
