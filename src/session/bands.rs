@@ -87,6 +87,7 @@ impl Slot {
             if let Some(capacities) = &mut self.capacities {
                 // What all rows needed together would make every band too large.
                 capacities.fragments = None;
+                capacities.triangles = None;
                 capacities.sheets = None;
             }
             self.cut_into(2 * self.bands.len() as u32);

@@ -47,7 +47,7 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     let view = model.prepared.view([32, 32]);
     let strategy = strategy("adaptive:1+mask");
     let mut session = session();
-    session
+    let _ = session
         .draw(&model, &view, &strategy)
         .expect("a frame")
         .outcome;

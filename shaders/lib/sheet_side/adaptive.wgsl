@@ -1,5 +1,5 @@
 // On which side of a sheet a point lies, where the sheet is as fine as the view asks for: its height over the triangle below it, found
-// by halving as it was made.
+// by halving as it was made. Time in proportion to how often that is halved, where the point is within the slab of heights.
 
 #define_import_path cutaway::sheet_side
 
@@ -10,6 +10,15 @@
 
 // By how much a point is on the kept side of the sheet, along the normal of the plane; negative where removed.
 fn height_over_sheet(surface: u32, point: vec3<f32>) -> f32 {
+    // Beyond the slab of all heights the side is known without a look at the triangles, and no less than this far.
+    let over_plane = dot(cut_table.surfaces[surface].height_row, vec4<f32>(point, 1.0));
+    let slab = cut_table.surfaces[surface].slab;
+    if over_plane + slab.x > 0.0 {
+        return over_plane + slab.x;
+    }
+    if over_plane + slab.y < 0.0 {
+        return over_plane + slab.y;
+    }
     let from_corner = point - domains.surfaces[surface].corner.xyz;
     let x = domains.surfaces[surface].step_x.xyz;
     let y = domains.surfaces[surface].step_y.xyz;
@@ -37,5 +46,5 @@ fn height_over_sheet(surface: u32, point: vec3<f32>) -> f32 {
     let along = vec2<f32>(dot(from_apex, to_a) / dot(to_a, to_a), dot(from_apex, to_b) / dot(to_b, to_b));
     let height = relief_at(surface, triangle.apex);
     let relief = height + along.x * (relief_at(surface, triangle.a) - height) + along.y * (relief_at(surface, triangle.b) - height);
-    return dot(cut_table.surfaces[surface].height_row, vec4<f32>(point, 1.0)) + relief;
+    return over_plane + relief;
 }

@@ -6,12 +6,14 @@
 //! of its middle, in integers where it matters, so that neighbours agree without asking each other and no crack can arise. Triangles
 //! outside the picture or outside the box of the cut solids are left out: nobody asks about crossings there.
 //!
-//! Per cut: a texel is looked at once for each size of square, up to 14 times; 8 bytes per texel around the cut solids. A cut whose
-//! box stays within the same patches is not measured again. Per frame: a workgroup per patch, time in proportion to the triangles that
-//! come out; 12 bytes for each that there is room for. The device draws what it made: nothing is read back.
+//! Per cut: a texel is looked at once for each size of edge and of square, up to 13 times; 8 bytes per texel around the cut solids.
+//! Per frame: a workgroup per patch, time in proportion to the triangles that come out; 12 bytes for each that there is room for. The
+//! device draws what it made: nothing is read back.
 //!
 //! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
-//! single texel is hundreds of pixels high. Refuses reliefs of more texels than a storage binding holds: `raycast` draws those.
+//! single texel is hundreds of pixels high. Keep what it measured where the cut moves, or the box of the solids that it cuts: all is
+//! measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs. Refuses
+//! reliefs of more texels than a storage binding holds: `raycast` draws those.
 
 mod domain;
 mod measure;

@@ -1,9 +1,9 @@
 //! Which texels of each clip-surface are tessellated, and in what patches.
 //!
 //! The domain covers the box of the cut solids as seen along the normal: a point of the surface lies over the point of the plane that
-//! it was displaced from. It is rounded out to whole patches, counted from the origin of the map, so that a box that moves a little
-//! keeps its domain. Patches are as large as leaves about a thousand of them: enough to share the work, and few enough triangles where
-//! nothing asks for more. Texels are halved as often as leaves 16 bits for each coordinate of a vertex.
+//! it was displaced from. It is rounded out to whole patches, counted from the origin of the map, so that a solid that moves does not
+//! have all triangles move with it. Patches are as large as leaves about a thousand of them: enough to share the work, and few enough
+//! triangles where nothing asks for more. Texels are halved as often as leaves 16 bits for each coordinate of a vertex.
 
 use glam::DVec3;
 
