@@ -6,7 +6,7 @@
 //! ```text
 //! data     scene -> plan -> passes -> layers -> image / comparison -> report
 //! imports  scene <- exact
-//!          scene <- shader <- plan, slice <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
+//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies

@@ -16,7 +16,7 @@
 //! 3. Pieces are joined where they share a mesh edge; an edge of more than two triangles pairs them so that loops do not
 //!    cross there. Distance never joins anything; equality does, for what is left open.
 //! 4. A constrained Delaunay triangulation of the loops is flooded from outside, counting how often each edge is passed.
-//!    Loops that cross are cut where they do; nothing moves by more than 1e-14 of the size of the section, and only then.
+//!    Loops that cross are cut where they do; only then edges move, by some 1e-14 of the section's size.
 //!
 //! Cost: a parallel sort of the triangles once; then per section about what the plane meets, n log n in the points.
 //!

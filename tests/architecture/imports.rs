@@ -185,6 +185,7 @@ fn every_module_is_declared_and_on_the_map() {
     // What the design says of the order, whatever the map says.
     let order = [
         "scene",
+        "slice",
         "shader",
         "plan",
         "passes",
