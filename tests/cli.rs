@@ -463,16 +463,16 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
 #[test]
 fn a_strategy_that_refuses_says_why() {
     let folder = Scratch::new("refuse");
-    let line = format!("render {CUT_CUBE} --strategy grid:8+mask -o out.png");
+    let line = format!("render {CUT_CUBE} --strategy planar+mask -o out.png");
     let ran = folder.run(&line).exits(2);
     assert!(
-        ran.stderr.contains("grid:8+mask") && ran.stderr.contains("mend:"),
+        ran.stderr.contains("planar+mask") && ran.stderr.contains("mend:"),
         "{}",
         ran.stderr
     );
     let json = folder
         .run(&format!(
-            "compare {CUT_CUBE} --strategies grid:8+mask,raycast+mask --rounds 1 --json -"
+            "compare {CUT_CUBE} --strategies planar+mask,raycast+mask --rounds 1 --json -"
         ))
         .exits(0)
         .json();

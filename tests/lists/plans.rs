@@ -144,12 +144,4 @@ fn what_the_compute_rasteriser_does_not_draw_is_refused_with_a_reason() {
         .expect_err(name);
         assert!(refusal.reason.contains("hardware rasteriser"), "{refusal}");
     }
-    for name in ["grid+mask", "grid+abuffer", "grid+kbuffer"] {
-        let options = with(Rasteriser::Hardware);
-        let unknown = Capacities::UNKNOWN;
-        let (model, view) = (&question.model, &question.view);
-        let refusal = strategies::record_with(model, view, &strategy(name), &options, &unknown);
-        let refusal = refusal.expect_err(name);
-        assert!(refusal.reason.contains("asks about points"), "{refusal}");
-    }
 }
