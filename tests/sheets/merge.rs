@@ -31,7 +31,7 @@ struct Fragment {
 /// A list that was merged.
 #[derive(Clone, Debug, PartialEq)]
 struct Merged {
-    /// Depths and clip-surfaces, as stored.
+    /// Depths and clip-surfaces, as stored in the low bits of their words.
     crossings: Vec<(f64, u32)>,
     sides: u32,
     doubted: bool,
@@ -178,7 +178,7 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         let crossing = |i| {
             let at = (i * count + pixel) as usize;
             let z = f64::from(f32::from_bits(z[at]));
-            (view.depth_from_buffer(z), surfaces[at])
+            (view.depth_from_buffer(z), surfaces[at] & 31)
         };
         Merged {
             crossings: (0..head & 0xff).map(crossing).collect(),
