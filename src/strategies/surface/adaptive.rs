@@ -19,7 +19,7 @@ mod domain;
 mod measure;
 mod view;
 
-use super::tessellation::{Facets, Tessellation};
+use super::tessellation::{Facets, ROUNDING, Tessellation};
 use crate::passes::{NEED_OF_TRIANGLES, Recorder};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
 use crate::plan::{
@@ -28,8 +28,6 @@ use crate::plan::{
 };
 use crate::strategies::Tau;
 
-/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope.
-const ROUNDING: f64 = 2e-4;
 /// Triangles that each relief is given room for until a frame reports what it needs.
 const FIRST_TRIANGLES: u32 = 1 << 16;
 /// Most triangles of all reliefs: 128 MiB of indices.

@@ -10,14 +10,11 @@ use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 
-use super::tessellation::{Facets, Tessellation};
+use super::tessellation::{Facets, ROUNDING, Tessellation};
 use crate::passes::Recorder;
 use crate::plan::pack::{self, Quad};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::{Bounds, PreparedSurface};
-
-/// By how much a rasterised grid may be beside itself, in scene units: a 256th of a pixel along a steep slope.
-const ROUNDING: f64 = 2e-4;
 
 /// All clip-surfaces as grids of so many cells along a side.
 pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {

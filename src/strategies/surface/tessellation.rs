@@ -15,6 +15,9 @@ use crate::shader::Shader;
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
+/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope.
+pub(super) const ROUNDING: f64 = 2e-4;
+
 /// Clip-surfaces as triangles.
 #[derive(Clone, Debug)]
 pub struct Tessellation {

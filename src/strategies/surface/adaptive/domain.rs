@@ -22,7 +22,7 @@ const MOST_STEPS: u64 = (1 << 16) - 1;
 /// Steps in a domain, lest its triangles be more than 32 bits can count.
 const MOST_AREA: u64 = (1 << 31) - 1;
 /// Texels of all domains: 128 MiB of errors, of which there are two for each texel.
-const MOST_TEXELS: u64 = (128 << 20) / 8;
+const MOST_MEASURED: u64 = (128 << 20) / 8;
 /// The length of a texel in scene units beyond which f32 has no room between its corners.
 const LONGEST_TEXEL: f64 = 64.0;
 /// How much the domain is larger than the box on either side, in scene units.
@@ -44,9 +44,9 @@ pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, String> {
         row.first_vertex = first as u32;
         row.first_cell = (first + (width + 1) * (height + 1)) as u32;
         first += (width + 1) * (height + 1) + width * height;
-        if first > 2 * MOST_TEXELS {
+        if first > 2 * MOST_MEASURED {
             return Err(format!(
-                "the reliefs have more than {MOST_TEXELS} texels across the parts, and a buffer holds the errors of no more: \
+                "the reliefs have more than {MOST_MEASURED} texels across the parts, and a buffer holds the errors of no more: \
                  raycast draws them"
             ));
         }
