@@ -10,13 +10,13 @@
 use crate::scene::{OffsetMap, Wrap};
 
 /// The smallest blocks have 4 x 4 cells.
-pub(super) const LOWEST: u32 = 2;
+pub(super) const SMALLEST: u32 = 2;
 
 /// The blocks of a map.
 pub(super) struct Blocks {
     size: [i64; 2],
     wrap: Wrap,
-    /// From [`LOWEST`] on.
+    /// From [`SMALLEST`] on.
     levels: Vec<Level>,
 }
 
@@ -45,11 +45,11 @@ impl Blocks {
         let columns = map.size[0] as usize;
         let count = |texels: u32, level: u32| texels.div_ceil(1 << level) as usize;
         let spanned = |block: usize, axis: usize| {
-            let first = (block as i64) << LOWEST;
-            let last = (first + (1 << LOWEST)).min(size[axis]);
+            let first = (block as i64) << SMALLEST;
+            let last = (first + (1 << SMALLEST)).min(size[axis]);
             (first..=last).map(move |i| wrap.texel(i, map.size[axis]) as usize)
         };
-        let (width, height) = (count(map.size[0], LOWEST), count(map.size[1], LOWEST));
+        let (width, height) = (count(map.size[0], SMALLEST), count(map.size[1], SMALLEST));
         let lowest = |i: usize| {
             let mut range = [f32::INFINITY, f32::NEG_INFINITY];
             for y in spanned(i / width, 1) {
@@ -75,14 +75,14 @@ impl Blocks {
 
     /// The highest level.
     pub(super) fn top(&self) -> u32 {
-        LOWEST + self.levels.len() as u32 - 1
+        SMALLEST + self.levels.len() as u32 - 1
     }
 
     /// The block of a level that a cell is in, for a ray that goes up along each axis or down.
     pub(super) fn block(&self, level: u32, cell: [i64; 2], up: [bool; 2]) -> Block {
         let of = |axis: usize| self.along(axis, level, cell[axis], up[axis]);
         let ((column, x), (row, y)) = (of(0), of(1));
-        let level = &self.levels[(level - LOWEST) as usize];
+        let level = &self.levels[(level - SMALLEST) as usize];
         Block {
             range: level.ranges[row * level.width + column],
             ahead: [x, y],
@@ -156,7 +156,7 @@ impl Blocks {
 
     /// Blocks of which one says nothing but a height far above all.
     pub(super) fn with_a_fault(mut self, level: u32) -> Self {
-        let ranges = &mut self.levels[(level - LOWEST) as usize].ranges;
+        let ranges = &mut self.levels[(level - SMALLEST) as usize].ranges;
         let middle = ranges.len() / 2;
         ranges[middle] = [1e6; 2];
         self
@@ -179,7 +179,7 @@ mod tests {
         {
             let map = heights(size);
             let blocks = Blocks::of(&map, wrap);
-            for level in LOWEST..=blocks.top() {
+            for level in SMALLEST..=blocks.top() {
                 for (x, y) in (-60..60).flat_map(|x| (-60..60).map(move |y| (x, y))) {
                     let [here, down] = [true, false].map(|up| blocks.block(level, [x, y], [up; 2]));
                     for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {

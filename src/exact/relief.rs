@@ -13,7 +13,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::ambiguity::rounding;
-use super::blocks::{Block, Blocks, LOWEST};
+use super::blocks::{Block, Blocks, SMALLEST};
 use super::clip::{Graze, Ray, Root};
 use super::outline::{NEAR_PX, change_per_px};
 use super::quadratic::Quadratic;
@@ -248,7 +248,7 @@ impl Walk<'_> {
                 level = (level + 1).min(self.relief.blocks.top());
                 continue;
             }
-            if level > LOWEST {
+            if level > SMALLEST {
                 level -= 1;
                 continue;
             }
@@ -462,7 +462,7 @@ mod tests {
     fn a_block_with_a_fault_is_noticed() {
         let prepared = prepared(Wrap::Repeat, [64, 64], 0.02, 60.0);
         let right = met(&prepared, &relief_of(&prepared)).0;
-        for level in LOWEST..5 {
+        for level in SMALLEST..5 {
             let relief = relief_of(&prepared);
             let wrong = Relief {
                 blocks: relief.blocks.with_a_fault(level),

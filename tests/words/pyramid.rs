@@ -227,10 +227,13 @@ fn reliefs_that_share_a_map_share_its_pyramid() {
 #[test]
 fn a_wrong_node_is_noticed() {
     let random = &mut Random(SEED);
-    let plain = map(random, [64, 64], |_, _, _| 0.0);
-    let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, -0.2)]);
+    // In the middle of the slab: where the slab ends the side is known, and no node is believed that says otherwise.
+    let plain = map(random, [64, 64], |_, x, y| {
+        if [x, y] == [33, 35] { -1.25 } else { 0.0 }
+    });
+    let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, 0.2)]);
     let model = Model::of(&scene);
-    // Low over a plain with one peak upwards, where rays come a long way through the slab and climb to the largest blocks.
+    // Low over a plain with one peak and one pit, where rays come a long way through the slab and climb to the largest blocks.
     let camera = camera(84.0, 4.0, false);
     let mut program = Program::default();
     let right = lists(&mut program, plan(&model, &camera, ReliefWalk::Pyramid));
@@ -243,13 +246,14 @@ fn a_wrong_node_is_noticed() {
         lists(&mut given, plan)
     };
     assert_eq!(differing(&right, &with(&right[3])).0, 0, "as it was built");
-    // Level 2 has 16 x 16 nodes, level 3 the next 64 and so on. One is said to lie above all rays, not all of which come to it.
+    // Level 2 has 16 x 16 nodes, level 3 the next 64 and so on. One is said to lie far below all rays, not all of
+    // which come to it.
     for (level, first, count) in [(2, 0, 256), (3, 256, 64), (4, 320, 16)] {
         let is_noticed = |i: usize| {
             let mut pyramids = right[3].clone();
             // An odd step, so that samples are in all columns.
             let node = first + (37 * i + 5) % count;
-            let far = [100.0_f32, 100.0].map(f32::to_bits);
+            let far = [100.0_f32; 2].map(f32::to_bits);
             pyramids[2 * node..2 * node + 2].copy_from_slice(&far);
             differing(&right, &with(&pyramids)).0 > 0
         };
