@@ -7,7 +7,7 @@
 #define_import_path cutaway::crossings
 
 #import cutaway::crossing_words::surface_of_word
-#import cutaway::cuts::keeps_words
+#import cutaway::cuts::{cut_table, keeps_words}
 #import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
 
 // Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or is not vouched for; and the sides where the

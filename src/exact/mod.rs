@@ -18,6 +18,7 @@ mod ambiguity;
 mod bench;
 mod blocks;
 mod clip;
+mod coincident;
 mod cutter;
 mod outline;
 mod quadratic;
@@ -328,49 +329,6 @@ impl<'a> Lines<'a> {
     /// The mesh of a cutter, by the number of its clip-surface.
     fn mesh_of_cutter(&self, surface: u16) -> &Projected<'a> {
         &self.parts[usize::from(self.cutters.rank_of(surface))]
-    }
-
-    /// Whether a triangle lies in the clip-surface where a ray crosses it, to the last bit.
-    fn holds(&self, root: &Root, points: [DVec3; 3]) -> bool {
-        match root.face {
-            Some(face) => {
-                let facet = self.mesh_of_cutter(root.surface).facet(face.triangle);
-                cutter::lies_in(points, facet.points)
-            }
-            None => self.clips[root.surface as usize].holds(points),
-        }
-    }
-
-    /// Gives a crossing with a triangle that lies in a clip-surface the depth of the surface's root, bit for bit.
-    fn snap_coincident(&self, at: DVec2, ray: &Ray, bench: &mut Bench) {
-        for root in &bench.roots {
-            for (index, crossing) in bench.crossings.iter_mut().enumerate() {
-                let close = (crossing.depth - root.depth).abs()
-                    <= ambiguity::rounding(self.view, root.depth)
-                        + root.depth_change(self.view, ray);
-                if !close {
-                    continue;
-                }
-                let points = self.parts[crossing.rank as usize]
-                    .facet(crossing.triangle)
-                    .points;
-                if self.holds(root, points) {
-                    crossing.depth = root.depth;
-                    if self.goes_on(at, root, crossing) {
-                        bench.coincident.push((index as u32, root.surface));
-                    }
-                }
-            }
-        }
-    }
-
-    /// Whether a crossing in the plane of a root is in it whoever moves the sample a little: a plane goes on, a face ends.
-    fn goes_on(&self, at: DVec2, root: &Root, crossing: &Crossing) -> bool {
-        root.face.is_none_or(|face| {
-            let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);
-            let of_part = self.parts[crossing.rank as usize].corners(crossing.triangle);
-            cutter::share_the_sample(at, [of_cutter, of_part])
-        })
     }
 
     /// Fills in what is seen.

@@ -15,7 +15,7 @@ use super::section::{Curve, PlaneReport, SectionReport};
 /// Pixels along the longer side of a drawing of no physical size.
 const LONGEST_PX: f64 = 1000.0;
 /// Room around a drawing and between planes, as a share of the longest side of all.
-const MARGIN: f64 = 0.03;
+const GAP_SHARE: f64 = 0.03;
 /// Digits that are kept of the longest side.
 const DRAWN_DIGITS: i32 = 10;
 
@@ -102,7 +102,7 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
     let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
     let longest = if longest > 0.0 { longest } else { 1.0 };
     let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
-    let gap = longest * MARGIN;
+    let gap = longest * GAP_SHARE;
     let first = frames.first().copied().unwrap_or(Frame {
         min: [0.0; 2],
         max: [1.0; 2],

@@ -9,7 +9,7 @@ use crate::scene::{Bounds, ClipSurface, PreparedSurface, SurfaceFrame};
 pub(super) const LARGEST: f64 = 1e300;
 
 /// Rounding of `(P - O).N` in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
-const ROUNDING: f64 = 1e-15;
+const RELATIVE_ROUNDING: f64 = 1e-15;
 
 /// A plane with a frame in it. The side that the normal points to is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ impl SlicePlane {
     pub fn is_above(&self, point: DVec3) -> bool {
         let terms = (point - self.origin) * self.frame.normal;
         let sum = terms.x + terms.y + terms.z;
-        let least = terms.abs().element_sum() * ROUNDING + f64::MIN_POSITIVE;
+        let least = terms.abs().element_sum() * RELATIVE_ROUNDING + f64::MIN_POSITIVE;
         if sum.abs() > least {
             sum > 0.0
         } else {

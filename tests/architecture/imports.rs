@@ -196,12 +196,7 @@ fn every_module_is_declared_and_on_the_map() {
     let chains = map();
     for (place, module) in order.iter().enumerate() {
         let left = allowed(&chains, module).unwrap_or_default();
-        let mut expected: BTreeSet<&str> =
-            order[..=place].iter().copied().chain(FAR_LEFT).collect();
-        // Beside the shaders, which it knows nothing of.
-        if order[..=place].contains(&"plan") {
-            expected.insert("slice");
-        }
+        let expected: BTreeSet<&str> = order[..=place].iter().copied().chain(FAR_LEFT).collect();
         let found: BTreeSet<&str> = left.iter().map(String::as_str).collect();
         assert_eq!(found, expected, "what `{module}` may import");
     }
