@@ -29,12 +29,12 @@ mod shading;
 mod table;
 mod walk;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use rayon::prelude::*;
 
 use self::ambiguity::{Case, Openness};
 use self::bench::Bench;
-use self::clip::{Clip, Ray, Root};
+use self::clip::{Clip, Ray};
 use self::cutter::Cutters;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
