@@ -242,12 +242,12 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
             vec!["did you mean `raycast`"],
         ),
         (
-            format!("animate {cube} --section z=50% --strategy grid:8+mask -o out.gif"),
-            vec!["grid:8+mask", "mend:"],
+            format!("animate {cube} --section z=50% --strategy planar+mask -o out.gif"),
+            vec!["planar+mask", "mend:"],
         ),
         (
-            format!("animate {cube} --section z=50% --strategy grid:8+mask -o f/%d.png"),
-            vec!["grid:8+mask", "mend:"],
+            format!("animate {cube} --section z=50% --strategy planar+mask -o f/%d.png"),
+            vec!["planar+mask", "mend:"],
         ),
         (
             "animate frames/%04d.ply --turntable -o out.gif".to_owned(),
@@ -276,7 +276,7 @@ fn a_failure_leaves_what_was_there() {
         let pattern = if name == "1.png" { "%d.png" } else { name };
         folder
             .run(&format!(
-                "animate {CUT_CUBE} --turntable --frames 2 --strategy grid:8+mask -o {pattern}"
+                "animate {CUT_CUBE} --turntable --frames 2 --strategy planar+mask -o {pattern}"
             ))
             .exits(2);
         assert_eq!(
