@@ -10,7 +10,7 @@ use crate::strategies::Strategy;
 /// How pictures are drawn.
 #[derive(Args)]
 pub(super) struct LookArgs {
-    /// Who draws the caps: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N+vds:RES or +ldi:RES;
+    /// Who draws the caps: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N and adaptive:TAU with all of these;
     /// planar (planes); stencil (one plane); or exact for the reference [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,

@@ -30,7 +30,7 @@ pub(super) struct PlanArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Whose passes: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N+vds:RES or +ldi:RES; planar; stencil
+    /// Whose passes: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N and adaptive:TAU with all of these; planar; stencil
     /// [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,

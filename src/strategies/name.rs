@@ -128,8 +128,9 @@ impl Strategy {
         surface: CapSurface::Grid { cells: 256 },
         inside: InsideTest::Vds { resolution: 1024 },
     };
-    /// All that are built, with their usual parameters; what `all` means.
-    pub const ALL: [Self; 10] = [
+    /// One of each kind that is built, with its usual parameters; what `all` means. `grid` and `adaptive` go with the other
+    /// inside tests as well.
+    pub const ALL: [Self; 12] = [
         Self::RAYCAST_MASK,
         Self::RAYCAST_STENCIL,
         Self::STENCIL,
@@ -138,6 +139,14 @@ impl Strategy {
         Self::raycast(InsideTest::KBuffer { depths: 8 }),
         Self::raycast(InsideTest::Ldi { resolution: 1024 }),
         Self::raycast(InsideTest::Vds { resolution: 1024 }),
+        Self {
+            surface: CapSurface::Adaptive { tau: Tau::HALF },
+            inside: InsideTest::Mask,
+        },
+        Self {
+            surface: CapSurface::Grid { cells: 256 },
+            inside: InsideTest::Mask,
+        },
         Self {
             surface: CapSurface::Grid { cells: 256 },
             inside: InsideTest::Ldi { resolution: 1024 },

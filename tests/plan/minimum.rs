@@ -30,12 +30,27 @@ fn without_a_cut_every_strategy_draws_the_same_and_nothing_more() {
             assert_eq!(plan_of(&scene, &strategy), first, "{strategy}: {specs:?}");
         }
     }
-    // The control: with a cut, plans differ from strategy to strategy.
+    // The control: with a cut, plans differ from strategy to strategy, but that a plane is never tessellated.
     let cut = scene_of(&["cube"], vec![planes(0.1, 1)]);
-    let plans = Strategy::ALL.map(|s| plan_of(&cut, &s));
-    for (i, plan) in plans.iter().enumerate() {
-        assert!(!plans[..i].contains(plan), "{} on a cut", Strategy::ALL[i]);
+    let by_list = Strategy::ALL
+        .into_iter()
+        .filter(|s| s.lists_crossings() && s.surface != Strategy::RAYCAST_MASK.surface);
+    for strategy in by_list {
+        let cast = plan_of(&cut, &Strategy::RAYCAST_MASK);
+        assert_eq!(plan_of(&cut, &strategy), cast, "{strategy} on a plane");
     }
+    let mut plans = Vec::new();
+    for strategy in Strategy::ALL {
+        let plan = plan_of(&cut, &strategy);
+        let is_cast = plan == plan_of(&cut, &Strategy::RAYCAST_MASK);
+        assert!(!plans.contains(&plan) || is_cast, "{strategy} on a cut");
+        plans.push(plan);
+    }
+    // A relief is tessellated, and each by itself.
+    let ragged = scene_of(&["cube"], vec![reliefs(0.1, 1)]);
+    let names = ["raycast+mask", "grid:256+mask", "adaptive:0.5+mask"];
+    let plans = names.map(|n| plan_of(&ragged, &strategy(n)));
+    assert!(plans[0] != plans[1] && plans[1] != plans[2] && plans[0] != plans[2]);
 }
 
 #[test]
