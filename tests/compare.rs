@@ -169,7 +169,8 @@ fn an_outline_that_moved_is_no_crack_and_a_back_face_always_is_one() {
     let sky = |x| with(x, 5, |l| *l = Layer::default());
     for (x, cracks) in [(4, 0), (5, 1), (6, 1), (15, 1)] {
         let found = compared(&sky(x));
-        assert_eq!(found.crack_px, cracks, "background in column {x}");
+        let told = [found.crack_px, found.outline_px];
+        assert_eq!(told, [cracks, 1 - cracks], "background in column {x}");
         assert_eq!(found.wrong_px(), 1, "wrong all the same in column {x}");
         let back = compared(&with(x, 5, |l| {
             *l = Layer {
@@ -331,6 +332,7 @@ fn json_has_the_fields_of_the_command() {
         "leaked_cap_px",
         "wrong_part_px",
         "crack_px",
+        "outline_px",
         "interior_wrong_px",
         "edge_wrong_px",
         "decided_wrong_px",

@@ -12,6 +12,7 @@
 //! | leaked cap | anything else | cap |
 //! | wrong part | surface or cap | same kind; another part, or another clip-surface |
 //! | crack | surface or cap, not a back face; decided | a back face; or the background, away from that of exact |
+//! | outline | the same | the background, beside that of exact |
 //!
 //! A crack is a hole: the inside of a shell is seen, or the sky through a solid. Where exact has background in the 3 x 3 block of a
 //! pixel, background is an outline that was moved, which is what a cap that is tessellated does to it, and no crack; a back face
@@ -45,6 +46,9 @@ pub struct Comparison {
     /// A back face where exact is sure of a surface or a cap that is none; or the background, where exact has no background
     /// within a pixel.
     pub crack_px: usize,
+    /// The background where exact is sure of a surface or a cap, and has background within a pixel: an outline that moved, as that
+    /// of a triangulated cap does, rather than a hole.
+    pub outline_px: usize,
     /// Wrong pixels farther than one pixel from every boundary of the exact image.
     pub interior_wrong_px: usize,
     /// The other wrong pixels.
@@ -100,6 +104,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
         result.wrong_part_px += usize::from(verdict.wrong_part);
         let decided = !exact.undecided[index];
         result.crack_px += usize::from(verdict.crack && decided);
+        result.outline_px += usize::from(verdict.outline && decided);
         result.odd_parity_px += usize::from(found.unreliable);
         if verdict.wrong {
             let edge = near_boundary(&exact.layers, index);
@@ -128,6 +133,7 @@ struct Verdict {
     leaked_cap: bool,
     wrong_part: bool,
     crack: bool,
+    outline: bool,
     wrong: bool,
 }
 
@@ -139,13 +145,15 @@ impl Verdict {
         let wrong_part = same_kind && label(truth) != label(found);
         let solid = truth.kind != Kind::Background && !truth.back_face;
         let is_sky = |l: &Layer| l.kind == Kind::Background;
-        let hole = solid && is_sky(found) && !block(exact, index).any(is_sky);
+        let see_through = solid && is_sky(found);
+        let outline = see_through && block(exact, index).any(is_sky);
         let inside_out = solid && found.back_face;
         Self {
             missed_cap: truth.kind == Kind::Cap && !same_kind,
             leaked_cap: found.kind == Kind::Cap && !same_kind,
             wrong_part,
-            crack: hole || inside_out,
+            crack: (see_through && !outline) || inside_out,
+            outline,
             wrong: !same_kind || wrong_part || inside_out,
         }
     }
