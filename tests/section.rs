@@ -215,6 +215,39 @@ values = [[0, 0, 0], [0, 0, 9]]
 }
 
 #[test]
+fn clip_surfaces_have_the_numbers_of_the_scene() {
+    let folder = Scratch::new("section-numbers");
+    folder.write(
+        "scene.toml",
+        r#"
+[[part]]
+name = "first"
+shape = "cube"
+[[part]]
+name = "second"
+shape = "cube"
+[[cut]]
+name = "off"
+enabled = false
+volume = "shape:sphere"
+box = { min = [0, 0, 0] }
+[[cut]]
+name = "on"
+surfaces = [{ section = "x=50%" }, { section = "z=50%" }]
+"#,
+    );
+    let json = json_of(&folder, "scene.toml");
+    let sections = json["sections"].as_array().unwrap();
+    let numbers: Vec<_> = (sections.iter())
+        .map(|s| s["clip_surface"].as_u64().unwrap())
+        .collect();
+    assert_eq!(numbers, [4, 5], "after three faces and a cutter");
+    let parts = sections[0]["parts"].as_array().unwrap().iter();
+    let drawn: Vec<_> = parts.map(|p| p["part"].as_str().unwrap()).collect();
+    assert_eq!(drawn, ["second", "first"], "of equals the first wins");
+}
+
+#[test]
 fn loops_are_holes_and_outlines() {
     let folder = Scratch::new("section-loops");
     let json = json_of(&folder, "shape:gears --section -z=50%");

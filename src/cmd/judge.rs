@@ -71,7 +71,7 @@ pub(super) fn judge(
     let view = opened.view(&model.prepared);
     console.step("exact");
     let watch = Stopwatch::start();
-    let exact = evaluate(shown.truth(), &view);
+    let exact = evaluate(shown.truth()?, &view);
     let exact_ms = watch.ms();
 
     let mut frames = Vec::with_capacity(strategies.len());

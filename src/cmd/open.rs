@@ -279,7 +279,8 @@ fn is_scene(input: &str) -> bool {
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
 }
 
-fn open_model(input: &str) -> OpenedMesh {
+/// The parts of a mesh or a shape, and notes about them.
+pub(super) fn open_model(input: &str) -> OpenedMesh {
     if input.starts_with("shape:") {
         return Ok((shape(input)?, Vec::new()));
     }

@@ -92,7 +92,7 @@ pub(super) fn draw(
         let view = view.sampled_at(at);
         let (rgba, layers) = match drawer {
             Drawer::Exact => {
-                let layers = evaluate(shown.truth(), &view).layers;
+                let layers = evaluate(shown.truth()?, &view).layers;
                 (session.shade(&shown.model, &view, &layers)?, Some(layers))
             }
             Drawer::By(strategy) => {

@@ -46,7 +46,7 @@ impl RegionArgs {
             if wedge.is_empty() {
                 return Err(hollow("--wedge", text));
             }
-            let alternatives = wedge.alternatives().into_iter().map(planes);
+            let alternatives = wedge.alternatives(false).into_iter().map(planes);
             Ok((format!("wedge {text}"), alternatives.collect()))
         });
         boxes.chain(wedges).collect()

@@ -196,7 +196,8 @@ impl Facts {
         match drawer {
             Drawer::Exact => {
                 let watch = Stopwatch::start();
-                let exact = (outputs.want_facts()).then(|| evaluate(shown.truth(), view));
+                let truth = shown.truth()?;
+                let exact = (outputs.want_facts()).then(|| evaluate(truth, view));
                 Ok(Self {
                     outcome: Outcome::Complete,
                     layers: exact.map(|e| e.layers),

@@ -3,6 +3,7 @@
 //! Every part is sliced by every plane of the cuts that apply to it, whole, whatever else is cut away: in f64, in world space, in its
 //! pose. Nothing is rounded to what a GPU draws.
 
+use std::cmp::Reverse;
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
@@ -11,12 +12,12 @@ use rayon::prelude::*;
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::open::Inputs;
+use super::open::{Inputs, open_model};
 use super::output::{Output, no_place_twice, write_stdout};
 use super::sections::{SectionArgs, round, warn_of_misses};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
-use crate::scene::{ClipSurface, Fill, Part, Scene};
+use crate::scene::{Bounds, ClipSurface, Fill, Part, Scene};
 use crate::slice::{SlicePlane, Slicer};
 use crate::{Error, Result};
 
@@ -93,6 +94,9 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
         part.fill = args.fill.unwrap_or(part.fill);
     }
     args.sections.apply(&mut scene)?;
+    // To be refused as those of scene files are: by the name of the cut.
+    args.sections
+        .add_cutters(&mut scene, |input| Ok(open_model(input)?.0))?;
     let planes = planes(&scene)?;
     warn_of_misses(&scene, &console);
 
@@ -158,18 +162,24 @@ struct Plane {
 }
 
 impl Plane {
-    /// Where the plane cuts a part: the cut may be offset for it.
-    fn for_part(&self, scene: &Scene, part: &Part) -> SlicePlane {
-        let mut plane = self.plane;
-        plane.origin -= plane.frame.normal * scene.cuts[self.cut].offset_for(part);
-        plane
+    /// Where the plane cuts a part, whose middle is given: the cut may be offset for it.
+    fn for_part(&self, scene: &Scene, part: &Part, middle: DVec3) -> SlicePlane {
+        let offset = scene.cuts[self.cut].offset_for(part);
+        self.plane.keeping(offset).seen_from(middle)
     }
 }
 
 /// The planes of all cuts; the culprit where there is none, or where one is no plane.
 fn planes(scene: &Scene) -> Result<Vec<Plane>> {
     let mut planes = Vec::new();
-    for (index, cut) in scene.cuts.iter().enumerate().filter(|(_, c)| c.enabled) {
+    // Clip-surfaces of a cut that is off keep their numbers, and a cutter is one after the others of its cut.
+    let mut next = 0;
+    for (index, cut) in scene.cuts.iter().enumerate() {
+        let first = next;
+        next += cut.surfaces.len() + usize::from(cut.volume.is_some());
+        if !cut.enabled {
+            continue;
+        }
         if let Some(cutter) = &cut.volume {
             return Err(Error::input(
                 format!("cut `{}`", cut.name),
@@ -180,8 +190,7 @@ fn planes(scene: &Scene) -> Result<Vec<Plane>> {
                 "leave it out, or see the cap with `cutaway render`",
             ));
         }
-        for surface in &cut.surfaces {
-            let number = planes.len();
+        for (number, surface) in (first..).zip(&cut.surfaces) {
             let Some(plane) = plane_of(surface) else {
                 return Err(Error::input(
                     format!("cut `{}`", cut.name),
@@ -208,37 +217,37 @@ fn planes(scene: &Scene) -> Result<Vec<Plane>> {
 
 /// The plane of a clip-surface, where a relief does not bend it.
 fn plane_of(surface: &ClipSurface) -> Option<SlicePlane> {
-    let mut plane = SlicePlane::from(surface);
+    let plane = SlicePlane::from(surface);
     if let Some(map) = &surface.relief {
         let [low, high] = map.range().map(|h| f64::from(h) * surface.scale.z);
         if low != high {
             return None;
         }
-        plane.origin -= plane.frame.normal * low;
+        return Some(plane.keeping(low));
     }
     Some(plane)
 }
 
 fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
-    let mut parts: Vec<&Part> = scene.parts.iter().collect();
-    // Who wins where solids share a point is drawn last, over the others.
+    let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
+    // Who wins where solids share a point is drawn last, over the others: of equals the first.
     let size = |p: &Part| p.mesh.volume().abs() * p.world_from_part.matrix3.determinant().abs();
-    parts.sort_by_cached_key(|p| {
+    parts.sort_by_cached_key(|(index, p)| {
         let priority = p.priority.map_or(i64::MIN, i64::from);
-        (priority, std::cmp::Reverse(size(p).to_bits()))
+        (priority, Reverse((size(p).to_bits(), *index)))
     });
     let drawn: Vec<Drawn> = (planes.iter())
         .map(|p| Drawn::of(&p.plane, scene.camera.up))
         .collect();
     let of_parts: Vec<Vec<Option<PartReport>>> = (parts.par_iter())
-        .map(|part| {
+        .map(|(_, part)| {
             let is_cut = |p: &&Plane| scene.cuts[p.cut].applies_to(part);
             if !planes.iter().any(|p| is_cut(&p)) {
                 return planes.iter().map(|_| None).collect();
             }
-            let slicer = slicer_of(part);
+            let (slicer, middle) = slicer_of(part);
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
-                let plane = is_cut(&p).then(|| p.for_part(scene, part))?;
+                let plane = is_cut(&p).then(|| p.for_part(scene, part, middle))?;
                 let section = slicer.section_by(&plane, part.fill);
                 let is_met = !section.is_empty() || !section.defects.is_empty();
                 is_met.then(|| PartReport::of(part, &section, &plane, drawn))
@@ -258,15 +267,16 @@ fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
     }
 }
 
-/// The slicer of a part as it stands in the world.
-fn slicer_of(part: &Part) -> Slicer {
+/// The slicer of a part as it stands in the world, and the middle of its bounds.
+fn slicer_of(part: &Part) -> (Slicer, DVec3) {
     let mesh = part.posed_mesh();
     let placed = part.world_from_part;
     let positions: Vec<DVec3> = (mesh.positions.par_iter())
         .map(|p| placed.transform_point3(*p))
         .collect();
+    let middle = Bounds::of(positions.iter().copied()).centre();
     if placed.matrix3.determinant() >= 0.0 {
-        return Slicer::of(Arc::new(positions), &mesh.triangles);
+        return (Slicer::of(Arc::new(positions), &mesh.triangles), middle);
     }
     // What a placement mirrors is turned round, so that outside stays outside.
     let turned: Vec<[u32; 3]> = mesh
@@ -274,7 +284,7 @@ fn slicer_of(part: &Part) -> Slicer {
         .iter()
         .map(|[a, b, c]| [*a, *c, *b])
         .collect();
-    Slicer::of(Arc::new(positions), &turned)
+    (Slicer::of(Arc::new(positions), &turned), middle)
 }
 
 fn to_text(report: &SectionReport) -> String {
@@ -314,9 +324,8 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
                 part.defects.join("; ")
             );
             if !part.closed {
-                console.failed(format!(
-                    "{told}\n  mend: close the mesh there (`cutaway inspect` says where it is open), or move the section"
-                ));
+                let mend = part.mend.unwrap_or("move the section");
+                console.failed(format!("{told}\n  mend: {mend}"));
                 verdict = Verdict::Failed;
             } else if !part.defects.is_empty() {
                 console.note(told);

@@ -185,8 +185,10 @@ impl SectionArgs {
         scene: &mut Scene,
         open: impl Fn(&str) -> Result<Vec<Part>>,
     ) -> Result<()> {
+        let bounds = scene.bounds();
         for input in &self.cutters {
-            let mut cut = Cut::by(Cutter::of_parts(input, &open(input)?)?);
+            let cutter = Cutter::of_parts(input, &open(input)?)?;
+            let mut cut = Cut::by(cutter.beside(&bounds)?);
             cut.except.clone_from(&self.exclude);
             scene.cuts.push(cut);
         }
@@ -264,7 +266,8 @@ pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
             words_of(&scene.bounds())
         ));
     }
-    for cutter in scene.cuts.iter().filter_map(|c| c.volume.as_ref()) {
+    let cuts = scene.cuts.iter().filter(|c| c.enabled);
+    for cutter in cuts.filter_map(|c| c.volume.as_ref()) {
         warn_of_missing(cutter, &scene.bounds(), console);
     }
 }

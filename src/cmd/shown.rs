@@ -5,8 +5,10 @@
 
 use std::sync::OnceLock;
 
+use crate::layers::NEAR_PLANE;
 use crate::passes::Model;
 use crate::scene::{Prepared, Scene};
+use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
 pub(super) struct Shown {
@@ -36,12 +38,28 @@ impl Shown {
         }
     }
 
-    /// What exact is asked about.
-    pub(super) fn truth(&self) -> &Prepared {
-        if self.model.prepared.is_whole() {
-            return &self.model.prepared;
-        }
-        self.truth.get_or_init(|| Prepared::of(&self.scene))
+    /// What exact is asked about; refused where a cap could have a number that layers cannot hold, as strategies refuse it.
+    pub(super) fn truth(&self) -> Result<&Prepared> {
+        let truth = if self.model.prepared.is_whole() {
+            &self.model.prepared
+        } else {
+            self.truth.get_or_init(|| Prepared::of(&self.scene))
+        };
+        must_be_named(truth)?;
+        Ok(truth)
+    }
+}
+
+fn must_be_named(truth: &Prepared) -> Result<()> {
+    let count = usize::from(NEAR_PLANE);
+    let is_beyond = |cut: &&usize| truth.cuts[**cut].surfaces.iter().any(|s| *s >= count);
+    match truth.parts.iter().flat_map(|p| &p.cuts).find(is_beyond) {
+        Some(cut) => Err(Error::input(
+            format!("cut `{}`", truth.cuts[*cut].name),
+            format!("exact names {count} clip-surfaces, and those of this cut come after them"),
+            "use fewer cuts, or boxes and wedges with fewer faces",
+        )),
+        None => Ok(()),
     }
 }
 
@@ -52,8 +70,8 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::scene::Motion;
     use crate::scene::shapes::shape;
+    use crate::scene::{ClipSurface, Cut, Motion};
 
     /// A cube whose one target takes it along x by 2.
     fn cube(weight: f64) -> Scene {
@@ -75,10 +93,27 @@ mod tests {
     }
 
     #[test]
+    fn exact_is_not_asked_for_numbers_that_layers_cannot_hold() {
+        let cut = |at: f64| {
+            let plane = ClipSurface::plane(DVec3::Z * at, DVec3::NEG_Z);
+            Cut::of(format!("at {at}"), vec![plane])
+        };
+        for (count, is_refused) in [(255, false), (256, true)] {
+            let mut scene = cube(0.0);
+            scene.cuts = (0..count).map(|i| cut(f64::from(i) + 0.5)).collect();
+            let shown = Shown::of(&scene);
+            match shown.truth() {
+                Ok(_) => assert!(!is_refused, "{count}"),
+                Err(told) => assert!(told.to_string().contains("at 255.5"), "{told}"),
+            }
+        }
+    }
+
+    #[test]
     fn strategies_and_exact_are_given_the_same_pose() {
         for (weight, centre) in [(0.0, 0.0), (1.0, 2.0), (0.25, 0.5)] {
             let shown = Shown::of(&cube(weight));
-            for prepared in [&shown.model.prepared, shown.truth()] {
+            for prepared in [&shown.model.prepared, shown.truth().unwrap()] {
                 let x = prepared.parts[0].bounds.centre().x / prepared.scale;
                 assert!((x - centre).abs() < 1e-6, "{x} at weight {weight}");
             }

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::sliced::{PackedSection, Sliced};
@@ -104,10 +105,8 @@ impl Recorder<'_> {
                 wanted.push(Wanted {
                     part: prepared.parts[*rank].clone(),
                     sliced: self.model.sliced(*rank),
-                    plane: SlicePlane {
-                        origin: surface.origin - surface.frame.normal * lift,
-                        frame: surface.frame,
-                    },
+                    // All parts are near the centre of scene space; the origin of the plane may be anywhere.
+                    plane: (SlicePlane::from(surface).keeping(lift)).seen_from(DVec3::ZERO),
                     instance: (place * MAX_SURFACES + slot) as u32,
                 });
             }

@@ -58,6 +58,9 @@ pub struct PartReport {
     pub open_chains: Vec<Curve>,
     /// What is wrong with the mesh where the plane meets it, in words.
     pub defects: Vec<String>,
+    /// What is to be done about the first of them that takes something of the section away.
+    #[serde(skip)]
+    pub mend: Option<&'static str>,
 }
 
 /// A curve in a plane.
@@ -107,7 +110,7 @@ impl Drawn {
         let is_level = normal.dot(up).abs() > 1.0 - 1e-12;
         let v = upright.filter(|_| !is_level).unwrap_or_else(level);
         Self {
-            origin: normal * plane.origin.dot(normal),
+            origin: plane.seen_from(DVec3::ZERO).zero,
             normal,
             u: normal.cross(v),
             v,
@@ -159,6 +162,7 @@ impl PartReport {
                 .collect(),
             open_chains: section.open.iter().map(|c| curve(c, false)).collect(),
             defects: section.defects.iter().map(ToString::to_string).collect(),
+            mend: (section.defects.iter().find(|d| d.loses_cap())).map(|d| d.mend()),
         }
     }
 }

@@ -37,9 +37,6 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::Mm, Self::Cm, Self::M, Self::In];
-
     /// As it is written.
     pub fn name(self) -> &'static str {
         match self {

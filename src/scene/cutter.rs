@@ -15,6 +15,22 @@ use super::topology::Edges;
 use super::{Bounds, Mesh, Part};
 use crate::error::{Error, Result};
 
+/// So many radii of the model a cutter may reach: farther away its coordinates are no f32 in the space of the model.
+const FARTHEST: f64 = 1e30;
+
+/// Why the bounds of a cutter are more than can be drawn beside a model, if they are.
+pub(super) fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
+    if !cutter.size().length().is_finite() {
+        return Some("reaches to infinity".to_owned());
+    }
+    let middle = model.centre();
+    let reach = (cutter.min - middle).abs().max((cutter.max - middle).abs());
+    let radius = model.radius();
+    let radii = reach.max_element() / if radius > 0.0 { radius } else { 1.0 };
+    (radii > FARTHEST)
+        .then(|| format!("reaches {radii:.0e} radii of the model, more than {FARTHEST:.0e},"))
+}
+
 /// A closed mesh with a place in the world.
 #[derive(Clone, Debug)]
 pub struct Cutter {
@@ -78,6 +94,17 @@ impl Cutter {
     pub fn flipped(mut self) -> Self {
         self.keeps_inside = !self.keeps_inside;
         self
+    }
+
+    /// The same cutter, refused where it reaches farther than can be drawn beside a model with these bounds.
+    pub fn beside(self, model: &Bounds) -> Result<Self> {
+        match too_far(&self.bounds_in_world(), model) {
+            Some(what) => {
+                let what = format!("it {} as a cutter", what.trim_end_matches(','));
+                Err(Error::input(self.name, what, "scale it down"))
+            }
+            None => Ok(self),
+        }
     }
 
     /// Name of the file or shape.

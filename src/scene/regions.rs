@@ -1,7 +1,7 @@
 //! Boxes and wedges: removed regions in few numbers, as unions of intersections of planes.
 //!
 //! A region is made into faces: planes that keep what is outside. A wedge of up to 180 degrees is the intersection of two half
-//! spaces; a wider one is not convex, but the union of the two, so that it has two alternatives and no wall inside of it. Angles
+//! spaces, which of 180 degrees are one and the same but for their reliefs; a wider one is not convex, but the union of the two, so that it has two alternatives and no wall inside of it. Angles
 //! count counter-clockwise about the axis, seen from its tip, and multiples of 90 degrees about an axis of the world give planes
 //! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
 //! of it is better off.
@@ -85,8 +85,9 @@ impl Wedge {
     }
 
     /// Its faces, of which all together make the region; for more than half a turn those of two regions that make it up. A full
-    /// turn has only the faces along the axis.
-    pub fn alternatives(&self) -> Vec<Vec<Face>> {
+    /// turn has only the faces along the axis. Of half a turn `from` and `to` have one plane, which is there once unless
+    /// the two are `ragged`: their reliefs may differ.
+    pub fn alternatives(&self, ragged: bool) -> Vec<Vec<Face>> {
         let turn_deg = self.to_deg - self.from_deg;
         let across = self.along.cross(self.zero);
         // Removed is what lies on from `from` and back from `to`: the kept side is the other one.
@@ -104,7 +105,7 @@ impl Wedge {
             vec![Vec::new()]
         } else if turn_deg > 180.0 {
             vec![vec![from], vec![to]]
-        } else if turn_deg == 180.0 {
+        } else if turn_deg == 180.0 && !ragged {
             vec![vec![from]]
         } else {
             vec![vec![from, to]]
@@ -180,7 +181,7 @@ mod tests {
             (20.0, 20.0, 1),
         ] {
             let wedge = wedge(from, to);
-            let alternatives = wedge.alternatives();
+            let alternatives = wedge.alternatives(false);
             assert_eq!(alternatives.len(), count, "{from} to {to}");
             for step in 0..720 {
                 let degrees = f64::from(step) * 0.5 + 0.25;
@@ -197,6 +198,16 @@ mod tests {
     }
 
     #[test]
+    fn half_a_turn_has_both_faces_where_they_may_differ() {
+        let names = |ragged| -> Vec<_> {
+            let faces = wedge(30.0, 210.0).alternatives(ragged).concat();
+            faces.iter().map(|f| f.name).collect()
+        };
+        assert_eq!(names(false), ["from"]);
+        assert_eq!(names(true), ["from", "to"]);
+    }
+
+    #[test]
     fn right_angles_give_planes_without_rounding() {
         for (degrees, normal) in [
             (0.0, DVec3::Y),
@@ -206,7 +217,7 @@ mod tests {
             (-90.0, DVec3::X),
             (450.0, DVec3::NEG_X),
         ] {
-            let faces = wedge(degrees - 40.0, degrees).alternatives();
+            let faces = wedge(degrees - 40.0, degrees).alternatives(false);
             let to = &faces[0][1];
             assert_eq!(to.name, "to");
             assert_eq!(to.plane.frame().normal, normal, "{degrees} degrees");
@@ -220,7 +231,7 @@ mod tests {
             max: Some(0.25),
             ..wedge(0.0, 300.0)
         };
-        let alternatives = ended.alternatives();
+        let alternatives = ended.alternatives(false);
         let beside = ended.origin.truncate() + glam::DVec2::new(0.5, 0.5);
         for (z, expected) in [(-1.1, false), (-0.9, true), (0.2, true), (0.3, false)] {
             let found = removes(&alternatives, beside.extend(z));
@@ -231,7 +242,10 @@ mod tests {
             to_deg: 360.0,
             ..ended
         };
-        assert!(removes(&disc.alternatives(), DVec3::new(0.0, -3.0, 0.0)));
+        assert!(removes(
+            &disc.alternatives(false),
+            DVec3::new(0.0, -3.0, 0.0)
+        ));
     }
 
     #[test]

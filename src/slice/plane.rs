@@ -14,8 +14,10 @@ const RELATIVE_ROUNDING: f64 = 1e-15;
 /// A plane with a frame in it. The side that the normal points to is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlicePlane {
-    /// `O`: the point with coordinates (0, 0).
+    /// `O`, which decides the sides of points. It may be far away.
     pub origin: DVec3,
+    /// The point with coordinates (0, 0): `O`, or one nearer to what is sliced ([`SlicePlane::seen_from`]).
+    pub zero: DVec3,
     /// `Û`, `V̂` and `N`, orthonormal.
     pub frame: SurfaceFrame,
 }
@@ -25,6 +27,7 @@ impl From<&ClipSurface> for SlicePlane {
     fn from(surface: &ClipSurface) -> Self {
         Self {
             origin: surface.origin,
+            zero: surface.origin,
             frame: surface.frame(),
         }
     }
@@ -35,21 +38,44 @@ impl From<&PreparedSurface> for SlicePlane {
     fn from(surface: &PreparedSurface) -> Self {
         Self {
             origin: surface.origin,
+            zero: surface.origin,
             frame: surface.frame,
         }
     }
 }
 
 impl SlicePlane {
+    /// The same plane with the foot of a point at (0, 0): what is near that point then has coordinates that are small, and none of
+    /// their bits go to how far away `O` is. Sides stay what they are.
+    #[must_use]
+    pub fn seen_from(self, point: DVec3) -> Self {
+        let zero = point - self.frame.normal * self.height(point);
+        Self {
+            zero: if is_within(zero) { zero } else { self.zero },
+            ..self
+        }
+    }
+
+    /// The plane moved against its normal.
+    #[must_use]
+    pub fn keeping(self, distance: f64) -> Self {
+        let step = self.frame.normal * distance;
+        Self {
+            origin: self.origin - step,
+            zero: self.zero - step,
+            ..self
+        }
+    }
+
     /// Coordinates along `Û` and `V̂` of the foot of a point.
     pub fn coordinates(&self, point: DVec3) -> DVec2 {
-        let d = point - self.origin;
+        let d = point - self.zero;
         DVec2::new(d.dot(self.frame.u_hat), d.dot(self.frame.v_hat))
     }
 
     /// The point of the plane with some coordinates along `Û` and `V̂`.
     pub fn point(&self, coordinates: DVec2) -> DVec3 {
-        self.origin + self.frame.u_hat * coordinates.x + self.frame.v_hat * coordinates.y
+        self.zero + self.frame.u_hat * coordinates.x + self.frame.v_hat * coordinates.y
     }
 
     /// Signed distance of a point, positive on the kept side: `(P - O).N` of these very numbers, rounded once, so that its sign
@@ -99,7 +125,8 @@ impl SlicePlane {
             normal,
         } = self.frame;
         let is_direction = |v: DVec3| (0.5..2.0).contains(&v.length_squared());
-        is_within(self.origin) && [u_hat, v_hat, normal].into_iter().all(is_direction)
+        [self.origin, self.zero].into_iter().all(is_within)
+            && [u_hat, v_hat, normal].into_iter().all(is_direction)
     }
 }
 
@@ -171,5 +198,20 @@ mod tests {
         let back = plane.coordinates(plane.point(at));
         assert!((back - at).length() < 1e-14, "{back}");
         assert!(plane.height(plane.point(at)).abs() < 1e-14, "on the plane");
+    }
+
+    #[test]
+    fn a_far_origin_is_seen_from_nearby() {
+        let normal = DVec3::new(1.0, 2.0, -0.5).normalize();
+        for far in [1e3, 1e6, 1e9, 1e15] {
+            let given = plane(normal.cross(DVec3::X).normalize() * far, normal);
+            let near = given.seen_from(DVec3::new(0.5, 0.25, 1.0));
+            let p = DVec3::new(0.375, -0.5, 0.75);
+            assert_eq!(given.height(p), near.height(p), "sides are those given");
+            let foot = p - normal * near.height(p);
+            let off = |plane: &SlicePlane| (plane.point(plane.coordinates(p)) - foot).length();
+            assert!(off(&near) < 1e-14, "{far}: {}", off(&near));
+            assert!(far < 1e6 || off(&given) > 1e-11, "the control at {far}");
+        }
     }
 }

@@ -2,9 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::SlicePlane;
-
-/// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` from the plane's origin, in units of the input.
+/// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` from the plane's `zero`, in units of the input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
     /// All points, each once: no two are equal. Those at which loops cross follow those of the loops.
@@ -81,6 +79,21 @@ pub enum SectionDefect {
 }
 
 impl SectionDefect {
+    /// What is to be done about it.
+    pub fn mend(&self) -> &'static str {
+        match self {
+            Self::Plane => "give the plane an origin and a normal that are finite",
+            Self::Unusable { .. } => "use a mesh of coordinates within 1e300, or scale it down",
+            Self::Open { .. } => {
+                "close the mesh there (`cutaway inspect` says where it is open), or move the section"
+            }
+            Self::Turned { .. } => "turn the faces, or fill by even-odd, which hears of no side",
+            Self::Crossing { .. } | Self::LeftOut { .. } => {
+                "make the mesh one that does not pass through itself, or move the section"
+            }
+        }
+    }
+
     /// Whether some of the solid may be without a cap, or capped where it should not be.
     pub fn loses_cap(&self) -> bool {
         !matches!(self, Self::Turned { .. } | Self::Crossing { .. })
@@ -125,11 +138,6 @@ impl Section {
         self.triangles[triangle].map(|i| self.points[i as usize])
     }
 
-    /// All points in the space of the mesh.
-    pub fn points_in(&self, plane: &SlicePlane) -> Vec<DVec3> {
-        self.points.iter().map(|p| plane.point(*p)).collect()
-    }
-
     /// Sum over closed curves, around a point near them: around a far origin the terms would cancel. In units in which no term
     /// overflows.
     fn shoelace(&self, edges: impl Iterator<Item = [DVec2; 2]>) -> f64 {
@@ -165,6 +173,21 @@ fn sum(terms: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_what_is_open_is_to_be_closed() {
+        let at = DVec3::ZERO;
+        for (defect, closes) in [
+            (SectionDefect::Open { chains: 1, at }, true),
+            (SectionDefect::LeftOut { loops: 1, at }, false),
+            (SectionDefect::Unusable { triangles: 1 }, false),
+            (SectionDefect::Plane, false),
+        ] {
+            assert!(defect.loses_cap(), "{defect}");
+            let told = defect.mend().contains("close the mesh");
+            assert_eq!(told, closes, "{defect}");
+        }
+    }
 
     #[test]
     fn small_terms_are_not_lost_beside_large_ones() {

@@ -308,8 +308,8 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     (
         "of = [\"rough\", \"fine\"]",
         "of = []",
-        "relief `stack`",
-        "no layer",
+        "relief.stack.of",
+        "names no layer",
     ),
     (
         "of = [\"rough\", \"fine\"]",
@@ -408,7 +408,19 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "key.0.target",
         "cannot change",
     ),
+    (
+        "to_deg = 90, min = -1, max = \"90%\"",
+        "to_deg = 360",
+        "cut.pie.wedge",
+        "all the way round",
+    ),
     // At some time only.
+    (
+        "to_deg = 90, min = -1, max = \"90%\", relief = \"stack\" }",
+        "to_deg = 90 }\n[[key]]\ntarget = \"cut.pie.wedge.to_deg\"\ntimes_s = [0, 2]\nvalues = [9, 360]\n",
+        "cut.pie.wedge",
+        "all the way round",
+    ),
     (
         "values = [0, 1]\n",
         "values = [0, 1]\n[[key]]\ntarget = \"cut.pie.wedge.to_deg\"\ntimes_s = [0, 2]\nvalues = [9, 400]\n",
@@ -458,4 +470,38 @@ fn a_gap_between_images_is_told() {
     image::GrayImage::new(3, 2).save(&path).expect("a picture");
     let message = folder.load(&text).expect_err("two sizes").to_string();
     assert!(message.contains("3 x 2 of number 2"), "{message}");
+    // Images that are layers are no names to choose from.
+    image::GrayImage::new(2, 2).save(&path).expect("a picture");
+    let text = text.replace(
+        "[[cut]]\nname = \"cube\"",
+        "[relief.odd]\nkind = \"layers\"\nof = [\"qqqqq\"]\n[[cut]]\nname = \"cube\"",
+    );
+    let message = folder.load(&text).expect_err("no such relief").to_string();
+    assert!(message.contains("relief `qqqqq`"), "{message}");
+    assert!(
+        !message.contains(['\u{7f}']) && !message.contains(".png"),
+        "{message}"
+    );
+}
+
+#[test]
+fn an_offset_of_no_part_of_the_cut_is_noted() {
+    let folder = Folder::new("offset-of-none");
+    let notes = |offset: &str, rest: &str| {
+        let text = INTACT.replacen("solid = 0.1, \"c*\" = \"5%\"", offset, 1);
+        let text = text.replacen("enabled = true\n", &format!("enabled = true\n{rest}"), 1);
+        folder.load(&text).expect("a scene that loads").notes
+    };
+    for (offset, rest, noted) in [
+        ("solid = 0.1, \"c*\" = 1", "", 0),
+        ("solid = 0.1, \"q*\" = 1", "", 1),
+        ("solid = 0.1, \"c*\" = 1", "except = [\"solid\"]\n", 1),
+    ] {
+        let notes = notes(offset, rest);
+        let told = notes
+            .iter()
+            .filter(|n| n.contains("no part of the cut"))
+            .count();
+        assert_eq!(told, noted, "{offset}: {notes:?}");
+    }
 }

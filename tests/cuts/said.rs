@@ -62,6 +62,39 @@ fn a_wide_wedge_is_two_cuts_of_one_name() {
 }
 
 #[test]
+fn half_a_turn_keeps_the_relief_of_either_face() {
+    let folder = Folder::new("half");
+    let relief = "[relief.rough]\nkind = \"waves\"\nsize = 8\n";
+    let scene = |to_deg: f64, rest: &str| {
+        let cut = format!("wedge = {{ axis = \"z\", from_deg = 0, to_deg = {to_deg}{rest} }}");
+        folder.scene(&(relief.to_owned() + &of_cut(&cut)))
+    };
+    let ragged = ", relief = \"rough\", amplitude = \"10%\", faces = [\"to\"]";
+    assert_eq!(scene(180.0, "").cuts[0].surfaces.len(), 1, "one plane");
+    let half = scene(180.0, ragged);
+    let has_relief = half.cuts[0].surfaces.iter().map(|s| s.relief.is_some());
+    assert_eq!(has_relief.collect::<Vec<_>>(), [false, true]);
+    let removed = |scene: &Scene| -> Vec<bool> {
+        let points = (0..4000).map(|i| {
+            let p = DVec3::new(0.754_877, 0.569_84, 0.43) * f64::from(i);
+            (p.fract() - 0.5) * DVec3::new(1.0, 0.2, 1.0)
+        });
+        let inside = |p: DVec3| {
+            let below = |s: &ClipSurface| s.kept_height(p) < 0.0;
+            (scene.cuts.iter()).any(|c| c.surfaces.iter().all(below))
+        };
+        points.map(inside).collect()
+    };
+    let differing = |a: &Scene, b: &Scene| {
+        let pairs = removed(a).into_iter().zip(removed(b));
+        pairs.filter(|(a, b)| a != b).count()
+    };
+    // It opens without a jump; the control is the relief that is not there.
+    assert!(differing(&half, &scene(179.9999, ragged)) < 5);
+    assert!(differing(&half, &scene(180.0, "")) > 100);
+}
+
+#[test]
 fn reliefs_stand_on_the_faces_that_are_named() {
     let folder = Folder::new("faces");
     let relief = "[relief.rough]\nkind = \"waves\"\nsize = 8\n";

@@ -85,6 +85,12 @@ fn what_cannot_be_a_cutter_is_refused_by_name() {
         ("volume = \"bite.obj\"", "", "cut.bite.translate"),
         ("scale = 2", "scale = 0", "cut.bite.scale"),
         ("scale = 2", "scale = 1e300", "reaches to infinity"),
+        ("scale = 2", "scale = 1e40", "radii of the model"),
+        (
+            "translate = [1, 0, 0]",
+            "translate = [1e40, 0, 0]",
+            "radii of the model",
+        ),
         (
             "translate = [1, 0, 0]",
             "translate = [nan, 0, 0]",
@@ -195,4 +201,14 @@ fn the_command_line_takes_a_cutter() {
     );
     let ran = folder.run("plan far.toml");
     assert!(ran.stderr.contains("misses the model"), "{}", ran.stderr);
+    let far = std::fs::read_to_string(folder.path("far.toml")).expect("it was written");
+    folder.write("off.toml", &format!("{far}enabled = false\n"));
+    let ran = folder.run("plan off.toml");
+    assert!(!ran.stderr.contains("misses the model"), "{}", ran.stderr);
+
+    let huge = format!("{TETRAHEDRON}{LAST_FACE}").replace("v 0 0 1\n", "v 0 0 1e40\n");
+    folder.write("huge.obj", &huge);
+    let ran = folder.run("plan shape:cube --cutter huge.obj");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("radii of the model"), "{}", ran.stderr);
 }

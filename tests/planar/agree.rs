@@ -177,6 +177,26 @@ fn a_section_by_another_plane_is_found_out() {
 }
 
 #[test]
+fn planes_may_begin_far_away() {
+    for (origin, normal) in [
+        (DVec3::new(1e9, -1e9, 0.0625), DVec3::NEG_Z),
+        (DVec3::new(1e15, 1e15, 0.0625), DVec3::NEG_Z),
+        (DVec3::new(1e6, -1e6, 1e6), DVec3::new(-1.0, -1.0, 0.0)),
+    ] {
+        for shape in ["torus?segments=40&sides=20", "gears?flank=2"] {
+            let plane = ClipSurface::plane(origin, normal);
+            let mut scene = scenes::of_parts(shape, meshes::parts(shape), vec![plane]);
+            scene.camera = scenes::orbit(35.0, 25.0, false);
+            let question = Question::of(&scene, SIZE);
+            assert!(question.exact.layers.count(Kind::Cap) > 200, "{shape}");
+            let mask = question.answer(&Strategy::RAYCAST_MASK);
+            let found = question.answer(&Strategy::PLANAR);
+            assert_eq!(fault(&found, &mask), None, "{shape} from {origin}");
+        }
+    }
+}
+
+#[test]
 fn shells_in_shells_are_told_apart_by_priority() {
     for (outer, inner) in [(None, None), (Some(3), Some(1)), (Some(1), Some(3))] {
         let mut parts = Vec::new();

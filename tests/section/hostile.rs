@@ -12,6 +12,18 @@ fn slips_are_refused_by_name() {
             "shape:cube --section z=50% --relief waves",
             "cut `z=50%`: clip-surface 0 has a relief",
         ),
+        (
+            "shape:cube --section z=50% --cutter shape:sphere",
+            "cut `shape:sphere`: shape:sphere is a mesh that cuts",
+        ),
+        (
+            "shape:cube --cutter shape:sphere",
+            "see the cap with `cutaway render`",
+        ),
+        (
+            "shape:cube --section z=50% --cutter nothing.obj",
+            "nothing.obj",
+        ),
         ("ragged.toml", "cut `torn`: clip-surface 0 has a relief"),
         (
             "shape:cube --section z=50% -o cut.png",
@@ -65,4 +77,35 @@ fn planes_that_miss_and_far_models_are_no_trouble() {
     let area = json["sections"][0]["area"].as_f64().expect("a number");
     // Coordinates of 1e6 are told to 1e-10, so a side of 1e-3 to 1e-7 of itself.
     assert!((area - 1e-6).abs() < 1e-12, "{area}");
+}
+
+#[test]
+fn planes_may_begin_far_away() {
+    let folder = Scratch::new("section-far-origin");
+    let measured = |line: &str| {
+        let json = folder
+            .run(&format!("section {line} --json -"))
+            .exits(0)
+            .json();
+        let section = &json["sections"][0];
+        ["area", "perimeter"].map(|key| section[key].as_f64().expect("a number"))
+    };
+    // Each pair is one and the same plane: across an axis, and across a diagonal of whole numbers.
+    for (near, far) in [
+        ("0,0,1@0,0,0.1", "0,0,1@FAR,FAR,0.1"),
+        ("0,0,-1@0,0,0.1", "0,0,-1@-FAR,FAR,0.1"),
+        ("1,1,0@0,0,0", "1,1,0@FAR,-FAR,0"),
+    ] {
+        for shape in ["shape:sphere", "shape:cube", "shape:gears"] {
+            let expected = measured(&format!("{shape} --section {near}"));
+            for at in ["1e6", "1e9", "1e17"] {
+                let far = far.replace("FAR", at);
+                let found = measured(&format!("{shape} --section {far}"));
+                for (found, expected) in found.into_iter().zip(expected) {
+                    let off = (found - expected).abs();
+                    assert!(off <= 1e-9 * expected, "{shape} by {far}: off by {off}");
+                }
+            }
+        }
+    }
 }

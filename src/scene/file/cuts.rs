@@ -70,7 +70,7 @@ pub(super) fn read(
         Some(name) => name.text()?.to_owned(),
         None => format!("{index}"),
     };
-    let volume = cutters::read(&table, cutter)?;
+    let volume = cutters::read(&table, cutter, &context.bounds)?;
     let region = region(&table, volume.is_some(), context)?;
     let mut cut = Cut::of(name, Vec::new());
     cut.volume = volume;
@@ -89,7 +89,7 @@ pub(super) fn read(
                 "a mesh has no side to move to: scale it in a cut of its own for these parts";
             return Err(offsets.fault("the cut has a `volume`, which no offset moves", mend));
         }
-        cut.offsets = offsets_of(&offsets, &cut, context)?;
+        cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
     let enabled = table.get("enabled").map_or(Ok(true), |e| e.flag())?;
     cut.enabled = enabled && !region.is_empty;
@@ -119,6 +119,11 @@ fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<
         region.intersect(regions::wedge(wedge, context)?);
     }
     if region.is_everywhere() && !has_volume {
+        if let Some(wedge) = &wedge {
+            let mend = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
+            let what = "it turns all the way round and has no end along its axis: it would remove everything";
+            return Err(wedge.fault(what, mend));
+        }
         let mend = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge` or a `volume`";
         return Err(table
             .entry
@@ -129,11 +134,20 @@ fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<
 
 /// Offsets by glob. Which of several globs counts for a part is nothing that a file says: there may be only one, beside the name
 /// itself.
-fn offsets_of(entry: &Entry<'_>, cut: &Cut, context: &Context<'_>) -> Result<Vec<Offset>> {
+fn offsets_of(
+    entry: &Entry<'_>,
+    cut: &Cut,
+    context: &Context<'_>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Offset>> {
     let diagonal = context.bounds.size().length();
     let mut offsets = Vec::new();
     for (glob, value) in entry.open_table()?.all() {
         must_name_a_part(&value, glob, context)?;
+        let mut cut_parts = context.parts.iter().filter(|p| cut.names(p));
+        if !cut_parts.any(|p| glob_matches(glob, &p.name)) {
+            notes.push(format!("{}: no part of the cut has such a name", value.key));
+        }
         let keeps = match value.amount()? {
             Amount::Units(v) => v,
             Amount::Percent(p) => diagonal * p / 100.0,

@@ -8,6 +8,7 @@ use std::path::Path;
 use super::reader::{Entry, Table};
 use super::{Loaders, parts};
 use crate::error::Result;
+use crate::scene::cutter::too_far;
 use crate::scene::{Bounds, Cutter};
 
 /// Keys of a cut that say where its cutter is, and which side of it stays.
@@ -73,8 +74,12 @@ fn open_one(
     })
 }
 
-/// The cutter of a cut where it is at the time of the text, if it has one.
-pub(super) fn read(table: &Table<'_>, held: Option<&Held>) -> Result<Option<Cutter>> {
+/// The cutter of a cut where it is at the time of the text, if it has one; `model` are the bounds of what it cuts.
+pub(super) fn read(
+    table: &Table<'_>,
+    held: Option<&Held>,
+    model: &Bounds,
+) -> Result<Option<Cutter>> {
     let Some(held) = held else {
         if let Some(entry) = PLACES.iter().find_map(|key| table.get(key)) {
             let mend = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
@@ -88,8 +93,8 @@ pub(super) fn read(table: &Table<'_>, held: Option<&Held>) -> Result<Option<Cutt
         .placed(parts::placement(table, held.rest)?);
     let corners = held.rest.corners();
     let corners = corners.map(|c| placed.world_from_cutter.transform_point3(c));
-    if !Bounds::of(corners).size().length().is_finite() {
-        let what = format!("`{}` reaches to infinity once it is placed", placed.name());
+    if let Some(what) = too_far(&Bounds::of(corners), model) {
+        let what = format!("`{}` {what} once it is placed", placed.name());
         return Err((table.entry).fault(what, "use a smaller scale or translation"));
     }
     let flip = table.get("flip").map_or(Ok(false), |f| f.flag())?;

@@ -96,7 +96,7 @@ pub(super) fn block(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     let present: Vec<_> = faces.iter().map(|f| f.name).collect();
     Ok(Union {
         is_empty: block.is_empty(),
-        alternatives: vec![ruffled(faces, &present, &table, context)?],
+        alternatives: vec![ruffled(faces, &listed(&present, &table)?, &table, context)?],
     })
 }
 
@@ -165,8 +165,10 @@ pub(super) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     let mut present = vec!["from", "to"];
     present.extend(wedge.min.map(|_| "min"));
     present.extend(wedge.max.map(|_| "max"));
-    let alternatives = wedge.alternatives().into_iter();
-    let ruffled = alternatives.map(|faces| ruffled(faces, &present, &table, context));
+    let listed = listed(&present, &table)?;
+    let ragged = listed.iter().any(|name| ["from", "to"].contains(name));
+    let alternatives = wedge.alternatives(ragged).into_iter();
+    let ruffled = alternatives.map(|faces| ruffled(faces, &listed, &table, context));
     Ok(Union {
         alternatives: ruffled.collect::<Result<_>>()?,
         is_empty: wedge.is_empty(),
@@ -181,25 +183,31 @@ fn point(entry: &Entry<'_>, bounds: &Bounds) -> Result<DVec3> {
     })))
 }
 
-/// The clip-surfaces of faces, with the relief of the table on those that are to have it; `present` are those that there are.
-fn ruffled(
-    faces: Vec<Face>,
-    present: &[&'static str],
-    table: &Table<'_>,
-    context: &Context<'_>,
-) -> Result<Vec<ClipSurface>> {
-    let listed = match table.get("faces") {
-        None => present.to_vec(),
-        Some(list) if table.get("relief").is_none() => {
+/// The faces that are to have the relief of the table; `present` are those that there are.
+fn listed(present: &[&'static str], table: &Table<'_>) -> Result<Vec<&'static str>> {
+    let has_relief = table.get("relief").is_some();
+    match table.get("faces") {
+        None if has_relief => Ok(present.to_vec()),
+        None => Ok(Vec::new()),
+        Some(list) if !has_relief => {
             let mend = "add `relief = \"NAME\"`, or remove the key";
-            return Err(list.fault("there is no relief for them", mend));
+            Err(list.fault("there is no relief for them", mend))
         }
         Some(list) => {
             let choices: Vec<_> = present.iter().map(|name| (*name, *name)).collect();
             let named = list.list()?.into_iter().map(|e| e.choice(&choices));
-            named.collect::<Result<_>>()?
+            named.collect()
         }
-    };
+    }
+}
+
+/// The clip-surfaces of faces, with the relief of the table on those that are listed.
+fn ruffled(
+    faces: Vec<Face>,
+    listed: &[&'static str],
+    table: &Table<'_>,
+    context: &Context<'_>,
+) -> Result<Vec<ClipSurface>> {
     let surfaces = faces.into_iter().map(|face| {
         let surface = if listed.contains(&face.name) {
             on_plane(face.plane, table, context)?

@@ -193,7 +193,11 @@ fn layers(
                 let what = "it says where images begin, but there are none";
                 return Err(first.fault(what, "remove it"));
             }
-            of.texts()?
+            let names = of.texts()?;
+            if names.is_empty() {
+                return Err(of.fault("it names no layer", "name reliefs: `of = [\"a\", \"b\"]`"));
+            }
+            names
         }
         (None, Some(images)) => {
             let files = images_of(&images, table.get("first"), folder, listed)?;

@@ -88,10 +88,15 @@ fn resolve_within(
         return Err(Error::input(culprit, what, mend));
     }
     let Some(relief) = reliefs.get(name) else {
-        let mend = if reliefs.is_empty() {
+        // Images that are layers have names that nobody can write, and that help nobody.
+        let known = reliefs.keys().map(String::as_str);
+        let mut known = known
+            .filter(|n| !n.starts_with(char::is_control))
+            .peekable();
+        let mend = if known.peek().is_none() {
             format!("describe it in a table [relief.{name}]")
         } else {
-            did_you_mean(name, reliefs.keys().map(String::as_str))
+            did_you_mean(name, known)
         };
         return Err(Error::input(culprit, "there is no such relief", mend));
     };
