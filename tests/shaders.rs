@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NO_LANE};
+use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, CutTable, Deformer, Domain, DrawnPart, FragmentPool, Frame, Layout,
     MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Pyramid, Quad,
@@ -423,8 +423,8 @@ fn constants_have_one_value_on_both_sides() {
         ("BORDERS_OF_DOMAIN", pack::BORDERS_OF_DOMAIN as u32),
         // Cells that a workgroup looks at along a side: known to the shader alone.
         ("ROW", 22),
-        // Halvings that the invocations of a workgroup share: `src/strategies/surface/adaptive.rs` counts visits by it.
-        ("SHARED", 5),
+        ("SHARED", pack::SHARED),
+        ("NEED_OF_TRIANGLES", NEED_OF_TRIANGLES),
         // A bit for each of them, and one more: known to the shaders alone.
         ("ALL_BORDERS", (1 << pack::BORDERS_OF_DOMAIN) - 1),
         ("OUTSIDE", 1 << 31),
@@ -433,10 +433,9 @@ fn constants_have_one_value_on_both_sides() {
         ("SHORT", 8),
         ("FIRST_LEVEL", 3),
         ("MISS", 3),
-        ("LOWEST", 2),
         ("CELLS_OF_BLOCK", 9),
-        // Nodes along a workgroup: `passes/pyramid.rs` dispatches as many.
-        ("SIDE", 16),
+        ("LOWEST", pack::LOWEST),
+        ("SIDE", pack::SIDE),
     ];
     for (name, value) in expected {
         assert_eq!(

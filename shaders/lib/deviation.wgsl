@@ -6,8 +6,7 @@
 
 #define_import_path cutaway::deviation
 
-#import cutaway::domain::{domains, texel_height}
-#import cutaway::relief::cell_at
+#import cutaway::domain::{domain_cell, texel_height}
 
 // A plane over the map.
 struct Chord {
@@ -26,7 +25,7 @@ fn bulge(surface: u32, chord: Chord, from_texel: vec2<i32>, to_texel: vec2<i32>)
     let d = deviation(surface, chord, from_texel);
     let e = deviation(surface, chord, to_texel);
     let ends = max(abs(d), abs(e));
-    let twist = cell_at(surface, domains.surfaces[surface].first_texel + min(from_texel, to_texel)).twist;
+    let twist = domain_cell(surface, min(from_texel, to_texel)).twist;
     let step = to_texel - from_texel;
     let q = select(twist, -twist, step.x == step.y);
     if abs(e - d) < abs(q) {

@@ -7,7 +7,7 @@
 #define_import_path cutaway::domain
 
 #import cutaway::cuts::{NO_RELIEF, cut_table}
-#import cutaway::relief::{cell_at, height_in, heights, map_of, wrapped}
+#import cutaway::relief::{Cell, Map, cell_of, height_in, heights, wrapped}
 
 struct Domain {
     // Vertex (0, 0) on the plane, and what a step means, in scene space.
@@ -27,6 +27,10 @@ struct Domain {
     least_twist: f32,
     // 1 where texel axes turn the other way than U and V.
     mirrored: u32,
+    // Of the map: those that measure know nothing else of the clip-surface, so that it may move without being measured again.
+    map_size: vec2<u32>,
+    map_first: u32,
+    wrap: u32,
     padding: vec2<u32>,
 }
 
@@ -45,9 +49,18 @@ fn is_in_domain(surface: u32, texel: vec2<i32>) -> bool {
     return all(texel >= vec2<i32>(0)) && all(texel <= vec2<i32>(domain_texels(surface)));
 }
 
+fn domain_map(surface: u32) -> Map {
+    return Map(domains.surfaces[surface].map_first, domains.surfaces[surface].map_size, domains.surfaces[surface].wrap);
+}
+
+// A cell of the map, counted from the corner.
+fn domain_cell(surface: u32, cell: vec2<i32>) -> Cell {
+    return cell_of(domain_map(surface), domains.surfaces[surface].first_texel + cell);
+}
+
 // Height of the map at a texel, counted from the corner.
 fn texel_height(surface: u32, texel: vec2<i32>) -> f32 {
-    let map = map_of(surface);
+    let map = domain_map(surface);
     let at = domains.surfaces[surface].first_texel + texel;
     return heights[map.first + wrapped(at.y, map.size.y, map.wrap) * map.size.x + wrapped(at.x, map.size.x, map.wrap)];
 }
@@ -60,8 +73,7 @@ fn relief_at(surface: u32, at: vec2<i32>) -> f32 {
     let bits = vec2<u32>(domains.surfaces[surface].step_bits);
     let cell = at >> bits;
     let within = vec2<f32>(at - (cell << bits)) / f32(1u << bits.x);
-    let form = cell_at(surface, domains.surfaces[surface].first_texel + cell);
-    return height_in(form, within) * cut_table.surfaces[surface].scale.z;
+    return height_in(domain_cell(surface, cell), within) * cut_table.surfaces[surface].scale.z;
 }
 
 // A vertex on the clip-surface, in scene space.

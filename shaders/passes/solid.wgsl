@@ -28,6 +28,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if is_removed(rank.sides, part.cuts) {
         discard;
     }
-        // A place that does not fit its bits is looked for again by who decides.
+    // A place that does not fit its bits is looked for again by who decides.
     return surface_words(corner, min(rank.behind, UNRANKED), part.part, front);
 }

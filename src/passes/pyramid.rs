@@ -10,18 +10,15 @@
 use std::fmt;
 
 use super::Recorder;
-use crate::plan::pack::{MAX_SURFACES, Pyramid};
+use crate::plan::pack::{LOWEST, MAX_SURFACES, Pyramid, SIDE};
 use crate::plan::{Binding, Clock, Contents, Limits, Pass, Resource, ResourceId, Role, Work};
 use crate::scene::Wrap;
 use crate::shader::Shader;
 
 /// Levels beyond which there are none: blocks of 32,768 x 32,768 cells.
 const MOST_LEVELS: u32 = 15;
-/// The lowest level that is kept: within its blocks rays go from cell to cell; `LOWEST` in `shaders/lib/pyramid.wgsl`.
-const LOWEST: u32 = 2;
-/// Levels that a pass builds, and nodes of the lowest along a side of its workgroups.
+/// Levels that a pass builds.
 const LEVELS_OF_PASS: u32 = 5;
-const SIDE: u32 = 16;
 const NODE_BYTES: u64 = 8;
 
 /// How rays are followed through the heights of a relief.

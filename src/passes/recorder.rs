@@ -15,7 +15,7 @@ const UNRANKED: f64 = 254.0;
 
 /// Word of the need buffer for crossings per pixel: `shaders/lib/crossing_list.wgsl`.
 pub const NEED_OF_CROSSINGS: u32 = 0;
-/// Word for the cells of a relief along a ray: `shaders/strategies/surface/raycast/reliefs.wgsl`.
+/// Word for the cells of a relief along a ray: `shaders/lib/relief_crossing/`.
 pub const NEED_OF_CELLS: u32 = 1;
 /// Word for fragments.
 pub const NEED_OF_FRAGMENTS: u32 = 2;
@@ -53,6 +53,8 @@ pub struct Recorder<'a> {
     pub winding_words: u32,
     /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
     pub relief_walk: Option<ReliefWalk>,
+    /// Frames before had pyramids, and a camera that moves is not to build them again and again.
+    pub keeps_pyramids: bool,
     /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
     pub interference: Option<[u8; 3]>,
     drawn: bool,
@@ -73,6 +75,7 @@ impl<'a> Recorder<'a> {
             wide_atomics: false,
             winding_words: 0,
             relief_walk: None,
+            keeps_pyramids: false,
             interference: None,
             drawn: false,
             screen_of_frame: None,

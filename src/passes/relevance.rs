@@ -45,7 +45,7 @@ pub struct Relevance {
     pub lanes: usize,
     /// The near plane meets a part that needs an inside test.
     pub near_inside: bool,
-    /// Box around the parts that cuts reach.
+    /// Box around the parts that cuts reach; where none does, around those that the near plane opens.
     pub cut_box: Bounds,
 }
 
@@ -117,8 +117,10 @@ impl Relevance {
         let mut order = of_kind(|t| matches!(t, Treatment::Cut(_)));
         let lanes = order.len();
         order.extend(of_kind(|t| *t == Treatment::Plain));
-        let cut_box = order[..lanes]
-            .iter()
+        // Where no cut reaches nobody asks about crossings: a part that only the near plane opens is not to widen what hangs on the
+        // box, for it would change with the camera.
+        let asks = |i: &&usize| surfaces.is_empty() || parts[**i] != Treatment::Cut(0);
+        let cut_box = (order[..lanes].iter().filter(asks))
             .map(|i| prepared.parts[*i].bounds)
             .fold(Bounds::EMPTY, Bounds::union);
         let near_inside = order[..lanes]

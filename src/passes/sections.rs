@@ -1,6 +1,7 @@
 //! The sections of cut parts by planes as uploads: sliced and triangulated on the CPU, drawn from any camera.
 //!
-//! What was sliced before by the same plane is not sliced again; the rest is, on all cores. The time goes to the clock of the cut.
+//! What was sliced before by the same plane is not sliced again; the rest is, on all cores. The time goes to the clock of the cut,
+//! and that of the slicers, which are made once for each mesh and pose, to the clock of the solid.
 //! Buffers have room for more than they hold, so that a plane that moves a little finds them large enough.
 
 use std::sync::Arc;
@@ -40,6 +41,13 @@ impl Wanted {
     }
 }
 
+/// One of what is wanted for each part.
+fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wanted> {
+    let mut of_each: Vec<&Wanted> = wanted.into_iter().collect();
+    of_each.dedup_by(|a, b| Arc::ptr_eq(&a.sliced, &b.sliced));
+    of_each
+}
+
 impl Recorder<'_> {
     /// The sections of the cut parts by the planes that cut them; none where all planes pass by, and whether some part may have
     /// too little of a section, as an open mesh has. All clip-surfaces must be planes.
@@ -47,6 +55,7 @@ impl Recorder<'_> {
         let wanted = self.wanted();
         let known: Vec<_> =
             (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
+        let slicers_ms = make_slicers(&wanted, &known);
         let started = now();
         let all: Vec<Arc<PackedSection>> = (wanted.par_iter().zip(&known))
             .map(|(w, known)| known.clone().unwrap_or_else(|| Arc::new(w.sliced())))
@@ -62,30 +71,60 @@ impl Recorder<'_> {
         let met: Vec<_> = (wanted.iter().zip(&all))
             .filter(|(_, s)| s.index_count > 0)
             .collect();
-        if met.is_empty() {
-            return (None, is_doubtful);
+        let found = met.len();
+        let sections = (found > 0).then(|| {
+            let [vertices, indices] = self.upload(&met);
+            Sections {
+                vertices,
+                indices,
+                draws: draws(&met),
+            }
+        });
+        if !wanted.is_empty() {
+            let makes = (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect();
+            self.add_work(wanted, found, makes, [slicers_ms, took_ms]);
         }
-        let draws = draws(&met);
-        let [vertices, indices] = self.upload(&met);
+        (sections, is_doubtful)
+    }
+
+    /// Tells of the slicers and of the sections, and of how long each took, if it was not known from before.
+    fn add_work(
+        &mut self,
+        wanted: Vec<Wanted>,
+        found: usize,
+        makes: Vec<ResourceId>,
+        [slicers_ms, took_ms]: [Option<f64>; 2],
+    ) {
+        let wanted = Arc::new(wanted);
+        let parts = of_each_part(wanted.iter()).len();
+        let of_slicers = wanted.clone();
+        self.plan.on_cpu.push(CpuWork {
+            name: "slicers".to_owned(),
+            clock: Clock::Solid,
+            reason: format!(
+                "{} made ready to be sliced by any plane",
+                counted(parts, "part")
+            ),
+            makes: Vec::new(),
+            took_ms: slicers_ms,
+            again: Arc::new(move || {
+                let made = of_each_part(of_slicers.iter()).into_par_iter();
+                made.for_each(|w| drop(w.sliced.new_slicer(&w.part)));
+            }),
+        });
         self.plan.on_cpu.push(CpuWork {
             name: "slice".to_owned(),
             clock: Clock::Cut,
             reason: format!(
                 "{}, triangulated: where a plane is inside a part",
-                counted(met.len(), "section")
+                counted(found, "section")
             ),
-            makes: vec![vertices, indices],
+            makes,
             took_ms,
             again: Arc::new(move || {
-                wanted.par_iter().map(Wanted::sliced).collect::<Vec<_>>();
+                wanted.par_iter().for_each(|w| drop(w.sliced()));
             }),
         });
-        let sections = Sections {
-            vertices,
-            indices,
-            draws,
-        };
-        (Some(sections), is_doubtful)
     }
 
     fn wanted(&self) -> Vec<Wanted> {
@@ -143,6 +182,18 @@ impl Recorder<'_> {
             })
         })
     }
+}
+
+/// Makes the slicers that sections which are not known ask for; how long that took, if any was made.
+fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Option<f64> {
+    let started = now();
+    let missing = (wanted.iter().zip(known))
+        .filter(|(w, known)| known.is_none() && !w.sliced.has_slicer())
+        .map(|(w, _)| w);
+    // Each once: a thread that makes one must not come upon the same again while it waits for others.
+    let missing = of_each_part(missing);
+    missing.par_iter().for_each(|w| w.sliced.prepare(&w.part));
+    (!missing.is_empty()).then(|| started.elapsed().as_secs_f64() * 1e3)
 }
 
 fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> Vec<Draw> {

@@ -105,15 +105,28 @@ impl Sliced {
         });
     }
 
+    /// Whether the slicer is made.
+    pub(super) fn has_slicer(&self) -> bool {
+        self.slicer.get().is_some()
+    }
+
+    /// Makes the slicer, if there is none.
+    pub(super) fn prepare(&self, part: &PreparedPart) {
+        self.slicer.get_or_init(|| self.new_slicer(part));
+    }
+
+    /// A slicer of the part; one that the device poses is posed for it.
+    pub(super) fn new_slicer(&self, part: &PreparedPart) -> Slicer {
+        let positions: Vec<DVec3> = match &self.posed {
+            Some((part, space)) => positions_of(part, space),
+            None => part.positions.par_iter().map(|p| p.as_dvec3()).collect(),
+        };
+        Slicer::of(positions, &part.triangles)
+    }
+
     /// Slices the part, and fills the section by its rule.
     pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
-        let slicer = self.slicer.get_or_init(|| {
-            let positions: Vec<DVec3> = match &self.posed {
-                Some((part, space)) => positions_of(part, space),
-                None => part.positions.par_iter().map(|p| p.as_dvec3()).collect(),
-            };
-            Slicer::of(positions, &part.triangles)
-        });
+        let slicer = self.slicer.get_or_init(|| self.new_slicer(part));
         PackedSection::of(&slicer.section_by(plane, part.fill), plane)
     }
 }

@@ -18,7 +18,7 @@ pub struct CpuWork {
     pub clock: Clock,
     /// Why it is there.
     pub reason: String,
-    /// The uploads that it makes.
+    /// The uploads that it makes; none where it is done for other such work, or where it found nothing to upload.
     pub makes: Vec<ResourceId>,
     /// Milliseconds that it took for this plan; `None` where all of it was known from before.
     pub took_ms: Option<f64>,

@@ -91,6 +91,8 @@ pub struct Capacities {
     pub sheets: Option<u32>,
     /// Triangles that a frame makes of clip-surfaces.
     pub triangles: Option<u32>,
+    /// Reliefs have pyramids already, so that rays go over them from now on whatever the view makes of it.
+    pub pyramids: bool,
 }
 
 impl Capacities {
@@ -110,6 +112,7 @@ impl Capacities {
         fragments: None,
         sheets: None,
         triangles: None,
+        pyramids: false,
     };
 
     /// Layers of the sprite of the part with this rank.

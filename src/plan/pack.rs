@@ -12,7 +12,7 @@ mod normal;
 
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
-pub use pyramid::Pyramid;
+pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
 
 /// A shared struct's fields, for the layout test: name, offset, size.
@@ -47,7 +47,7 @@ mod refinement;
 mod sprite;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
-pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement};
+pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement, SHARED};
 
 shared! {
     /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.

@@ -14,7 +14,7 @@ impl Plan {
             let passes: Vec<&Pass> = self.passes_on(clock).collect();
             let bytes = self.bytes_on(clock);
             let works: Vec<&CpuWork> = self.on_cpu.iter().filter(|w| w.clock == clock).collect();
-            if passes.is_empty() && bytes == 0 {
+            if passes.is_empty() && works.is_empty() && bytes == 0 {
                 continue;
             }
             // Writing to a String cannot fail.
@@ -29,7 +29,9 @@ impl Plan {
             for w in works {
                 let _ = writeln!(text, "  {}  [on the CPU]", w.name);
                 let _ = writeln!(text, "    why     {}", w.reason);
-                let _ = writeln!(text, "    writes  {}", self.names(&w.makes));
+                if !w.makes.is_empty() {
+                    let _ = writeln!(text, "    writes  {}", self.names(&w.makes));
+                }
             }
             for p in passes {
                 let _ = writeln!(text, "  {}  [{}]", p.name, describe(&p.work));

@@ -161,6 +161,7 @@ impl Band {
                 Ok(plan) => plan,
                 Err(refusal) => return Ok(Err(Stop::Refused(refusal.reason))),
             };
+            capacities.pyramids |= plan.resource_named("pyramids").is_some();
             // The last try does all that the frame takes, so that its times are those of the frame.
             match self.program.load(gpu, plan) {
                 Ok(due) => owed.add(due),

@@ -1,7 +1,7 @@
 //! Strategies: a cap surface and an inside test, and the plan they record together.
 //!
 //! A strategy never touches the GPU. Adding one means a file under `surface/` or `inside/`, a folder of shaders and an arm in
-//! [`record`].
+//! `record_cut`.
 
 pub mod inside;
 pub mod surface;
@@ -69,6 +69,7 @@ pub fn record_with(
     recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
     recorder.interference = options.interference;
     recorder.relief_walk = options.relief_walk;
+    recorder.keeps_pyramids = capacities.pyramids;
     if let Some(reason) = beyond(&recorder, strategy) {
         return Err(refuse(reason));
     }
@@ -110,10 +111,10 @@ fn record_cut(
             inside::kbuffer::record(recorder, surface, rasteriser, depths, capacities)
         }
         (CapSurface::Raycast, InsideTest::Vds { resolution }) => {
-            inside::vds::record_with_list(recorder, surface, rasteriser, resolution, capacities)
+            inside::vds::record_with_list(recorder, rasteriser, resolution, capacities)
         }
         (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
-            inside::ldi::record_with_list(recorder, surface, rasteriser, resolution, capacities)
+            inside::ldi::record_with_list(recorder, rasteriser, resolution, capacities)
         }
         (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Vds { resolution }) => {
             let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
@@ -154,9 +155,14 @@ fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
         ));
     }
     if recorder.has_cutters() && !strategy.lists_crossings() {
+        let why = if strategy.is_by_the_papers_rule() {
+            "draws each clip-surface by itself, with no list of crossings to put its faces in"
+        } else {
+            "cuts by planes alone"
+        };
         return Some(format!(
-            "a cut has a closed mesh for a volume, and {strategy} draws no list of crossings to put it in: name raycast or grid with \
-             mask, stencil, abuffer or kbuffer"
+            "a cut has a closed mesh for a volume, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, abuffer \
+             or kbuffer, or raycast with vds or ldi"
         ));
     }
     None

@@ -308,6 +308,33 @@ fn inside_tests_agree_to_the_bit() {
 }
 
 #[test]
+fn tessellated_reliefs_go_with_cutters() {
+    let mut scene = shells();
+    let alone = Question::of(&scene, SIZE);
+    let raycast = layers_of(&alone, "raycast+mask");
+    let rough = cameras::relief(&scene, "-z=60%", "fractal:size=32,amplitude=6%");
+    scene.cuts.push(Cut::of("rough", vec![rough]));
+    let both = Question::of(&scene, SIZE);
+    for name in ["adaptive:0.5+mask", "grid:64+mask", "adaptive:0.5+abuffer"] {
+        assert_eq!(layers_of(&alone, name), raycast, "{name}: the cutter alone");
+        let judged = both.answer(&strategy(name));
+        let c = &judged.comparison;
+        assert_eq!([c.odd_parity_px, c.crack_px], [0, 0], "{name}");
+        let (wrong, boundary) = (c.decided_wrong_px, both.boundary_px());
+        println!("{name}: {wrong} wrong of {boundary}");
+        assert!(wrong * 10 < boundary, "{name}: {wrong} of {boundary}");
+    }
+    // The control: the relief is there.
+    let without = Question {
+        exact: both.exact.clone(),
+        ..Question::of(&shells(), SIZE)
+    };
+    let judged = without.answer(&strategy("adaptive:0.5+mask"));
+    let wrong = judged.comparison.decided_wrong_px;
+    assert!(wrong > both.boundary_px(), "{wrong} without the relief");
+}
+
+#[test]
 fn the_other_half_of_a_flipped_cutter_is_caught() {
     // The control of all of the above: another cutter than the reference was asked about.
     let mut scene = shells();

@@ -168,3 +168,31 @@ fn a_map_too_long_for_a_dispatch_is_walked() {
     let reason = &pass(&plan, "crossings").reason;
     assert!(reason.contains("their pyramids are too large"), "{reason}");
 }
+
+#[test]
+fn a_camera_that_orbits_builds_pyramids_once() {
+    let strategy = Strategy::RAYCAST_MASK;
+    let gpu = cutaway::Gpu::open(&cutaway::gpu::GpuOptions {
+        adapter: None,
+        prefer_software: true,
+    });
+    let mut session = cutaway::session::Session::new(gpu.expect("an adapter"));
+    let model = Model::of(&cube(256, 5.0));
+    let (mut built, mut walked) = (Vec::new(), 0);
+    // There and back, twice: what is chosen by each view alone changes four times.
+    for angle_deg in [5.0, 30.0, 60.0, 75.0, 87.0, 60.0, 5.0, 87.0, 5.0] {
+        let view = (model.prepared).view_of(&cube(256, angle_deg).camera, [48, 40]);
+        walked += u32::from(pyramid_passes(&planned(&cube(256, angle_deg), None)).is_empty());
+        let drawn = session.draw(&model, &view, &strategy);
+        let drawn = drawn.unwrap_or_else(|e| panic!("{e}"));
+        if drawn.clocks.contains(Clock::Cut) {
+            built.push(angle_deg);
+        }
+    }
+    assert!(walked >= 3, "views of their own choice: {walked} need none");
+    assert_eq!(
+        built,
+        [5.0, 60.0],
+        "the first frame, and the first that has a pyramid"
+    );
+}

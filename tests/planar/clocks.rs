@@ -77,6 +77,38 @@ fn only_what_is_new_is_sliced() {
 }
 
 #[test]
+fn rounds_that_are_repeated_time_slicers_as_well() {
+    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut scene = scene();
+    let model = Model::of(&scene);
+    let ran = |times: &cutaway::gpu::RunTimes| -> Vec<(String, Clock)> {
+        let of_cpu = (times.passes.iter()).filter(|p| p.name.starts_with("slice"));
+        of_cpu.map(|p| (p.name.clone(), p.clock)).collect()
+    };
+    let both = [("slicers", Clock::Solid), ("slice", Clock::Cut)].map(|(n, c)| (n.to_owned(), c));
+    let mut frame = |model: &Model| {
+        let view = model.prepared.view([64, 48]);
+        let drawn = session.draw(model, &view, &Strategy::PLANAR);
+        drawn.unwrap_or_else(|e| panic!("{e}")).times
+    };
+    assert_eq!(ran(&frame(&model)), both, "the first frame");
+    assert_eq!(ran(&frame(&model)), [], "all is known");
+    scene.cuts[0].surfaces[0].origin.z += 0.11;
+    assert_eq!(
+        ran(&frame(&model.updated(&scene))),
+        both[1..],
+        "a plane that moves finds its slicers"
+    );
+    let all = ClockSet::FRAME.with(Clock::Solid).with(Clock::Cut);
+    let again = session.repeat(&Strategy::PLANAR, all).expect("times");
+    assert_eq!(ran(&again), both, "another round");
+    assert!(
+        again.clock_ms(Clock::Solid) > 0.0,
+        "slicers take their time"
+    );
+}
+
+#[test]
 fn what_moves_is_sliced_where_it_stands() {
     let mut scene = scene();
     let mut model = Model::of(&scene);

@@ -60,13 +60,13 @@ fn one_plane_through_one_part_is_one_section() {
     let expected = ["crossings", "solid", "sections", "resolve", "shade"];
     assert_eq!(passes(&hardware), expected, "passes");
     assert_eq!(sections(&hardware).len(), 1, "sections");
-    let work = &hardware.on_cpu[0];
-    assert_eq!(
-        (work.name.as_str(), work.clock),
-        ("slice", Clock::Cut),
-        "work"
+    let works = (hardware.on_cpu.iter()).map(|w| (w.name.as_str(), w.clock));
+    let expected = [("slicers", Clock::Solid), ("slice", Clock::Cut)];
+    assert_eq!(works.collect::<Vec<_>>(), expected, "work");
+    assert!(
+        hardware.on_cpu.iter().all(|w| w.took_ms.is_some()),
+        "it was sliced"
     );
-    assert!(work.took_ms.is_some(), "it was sliced");
     hardware.check(&Limits::CORE).expect("core WebGPU");
     let compute = plan(&scene, Rasteriser::Compute).expect("a plan");
     assert!(
@@ -109,10 +109,14 @@ fn what_no_plane_meets_has_no_section() {
     let corner = ClipSurface::plane(DVec3::splat(0.35), DVec3::NEG_ONE);
     let scene = scenes::scene("ball", meshes::shape("sphere?subdivisions=3"), vec![corner]);
     let missed = plan(&scene, Rasteriser::Hardware).expect("a plan");
+    assert!(sections(&missed).is_empty(), "{:?}", passes(&missed));
+    // It was looked for, which took its time.
+    let sliced = &missed.on_cpu[1];
+    assert!(sliced.took_ms.is_some() && sliced.makes.is_empty());
     assert!(
-        sections(&missed).is_empty() && missed.on_cpu.is_empty(),
-        "{:?}",
-        passes(&missed)
+        missed.to_text().contains("0 sections, triangulated"),
+        "{}",
+        missed.to_text()
     );
     missed.check(&Limits::CORE).expect("core WebGPU");
 }
@@ -147,6 +151,8 @@ fn the_plan_is_told_with_its_work_on_the_cpu() {
     // By hand: six vertices of 16 bytes at most for a square that a diagonal of each wall crosses, in powers of two.
     for line in [
         "per cut: 0 passes",
+        "  slicers  [on the CPU]",
+        "    why     1 part made ready to be sliced by any plane",
         "  slice  [on the CPU]",
         "    why     1 section, triangulated: where a plane is inside a part",
         "    writes  section vertices, section indices",
@@ -155,8 +161,9 @@ fn the_plan_is_told_with_its_work_on_the_cpu() {
         assert!(text.contains(line), "`{line}` is not in\n{text}");
     }
     let json = plan.to_json();
-    assert_eq!(json["on_cpu"][0]["name"], "slice", "{json}");
-    assert_eq!(json["on_cpu"][0]["clock"], "cut", "{json}");
+    assert_eq!(json["on_cpu"][0]["name"], "slicers", "{json}");
+    assert_eq!(json["on_cpu"][1]["name"], "slice", "{json}");
+    assert_eq!(json["on_cpu"][1]["clock"], "cut", "{json}");
 }
 
 #[test]

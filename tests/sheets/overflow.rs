@@ -31,7 +31,7 @@ fn marked(found: &Layers, right: &Layers) -> (usize, usize) {
 }
 
 #[test]
-fn a_pool_too_small_by_one_marks_a_pixel() {
+fn a_pool_too_small_by_a_few_marks_no_more_pixels() {
     for scene in [ring(), row()] {
         let question = Question::of(&scene, SIZE);
         for name in ["grid:32+mask", "grid:32+abuffer"] {
@@ -40,12 +40,22 @@ fn a_pool_too_small_by_one_marks_a_pixel() {
             assert_eq!(roomy, right, "{}: room for all", scene.name);
             let (exact, again) = with_room(&question, name, need);
             assert_eq!((&exact, again), (&right, need), "{}", scene.name);
-            let (short, told) = with_room(&question, name, need - 1);
-            assert_eq!(told, need, "{}: what is needed is told", scene.name);
-            let (marks, unmarked) = marked(&short, &right);
+            // A pixel beside the cut solids loses what nobody asks for: it need not be marked, until many are short.
+            let mut most = 0;
+            for missing in [1, 64, need / 4] {
+                let (short, told) = with_room(&question, name, need - missing);
+                assert_eq!(told, need, "{}: what is needed is told", scene.name);
+                let (marks, unmarked) = marked(&short, &right);
+                assert!(
+                    marks <= missing as usize && unmarked == 0,
+                    "{}: {marks} marked, {unmarked} wrong by {missing}",
+                    scene.name
+                );
+                most = most.max(marks);
+            }
             assert!(
-                marks <= 1 && unmarked == 0,
-                "{}: {marks} marked, {unmarked} wrong by one",
+                most > 0,
+                "{}: a quarter is missing and nothing marked",
                 scene.name
             );
             let (half, _) = with_room(&question, name, need / 2);

@@ -1,8 +1,13 @@
-//! The shared struct of pyramids over offset maps.
+//! The shared struct and constants of pyramids over offset maps.
 
 use bytemuck::{Pod, Zeroable};
 
 use super::Layout;
+
+/// The lowest level that is kept: within its blocks rays go from cell to cell. In `shaders/lib/pyramid.wgsl` as well.
+pub const LOWEST: u32 = 2;
+/// Nodes of the lowest level of a pass along a side of its workgroups: `shaders/passes/pyramid.wgsl`.
+pub const SIDE: u32 = 16;
 
 shared! {
     /// The pyramid of the map of a clip-surface: `shaders/lib/pyramid.wgsl`.

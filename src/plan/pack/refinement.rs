@@ -6,6 +6,8 @@ use super::Layout;
 
 /// Borders that triangles are held against: the near plane, the sides of the picture, the faces of the box of the cut solids.
 pub const BORDERS_OF_DOMAIN: usize = 11;
+/// Halvings that the invocations of a workgroup share: `shaders/strategies/surface/adaptive/refine.wgsl`.
+pub const SHARED: u32 = 5;
 
 shared! {
     /// The part of a clip-surface that is tessellated: `shaders/lib/domain.wgsl`.
@@ -32,8 +34,33 @@ shared! {
         least_twist: f32,
         /// 1 where texel axes turn the other way than `U` and `V`.
         mirrored: u32,
+        /// Width and height of the map.
+        map_size: [u32; 2],
+        /// Its first texel in `heights`.
+        map_first: u32,
+        /// How it goes on.
+        wrap: u32,
         /// Unused.
         padding: [u32; 2],
+    }
+}
+
+impl Domain {
+    /// What of it the errors of its vertices hang on: the same wherever the clip-surface lies, as long as the same texels are asked
+    /// about. Nothing for a plane, of which nothing is measured.
+    #[must_use]
+    pub fn as_measured(&self) -> Self {
+        if self.map_size == [0, 0] {
+            return Self::zeroed();
+        }
+        Self {
+            corner: [0.0; 4],
+            step_x: [0.0; 4],
+            step_y: [0.0; 4],
+            step_bits: 0,
+            mirrored: 0,
+            ..*self
+        }
     }
 }
 

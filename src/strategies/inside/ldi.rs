@@ -25,7 +25,6 @@ use crate::plan::{
     Work,
 };
 use crate::shader::Shader;
-use crate::strategies::CapSurface;
 
 /// What is bounded, for the report of a frame that needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
@@ -109,16 +108,15 @@ pub fn record(
     })
 }
 
-/// Records the frame of a cap surface that lists crossings with `ldi:RES`.
+/// Records the frame of `raycast` with `ldi:RES`.
 pub fn record_with_list(
     recorder: &mut Recorder<'_>,
-    surface: CapSurface,
     rasteriser: Rasteriser,
     resolution: u32,
     capacities: &Capacities,
 ) -> Result<(), String> {
     let ranks = recorder.relevance.cut_parts().to_vec();
-    vds::probed(recorder, surface, rasteriser, capacities, |recorder| {
+    vds::probed(recorder, rasteriser, capacities, |recorder| {
         let volume = record(recorder, rasteriser, &ranks, resolution, capacities)?;
         Ok(vec![(0..ranks.len(), volume)])
     })

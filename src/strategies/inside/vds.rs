@@ -144,16 +144,15 @@ pub fn record(
     }
 }
 
-/// Records the frame of a cap surface that lists crossings with `vds:RES`.
+/// Records the frame of `raycast` with `vds:RES`.
 pub fn record_with_list(
     recorder: &mut Recorder<'_>,
-    surface: CapSurface,
     rasteriser: Rasteriser,
     resolution: u32,
     capacities: &Capacities,
 ) -> Result<(), String> {
     let ranks = recorder.relevance.cut_parts().to_vec();
-    probed(recorder, surface, rasteriser, capacities, |recorder| {
+    probed(recorder, rasteriser, capacities, |recorder| {
         let of_part = |(place, rank): (usize, &usize)| {
             let volume = record(recorder, *rank, resolution, capacities);
             (place..place + 1, volume)
@@ -165,7 +164,6 @@ pub fn record_with_list(
 /// Records the frame of listed crossings with images of volumes: which places of the table each image answers for.
 pub(super) fn probed(
     recorder: &mut Recorder<'_>,
-    surface: CapSurface,
     rasteriser: Rasteriser,
     capacities: &Capacities,
     images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, String>,
@@ -175,7 +173,13 @@ pub(super) fn probed(
     let images = images(recorder)?;
     let mask = recorder.reduced_mask();
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(recorder, surface, capacity, &emptied, capacities)?;
+    let crossings = surface::list(
+        recorder,
+        CapSurface::Raycast,
+        capacity,
+        &emptied,
+        capacities,
+    )?;
     recorder.over_mesh(rasteriser, &Store::nothing(Vec::new()), &crossings)?;
     for (places, volume) in images {
         let name = format!("probe {}", places.start);

@@ -11,17 +11,17 @@
 //! device draws what it made: nothing is read back.
 //!
 //! Cannot: halve a texel more often than 16 bits can count, where a map has very many; an error of TAU asks for more only where a
-//! single texel is hundreds of pixels high. Keep what it measured where the cut moves, or the box of the solids that it cuts: all is
-//! measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs. Refuses
+//! single texel is hundreds of pixels high. Keep what it measured where a relief moves across its texels, or the box of the solids that are
+//! cut does: all is measured again. Say which pixels miss triangles that found no room: the frame is drawn again with as many as it needs. Refuses
 //! reliefs of more texels than a storage binding holds: `raycast` draws those.
 
 mod domain;
 mod measure;
 mod view;
 
-use super::tessellation::{Facets, ROUNDING, Tessellation};
+use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::{NEED_OF_TRIANGLES, Recorder};
-use crate::plan::pack::{Domain, MAX_SURFACES, Refinement};
+use crate::plan::pack::{Domain, MAX_SURFACES, Refinement, SHARED};
 use crate::plan::{
     ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents, INDEX_BYTES, Knob,
     Pass, Resource, Role, Shape, Work,
@@ -32,8 +32,6 @@ use crate::strategies::Tau;
 const FIRST_TRIANGLES: u32 = 1 << 16;
 /// Most triangles of all reliefs: 128 MiB of indices.
 const MOST_TRIANGLES: u32 = (128 << 20) / 12;
-/// Halvings that the invocations of a workgroup share: `SHARED` in `shaders/strategies/surface/adaptive/refine.wgsl`.
-const SHARED_HALVINGS: u32 = 5;
 
 /// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
 pub fn tessellation(
@@ -58,7 +56,7 @@ pub fn tessellation(
     }
     let mut side_bindings = vec![domains.clone()];
     if !reliefs.is_empty() {
-        let errors = measure::record(recorder, &rows, &reliefs, &domains);
+        let errors = measure::record(recorder, &rows, &reliefs);
         let capacity = room(capacities, reliefs.len() as u32);
         let refinements: Vec<Refinement> = (rows.iter().enumerate())
             .map(|(s, row)| view::refinement(recorder, s, row, tau, capacity))
@@ -72,7 +70,7 @@ pub fn tessellation(
         bindings: vec![domains],
         side: "lib/sheet_side/adaptive.wgsl",
         side_bindings,
-        beside: ROUNDING,
+        beside: rounding(recorder),
         facets,
     })
 }
@@ -154,7 +152,7 @@ fn refine(
     for (slot, surface) in reliefs.iter().enumerate() {
         let row = &rows[*surface as usize];
         let halvings = 2 * (row.patch_bits + row.step_bits);
-        let visits = SHARED_HALVINGS + (2 << halvings.saturating_sub(SHARED_HALVINGS));
+        let visits = SHARED + (2 << halvings.saturating_sub(SHARED));
         let mut bindings = vec![
             Binding::write("triangles", indices),
             Binding::update("arguments", arguments),

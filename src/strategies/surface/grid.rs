@@ -10,7 +10,7 @@ use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 
-use super::tessellation::{Facets, ROUNDING, Tessellation};
+use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::Recorder;
 use crate::plan::pack::{self, Quad};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
@@ -32,7 +32,7 @@ pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
         bindings: vec![quads.clone()],
         side: "lib/sheet_side/grid.wgsl",
         side_bindings: vec![quads],
-        beside: ROUNDING,
+        beside: rounding(recorder),
         facets: (0..count).map(facets).collect(),
     }
 }

@@ -13,7 +13,8 @@
 //! sections once, one resolve; 2 to 32 bits per pixel and cut part. A camera that moves slices nothing.
 //!
 //! Cannot: cut by reliefs; cap at the near plane; follow a large mesh that moves as fast as others do, for it is posed on the CPU and
-//! its slicer made anew in each step. Open meshes are capped as far as their sections close; where one does not, pixels with an odd
+//! its slicer made anew in each step. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that
+//! is cut, though nothing of that be seen. Open meshes are capped as far as their sections close; where one does not, pixels with an odd
 //! total of a part's fragments are marked, as `mask` marks them.
 
 use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Sections, Store, counted};

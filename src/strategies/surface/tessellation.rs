@@ -15,8 +15,24 @@ use crate::shader::Shader;
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
-/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope.
-pub(super) const ROUNDING: f64 = 2e-4;
+/// Places along a pixel that rasterisers tell apart.
+const SUBPIXELS: f64 = 256.0;
+/// The slope along which a triangle that is beside itself counts.
+const STEEP: f64 = 4.0;
+/// What triangles may be beside themselves at least, in scene units.
+const LEAST_ROUNDING: f64 = 2e-4;
+
+/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope, at the far end
+/// of the box of the cut solids. In powers of two, for a shader is compiled for each.
+pub(super) fn rounding(recorder: &Recorder<'_>) -> f64 {
+    let view = recorder.view;
+    let corners = recorder.relevance.cut_box.corners();
+    let depths = corners.map(|c| (c - view.eye).dot(view.forward));
+    let farthest = depths.into_iter().fold(view.near, f64::max);
+    let beside = view.pixel_size(farthest) * STEEP / SUBPIXELS;
+    let times = (beside / LEAST_ROUNDING).max(1.0);
+    LEAST_ROUNDING * times.log2().ceil().exp2()
+}
 
 /// Clip-surfaces as triangles.
 #[derive(Clone, Debug)]

@@ -4,8 +4,7 @@
 // What is kept is the greatest of |twist| / 4^d over the cells that are d steps away, d up to 3, and no less than what any cell
 // farther away may have: no cell's value is then less than a quarter of its neighbour's, which is what halving below a texel asks for.
 
-#import cutaway::domain::{domain_texels, domains}
-#import cutaway::relief::cell_at
+#import cutaway::domain::{domain_cell, domain_texels, domains}
 
 @group(1) @binding(10) var<storage, read_write> sheet_errors: array<f32>;
 
@@ -30,7 +29,7 @@ fn main(
         let is_cell = all(cell >= vec2<i32>(0)) && all(cell < vec2<i32>(size));
         var twist = 0.0;
         if is_cell {
-            twist = abs(cell_at(surface, domains.surfaces[surface].first_texel + cell).twist);
+            twist = abs(domain_cell(surface, cell).twist);
         }
         twists[i] = twist;
     }

@@ -8,6 +8,9 @@
 override count: u32 = 1u;
 override capacity: u32 = 1u;
 
+// Word of the need buffer.
+const NEED_OF_TRIANGLES: u32 = 4u;
+
 @compute @workgroup_size(1)
 fn main() {
     var most = 0u;
@@ -16,5 +19,5 @@ fn main() {
         most = max(most, made);
         arguments[5u * slot] = 3u * min(made, capacity);
     }
-    need[4] = most;
+    need[NEED_OF_TRIANGLES] = most;
 }

@@ -11,7 +11,8 @@
 //!
 //! Cannot: cut by reliefs or by several clip-surfaces; cap at the near plane, or count what lies before it; tell an open mesh, of
 //! which it draws streaks unmarked; count beyond 255 shells. Depths of caps are those of the tie, 1e-6 of the depth before
-//! the plane.
+//! the plane. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
+//! of that be seen.
 
 use super::full_screen;
 use crate::passes::{DrawPass, Recorder};

@@ -41,6 +41,7 @@ pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, String> {
         }
         let mut row = of_relief(*number, surface, cut_box)?;
         let [width, height] = texels(&row);
+        row.map_first = recorder.model.first_texel[*number];
         row.first_vertex = first as u32;
         row.first_cell = (first + (width + 1) * (height + 1)) as u32;
         first += (width + 1) * (height + 1) + width * height;
@@ -142,6 +143,8 @@ fn of_relief(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Resu
         // No twist is more than twice the range; those of cells more than three away count for 1 / 4^4 at most.
         least_twist: ((high - low) * (2.0 / 256.0) * 1.000_01) as f32,
         mirrored: u32::from(per_unit[0] * per_unit[1] < 0.0),
+        map_size: map,
+        wrap: surface.wrap.code(),
         ..bytemuck::Zeroable::zeroed()
     })
 }

@@ -1,4 +1,7 @@
-//! Measuring, once for each cut, what every triangle of a tessellation would be off by.
+//! Measuring, once for each map and for the texels of it that matter, what every triangle of a tessellation would be off by.
+//!
+//! The passes know the clip-surfaces by a table of their own, without what tells where they lie: neither another cut nor a relief
+//! that moves along its normal or is scaled has anything measured again.
 
 use super::domain;
 use crate::passes::Recorder;
@@ -7,12 +10,9 @@ use crate::plan::{Binding, Clock, Pass, Resource, ResourceId, Work, groups_over}
 
 /// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest on, each no less than those
 /// that come of it.
-pub(super) fn record(
-    recorder: &mut Recorder<'_>,
-    rows: &[Domain],
-    reliefs: &[u32],
-    domains: &Binding,
-) -> ResourceId {
+pub(super) fn record(recorder: &mut Recorder<'_>, rows: &[Domain], reliefs: &[u32]) -> ResourceId {
+    let measured: Vec<Domain> = rows.iter().map(Domain::as_measured).collect();
+    let measured = super::table(recorder, "measured domains", Clock::Cut, &measured).resource;
     let errors: u64 = (reliefs.iter())
         .map(|s| {
             let [width, height] = domain::texels(&rows[*s as usize]);
@@ -33,9 +33,8 @@ pub(super) fn record(
                 Some(_) => Binding::update("sheet_errors", id),
             };
             let bindings = vec![
-                recorder.cut_table(),
                 recorder.heights(),
-                domains.clone(),
+                Binding::read("domains", measured),
                 errors,
             ];
             recorder.plan.add_pass(Pass {

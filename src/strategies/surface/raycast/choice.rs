@@ -2,6 +2,9 @@
 //!
 //! A ray passes texel density x way through the slab of heights x sine of its angle to the normal, which differs over the picture:
 //! the mean over a grid of rays is taken, of those that meet the box of the cut solids and the slab.
+//!
+//! A session that has taken the pyramid once keeps to it: a camera about the threshold would else have it built in every other
+//! frame. What that costs is a few percent to a quarter of the walk, where views that meet few cells follow.
 
 use glam::{DVec2, DVec3};
 
@@ -32,6 +35,7 @@ pub(super) fn of(recorder: &Recorder<'_>) -> Choice {
     let cells = expected_cells(recorder);
     let (walk, asked) = match recorder.relief_walk {
         Some(walk) => (walk, ", as asked for"),
+        None if recorder.keeps_pyramids => (ReliefWalk::Pyramid, ", as in frames before"),
         None if cells < CELLS_FOR_PYRAMID => (ReliefWalk::Cells, ""),
         None => (ReliefWalk::Pyramid, ""),
     };
