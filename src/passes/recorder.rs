@@ -134,11 +134,7 @@ impl<'a> Recorder<'a> {
     pub fn parts(&mut self) -> Binding {
         self.uploaded("parts", Role::Storage, Clock::Cut, |r| {
             let lanes = r.lane_table().places;
-            let rows: Vec<Part> = r
-                .relevance
-                .order
-                .iter()
-                .enumerate()
+            let rows: Vec<Part> = (r.relevance.order.iter().enumerate())
                 .map(|(place, rank)| {
                     let part = &r.model.prepared.parts[*rank];
                     let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
