@@ -146,8 +146,9 @@ pub fn list(
         return cutter::list(recorder, capacity, store, capacities);
     }
     let of_cutters = cutter::bits(recorder);
-    let crossings = raycast::record(recorder, capacity, store, by_facing | of_cutters);
+    // First, for it may have work to do on slower clocks.
     let tessellation = tessellate(recorder)?;
+    let crossings = raycast::record(recorder, capacity, store, by_facing | of_cutters);
     let instances: Vec<u32> = reliefs.iter().map(|s| instance(0, *s)).collect();
     let batches = tessellation.batches(&instances).into_iter().enumerate();
     let bindings = tessellation.bindings(recorder);
