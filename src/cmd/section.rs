@@ -17,7 +17,7 @@ use super::output::{Output, no_place_twice, write_stdout};
 use super::sections::{SectionArgs, round, warn_of_misses};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
-use crate::scene::{Bounds, ClipSurface, Fill, Part, Scene};
+use crate::scene::{Bounds, ClipSurface, Fill, Part, Scene, who_wins};
 use crate::slice::{SlicePlane, Slicer};
 use crate::{Error, Result};
 
@@ -231,10 +231,8 @@ fn plane_of(surface: &ClipSurface) -> Option<SlicePlane> {
 fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
     let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
     // Who wins where solids share a point is drawn last, over the others: of equals the first.
-    let size = |p: &Part| p.mesh.volume().abs() * p.world_from_part.matrix3.determinant().abs();
     parts.sort_by_cached_key(|(index, p)| {
-        let priority = p.priority.map_or(i64::MIN, i64::from);
-        (priority, Reverse((size(p).to_bits(), *index)))
+        Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
     });
     let drawn: Vec<Drawn> = (planes.iter())
         .map(|p| Drawn::of(&p.plane, scene.camera.up))

@@ -10,7 +10,7 @@ use super::regions::{Named, RegionArgs};
 use crate::error::did_you_mean;
 use crate::scene::{
     Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, apply_relief,
-    section_misses,
+    in_common, section_misses,
 };
 use crate::{Error, Result};
 
@@ -233,11 +233,7 @@ impl Section {
 
 /// What two regions have in common.
 fn both((a, of_a): Named, (b, of_b): Named) -> Named {
-    let pairs = of_a.iter().flat_map(|x| {
-        let joined = of_b.iter();
-        joined.map(move |y| [x.as_slice(), y.as_slice()].concat())
-    });
-    (format!("{a} and {b}"), pairs.collect())
+    (format!("{a} and {b}"), in_common(&of_a, &of_b))
 }
 
 /// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side

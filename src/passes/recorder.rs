@@ -93,7 +93,8 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    pub(super) fn uploaded(
+    /// Contents of the scene, uploaded at first mention and bound under the name of the resource.
+    pub fn uploaded(
         &mut self,
         name: &'static str,
         role: Role,

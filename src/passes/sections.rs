@@ -176,9 +176,8 @@ impl Recorder<'_> {
         [0, 1].map(|i| {
             let contents =
                 Contents::in_pieces(room(ends[i]), pieces.next().unwrap_or_default(), true);
-            self.once(of[i].0, |_| Resource {
-                is_scene: false,
-                ..Resource::upload(of[i].0, of[i].1, contents, Clock::Cut)
+            self.once(of[i].0, |_| {
+                Resource::own_upload(of[i].0, of[i].1, contents, Clock::Cut)
             })
         })
     }

@@ -251,6 +251,19 @@ impl Resource {
         }
     }
 
+    /// A buffer with contents that a strategy brings with it: they count as its cost.
+    pub fn own_upload(
+        name: impl Into<String>,
+        role: Role,
+        contents: Contents,
+        clock: Clock,
+    ) -> Self {
+        Self {
+            is_scene: false,
+            ..Self::upload(name, role, contents, clock)
+        }
+    }
+
     /// A texture that passes draw into.
     pub fn texture(
         name: impl Into<String>,

@@ -44,11 +44,13 @@ pub use mesh::{Mesh, MeshDefect};
 pub(crate) use motion::is_same_motion;
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 pub use offset_map::{OffsetMap, Wrap};
+pub(crate) use part::who_wins;
 pub use part::{Part, Role};
 pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
+pub(crate) use regions::in_common;
 pub use regions::{Block, Face, Wedge};
 pub use relief::{ReliefSpec, apply_relief};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};

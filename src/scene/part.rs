@@ -1,5 +1,6 @@
 //! A part: a named mesh placed in the world.
 
+use std::cmp::Reverse;
 use std::sync::Arc;
 
 use glam::DAffine3;
@@ -41,6 +42,14 @@ pub struct Part {
     pub driver: Option<Arc<Driver>>,
 }
 
+/// Who wins where solids share a point, the winner first: higher priority, then the smaller solid as it is at rest, then the one
+/// that was named first.
+pub(crate) fn who_wins(of: &Part, volume_at_rest: f64, index: usize) -> impl Ord + use<> {
+    let priority = of.priority.map_or(i64::MIN, i64::from);
+    // Bits of numbers that are not negative are in their order.
+    (Reverse(priority), volume_at_rest.to_bits(), index)
+}
+
 impl Part {
     /// A part at the origin with the default look.
     pub fn new(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Self {
@@ -56,6 +65,11 @@ impl Part {
             pose: Pose::default(),
             driver: None,
         }
+    }
+
+    /// Volume of a mesh as this part places it, not negative, from its volume in part space.
+    pub(crate) fn placed_volume(&self, of_mesh: f64) -> f64 {
+        of_mesh.abs() * self.world_from_part.matrix3.determinant().abs()
     }
 
     /// Bounds of the posed and placed mesh.

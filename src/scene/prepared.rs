@@ -20,7 +20,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap,
+    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap, who_wins,
 };
 
 mod cuts;
@@ -154,15 +154,7 @@ impl Prepared {
             .enumerate()
             .map(|(index, part)| place(index, part, &space, table.cuts_of(scene, part)))
             .collect();
-        let priority = |p: &PreparedPart| {
-            let given = scene.parts[p.part].priority;
-            given.map_or(i64::MIN, i64::from)
-        };
-        parts.sort_by(|a, b| {
-            (priority(b).cmp(&priority(a)))
-                .then(a.volume_at_rest.total_cmp(&b.volume_at_rest))
-                .then(a.part.cmp(&b.part))
-        });
+        parts.sort_by_cached_key(|p| who_wins(&scene.parts[p.part], p.volume_at_rest, p.part));
 
         let (cuts, surfaces) = table.placed(scene, &space, place_volume);
         Self {

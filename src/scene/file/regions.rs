@@ -19,6 +19,7 @@ use super::cuts::{Context, on_plane, sound};
 use super::deform::direction;
 use super::reader::{Entry, Table};
 use crate::error::Result;
+use crate::scene::regions::in_common;
 use crate::scene::regions::next_axis;
 use crate::scene::section::Amount;
 use crate::scene::{Block, Bounds, ClipSurface, Face, Wedge};
@@ -56,11 +57,7 @@ impl Union {
 
     /// Keeps what is in another one too.
     pub(super) fn intersect(&mut self, other: Self) {
-        let pairs = self.alternatives.iter().flat_map(|a| {
-            let both = other.alternatives.iter();
-            both.map(move |b| [a.as_slice(), b.as_slice()].concat())
-        });
-        self.alternatives = pairs.collect();
+        self.alternatives = in_common(&self.alternatives, &other.alternatives);
         self.is_empty |= other.is_empty;
     }
 }

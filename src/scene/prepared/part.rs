@@ -87,7 +87,7 @@ impl PreparedPart {
             shading: Arc::default(),
             is_on_device: true,
             bounds,
-            volume_at_rest: volume.abs() * part.world_from_part.matrix3.determinant().abs(),
+            volume_at_rest: part.placed_volume(volume),
             material: part.material,
             fill: part.fill,
             cuts,

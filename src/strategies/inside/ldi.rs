@@ -137,11 +137,7 @@ fn table(recorder: &mut Recorder<'_>, ranks: &[usize], resolution: u32) -> Bindi
         })
         .collect();
     let id = recorder.once("images", |_| {
-        let resource = Resource::upload("images", Role::Storage, Contents::of(&rows), Clock::Cut);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload("images", Role::Storage, Contents::of(&rows), Clock::Cut)
     });
     Binding::read("sprites", id)
 }

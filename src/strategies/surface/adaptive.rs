@@ -93,11 +93,7 @@ fn table<T: bytemuck::Pod>(
     let mut all = vec![T::zeroed(); MAX_SURFACES];
     all[..rows.len()].copy_from_slice(rows);
     let id = recorder.once(name, |_| {
-        let resource = Resource::upload(name, Role::Uniform, Contents::of(&all), clock);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload(name, Role::Uniform, Contents::of(&all), clock)
     });
     Binding::read(name, id)
 }
@@ -107,11 +103,7 @@ fn square(recorder: &mut Recorder<'_>, surface: u32) -> Facets {
     let corners = [[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]];
     let indices = recorder.once("square indices", |_| {
         let contents = Contents::of(&corners);
-        let resource = Resource::upload("square indices", Role::Index, contents, Clock::Cut);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload("square indices", Role::Index, contents, Clock::Cut)
     });
     Facets {
         surface,

@@ -12,7 +12,7 @@
 
 use super::raycast;
 use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
-use crate::plan::{Capacities, Clock, Contents, Draw, Resource, ResourceId, Role, Vertices};
+use crate::plan::{Capacities, Clock, Draw, Role, Vertices};
 use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
@@ -68,10 +68,10 @@ pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
             arguments: None,
         });
     }
-    let vertices = uploaded(recorder, "cutter vertices", Role::Vertex, |r| {
+    let vertices = recorder.uploaded("cutter vertices", Role::Vertex, Clock::Cut, |r| {
         r.model.cutters.vertices.clone()
     });
-    let indices = uploaded(recorder, "cutter indices", Role::Index, |r| {
+    let indices = recorder.uploaded("cutter indices", Role::Index, Clock::Cut, |r| {
         r.model.cutters.indices.clone()
     });
     sheets.by_parity |= bits;
@@ -80,19 +80,8 @@ pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
         shader: Shader::from("strategies/surface/cutter/draw.wgsl"),
         bindings: vec![recorder.frame()],
         constants: Vec::new(),
-        vertices: Vertices::Mesh(vertices),
-        indices,
+        vertices: Vertices::Mesh(vertices.resource),
+        indices: indices.resource,
         draws,
     });
-}
-
-fn uploaded(
-    recorder: &mut Recorder<'_>,
-    name: &str,
-    role: Role,
-    contents: impl FnOnce(&Recorder<'_>) -> Contents,
-) -> ResourceId {
-    recorder.once(name, |r| {
-        Resource::upload(name, role, contents(r), Clock::Cut)
-    })
 }

@@ -41,11 +41,7 @@ pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
 fn indices_of_grid(recorder: &mut Recorder<'_>, cells: u32) -> ResourceId {
     recorder.once("grid indices", |_| {
         let contents = grid_contents(cells);
-        let resource = Resource::upload("grid indices", Role::Index, contents, Clock::Cut);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload("grid indices", Role::Index, contents, Clock::Cut)
     })
 }
 
@@ -78,11 +74,7 @@ fn quads(recorder: &mut Recorder<'_>, cells: u32) -> Binding {
             .iter()
             .map(|s| quad(&r.model.prepared.surfaces[*s], &r.relevance.cut_box, cells))
             .collect();
-        let resource = Resource::upload("quads", Role::Storage, Contents::of(&quads), Clock::Cut);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload("quads", Role::Storage, Contents::of(&quads), Clock::Cut)
     });
     Binding::read("quads", id)
 }

@@ -236,11 +236,7 @@ const TO: [&str; BITS] = [
 fn full_screen(recorder: &mut Recorder<'_>, instance: u32) -> (ResourceId, Vec<Draw>) {
     let indices = recorder.once("screen indices", |_| {
         let contents = Contents::of(&[0_u32, 1, 2]);
-        let resource = Resource::upload("screen indices", Role::Index, contents, Clock::Cut);
-        Resource {
-            is_scene: false,
-            ..resource
-        }
+        Resource::own_upload("screen indices", Role::Index, contents, Clock::Cut)
     });
     let draw = Draw {
         indices: 0..3,
