@@ -4,9 +4,9 @@
 //! # Map
 //!
 //! ```text
-//! data     scene -> plan -> passes -> layers -> image / comparison -> report
+//! data     scene -> plan -> passes -> layers -> image / comparison -> record -> report
 //! imports  scene <- exact
-//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- report <- cmd
+//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- experiment <- report <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
@@ -16,6 +16,7 @@ pub mod cmd;
 pub mod compare;
 pub mod error;
 pub mod exact;
+pub mod experiment;
 pub mod gpu;
 pub mod layers;
 pub mod passes;

@@ -8,14 +8,13 @@ use image::{Rgba, RgbaImage};
 use super::Verdict;
 use super::args::{DeviceArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
-use super::judge::{self, Judgement, judge};
+use super::judge::{self, judge};
 use super::open::{Opened, open};
 use super::output::{Output, checked_folder, write_file, write_stdout};
 use super::picture;
-use super::shown::Shown;
 use super::when::TimeArgs;
 use crate::compare::legend;
-use crate::passes::Model;
+use crate::experiment::{Contender, Judgement, Measurement, Shown};
 use crate::report;
 use crate::session::Session;
 use crate::strategies::Strategy;
@@ -26,6 +25,7 @@ Examples:
   cutaway compare shape:crank --section -z=50% --relief fractal
   cutaway compare part.stl --section x=50% --strategies raycast+mask,grid:64+vds:512 --rounds 25
   cutaway compare scene.toml --json result.json --heatmaps wrong/
+  cutaway compare part.stl --section x=50% --strategies raycast+mask,raycast+mask@compute
   cutaway compare walk.glb --time 0.5 --section x=50%                         # the mesh as it stands then
   cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
 
@@ -39,7 +39,8 @@ pub(super) struct CompareArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Strategies to measure, or all that are built with their usual parameters
+    /// Strategies to measure, or all that are built with their usual parameters. After an @ what differs from the usual: hardware,
+    /// compute, 32-bit (no atomics of 64 bits), cells, pyramid
     #[arg(long, value_name = "A,B,..|all", default_value = "all")]
     strategies: String,
     /// Measured rounds, after one to warm up
@@ -67,7 +68,7 @@ pub(super) struct CompareArgs {
 
 /// Runs `compare`.
 pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
-    let strategies = parse_strategies(&args.strategies)?;
+    let contenders = parse_contenders(&args.strategies)?;
     let rounds = args.rounds as usize;
     let json = args
         .json
@@ -77,18 +78,18 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     if let Some(folder) = &args.heatmaps {
         checked_folder("--heatmaps", folder)?;
     }
-    let console = Console::new(args.console, 1 + judge::steps(strategies.len(), rounds));
+    let console = Console::new(args.console, 1 + judge::steps(contenders.len(), rounds));
     console.step("opening");
     let opened = open(&args.scene, &args.when, &console)?;
     let mut session = args.device.open()?;
     session.set_options(opened.options(session.options()));
     let shown = Shown::of(&opened.scene);
-    let judgement = judge(&mut session, &shown, &opened, &strategies, rounds, &console)?;
+    let judgement = judge(&mut session, &shown, &opened, &contenders, rounds, &console)?;
 
     if let Some(folder) = &args.heatmaps {
-        write_pictures(folder, &mut session, &shown.model, &opened, &judgement)?;
+        write_pictures(folder, &mut session, &shown, &opened, &judgement)?;
     }
-    let report = &judgement.report;
+    let report = &judgement.measurement;
     if let Some(output) = &json {
         output.write(format!("{:#}\n", serde_json::json!(report)).as_bytes())?;
     }
@@ -98,7 +99,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     Ok(verdict(report, args.max_decided_wrong, &console))
 }
 
-fn verdict(report: &report::Report, most: Option<usize>, console: &Console) -> Verdict {
+fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for (strategy, most) in report.strategies.iter().filter_map(|s| Some((s, most?))) {
         let Some(comparison) = &strategy.comparison else {
@@ -116,11 +117,11 @@ fn verdict(report: &report::Report, most: Option<usize>, console: &Console) -> V
 }
 
 /// The strategies of a list, each once.
-pub(super) fn parse_strategies(list: &str) -> Result<Vec<Strategy>> {
-    let mut strategies: Vec<Strategy> = Vec::new();
-    for name in list.split(',').map(str::trim) {
+fn parse_contenders(list: &str) -> Result<Vec<Contender>> {
+    let mut contenders: Vec<Contender> = Vec::new();
+    for name in split_list(list) {
         match name {
-            "all" => strategies.extend(Strategy::ALL),
+            "all" => contenders.extend(Strategy::ALL.map(Contender::from)),
             "exact" => {
                 return Err(Error::input(
                     "--strategies exact",
@@ -128,35 +129,51 @@ pub(super) fn parse_strategies(list: &str) -> Result<Vec<Strategy>> {
                     "leave it out; its picture and time are part of every comparison",
                 ));
             }
-            name => strategies.push(name.parse()?),
+            name => contenders.push(name.parse()?),
         }
     }
-    let mut seen: Vec<Strategy> = Vec::new();
-    strategies.retain(|s| {
-        !seen.contains(s) && {
-            seen.push(*s);
+    let mut seen: Vec<Contender> = Vec::new();
+    contenders.retain(|c| {
+        !seen.contains(c) && {
+            seen.push(*c);
             true
         }
     });
-    Ok(strategies)
+    Ok(contenders)
+}
+
+/// The names of a list. What follows an `@` may have commas of its own: `a+b@compute,32-bit,c+d` is two names.
+fn split_list(list: &str) -> Vec<&str> {
+    let mut names = Vec::new();
+    let mut from = 0;
+    for (at, _) in list.match_indices(',').chain([(list.len(), "")]) {
+        let next = list[at..].trim_start_matches(',').trim_start();
+        let word = next.split([',', '@', '+']).next().unwrap_or(next).trim();
+        if list[from..at].contains('@') && Contender::is_means(word) {
+            continue;
+        }
+        names.push(list[from..at].trim());
+        from = (at + 1).min(list.len());
+    }
+    names
 }
 
 /// A file name for a strategy: `grid-256+vds-1024`.
-pub(super) fn file_stem(strategy: &Strategy) -> String {
-    strategy.to_string().replace(':', "-")
+pub(super) fn file_stem(name: &impl ToString) -> String {
+    name.to_string().replace([':', ',', '@'], "-")
 }
 
 fn write_pictures(
     folder: &Path,
     session: &mut Session,
-    model: &Model,
+    shown: &Shown,
     opened: &Opened,
     judgement: &Judgement,
 ) -> Result<()> {
     let write =
         |name: &str, image: &RgbaImage| write_file(&folder.join(name), &picture::png(image)?);
-    let view = opened.view(&model.prepared);
-    let truth = session.shade(model, &view, &judgement.exact.layers)?;
+    let view = opened.view(&shown.model.prepared);
+    let truth = session.shade(&shown.model, &view, &judgement.exact.layers)?;
     write("exact.png", &picture::plain(&truth, view.size_px))?;
     write("legend.png", &legend_picture())?;
     write_file(&folder.join("legend.txt"), legend_text().as_bytes())?;
@@ -164,8 +181,8 @@ fn write_pictures(
         let Some(heatmap) = judgement.heatmap(frame) else {
             continue;
         };
-        let stem = file_stem(&frame.strategy);
-        let drawn = judge::picture_of(session, frame, view.size_px)?;
+        let stem = file_stem(&frame.contender);
+        let drawn = picture::plain(&judgement.picture(session, frame)?, view.size_px);
         write(&format!("{stem}.png"), &drawn)?;
         write(&format!("{stem}.heatmap.png"), &heatmap)?;
     }
@@ -202,18 +219,33 @@ mod tests {
 
     #[test]
     fn a_strategy_named_twice_is_measured_once() {
-        let all = parse_strategies("all").unwrap();
-        assert_eq!(all, Strategy::ALL);
+        let all = parse_contenders("all").unwrap();
+        assert_eq!(all, Strategy::ALL.map(Contender::from));
         assert_eq!(
-            parse_strategies("raycast+mask, all").unwrap().len(),
+            parse_contenders("raycast+mask, all").unwrap().len(),
             all.len()
         );
-        let message = parse_strategies("raycats+mask").unwrap_err().to_string();
+        let message = parse_contenders("raycats+mask").unwrap_err().to_string();
         assert!(message.contains("did you mean `raycast`"), "{message}");
         assert!(
-            parse_strategies("exact").is_err(),
+            parse_contenders("exact").is_err(),
             "the yardstick is not measured"
         );
+    }
+
+    #[test]
+    fn means_may_be_several() {
+        let list = "raycast+mask@compute,32-bit, stencil,raycast+mask@cells";
+        let names: Vec<String> = (parse_contenders(list).unwrap().iter())
+            .map(ToString::to_string)
+            .collect();
+        let expected = [
+            "raycast+mask@compute,32-bit",
+            "stencil",
+            "raycast+mask@cells",
+        ];
+        assert_eq!(names, expected);
+        assert!(parse_contenders("stencil,").is_err(), "a name is missing");
     }
 
     #[test]

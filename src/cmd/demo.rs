@@ -9,13 +9,13 @@ use super::Verdict;
 use super::args::{DeviceArgs, SceneArgs};
 use super::compare::{file_stem, legend_text};
 use super::console::{Console, ConsoleArgs};
-use super::judge::{self, Judgement, judge};
+use super::judge::{self, judge};
 use super::open::{Opened, open};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture::{self, Backdrop, Drawer, Style};
-use super::shown::Shown;
 use super::when::TimeArgs;
 use crate::Result;
+use crate::experiment::{Contender, Judgement, Shown};
 use crate::report::{self, Figure};
 use crate::session::Session;
 use crate::strategies::Strategy;
@@ -79,6 +79,7 @@ struct SceneWords {
 pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     checked_folder("--out", &args.out)?;
     let strategies = Strategy::ALL;
+    let contenders = strategies.map(Contender::from);
     let rounds = args.rounds as usize;
     let steps = 2 + strategies.len() + judge::steps(strategies.len(), rounds);
     let console = Console::new(args.console, steps);
@@ -86,7 +87,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     let opened = open_scene(args.resolution, &console)?;
     let mut session = args.device.open()?;
     let shown = Shown::of(&opened.scene);
-    let judgement = judge(&mut session, &shown, &opened, &strategies, rounds, &console)?;
+    let judgement = judge(&mut session, &shown, &opened, &contenders, rounds, &console)?;
 
     let mut pictures = Vec::new();
     for drawer in std::iter::once(Drawer::Exact).chain(strategies.map(Drawer::By)) {
@@ -144,8 +145,11 @@ fn pictures_of(
             "Evaluated from the definition for every pixel, on the CPU in double precision.";
         return Ok(vec![picture("exact", "exact", caption, &exact)?]);
     };
-    let frames = judgement.frames.iter().zip(&judgement.report.strategies);
-    let mut of_strategy = frames.filter(|(f, _)| f.strategy == strategy);
+    let frames = judgement
+        .frames
+        .iter()
+        .zip(&judgement.measurement.strategies);
+    let mut of_strategy = frames.filter(|(f, _)| f.contender.strategy == strategy);
     let (Some((frame, found)), name) = (of_strategy.next(), strategy.to_string()) else {
         return Ok(Vec::new());
     };
@@ -195,7 +199,7 @@ fn write(folder: &Path, judgement: &Judgement, pictures: &[Picture]) -> Result<(
         })
         .collect();
     let title = "A crankshaft cut by a ragged relief";
-    let report = &judgement.report;
+    let report = &judgement.measurement;
     let pages = [
         ("report.md", report::markdown(title, report, &figures)),
         ("report.html", report::html(title, report, &figures)),
@@ -212,7 +216,7 @@ fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
     let scene: Vec<String> = SCENE.iter().map(|w| (*w).to_owned()).collect();
     let text = format!(
         "{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} -o crank.png\n",
-        report::text(&judgement.report),
+        report::text(&judgement.measurement),
         folder.display(),
         folder.join("report.html").display(),
         scene.join(" ")

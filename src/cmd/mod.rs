@@ -26,8 +26,6 @@ mod regions;
 mod render;
 mod section;
 mod sections;
-mod shown;
-mod stopwatch;
 mod when;
 
 use std::process::ExitCode;

@@ -11,8 +11,8 @@ use glam::{DVec2, Vec3};
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
-use super::shown::Shown;
 use crate::exact::evaluate;
+use crate::experiment::Shown;
 use crate::layers::{Kind, Layers};
 use crate::scene::View;
 use crate::session::{Drawn, Outcome, Session};

@@ -28,14 +28,14 @@ mod heatmap;
 
 pub use heatmap::{Class, LegendEntry, heatmap, legend};
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::exact::Exact;
 use crate::layers::{Kind, Layer, Layers};
 use crate::scene::View;
 
 /// Error of one frame against exact. Fields as in the JSON of `cutaway compare`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// Exact says cap, the strategy does not.
     pub missed_cap_px: usize,
@@ -201,8 +201,8 @@ struct Error {
 
 impl Error {
     fn add(&mut self, error: f64) {
-        // A NaN in the frame must show, not vanish in `max`.
-        let error = if error.is_nan() { f64::INFINITY } else { error };
+        // What is no number in the frame must show, not vanish in `max`; JSON knows no infinity.
+        let error = if error.is_finite() { error } else { f64::MAX };
         self.max = self.max.max(error);
         self.sum += error;
         self.count += 1;

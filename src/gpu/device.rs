@@ -17,7 +17,7 @@ pub struct GpuOptions {
 }
 
 /// What is known of an adapter, for reports.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct AdapterReport {
     /// Name of the device.
     pub name: String,

@@ -23,7 +23,9 @@ pub use pass::{
 pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
 
 /// When work is done again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Clock {
     /// The mesh changed.

@@ -3,9 +3,10 @@
 //! Pictures are shown one at a time under tabs, in the same place, so that switching between two of them shows every
 //! pixel that differs. The tabs are radio buttons and CSS.
 
+use super::Table;
 use super::markdown::timing;
 use super::text::{errors, shortfalls, times};
-use super::{Report, Table};
+use crate::experiment::Measurement;
 
 /// A picture of a report.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +43,7 @@ figcaption { opacity: .75; }
 ";
 
 /// The report as a page with the figures in it.
-pub fn html(title: &str, report: &Report, figures: &[Figure<'_>]) -> String {
+pub fn html(title: &str, report: &Measurement, figures: &[Figure<'_>]) -> String {
     let title = escape(title);
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
@@ -70,7 +71,7 @@ pub fn html(title: &str, report: &Report, figures: &[Figure<'_>]) -> String {
     page
 }
 
-fn facts(report: &Report) -> String {
+fn facts(report: &Measurement) -> String {
     let (adapter, exact) = (&report.adapter, &report.exact);
     let software = if adapter.software { ", software" } else { "" };
     let facts = [
@@ -78,7 +79,7 @@ fn facts(report: &Report) -> String {
             "command",
             format!("<code>{}</code>", escape(&report.command)),
         ),
-        ("version", escape(report.version)),
+        ("version", escape(&report.version)),
         (
             "adapter",
             escape(&format!(
@@ -179,7 +180,7 @@ fn base64(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::example;
+    use crate::experiment::example;
 
     #[test]
     fn base64_is_that_of_the_rfc() {

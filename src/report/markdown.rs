@@ -1,10 +1,11 @@
 //! A report as Markdown.
 
+use super::Figure;
 use super::text::{errors, shortfalls, times};
-use super::{Figure, Report};
+use crate::experiment::{Measurement, Timing};
 
 /// The report as a page; the figures are referred to by their file names.
-pub fn markdown(title: &str, report: &Report, figures: &[Figure<'_>]) -> String {
+pub fn markdown(title: &str, report: &Measurement, figures: &[Figure<'_>]) -> String {
     let mut page = format!("# {title}\n\n");
     page.push_str(&facts(report));
     page.push_str("\n## Error against exact\n\n");
@@ -30,7 +31,7 @@ pub fn markdown(title: &str, report: &Report, figures: &[Figure<'_>]) -> String 
     page
 }
 
-fn facts(report: &Report) -> String {
+fn facts(report: &Measurement) -> String {
     let adapter = &report.adapter;
     let exact = &report.exact;
     let lines = [
@@ -56,17 +57,17 @@ fn facts(report: &Report) -> String {
 }
 
 /// How time was taken, in words.
-pub(super) fn timing(report: &Report) -> &'static str {
+pub(super) fn timing(report: &Measurement) -> &'static str {
     match report.timing {
-        "timestamps" => "timestamps of the device",
-        _ => "wall time, for the device has no timestamps",
+        Timing::Timestamps => "timestamps of the device",
+        Timing::Wall => "wall time, for the device has no timestamps",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::example;
+    use crate::experiment::example;
 
     #[test]
     fn the_page_has_tables_and_figures() {

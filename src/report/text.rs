@@ -1,9 +1,10 @@
 //! A report for a terminal: error first, then time, then what was refused and why.
 
-use super::{Report, StrategyReport, Table};
+use super::Table;
+use crate::experiment::{Measurement, StrategyMeasurement};
 
 /// The report as text.
-pub fn text(report: &Report) -> String {
+pub fn text(report: &Measurement) -> String {
     let mut text = format!(
         "{} ({} triangles) at {} x {} on {} ({}, {})\n",
         report.scene,
@@ -36,7 +37,7 @@ pub fn text(report: &Report) -> String {
 }
 
 /// What each strategy gets wrong, in pixels, scene units and degrees.
-pub(super) fn errors(report: &Report) -> Table {
+pub(super) fn errors(report: &Measurement) -> Table {
     let mut table = Table::new([
         "error",
         "decided wrong px",
@@ -76,7 +77,7 @@ pub(super) fn errors(report: &Report) -> Table {
 }
 
 /// What each strategy costs.
-pub(super) fn times(report: &Report) -> Table {
+pub(super) fn times(report: &Measurement) -> Table {
     let mut table = Table::new([
         "time, median ms",
         "solid",
@@ -104,7 +105,7 @@ pub(super) fn times(report: &Report) -> Table {
     table
 }
 
-fn time_row(strategy: &StrategyReport) -> Vec<String> {
+fn time_row(strategy: &StrategyMeasurement) -> Vec<String> {
     let time = &strategy.time_ms;
     let [least, most] = time.frame.range();
     let ratio = strategy.frame_over_draw_only;
@@ -122,7 +123,7 @@ fn time_row(strategy: &StrategyReport) -> Vec<String> {
 }
 
 /// A sentence for each strategy that did not draw all of the frame.
-pub(super) fn shortfalls(report: &Report) -> Vec<String> {
+pub(super) fn shortfalls(report: &Measurement) -> Vec<String> {
     let short = report.strategies.iter().filter_map(|s| {
         let reason = s.reason.as_ref()?;
         Some(format!("{} {}: {reason}", s.name, s.outcome.name()))
@@ -151,7 +152,7 @@ fn mebibytes(bytes: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::example;
+    use crate::experiment::example;
 
     #[test]
     fn the_text_says_what_was_found_and_what_was_refused() {

@@ -38,7 +38,14 @@ fn allowed(chains: &[Vec<Vec<String>>], module: &str) -> Option<BTreeSet<String>
         // Judges layers against layers: it must not know who made them.
         left = BTreeSet::from(["scene".to_owned()]);
     }
-    let judges = ["compare", "experiment", "report", "cmd", "viewer"];
+    let judges = [
+        "compare",
+        "hard_cases",
+        "experiment",
+        "report",
+        "cmd",
+        "viewer",
+    ];
     if judges.contains(&module) {
         left.insert("exact".to_owned());
     } else {

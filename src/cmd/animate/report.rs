@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
+use crate::experiment::{PerClock, Samples};
 use crate::gpu::ClockSet;
 use crate::plan::Clock;
-use crate::report::{PerClock, Samples};
 use crate::session::{Drawn, Outcome};
 
 /// A frame that was drawn.

@@ -11,9 +11,9 @@ use crate::scene::{Prepared, Scene};
 use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
-pub(super) struct Shown {
+pub struct Shown {
     /// What strategies draw.
-    pub(super) model: Model,
+    pub model: Model,
     scene: Scene,
     /// What exact is asked about, once it is.
     truth: OnceLock<Prepared>,
@@ -21,12 +21,12 @@ pub(super) struct Shown {
 
 impl Shown {
     /// Prepares a scene.
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub fn of(scene: &Scene) -> Self {
         Self::with(Model::of(scene), scene)
     }
 
     /// Prepares a scene that follows this one in time; what has not changed is not prepared again.
-    pub(super) fn updated(&self, scene: &Scene) -> Self {
+    pub fn updated(&self, scene: &Scene) -> Self {
         Self::with(self.model.updated(scene), scene)
     }
 
@@ -39,7 +39,7 @@ impl Shown {
     }
 
     /// What exact is asked about; refused where a cap could have a number that layers cannot hold, as strategies refuse it.
-    pub(super) fn truth(&self) -> Result<&Prepared> {
+    pub fn truth(&self) -> Result<&Prepared> {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared
         } else {

@@ -3,20 +3,20 @@
 use std::time::Instant;
 
 /// Runs from when it is made.
-pub(super) struct Stopwatch(Instant);
+pub(crate) struct Stopwatch(Instant);
 
 impl Stopwatch {
     /// Starts one.
     #[allow(
         clippy::disallowed_methods,
-        reason = "the one place of the command that reads the clock"
+        reason = "the one place that reads the clock, beside the device"
     )]
-    pub(super) fn start() -> Self {
+    pub(crate) fn start() -> Self {
         Self(Instant::now())
     }
 
     /// Milliseconds since its start.
-    pub(super) fn ms(&self) -> f64 {
+    pub(crate) fn ms(&self) -> f64 {
         self.0.elapsed().as_secs_f64() * 1e3
     }
 }

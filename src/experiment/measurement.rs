@@ -1,0 +1,291 @@
+//! What was found of strategies on one frame: the JSON of `cutaway compare`, and the heart of every record.
+//!
+//! Every number is a measurement: medians come with their samples, and what was not measured is `null`, never 0.
+
+use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value};
+
+use super::Samples;
+use crate::compare::Comparison;
+use crate::exact::Exact;
+use crate::gpu::AdapterReport;
+use crate::layers::Kind;
+use crate::plan::Clock;
+use crate::session::Outcome;
+
+/// One value for each clock.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PerClock<T> {
+    /// When the mesh changed.
+    pub solid: T,
+    /// When a clip-surface changed.
+    pub cut: T,
+    /// When the view changed.
+    pub frame: T,
+}
+
+impl<T> PerClock<T> {
+    /// A value for each clock.
+    pub fn of(mut value: impl FnMut(Clock) -> T) -> Self {
+        let [solid, cut, frame] = Clock::ALL.map(&mut value);
+        Self { solid, cut, frame }
+    }
+}
+
+/// The exact reference of a frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reference {
+    /// Pixels that show a cap.
+    pub cap_px: usize,
+    /// Pixels that show the mesh.
+    pub surface_px: usize,
+    /// Pixels that show nothing.
+    pub background_px: usize,
+    /// Pixels where sampling is ambiguous, so that no answer can be called wrong.
+    pub undecided_px: usize,
+    /// Pixels whose cap several solids share.
+    pub overlap_px: usize,
+    /// Time of the evaluation on the CPU.
+    pub time_ms: f64,
+}
+
+impl Reference {
+    /// What there is to say of a reference.
+    pub fn of(exact: &Exact, time_ms: f64) -> Self {
+        Self {
+            cap_px: exact.layers.count(Kind::Cap),
+            surface_px: exact.layers.count(Kind::Surface),
+            background_px: exact.layers.count(Kind::Background),
+            undecided_px: exact.undecided_px(),
+            overlap_px: exact.layers.overlap_px(),
+            time_ms,
+        }
+    }
+}
+
+/// How a frame ended, without the reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Ending {
+    /// All of it was drawn.
+    Complete,
+    /// A bounded buffer was too small.
+    Overflowed,
+    /// The strategy does not draw such a scene.
+    Refused,
+}
+
+impl Ending {
+    /// Of an outcome.
+    pub fn of(outcome: &Outcome) -> Self {
+        match outcome {
+            Outcome::Complete => Self::Complete,
+            Outcome::Overflowed(_) => Self::Overflowed,
+            Outcome::Refused(_) => Self::Refused,
+        }
+    }
+
+    /// Lower-case name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Complete => "complete",
+            Self::Overflowed => "overflowed",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+/// How times were taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Timing {
+    /// Timestamps of the device around each pass.
+    Timestamps,
+    /// The clock of the wall around each pass, where the device has no timestamps to trust.
+    Wall,
+}
+
+/// Time of one pass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PassTime {
+    /// Name of the pass.
+    pub name: String,
+    /// When it runs.
+    pub clock: Clock,
+    /// Median over the rounds.
+    pub median_ms: f64,
+}
+
+/// One strategy on one frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StrategyMeasurement {
+    /// Name of the strategy.
+    pub name: String,
+    /// How the frame ended.
+    pub outcome: Ending,
+    /// Why, where it is not complete.
+    pub reason: Option<String>,
+    /// Error against exact; every field `null` where there was no frame to compare.
+    #[serde(flatten, serialize_with = "or_nulls")]
+    pub comparison: Option<Comparison>,
+    /// Bytes of what each clock produces.
+    pub bytes: PerClock<u64>,
+    /// Time of each clock.
+    pub time_ms: PerClock<Samples>,
+    /// Frame time over the time of the same scene drawn without any cut: the median of the quotients of each round.
+    pub frame_over_draw_only: Option<f64>,
+    /// Spread of that ratio over the rounds: its median absolute deviation.
+    pub frame_over_draw_only_mad: Option<f64>,
+    /// Times of the passes.
+    pub passes: Vec<PassTime>,
+}
+
+impl StrategyMeasurement {
+    /// Whether there is a frame to look at.
+    pub fn was_drawn(&self) -> bool {
+        self.comparison.is_some()
+    }
+}
+
+/// What a comparison found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measurement {
+    /// Name of the scene.
+    pub scene: String,
+    /// The command line, to do it again.
+    pub command: String,
+    /// Version of this crate.
+    pub version: String,
+    /// Triangles of all parts.
+    pub triangles: usize,
+    /// Width and height in pixels.
+    pub resolution: [u32; 2],
+    /// The device.
+    pub adapter: AdapterReport,
+    /// How times were taken.
+    pub timing: Timing,
+    /// Measured rounds, after the warm-up.
+    pub rounds: usize,
+    /// The reference.
+    pub exact: Reference,
+    /// The same scene drawn by the GPU with no cut at all, in the same rounds.
+    pub draw_only_ms: Samples,
+    /// The strategies, in the order asked for.
+    pub strategies: Vec<StrategyMeasurement>,
+}
+
+/// The fields of a comparison, each `null` where there is none: a 0 would be read as "no error".
+fn or_nulls<S: Serializer>(
+    comparison: &Option<Comparison>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    match comparison {
+        Some(comparison) => comparison.serialize(serializer),
+        None => {
+            let fields = serde_json::to_value(Comparison::default());
+            let names = match fields {
+                Ok(Value::Object(map)) => map.into_iter().map(|(name, _)| (name, Value::Null)),
+                _ => return Err(serde::ser::Error::custom("a comparison is not an object")),
+            };
+            names.collect::<Map<_, _>>().serialize(serializer)
+        }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// A report of one strategy that drew and one that refused.
+    pub(crate) fn example() -> Measurement {
+        let drawn = StrategyMeasurement {
+            name: "raycast+mask".to_owned(),
+            outcome: Ending::Complete,
+            reason: None,
+            comparison: Some(Comparison {
+                missed_cap_px: 3,
+                edge_wrong_px: 3,
+                ..Comparison::default()
+            }),
+            bytes: PerClock {
+                solid: 0,
+                cut: 2048,
+                frame: 1 << 20,
+            },
+            time_ms: PerClock {
+                frame: Samples::of(vec![4.0, 2.0, 3.0]),
+                ..PerClock::default()
+            },
+            frame_over_draw_only: Some(1.5),
+            frame_over_draw_only_mad: Some(0.25),
+            passes: vec![PassTime {
+                name: "shade".to_owned(),
+                clock: Clock::Frame,
+                median_ms: 0.5,
+            }],
+        };
+        let refused = StrategyMeasurement {
+            name: "planar+<mask>".to_owned(),
+            outcome: Ending::Refused,
+            reason: Some("a relief | is no plane".to_owned()),
+            comparison: None,
+            bytes: PerClock::default(),
+            time_ms: PerClock::default(),
+            frame_over_draw_only: None,
+            frame_over_draw_only_mad: None,
+            passes: Vec::new(),
+        };
+        Measurement {
+            scene: "crank".to_owned(),
+            command: "cutaway compare shape:crank".to_owned(),
+            version: "0.1.0".to_owned(),
+            triangles: 12,
+            resolution: [64, 48],
+            adapter: AdapterReport {
+                name: "A & B".to_owned(),
+                backend: "vulkan".to_owned(),
+                driver: "d 1".to_owned(),
+                software: true,
+            },
+            timing: Timing::Timestamps,
+            rounds: 3,
+            exact: Reference {
+                cap_px: 10,
+                surface_px: 20,
+                background_px: 3042,
+                undecided_px: 1,
+                overlap_px: 0,
+                time_ms: 5.0,
+            },
+            draw_only_ms: Samples::of(vec![2.0]),
+            strategies: vec![drawn, refused],
+        }
+    }
+
+    #[test]
+    fn what_was_not_measured_is_null() {
+        let json = serde_json::to_value(example()).unwrap();
+        let [drawn, refused] = [0, 1].map(|i| &json["strategies"][i]);
+        assert_eq!(drawn["missed_cap_px"], 3);
+        assert_eq!(drawn["outcome"], "complete");
+        assert_eq!(refused["outcome"], "refused");
+        let fields = refused.as_object().unwrap();
+        for name in ["missed_cap_px", "decided_wrong_px", "normal_error_deg_mean"] {
+            assert_eq!(fields.get(name), Some(&Value::Null), "{name}");
+        }
+        assert_eq!(
+            drawn.as_object().unwrap().len(),
+            fields.len(),
+            "both have the same fields"
+        );
+    }
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let text = serde_json::to_string(&example()).unwrap();
+        assert_eq!(
+            serde_json::from_str::<Measurement>(&text).unwrap(),
+            example()
+        );
+    }
+}

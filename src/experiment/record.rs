@@ -1,0 +1,193 @@
+//! What a run leaves behind: one [`Record`] for each point of an experiment, and one [`Run`] that says where and by what.
+//!
+//! A folder of a run holds `run.json`, and for each experiment a folder with `experiment.json` (what was asked) and one JSON file for
+//! each point, with its pictures beside it. Each file is written whole, as soon as it is known: a run that is interrupted has lost
+//! one point, and goes on from the next. Nothing in a record is computed from other records: what a report says of several it works
+//! out anew.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::Measurement;
+use crate::gpu::AdapterReport;
+
+/// Values of what is varied, by name, as they are written in the experiment.
+pub type Parameters = BTreeMap<String, String>;
+
+/// A point of an experiment, measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Version of this form.
+    pub format: u32,
+    /// Name of the experiment: the stem of its file.
+    pub experiment: String,
+    /// Name of the run in it.
+    pub run: String,
+    /// Values that make the scene of this point.
+    pub parameters: Parameters,
+    /// Whether it was measured with fewer pixels, values and rounds.
+    pub is_quick: bool,
+    /// Says what was measured and by what: a point is not measured again if this is what it would be.
+    pub identity: String,
+    /// What was found.
+    pub measurement: Measurement,
+    /// Values that make each strategy, in the order of the measurement.
+    pub of_strategies: Vec<Parameters>,
+    /// More figures of each strategy than one frame has, by name, in the order of the measurement.
+    pub figures: Vec<BTreeMap<String, f64>>,
+    /// What was expected, and what was reached.
+    pub expectations: Vec<Reached>,
+    /// What is to be said beside the figures.
+    pub warnings: Vec<Warning>,
+    /// Pictures beside the record.
+    pub pictures: Vec<Picture>,
+}
+
+impl Record {
+    /// The version that is written.
+    pub const FORMAT: u32 = 1;
+}
+
+/// A number as it is expected.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bound {
+    /// The least that is allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least: Option<f64>,
+    /// The most that is allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub most: Option<f64>,
+}
+
+impl Bound {
+    /// Whether a number is within.
+    pub fn holds(&self, number: f64) -> bool {
+        self.least.is_none_or(|least| number >= least)
+            && self.most.is_none_or(|most| number <= most)
+    }
+}
+
+/// What a strategy is expected to reach.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Expectation {
+    /// What is expected, in a few words: `0 decided wrong`, `refuses reliefs`.
+    pub what: String,
+    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+}
+
+/// An expectation, and what came of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reached {
+    /// Of whom.
+    pub strategy: String,
+    /// What was expected.
+    pub expected: Expectation,
+    /// What was found, in as many words.
+    pub found: String,
+    /// Whether that is what was expected. A declared failure that passes is not.
+    pub holds: bool,
+}
+
+/// What is to be said beside a figure. A closed list, so that each has its remedy.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Warning {
+    /// The adapter runs on the CPU: times say nothing about graphics cards.
+    SoftwareAdapter {
+        /// Its name.
+        adapter: String,
+    },
+    /// Times were taken by the clock of the wall, around each pass.
+    WallTimes,
+    /// Other work was on the machine before the run began.
+    Busy {
+        /// Processes that wanted to run, in the mean over the last minute.
+        load: f64,
+        /// Processors there are.
+        cores: usize,
+    },
+    /// Times of a strategy scatter.
+    Noisy {
+        /// Whose.
+        strategy: String,
+        /// Median absolute deviation over median, of the ratio to plain drawing.
+        spread: f64,
+    },
+    /// The machine slowed down from round to round.
+    Throttled {
+        /// Plain drawing in the last third of the rounds over that in the first.
+        slowdown: f64,
+    },
+    /// A bounded buffer was too small.
+    Overflowed {
+        /// Whose.
+        strategy: String,
+        /// Which, and by how much.
+        reason: String,
+    },
+    /// The reference leaves many pixels undecided.
+    Undecided {
+        /// Undecided pixels over covered ones.
+        share: f64,
+    },
+    /// Too few rounds for a spread to mean anything.
+    FewRounds {
+        /// How many.
+        rounds: usize,
+    },
+}
+
+/// A picture beside a record.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Picture {
+    /// Who drew it: the name of a strategy, or `exact`.
+    pub drawer: String,
+    /// File of what was drawn, in the folder of the record.
+    pub file: String,
+    /// File that shows where it differs from exact.
+    pub heatmap: Option<String>,
+}
+
+/// What a machine is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system and architecture.
+    pub system: String,
+    /// Name of the processor.
+    pub processor: String,
+    /// Processors that this process may use.
+    pub cores: usize,
+    /// Memory in bytes, where it is known.
+    pub memory: Option<u64>,
+    /// Processes that wanted to run before the run began, in the mean over the last minute, where it is known.
+    pub load: Option<f64>,
+}
+
+/// Where and by what a run was made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// Version of this form, [`Record::FORMAT`].
+    pub format: u32,
+    /// The command line.
+    pub command: String,
+    /// Version of this crate.
+    pub version: String,
+    /// Commit of its sources, with `+` where they differ from it; none where that cannot be told.
+    pub commit: Option<String>,
+    /// When it began: RFC 3339, UTC.
+    pub began: String,
+    /// Seconds of measuring, over all sittings.
+    pub took_s: f64,
+    /// Whether fewer pixels, values and rounds were asked for.
+    pub is_quick: bool,
+    /// The machine.
+    pub machine: Machine,
+    /// The device.
+    pub adapter: AdapterReport,
+    /// Limits of the device that plans are made for, by name.
+    pub limits: BTreeMap<String, u64>,
+}

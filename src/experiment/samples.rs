@@ -1,0 +1,89 @@
+//! Samples of a measurement: all are kept, and told by their median and its spread.
+//!
+//! Times on a shared machine have a long tail: a mean follows its outliers, a median does not. The spread is the median absolute
+//! deviation (MAD), which up to half of the samples cannot move either. Neither assumes a distribution.
+
+use serde::{Deserialize, Serialize};
+
+/// Measured values with their median.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Samples {
+    /// The middle one; the mean of the two in the middle of an even number; 0 where there are none.
+    pub median: f64,
+    /// The median distance from the median, in the same unit; 0 where there are none.
+    pub mad: f64,
+    /// All, in the order they were taken.
+    pub samples: Vec<f64>,
+}
+
+impl Samples {
+    /// Samples with their median and spread.
+    pub fn of(samples: Vec<f64>) -> Self {
+        let median = median(&samples);
+        let distances: Vec<f64> = samples.iter().map(|s| (s - median).abs()).collect();
+        Self {
+            median,
+            mad: self::median(&distances),
+            samples,
+        }
+    }
+
+    /// Least and greatest sample; zeros where there are none.
+    pub fn range(&self) -> [f64; 2] {
+        let all = || self.samples.iter().copied();
+        if self.samples.is_empty() {
+            return [0.0; 2];
+        }
+        [
+            all().fold(f64::INFINITY, f64::min),
+            all().fold(0.0, f64::max),
+        ]
+    }
+
+    /// The quotients of samples taken in the same rounds: what disturbed a round disturbed both, and cancels.
+    pub fn over(&self, denominator: &Self) -> Self {
+        let pairs = self.samples.iter().zip(&denominator.samples);
+        Self::of(pairs.map(|(a, b)| a / b).collect())
+    }
+}
+
+/// The middle of some values, in any order; 0 of none.
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let half = sorted.len() / 2;
+    match sorted.len() {
+        0 => 0.0,
+        n if n % 2 == 1 => sorted[half],
+        _ => (sorted[half - 1] + sorted[half]) * 0.5,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians_are_of_the_middle() {
+        for (samples, median, mad) in [
+            (vec![], 0.0, 0.0),
+            (vec![3.0], 3.0, 0.0),
+            (vec![5.0, 1.0], 3.0, 2.0),
+            (vec![9.0, 1.0, 2.0], 2.0, 1.0),
+            (vec![10.0, 10.0, 10.0, 11.0, 1000.0], 10.0, 0.0),
+        ] {
+            let found = Samples::of(samples);
+            assert_eq!([found.median, found.mad], [median, mad]);
+        }
+        assert_eq!(Samples::of(vec![3.0, 1.0, 2.0]).range(), [1.0, 3.0]);
+    }
+
+    #[test]
+    fn what_slows_a_round_cancels_in_the_quotient() {
+        let (calm, load) = ([2.0, 2.0, 2.0], [1.0, 7.0, 1.5]);
+        let slowed =
+            |base: f64| Samples::of(calm.iter().zip(load).map(|(c, l)| c * l * base).collect());
+        let ratio = slowed(3.0).over(&slowed(1.0));
+        assert_eq!([ratio.median, ratio.mad], [3.0, 0.0]);
+    }
+}
