@@ -92,6 +92,36 @@ pub struct Reached {
     pub holds: bool,
 }
 
+/// A hard case: a scene with a known answer, and what came of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseRecord {
+    /// Its number in the list, or its letter and number where it comes from another project's users: `38`, `B8`.
+    pub id: String,
+    /// What it is.
+    pub name: String,
+    /// What was expected of each strategy, and what was reached.
+    pub expectations: Vec<Reached>,
+    /// The test that holds what is more than a picture of it, as one would type its name after `cargo test`.
+    pub held_by: Option<String>,
+}
+
+/// The hard cases of a run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseRecords {
+    /// Version of this form, [`Record::FORMAT`].
+    pub format: u32,
+    /// Name of the experiment: the stem of its file.
+    pub experiment: String,
+    /// Name of the run in it.
+    pub run: String,
+    /// As [`Record::identity`].
+    pub identity: String,
+    /// Pixels along the sides of the pictures.
+    pub sizes_px: Vec<u32>,
+    /// The cases.
+    pub cases: Vec<CaseRecord>,
+}
+
 /// What is to be said beside a figure. A closed list, so that each has its remedy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
