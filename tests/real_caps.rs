@@ -8,6 +8,7 @@
 mod common;
 
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use common::real::{cut, files, is_closed};
 use common::{Judged, Question, class_of, session, strategy};
@@ -20,6 +21,9 @@ const FOLDERS: [&str; 5] = ["cad", "organic", "assembly", "dense", "large"];
 const SURFACES: [&str; 2] = ["grid:256", "adaptive:0.5"];
 const INSIDE: [&str; 4] = ["mask", "abuffer", "kbuffer:32", "stencil"];
 
+/// Held by who judges a mesh.
+static TURN: Mutex<()> = Mutex::new(());
+
 /// Calls `judge` for the frame of every closed mesh, and ends with what it found wrong.
 fn on_closed_meshes(relief: Option<&str>, mut judge: impl FnMut(&Question) -> Vec<String>) {
     let mut faults = Vec::new();
@@ -31,6 +35,8 @@ fn on_closed_meshes(relief: Option<&str>, mut judge: impl FnMut(&Question) -> Ve
             continue;
         }
         let question = Question::of(&scene, SIZE_PX);
+        // The session is shared: nobody may forget the frames of a mesh while others still ask about them.
+        let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = judge(&question);
         faults.extend(found.into_iter().map(|f| format!("{}: {f}", name_of(file))));
         judged += 1;
