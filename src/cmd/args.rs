@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 use glam::{DVec3, Vec3};
 
+use super::defects::DefectArgs;
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
@@ -26,6 +27,8 @@ pub(super) struct SceneArgs {
     pub(super) sections: SectionArgs,
     #[command(flatten)]
     pub(super) camera: CameraArgs,
+    #[command(flatten)]
+    pub(super) defects: DefectArgs,
     /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
     /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]

@@ -26,6 +26,7 @@ Examples:
   cutaway compare part.stl --section x=50% --strategies raycast+mask,grid:64+vds:512 --rounds 25
   cutaway compare scene.toml --json result.json --heatmaps wrong/
   cutaway compare part.stl --section x=50% --strategies raycast+mask,raycast+mask@compute
+  cutaway compare scan.ply --section x=50% --strategies raycast+mask,winding     # caps of a mesh with holes
   cutaway compare walk.glb --time 0.5 --section x=50%                         # the mesh as it stands then
   cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
 
@@ -39,7 +40,8 @@ pub(super) struct CompareArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Strategies to measure, or all that are built with their usual parameters. After an @ what differs from the usual: hardware,
+    /// Strategies to measure, or all that are built with their usual parameters; `winding` asks for winding numbers on the CPU,
+    /// which copes with meshes that are open. After an @ what differs from the usual: hardware,
     /// compute, 32-bit (no atomics of 64 bits), cells, pyramid
     #[arg(long, value_name = "A,B,..|all", default_value = "all")]
     strategies: String,

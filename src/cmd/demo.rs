@@ -149,7 +149,7 @@ fn pictures_of(
         .frames
         .iter()
         .zip(&judgement.measurement.strategies);
-    let mut of_strategy = frames.filter(|(f, _)| f.contender.strategy == strategy);
+    let mut of_strategy = frames.filter(|(f, _)| f.contender.strategy() == Some(strategy));
     let (Some((frame, found)), name) = (of_strategy.next(), strategy.to_string()) else {
         return Ok(Vec::new());
     };

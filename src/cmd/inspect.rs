@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
+use super::defects::DefectArgs;
 use super::open::Inputs;
 use super::output::{Output, write_stdout};
 use super::sections::round;
@@ -18,6 +19,7 @@ Examples:
   cutaway inspect bracket.stl
   cutaway inspect shape:gears
   cutaway inspect walk.glb --clip run --time 0.5
+  cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
 A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Depth complexity
@@ -31,6 +33,8 @@ pub(super) struct InspectArgs {
     inputs: Vec<String>,
     #[command(flatten)]
     when: TimeArgs,
+    #[command(flatten)]
+    defects: DefectArgs,
     /// The same as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
@@ -48,7 +52,8 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 2);
     console.step("opening");
     let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
-    let (scene, timeline) = inputs.at(&args.when)?;
+    let (mut scene, timeline) = inputs.at(&args.when)?;
+    args.defects.apply_and_say(&mut scene, &console)?;
     args.when.note_of_still(&timeline, &console);
     let clips = inputs.timeline().clips();
     let parts = scene.posed().parts;

@@ -10,6 +10,7 @@ mod animate;
 mod args;
 mod compare;
 mod console;
+mod defects;
 mod demo;
 mod environment;
 mod image_test;

@@ -7,6 +7,7 @@ use glam::Vec3;
 
 use super::args::{CameraArgs, SceneArgs, bytes_of};
 use super::console::Console;
+use super::defects::DefectArgs;
 use super::sections::warn_of_misses;
 use super::when::TimeArgs;
 use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
@@ -37,6 +38,8 @@ pub(super) struct Opened {
     pub(super) interference: Option<[u8; 3]>,
     /// The rule that the options fill all parts by, if they say one.
     fill: Option<Fill>,
+    /// What the options break, the same at all times.
+    defects: DefectArgs,
     /// Cuts of the command line, the same at all times.
     cuts: Vec<Cut>,
     /// Camera of the command line, where the scene has none of its own.
@@ -71,6 +74,7 @@ impl Opened {
     /// The scene at a time in seconds, with everything that the options say.
     pub(super) fn at(&self, time_s: f64) -> Result<Scene> {
         let mut scene = self.timeline.at(time_s)?;
+        self.defects.apply(&mut scene)?;
         fill_by(&mut scene, self.fill);
         scene.cuts.extend(self.cuts.iter().cloned());
         scene.camera = match self.usual_camera {
@@ -92,6 +96,7 @@ pub(super) fn open(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Resu
 pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
     let inputs = Inputs::open(&args.inputs, when, console)?;
     let (mut scene, timeline) = inputs.at(when)?;
+    args.defects.apply_and_say(&mut scene, console)?;
     let of_file = scene.cuts.len();
     fill_by(&mut scene, args.fill);
     for part in &scene.parts {
@@ -124,6 +129,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
         background: inputs.background,
         interference: args.interference.or(inputs.interference),
         fill: args.fill,
+        defects: args.defects.clone(),
         cuts,
         usual_camera,
         camera: args.camera.clone(),

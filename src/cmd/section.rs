@@ -12,6 +12,7 @@ use rayon::prelude::*;
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
+use super::defects::DefectArgs;
 use super::open::{Inputs, open_model};
 use super::output::{Output, no_place_twice, write_stdout};
 use super::sections::{SectionArgs, round, warn_of_misses};
@@ -43,6 +44,8 @@ pub(super) struct SectionCommandArgs {
     sections: SectionArgs,
     #[command(flatten)]
     when: TimeArgs,
+    #[command(flatten)]
+    defects: DefectArgs,
     /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = super::args::parse_fill)]
     fill: Option<Fill>,
@@ -89,6 +92,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     console.step("opening");
     let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
     let (mut scene, timeline) = inputs.at(&args.when)?;
+    args.defects.apply_and_say(&mut scene, &console)?;
     args.when.note_of_still(&timeline, &console);
     for part in &mut scene.parts {
         part.fill = args.fill.unwrap_or(part.fill);

@@ -28,6 +28,7 @@ mod screen;
 mod shading;
 mod table;
 mod walk;
+mod winding;
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -41,6 +42,8 @@ use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
 use crate::scene::{Prepared, View};
+
+pub use winding::Windings;
 
 /// The right answer for every pixel of a view, rows from the top.
 #[derive(Clone, Debug)]
@@ -80,7 +83,7 @@ impl Exact {
 pub fn evaluate(prepared: &Prepared, view: &View) -> Exact {
     prepared.must_be_whole();
     let [width, height] = view.size_px;
-    let scene = Lines::of(prepared, view);
+    let scene = Lines::with(prepared, view, Outlining::With);
     let mut exact = Exact {
         layers: Layers::background(view.size_px),
         undecided: vec![false; width as usize * height as usize],
@@ -135,8 +138,15 @@ struct Answer {
 /// farther away than this are never too close to order.
 const PAD_PX: f64 = 4.0;
 
+/// Whether outlines are wanted: they say where sampling is ambiguous, and nothing else.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Outlining {
+    With,
+    Without,
+}
+
 impl<'a> Lines<'a> {
-    fn of(prepared: &'a Prepared, view: &'a View) -> Self {
+    fn with(prepared: &'a Prepared, view: &'a View, outlining: Outlining) -> Self {
         let volumes = prepared.surfaces.iter().filter_map(|s| s.volume.as_deref());
         let solids = prepared.parts.iter().map(|p| Projected::of(view, p));
         let parts: Vec<Projected<'a>> = solids
@@ -146,6 +156,7 @@ impl<'a> Lines<'a> {
         let outlines: Vec<Vec<Outline>> = parts
             .par_iter()
             .enumerate()
+            .filter(|_| outlining == Outlining::With)
             .map(|(rank, p)| outline::outlines(view, rank as u16, p))
             .collect();
         let outline_rows: Vec<Vec<_>> = outlines

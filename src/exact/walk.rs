@@ -208,7 +208,7 @@ pub(super) fn walk(
 
 /// Lets clip events at one depth happen, and finds the part that thereby comes to show, with the event that freed it and
 /// whether that freed others with it.
-fn pass_clips(
+pub(super) fn pass_clips(
     prepared: &Prepared,
     ranks: &[u16],
     events: &[Event],

@@ -1,7 +1,9 @@
-//! Who is measured: a strategy, and by which means its frames are drawn.
+//! Who is measured: a strategy, and by which means its frames are drawn; or winding numbers on the CPU.
 //!
-//! Written as the strategy's name, and after an `@` what differs from the usual: `raycast+mask@compute`,
-//! `raycast+mask@compute,32-bit`, `raycast+mask@cells`.
+//! A strategy is written by its name, and after an `@` what differs from the usual: `raycast+mask@compute`,
+//! `raycast+mask@compute,32-bit`, `raycast+mask@cells`. `winding` draws by generalised winding numbers
+//! ([`Windings`](crate::exact::Windings)): no strategy, but who else could be asked about open meshes. It runs on the CPU, on all
+//! its cores, and its times are those of the wall, whatever the clocks of the others are.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,9 +12,18 @@ use crate::passes::{Rasteriser, ReliefWalk};
 use crate::strategies::{FrameOptions, Strategy};
 use crate::{Error, Result};
 
+/// Who draws a frame to be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contender {
+    /// A strategy, on the device.
+    Strategy(Drawn),
+    /// Generalised winding numbers, on the CPU.
+    Winding,
+}
+
 /// A strategy with the means that its frames are drawn by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Contender {
+pub struct Drawn {
     /// The strategy.
     pub strategy: Strategy,
     /// Who rasterises the mesh, where it is not who rasterises all.
@@ -24,7 +35,7 @@ pub struct Contender {
 }
 
 /// A word, and what it does.
-type Means = (&'static str, fn(&mut Contender));
+type Means = (&'static str, fn(&mut Drawn));
 
 /// What may follow the `@`.
 const MEANS: [Means; 5] = [
@@ -35,6 +46,9 @@ const MEANS: [Means; 5] = [
     ("pyramid", |c| c.relief_walk = Some(ReliefWalk::Pyramid)),
 ];
 
+/// The name of the contender that is no strategy.
+const WINDING: &str = "winding";
+
 impl Contender {
     /// Whether a word may follow the `@`.
     pub fn is_means(word: &str) -> bool {
@@ -43,6 +57,23 @@ impl Contender {
 
     /// The options of its frames, where the others have these.
     pub fn options(&self, usual: FrameOptions) -> FrameOptions {
+        match self {
+            Self::Strategy(drawn) => drawn.options(usual),
+            Self::Winding => usual,
+        }
+    }
+
+    /// The strategy, if it is one.
+    pub fn strategy(&self) -> Option<Strategy> {
+        match self {
+            Self::Strategy(drawn) => Some(drawn.strategy),
+            Self::Winding => None,
+        }
+    }
+}
+
+impl Drawn {
+    fn options(&self, usual: FrameOptions) -> FrameOptions {
         FrameOptions {
             rasteriser: self.rasteriser.unwrap_or(usual.rasteriser),
             relief_walk: self.relief_walk.or(usual.relief_walk),
@@ -56,7 +87,7 @@ impl Contender {
     }
 }
 
-impl From<Strategy> for Contender {
+impl From<Strategy> for Drawn {
     fn from(strategy: Strategy) -> Self {
         Self {
             strategy,
@@ -67,7 +98,22 @@ impl From<Strategy> for Contender {
     }
 }
 
+impl From<Strategy> for Contender {
+    fn from(strategy: Strategy) -> Self {
+        Self::Strategy(strategy.into())
+    }
+}
+
 impl fmt::Display for Contender {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Strategy(drawn) => drawn.fmt(f),
+            Self::Winding => f.write_str(WINDING),
+        }
+    }
+}
+
+impl fmt::Display for Drawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.strategy)?;
         let mut separator = '@';
@@ -90,11 +136,21 @@ impl FromStr for Contender {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let (strategy, means) = match text.split_once('@') {
-            Some((strategy, means)) => (strategy, Some(means)),
-            None => (text, None),
+        let (name, means) = match text.split_once('@') {
+            Some((name, means)) => (name.trim(), Some(means)),
+            None => (text.trim(), None),
         };
-        let mut contender = Self::from(strategy.trim().parse::<Strategy>()?);
+        if name == WINDING {
+            return match means {
+                None => Ok(Self::Winding),
+                Some(_) => Err(Error::input(
+                    text,
+                    "winding numbers are asked for on the CPU: there are no means to choose",
+                    "leave out the @ and what follows",
+                )),
+            };
+        }
+        let mut drawn = Drawn::from(name.parse::<Strategy>()?);
         for name in means.into_iter().flat_map(|m| m.split(',')) {
             let Some((_, apply)) = MEANS.iter().find(|(n, _)| *n == name.trim()) else {
                 let known: Vec<&str> = MEANS.iter().map(|(n, _)| *n).collect();
@@ -104,9 +160,9 @@ impl FromStr for Contender {
                     format!("after the @ write some of {}", known.join(", ")),
                 ));
             };
-            apply(&mut contender);
+            apply(&mut drawn);
         }
-        Ok(contender)
+        Ok(Self::Strategy(drawn))
     }
 }
 
@@ -123,6 +179,7 @@ mod tests {
             "raycast+mask@compute,32-bit",
             "raycast+mask@cells",
             "raycast+mask@hardware",
+            "winding",
         ] {
             let contender: Contender = text.parse().unwrap();
             assert_eq!(contender.to_string(), text);
@@ -130,6 +187,7 @@ mod tests {
         for (text, said) in [
             ("raycast+mask@gpu", "hardware"),
             ("raycats+mask@compute", "did you mean"),
+            ("winding@compute", "on the CPU"),
         ] {
             let told = text.parse::<Contender>().unwrap_err().to_string();
             assert!(told.contains(said), "{told}");

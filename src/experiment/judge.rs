@@ -5,7 +5,8 @@
 //! every strategy and the plain drawing of the uncut scene run once, on all clocks. Whoever begins a round ends the next, so that
 //! what disturbs the machine disturbs all alike.
 //!
-//! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]).
+//! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]). What runs on the CPU, as the
+//! contender `winding` does, always is.
 
 use image::RgbaImage;
 
@@ -14,11 +15,12 @@ use super::measurement::{
 };
 use super::{Contender, Samples, Shown, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
-use crate::exact::{Exact, evaluate};
-use crate::gpu::{ClockSet, Program, RunTimes};
+use crate::exact::{Exact, Windings, evaluate};
+use crate::gpu::{ClockSet, PassTime as TimeOfPass, Program, RunTimes};
 use crate::layers::Layers;
+use crate::passes::Model;
 use crate::plan::{Capacities, Clock};
-use crate::scene::View;
+use crate::scene::{Prepared, View};
 use crate::session::{Outcome, Session};
 use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
@@ -35,6 +37,23 @@ pub struct Question<'a> {
     pub truth: Option<&'a Shown>,
     /// The command line that asks it again.
     pub command: String,
+}
+
+impl<'a> Question<'a> {
+    /// The scene that holds the truth, in the space of the one that is shown: else their pixels could not be compared.
+    fn whole(&self) -> Result<&'a Prepared> {
+        let (own, whole) = (self.shown, self.truth.unwrap_or(self.shown));
+        let (shown, truth) = (&own.model.prepared, whole.truth()?);
+        let places = [shown, truth].map(|p| (p.centre_in_world.to_array(), p.scale));
+        if places[0] != places[1] {
+            return Err(Error::input(
+                format!("the truth about {}", self.name),
+                "it is framed in another box than the scene it is to judge",
+                "let both have the same parts in the same places, so that one camera and one section mean the same in both",
+            ));
+        }
+        Ok(truth)
+    }
 }
 
 /// A frame of a strategy.
@@ -56,6 +75,8 @@ pub struct Judgement {
     /// The frames, in the order of the measurement.
     pub frames: Vec<Frame>,
     usual: FrameOptions,
+    model: Model,
+    view: View,
 }
 
 impl Judgement {
@@ -67,7 +88,11 @@ impl Judgement {
     /// The picture of a frame, at the resolution that was measured: RGBA8, rows from the top.
     pub fn picture(&self, session: &mut Session, frame: &Frame) -> Result<Vec<u8>> {
         session.set_options(frame.contender.options(self.usual));
-        let picture = session.picture(&frame.contender.strategy);
+        let picture = match (frame.contender.strategy(), &frame.layers) {
+            (Some(strategy), _) => session.picture(&strategy),
+            (None, Some(layers)) => session.shade(&self.model, &self.view, layers),
+            (None, None) => Err(Error::Plan(format!("{} drew nothing", frame.contender))),
+        };
         session.set_options(self.usual);
         picture
     }
@@ -93,8 +118,7 @@ pub fn errors(
     let model = &question.shown.model;
     step("exact".to_owned());
     let watch = Stopwatch::start();
-    let truth = question.truth.unwrap_or(question.shown).truth()?;
-    let exact = evaluate(truth, &question.view);
+    let exact = evaluate(question.whole()?, &question.view);
     let exact_ms = watch.ms();
 
     let usual = session.options();
@@ -132,6 +156,8 @@ pub fn errors(
         exact,
         frames,
         usual,
+        model: model.clone(),
+        view: question.view.clone(),
     })
 }
 
@@ -149,7 +175,7 @@ pub fn times(
     let mut runners = vec![Runner::Uncut(&uncut)];
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
     runners.extend(drawn.map(|f| Runner::Contender(f.contender)));
-    let runs = in_turns(session, usual, &runners, rounds, step, goes_on);
+    let runs = in_turns(session, question, usual, &runners, rounds, step, goes_on);
     session.set_options(usual);
     let Some(runs) = runs? else {
         return Ok(false);
@@ -174,27 +200,38 @@ fn drawn(
     contender: &Contender,
     exact: &Exact,
 ) -> Result<(Frame, StrategyMeasurement)> {
-    let (model, view, strategy) = (&question.shown.model, &question.view, &contender.strategy);
-    let outcome = session.draw(model, view, strategy)?.outcome;
-    let is_drawn = !matches!(outcome, Outcome::Refused(_));
-    let layers = is_drawn.then(|| session.layers(strategy)).transpose()?;
+    let (model, view) = (&question.shown.model, &question.view);
+    let (outcome, layers, bytes) = match contender.strategy() {
+        Some(strategy) => {
+            let outcome = session.draw(model, view, &strategy)?.outcome;
+            match outcome {
+                Outcome::Refused(_) => (outcome, None, [0; 3]),
+                _ => {
+                    let layers = session.layers(&strategy)?;
+                    (outcome, Some(layers), session.bytes(&strategy)?)
+                }
+            }
+        }
+        None => {
+            let whole = question.shown.truth()?;
+            let windings = Windings::of(whole);
+            let layers = windings.layers(whole, view);
+            (Outcome::Complete, Some(layers), [windings.bytes(), 0, 0])
+        }
+    };
     let comparison: Option<Comparison> =
         (layers.as_ref()).map(|l| compare(exact, l, view, model.prepared.scale));
-    let mut found = StrategyMeasurement {
+    let found = StrategyMeasurement {
         name: contender.to_string(),
         outcome: Ending::of(&outcome),
         reason: outcome.reason().map(str::to_owned),
         comparison,
-        bytes: PerClock::default(),
+        bytes: PerClock::of(|clock| bytes[clock as usize]),
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
         frame_over_draw_only_mad: None,
         passes: Vec::new(),
     };
-    if is_drawn {
-        let bytes = session.bytes(strategy)?;
-        found.bytes = PerClock::of(|clock| bytes[clock as usize]);
-    }
     let frame = Frame {
         contender: *contender,
         outcome,
@@ -213,20 +250,53 @@ enum Runner<'a> {
 
 impl Runner<'_> {
     /// Runs all clocks.
-    fn run(&self, session: &mut Session, usual: FrameOptions) -> Result<RunTimes> {
+    fn run(
+        &self,
+        session: &mut Session,
+        question: &Question<'_>,
+        usual: FrameOptions,
+    ) -> Result<RunTimes> {
         match self {
             Self::Uncut(program) => program.run(session.gpu(), ClockSet::ALL),
-            Self::Contender(contender) => {
-                session.set_options(contender.options(usual));
-                session.repeat(&contender.strategy, ClockSet::ALL)
-            }
+            Self::Contender(contender) => match contender.strategy() {
+                Some(strategy) => {
+                    session.set_options(contender.options(usual));
+                    session.repeat(&strategy, ClockSet::ALL)
+                }
+                None => wound(question),
+            },
         }
     }
+}
+
+/// Draws by winding numbers, for the time it takes.
+fn wound(question: &Question<'_>) -> Result<RunTimes> {
+    let whole = question.shown.truth()?;
+    let watch = Stopwatch::start();
+    let windings = Windings::of(whole);
+    let tree_ms = watch.ms();
+    let watch = Stopwatch::start();
+    // Not to be left out for having no use.
+    std::hint::black_box(windings.layers(whole, &question.view));
+    let frame_ms = watch.ms();
+    let pass = |name: &str, clock, time_ms| TimeOfPass {
+        name: name.to_owned(),
+        clock,
+        time_ms,
+    };
+    Ok(RunTimes {
+        passes: vec![
+            pass("winding: tree (CPU)", Clock::Solid, tree_ms),
+            pass("winding (CPU)", Clock::Frame, frame_ms),
+        ],
+        clocks_ms: [Some(tree_ms), None, Some(frame_ms)],
+    })
 }
 
 /// Times of each runner, by round; none if it was ended early.
 fn in_turns(
     session: &mut Session,
+    question: &Question<'_>,
     usual: FrameOptions,
     runners: &[Runner<'_>],
     rounds: usize,
@@ -236,7 +306,7 @@ fn in_turns(
     let mut runs: Vec<Vec<RunTimes>> = runners.iter().map(|_| Vec::new()).collect();
     step("warm-up".to_owned());
     for runner in runners {
-        runner.run(session, usual)?;
+        runner.run(session, question, usual)?;
     }
     for round in 0..rounds {
         step(format!("round {} of {rounds}", round + 1));
@@ -245,7 +315,7 @@ fn in_turns(
                 return Ok(None);
             }
             let who = (round + turn) % runners.len();
-            runs[who].push(runners[who].run(session, usual)?);
+            runs[who].push(runners[who].run(session, question, usual)?);
         }
     }
     Ok(Some(runs))

@@ -12,7 +12,7 @@ mod samples;
 mod shown;
 mod stopwatch;
 
-pub use contender::Contender;
+pub use contender::{Contender, Drawn};
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,

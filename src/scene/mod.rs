@@ -9,6 +9,7 @@ mod camera;
 mod clip_surface;
 mod cut;
 mod cutter;
+pub mod defects;
 mod file;
 mod fill;
 pub mod frames;

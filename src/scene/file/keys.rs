@@ -191,5 +191,9 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
         let what = "it says how files are played, which cannot change while they play";
         return Err(target.fault(what, "move another number"));
     }
+    if root == "part" && path.split('.').any(|word| word == "defects") {
+        let what = "the mesh is broken once, when it is opened";
+        return Err(target.fault(what, "move another number"));
+    }
     Ok(())
 }

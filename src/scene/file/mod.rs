@@ -73,6 +73,7 @@
 //! name = "left"
 //! mesh = "gearbox.glb"
 //! only = ["gear 2"]                     # or `except`: some of the solids of a file
+//! defects = [{ kind = "holes", amount = "5%", seed = 1 }]   # broken on purpose, once: see `scene::defects`
 //!
 //! [[key]]
 //! target = "part.bar.deform.0.turn_deg"
@@ -83,6 +84,7 @@
 mod camera;
 mod cuts;
 mod cutters;
+mod defects;
 mod deform;
 mod keys;
 mod parts;

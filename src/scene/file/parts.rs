@@ -19,6 +19,7 @@ pub(super) const KEYS: &[&str] = &[
     "fps",
     "first",
     "loop",
+    "defects",
     "deform",
     "pivot",
     "translate",

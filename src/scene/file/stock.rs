@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use glam::DAffine3;
 
-use super::Loaders;
 use super::parts::KEYS;
 use super::reader::{Entry, Table};
+use super::{Loaders, defects};
 use crate::error::{Result, did_you_mean};
 use crate::scene::cut::glob_matches;
 use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
@@ -168,7 +168,8 @@ impl Opened<'_> {
         if parts.is_empty() {
             return Err(origin.fault("it holds no solid", "use a file or shape with triangles"));
         }
-        let parts = chosen(table, parts)?;
+        let mut parts = chosen(table, parts)?;
+        defects::apply(table, &mut parts, notes)?;
         Ok(Held::of(vec![Solids::of(parts)], None))
     }
 
@@ -220,7 +221,11 @@ impl Opened<'_> {
         notes.extend(sequence.notes().iter().cloned());
         let frames = sequence
             .frames()
-            .map(|parts| Ok(Solids::of(chosen(table, parts.to_vec())?)))
+            .map(|parts| {
+                let mut parts = chosen(table, parts.to_vec())?;
+                defects::apply(table, &mut parts, notes)?;
+                Ok(Solids::of(parts))
+            })
             .collect::<Result<_>>()?;
         Ok(Held::of(frames, Some(sequence)))
     }

@@ -1,0 +1,102 @@
+//! A mesh while it is edited: faces as they go, and vertices that are only ever added.
+
+use glam::{DVec3, Vec3};
+
+use crate::scene::{Bounds, Mesh};
+
+/// A face with what goes with it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Face {
+    /// Its corners.
+    pub(super) corners: [u32; 3],
+    /// Normals for shading there, where the mesh has them.
+    normals: Option<[Vec3; 3]>,
+}
+
+impl Face {
+    /// The other side of it.
+    pub(super) fn turned(self) -> Self {
+        let [a, b, c] = self.corners;
+        Self {
+            corners: [a, c, b],
+            normals: self.normals.map(|[a, b, c]| [-a, -c, -b]),
+        }
+    }
+
+    /// The same face with other corners, in their places.
+    pub(super) fn with_corners(self, corners: [u32; 3]) -> Self {
+        Self { corners, ..self }
+    }
+
+    /// Its two halves on either side of the line from a vertex on edge `edge`, which goes from corner `edge` to the next.
+    pub(super) fn halves(self, edge: usize, vertex: u32) -> [Self; 2] {
+        let next = (edge + 1) % 3;
+        let [mut first, mut second] = [self; 2];
+        (first.corners[next], second.corners[edge]) = (vertex, vertex);
+        if let (Some(one), Some(two)) = (&mut first.normals, &mut second.normals) {
+            let between = (one[edge] + one[next]).normalize_or_zero();
+            (one[next], two[edge]) = (between, between);
+        }
+        [first, second]
+    }
+}
+
+/// A mesh while it is edited.
+pub(super) struct Edit {
+    /// The faces; none if all are gone.
+    pub(super) faces: Vec<Face>,
+    positions: Vec<DVec3>,
+    /// Per vertex, the vertex of the mesh it comes from.
+    origins: Vec<u32>,
+    has_normals: bool,
+    /// The box of the mesh, which no vertex is to leave.
+    pub(super) bounds: Bounds,
+}
+
+impl Edit {
+    /// A mesh as it is.
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let normals = |t: usize| mesh.corner_normals.as_ref().map(|n| n[t]);
+        let faces = mesh.triangles.iter().enumerate();
+        Self {
+            faces: faces
+                .map(|(t, corners)| Face {
+                    corners: *corners,
+                    normals: normals(t),
+                })
+                .collect(),
+            positions: mesh.positions.clone(),
+            origins: (0..mesh.positions.len() as u32).collect(),
+            has_normals: mesh.corner_normals.is_some(),
+            bounds: mesh.bounds(),
+        }
+    }
+
+    /// Where a vertex is.
+    pub(super) fn at(&self, vertex: u32) -> DVec3 {
+        self.positions[vertex as usize]
+    }
+
+    /// Where the corners of a face are.
+    pub(super) fn points(&self, face: &Face) -> [DVec3; 3] {
+        face.corners.map(|v| self.at(v))
+    }
+
+    /// A new vertex that comes from another.
+    pub(super) fn add(&mut self, at: DVec3, from: u32) -> u32 {
+        self.origins.push(self.origins[from as usize]);
+        self.positions.push(at);
+        self.positions.len() as u32 - 1
+    }
+
+    /// The mesh, and the vertex that each of its vertices comes from.
+    pub(super) fn finish(self) -> (Mesh, Vec<u32>) {
+        let normals = || self.faces.iter().filter_map(|f| f.normals).collect();
+        let mesh = Mesh {
+            corner_normals: self.has_normals.then(normals),
+            triangles: self.faces.iter().map(|f| f.corners).collect(),
+            positions: self.positions,
+        };
+        (mesh, self.origins)
+    }
+}

@@ -1,0 +1,56 @@
+//! What is said is read, what makes no sense is refused with a mend.
+
+use cutaway::scene::defects::{Defect, DefectKind};
+
+#[test]
+fn defects_are_written_as_they_are_read() {
+    for text in [
+        "holes:amount=5%,seed=1,patch=1",
+        "flipped:amount=2.5%,seed=18446744073709551615,patch=12",
+        "duplicated:amount=0%,seed=3,patch=2",
+        "t-junctions:amount=100%,seed=1",
+        "gaps:amount=0.01,seed=1,charts=5",
+        "overlap:amount=20%,seed=1,copies=2",
+        "open:amount=20%,axis=-y",
+        "soup:amount=1%,seed=7",
+    ] {
+        let defect: Defect = text.parse().unwrap();
+        assert_eq!(defect.to_string(), text);
+    }
+    for name in DefectKind::NAMES {
+        let usual: Defect = name.parse().unwrap();
+        assert_eq!(usual.kind.name(), name);
+        assert_eq!(usual, usual.to_string().parse().unwrap());
+    }
+}
+
+#[test]
+fn nonsense_is_refused_with_a_mend() {
+    for (text, said) in [
+        ("hoels", "did you mean `holes`"),
+        ("", "use one of"),
+        ("holes:amuont=5%", "did you mean `amount`"),
+        ("holes:axis=z", "no key of holes"),
+        ("soup:patch=3", "no key of soup"),
+        ("holes:5%", "key=value"),
+        ("holes:amount=0.05", "in percent"),
+        ("holes:amount=-1%", "from 0% to 100%"),
+        ("holes:amount=101%", "from 0% to 100%"),
+        ("holes:amount=nan%", "not finite"),
+        ("soup:amount=-0.1", "below 0"),
+        ("soup:amount=x", "not a number"),
+        ("holes:seed=-1", "whole number"),
+        ("holes:patch=0", "from 1 to"),
+        ("gaps:charts=99999999999", "from 1 to"),
+        ("open:axis=w", "use one of: x, y, z"),
+    ] {
+        let told = text.parse::<Defect>().unwrap_err().to_string();
+        assert!(told.contains(said), "{text}: {told}");
+        assert!(told.contains("mend: "), "{text}: {told}");
+    }
+    let all: Defect = "holes:amount=100%".parse().unwrap();
+    let told = all
+        .apply(&crate::common::meshes::shape("cube"))
+        .unwrap_err();
+    assert!(told.to_string().contains("no face"), "{told}");
+}
