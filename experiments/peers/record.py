@@ -16,13 +16,17 @@ from statistics import median
 from typing import Callable
 
 # A contender whose warm-up takes longer than this many seconds is not called again: that call is its only sample.
-PATIENCE_S = 10.0
+PATIENCE_S = 2.0
 
 PACKAGES = ["manifold3d", "mapbox_earcut", "numpy", "pyvista", "scipy", "shapely", "trimesh", "vtk"]
 
 
 class Refused(Exception):
     """A tool says, in its own words, that it does not do this."""
+
+
+class Failed(Exception):
+    """A tool says, in its own words, that it did not do it."""
 
 
 @dataclass
@@ -71,14 +75,19 @@ def one_turn(contender, is_warm_up):
     except Refused as refusal:
         contender.outcome, contender.reason = "refused", str(refusal)
         return
-    # What a peer raises is its answer: the run goes on.
+    # Whatever a peer raises is its answer: the run goes on.
     except Exception as fault:
-        contender.outcome, contender.reason = "failed", f"{type(fault).__name__}: {fault}"
+        contender.outcome, contender.reason = "failed", words_of(fault)
         return
     if is_warm_up:
         contender.result = result
     if not is_warm_up or took_ms > PATIENCE_S * 1e3:
         contender.samples.append(took_ms)
+
+
+def words_of(fault):
+    """What a tool says, without the stack that it says it on."""
+    return str(fault) if isinstance(fault, Failed) else f"{type(fault).__name__}: {fault}"
 
 
 def row_of(mesh, cut, contender):
@@ -88,7 +97,7 @@ def row_of(mesh, cut, contender):
         try:
             area = contender.area_of(contender.result)
         except Exception as fault:
-            outcome, reason = "failed", f"{type(fault).__name__}: {fault}"
+            outcome, reason = "failed", words_of(fault)
     return row(
         mesh, cut, contender.tool, contender.clock, area, samples_of(contender.samples), outcome, reason, contender.command
     )

@@ -10,9 +10,10 @@ import pyvista
 import shapely
 import trimesh
 import vtk
+from vtk.util.misc import calldata_type
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
-from record import Refused
+from record import Failed, Refused
 
 
 def frame(normal):
@@ -126,7 +127,19 @@ def vtk_cap(data, origin, normal):
     clip.SetClippingPlanes(planes)
     clip.SetScalarModeToLabels()
     clip.SetInputData(data)
+    # It stays silent by itself where a cap could not be filled.
+    clip.TriangulationErrorDisplayOn()
+    errors = []
+
+    @calldata_type(vtk.VTK_STRING)
+    def heard(_filter, _event, words):
+        # Without the address of the filter, which is another one in every run.
+        errors.append(words.strip().splitlines()[-1].split("): ")[-1])
+
+    clip.AddObserver(vtk.vtkCommand.ErrorEvent, heard)
     clip.Update()
+    if errors:
+        raise Failed(errors[0])
     return pyvista.wrap(clip.GetOutput())
 
 
@@ -145,6 +158,9 @@ def pyvista_cap(data, origin, normal):
 
 
 def pyvista_cap_area(clipped, origin, normal):
+    # It does not pass on the error of the filter: what says so is that its result, which is to be closed, is open.
+    if clipped.n_open_edges:
+        raise Failed(f"n_open_edges of the result is {clipped.n_open_edges}")
     flat = clipped.triangulate()
     points = flat.points.astype(float)
     return projected_area(points, cap_faces(points, flat.regular_faces, origin, normal), normal)
