@@ -1,7 +1,7 @@
 """Relief cuts: the area of the cap as seen along N, and the time to make it.
 
-Peers subtract a solid whose upper side is the relief; here pixels are counted that show the cap. Both are held to one pixel along
-the outline, plus what two triangles in place of a bilinear quad change, which is measured by halving the cells.
+Peers subtract a solid whose upper side is the relief; here pixels are counted that show the cap. They must agree to what
+counting pixels allows, plus what two triangles in place of a bilinear quad change, which is measured by cells of twice the size.
 """
 
 import numpy as np
@@ -131,9 +131,9 @@ def one(cutaway, work, mesh, relief, options):
     surface = {"origin": relief.origin, "u": relief.u, "v": relief.v, "scale": relief.scale, "more": relief.more}
     scene = work / f"relief-{stem(mesh.name)}-{stem(relief.name)}.toml"
     height = ours.write_scene(scene, mesh, surface, table_of(relief, work))
-    # The planted fault: peers subtract a solid that is a little too high.
+    # The planted fault: peers subtract a solid that is too high.
     if options.plant:
-        relief.origin = relief.origin + 0.02 * mesh.diagonal * relief.frame[2]
+        relief.origin = relief.origin + 0.05 * mesh.diagonal * relief.frame[2]
     field = field_of(relief, mesh, DIVIDE)
     removed = Removed(field)
     contenders = peers(mesh, removed, field)
@@ -175,8 +175,8 @@ def checks_of(mesh, relief, rows, exact, pixel):
         kept = booleans.manifold_cut(solid, sections.as_manifold(Removed(field)))
         made.append(booleans.manifold_cap(kept, solid, field))
     (area, perimeter), (coarse, _) = made
-    bound = perimeter * pixel + abs(area - coarse)
-    told = "perimeter x one pixel + what cells of twice the size change"
+    bound = ours.counting_error(perimeter, pixel) + abs(area - coarse)
+    told = f"{ours.COUNTING} + what cells of twice the size change"
     return [
         check(mesh, relief.name, r["tool"], r["area"], exact, bound, told) for r in rows if r["area"] is not None
     ]
