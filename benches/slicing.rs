@@ -3,6 +3,9 @@
 //! The mesh is a torus whose tube is ribbed along and around, of 100 thousand or a million triangles, cut by an oblique plane
 //! that moves a little every time. Everything is included: points, loops and triangles of the region.
 
+#[path = "common/meshes.rs"]
+mod meshes;
+
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -11,26 +14,6 @@ use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_ma
 use cutaway::scene::ClipSurface;
 use cutaway::slice::{SlicePlane, Slicer};
 use glam::DVec3;
-
-/// Positions and triangles of a ribbed torus of `2 * around * along` triangles.
-fn ribbed_torus(around: u32, along: u32) -> (Arc<Vec<DVec3>>, Vec<[u32; 3]>) {
-    let at = |i: u32, j: u32| {
-        let a = TAU * f64::from(i) / f64::from(around);
-        let b = TAU * f64::from(j) / f64::from(along);
-        let tube = 0.3 + 0.02 * (40.0 * a).sin() * (20.0 * b).cos();
-        let radius = 1.0 + tube * b.cos();
-        DVec3::new(radius * a.cos(), radius * a.sin(), tube * b.sin())
-    };
-    let cells = || (0..around).flat_map(|i| (0..along).map(move |j| (i, j)));
-    let corner = |i: u32, j: u32| (i % around) * along + j % along;
-    let positions = cells().map(|(i, j)| at(i, j)).collect();
-    let triangles = cells().flat_map(|(i, j)| {
-        let quad = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-        let [a, b, c, d] = quad.map(|(i, j)| corner(i, j));
-        [[a, b, c], [a, c, d]]
-    });
-    (Arc::new(positions), triangles.collect())
-}
 
 /// A plane that is another one at every step.
 fn plane(step: u32) -> SlicePlane {
@@ -42,7 +25,8 @@ fn plane(step: u32) -> SlicePlane {
 fn slicing(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("slicing");
     for (name, around, along) in [("100k", 500, 100), ("1M", 2000, 250)] {
-        let (positions, triangles) = ribbed_torus(around, along);
+        let mesh = meshes::ribbed_torus(around, along);
+        let (positions, triangles) = (Arc::new(mesh.positions), mesh.triangles);
         let slicer = Slicer::of(Arc::clone(&positions), &triangles);
         let section = slicer.section(&plane(0));
         assert!(section.is_whole(), "{:?}", section.defects);
