@@ -86,7 +86,7 @@ mod cutters;
 mod deform;
 mod keys;
 mod parts;
-mod reader;
+pub(crate) mod reader;
 mod regions;
 mod reliefs;
 mod script;
