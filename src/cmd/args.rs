@@ -252,9 +252,8 @@ impl CameraArgs {
 /// Which device draws, and by what.
 #[derive(Args)]
 pub(super) struct DeviceArgs {
-    /// Part of the adapter's name [default: the fastest]
-    #[arg(long, value_name = "NAME", help_heading = "Device")]
-    adapter: Option<String>,
+    #[command(flatten)]
+    adapter: AdapterArgs,
     #[command(flatten)]
     pub(super) rasteriser: RasteriserArgs,
 }
@@ -262,11 +261,26 @@ pub(super) struct DeviceArgs {
 impl DeviceArgs {
     /// A session on the device.
     pub(super) fn open(&self) -> Result<Session> {
-        let gpu = Gpu::open(&GpuOptions {
+        let gpu = self.adapter.open()?;
+        Ok(Session::with_options(gpu, self.rasteriser.options()))
+    }
+}
+
+/// Which device draws.
+#[derive(Args)]
+pub(super) struct AdapterArgs {
+    /// Part of the adapter's name [default: the fastest]
+    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    pub(super) adapter: Option<String>,
+}
+
+impl AdapterArgs {
+    /// The device.
+    pub(super) fn open(&self) -> Result<Gpu> {
+        Gpu::open(&GpuOptions {
             adapter: self.adapter.clone(),
             prefer_software: false,
-        })?;
-        Ok(Session::with_options(gpu, self.rasteriser.options()))
+        })
     }
 }
 

@@ -57,6 +57,21 @@ impl Console {
         self.bar.inc(1);
     }
 
+    /// Says how long the steps that are left may take, as if all took the same.
+    pub(super) fn show_what_is_left(&self) {
+        if let Ok(style) = ProgressStyle::with_template(
+            "{bar:24.cyan/dim} {pos}/{len}  {elapsed}, {eta} left  {msg}",
+        ) {
+            self.bar.set_style(style);
+        }
+    }
+
+    /// Steps that need not be done.
+    pub(super) fn skip(&self, steps: usize) {
+        let left = self.bar.length().unwrap_or(0).saturating_sub(steps as u64);
+        self.bar.set_length(left);
+    }
+
     /// From here on steps are frames.
     pub(super) fn expect_frames(&self, count: u32) {
         if let Ok(style) = ProgressStyle::with_template(

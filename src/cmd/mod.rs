@@ -4,7 +4,8 @@
 //! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
 //! standard error. What is written to a file is complete or not there at all.
 //!
-//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.
+//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 interrupted, where what is complete
+//! is kept.
 
 mod animate;
 mod args;
@@ -18,6 +19,7 @@ mod inspect;
 mod judge;
 mod layers_file;
 mod look;
+mod measure;
 mod notes;
 mod open;
 mod output;
@@ -36,6 +38,9 @@ use clap::{Parser, Subcommand};
 use crate::Result;
 use crate::scene::shapes::SHAPES;
 
+/// Exit code of a command that was interrupted: 128 and the number of SIGINT, as shells have it.
+const INTERRUPTED: u8 = 130;
+
 /// How a command that ran to its end came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
@@ -43,6 +48,8 @@ enum Verdict {
     Done,
     /// Done, but a stated expectation failed; standard error says which.
     Failed,
+    /// Ended by whoever started it; what is complete is kept.
+    Interrupted,
 }
 
 const EXAMPLES: &str = "\
@@ -54,6 +61,7 @@ Examples:
   cutaway section bracket.stl --section z=50% -o cut.svg
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
+  cutaway measure experiments/curated/01-paper.toml --quick --out target/measure
   cutaway demo
 
 Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.";
@@ -91,6 +99,9 @@ enum Command {
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
     Plan(plan::PlanArgs),
+    /// Run experiments: files that say what is varied, who is asked and what is expected; leaves a record of each point
+    #[command(after_help = measure::EXAMPLES)]
+    Measure(measure::MeasureArgs),
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = demo::EXAMPLES)]
     Demo(demo::DemoArgs),
@@ -107,6 +118,7 @@ pub fn main() -> ExitCode {
         Command::Inspect(args) => inspect::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Plan(args) => plan::run(&args),
+        Command::Measure(args) => measure::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     exit_code(ended)
@@ -116,6 +128,7 @@ fn exit_code(ended: Result<Verdict>) -> ExitCode {
     match ended {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Failed) => ExitCode::from(1),
+        Ok(Verdict::Interrupted) => ExitCode::from(INTERRUPTED),
         Err(e) => {
             eprintln!("error: {e}");
             ExitCode::from(2)

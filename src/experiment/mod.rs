@@ -5,19 +5,33 @@
 //! nothing else. Errors are found before any time is taken, and time is taken in turns (see [`judge`]).
 
 mod contender;
+pub mod definition;
+pub mod drift;
+pub mod expect;
+pub mod figures;
+mod identity;
 mod judge;
 mod measurement;
 mod record;
+pub mod run;
 mod samples;
 mod shown;
 mod stopwatch;
+pub mod sweep;
+mod warnings;
 
 pub use contender::{Contender, Drawn};
+pub use definition::Definition;
+pub use identity::Identity;
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
-pub use record::{Bound, Expectation, Machine, Parameters, Picture, Reached, Record, Run, Warning};
+pub use record::{
+    Bound, CaseRecord, CaseRecords, Expectation, Machine, Parameters, Picture, Reached, Record,
+    Run, Warning,
+};
+pub use run::{Opener, Staged, Watcher};
 pub use samples::Samples;
 pub use shown::Shown;
 pub(crate) use stopwatch::Stopwatch;

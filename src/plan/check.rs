@@ -5,6 +5,8 @@
 //! faster clock makes; what a draw reads of indices and arguments lies within their buffers. What indices and arguments say on
 //! the device nobody can check here: the pass that writes them answers for it.
 
+use std::collections::BTreeMap;
+
 use super::{
     ARGUMENT_BYTES, Access, Format, INDEX_BYTES, Plan, ResourceId, Role, Shape, Vertices, Work,
 };
@@ -47,6 +49,25 @@ impl Limits {
         wide_atomics: false,
         depth32_stencil8: false,
     };
+
+    /// The limits by name; what is there or not is 1 or 0.
+    pub fn by_name(&self) -> BTreeMap<String, u64> {
+        let limits = [
+            ("storage_binding_bytes", self.storage_binding_bytes),
+            ("uniform_binding_bytes", self.uniform_binding_bytes),
+            ("buffer_bytes", self.buffer_bytes),
+            (
+                "storage_buffers_per_stage",
+                self.storage_buffers_per_stage as u64,
+            ),
+            ("groups_per_dimension", u64::from(self.groups_per_dimension)),
+            ("texture_size", u64::from(self.texture_size)),
+            ("texture_layers", u64::from(self.texture_layers)),
+            ("wide_atomics", u64::from(self.wide_atomics)),
+            ("depth32_stencil8", u64::from(self.depth32_stencil8)),
+        ];
+        limits.map(|(name, value)| (name.to_owned(), value)).into()
+    }
 }
 
 impl Plan {

@@ -88,7 +88,7 @@ mod defects;
 mod deform;
 mod keys;
 mod parts;
-mod reader;
+pub(crate) mod reader;
 mod regions;
 mod reliefs;
 mod script;

@@ -13,14 +13,14 @@ use crate::error::{Error, Result, did_you_mean};
 use crate::scene::section::Amount;
 
 /// The text of a file, for finding lines.
-pub(super) struct Source<'a> {
-    pub(super) path: &'a Path,
-    pub(super) text: &'a str,
+pub(crate) struct Source<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) text: &'a str,
 }
 
 impl Source<'_> {
     /// Line of a byte, from 1.
-    pub(super) fn line(&self, at: usize) -> usize {
+    pub(crate) fn line(&self, at: usize) -> usize {
         let before = &self.text.as_bytes()[..at.min(self.text.len())];
         1 + before.iter().filter(|b| **b == b'\n').count()
     }
@@ -28,29 +28,29 @@ impl Source<'_> {
 
 /// A value, where it stands and what its key is.
 #[derive(Clone)]
-pub(super) struct Entry<'a> {
+pub(crate) struct Entry<'a> {
     source: &'a Source<'a>,
     /// Dotted path, as keys of animations write it.
-    pub(super) key: String,
+    pub(crate) key: String,
     at: usize,
-    pub(super) value: &'a DeValue<'a>,
+    pub(crate) value: &'a DeValue<'a>,
 }
 
 /// A table whose keys are all known.
-pub(super) struct Table<'a> {
+pub(crate) struct Table<'a> {
     /// The table as a value.
-    pub(super) entry: Entry<'a>,
+    pub(crate) entry: Entry<'a>,
     entries: &'a DeTable<'a>,
 }
 
 impl<'a> Entry<'a> {
-    pub(super) fn fault(&self, what: impl Display, mend: impl Into<String>) -> Error {
+    pub(crate) fn fault(&self, what: impl Display, mend: impl Into<String>) -> Error {
         let what = format!("`{}`: {what}", self.key);
         Error::file_line(self.source.path, self.source.line(self.at), what, mend)
     }
 
     /// An error from elsewhere, placed at this value. Errors about other files already name their place.
-    pub(super) fn place(&self, error: Error) -> Error {
+    pub(crate) fn place(&self, error: Error) -> Error {
         match error {
             Error::Input {
                 culprit,
@@ -88,7 +88,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A finite number.
-    pub(super) fn number(&self) -> Result<f64> {
+    pub(crate) fn number(&self) -> Result<f64> {
         let value = match self.value {
             DeValue::Float(f) => f.as_str().parse().ok(),
             DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix())
@@ -102,7 +102,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A number above zero.
-    pub(super) fn positive(&self) -> Result<f64> {
+    pub(crate) fn positive(&self) -> Result<f64> {
         let value = self.number()?;
         if value > 0.0 {
             Ok(value)
@@ -112,7 +112,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A whole number that fits.
-    pub(super) fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
+    pub(crate) fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
         let value = match self.value {
             DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix()).ok(),
             _ => None,
@@ -123,7 +123,7 @@ impl<'a> Entry<'a> {
     }
 
     /// Text.
-    pub(super) fn text(&self) -> Result<&'a str> {
+    pub(crate) fn text(&self) -> Result<&'a str> {
         match self.value {
             DeValue::String(s) => Ok(s),
             _ => Err(self.expected("text in quotes", "\"text\"")),
@@ -131,7 +131,7 @@ impl<'a> Entry<'a> {
     }
 
     /// `true` or `false`.
-    pub(super) fn flag(&self) -> Result<bool> {
+    pub(crate) fn flag(&self) -> Result<bool> {
         match self.value {
             DeValue::Boolean(b) => Ok(*b),
             _ => Err(self.expected("true or false", "true")),
@@ -139,7 +139,7 @@ impl<'a> Entry<'a> {
     }
 
     /// One of some words.
-    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
+    pub(crate) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
         let word = self.text()?;
         choices
             .iter()
@@ -152,7 +152,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The elements of a list.
-    pub(super) fn list(&self) -> Result<Vec<Self>> {
+    pub(crate) fn list(&self) -> Result<Vec<Self>> {
         let DeValue::Array(array) = self.value else {
             return Err(self.expected("a list", "[ ... ]"));
         };
@@ -165,8 +165,18 @@ impl<'a> Entry<'a> {
         Ok(array.iter().enumerate().map(element).collect())
     }
 
+    /// Text, or a number as text, as it is written.
+    pub(crate) fn word(&self) -> Result<String> {
+        match self.value {
+            DeValue::Integer(i) if i.radix() == 10 => Ok(i.as_str().replace('_', "")),
+            DeValue::Float(f) => self.number().map(|_| f.as_str().replace('_', "")),
+            DeValue::String(s) => Ok(s.as_ref().to_owned()),
+            _ => Err(self.expected("text or a number", "\"1%\"")),
+        }
+    }
+
     /// A list of `N` finite numbers.
-    pub(super) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
+    pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
         let elements = match self.value {
             DeValue::Array(a) if a.len() == N => self.list()?,
             _ => {
@@ -182,7 +192,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A number, or a list of numbers.
-    pub(super) fn numbers(&self) -> Result<Vec<f64>> {
+    pub(crate) fn numbers(&self) -> Result<Vec<f64>> {
         match self.value {
             DeValue::Array(_) => self.list()?.iter().map(Self::number).collect(),
             _ => Ok(vec![self.number()?]),
@@ -207,7 +217,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A length, or text with a percentage.
-    pub(super) fn amount(&self) -> Result<Amount> {
+    pub(crate) fn amount(&self) -> Result<Amount> {
         if self.is_text() {
             let mend = "write a number, or text such as \"6%\"";
             return Amount::parse(self.text()?).map_err(|what| self.fault(what, mend));
@@ -216,7 +226,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A list of `N` lengths or texts with percentages.
-    pub(super) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
+    pub(crate) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
         let elements = match self.value {
             DeValue::Array(a) if a.len() == N => self.list()?,
             _ => {
@@ -233,7 +243,7 @@ impl<'a> Entry<'a> {
     }
 
     /// Texts of a list.
-    pub(super) fn texts(&self) -> Result<Vec<String>> {
+    pub(crate) fn texts(&self) -> Result<Vec<String>> {
         match self.value {
             DeValue::Array(_) => self
                 .list()?
@@ -245,17 +255,22 @@ impl<'a> Entry<'a> {
     }
 
     /// Whether the value is text: some keys take a number or text with a unit.
-    pub(super) fn is_text(&self) -> bool {
+    pub(crate) fn is_text(&self) -> bool {
         matches!(self.value, DeValue::String(_))
     }
 
+    /// Whether the value is a table.
+    pub(crate) fn is_table(&self) -> bool {
+        matches!(self.value, DeValue::Table(_))
+    }
+
     /// Whether the value is a list.
-    pub(super) fn is_list(&self) -> bool {
+    pub(crate) fn is_list(&self) -> bool {
         matches!(self.value, DeValue::Array(_))
     }
 
     /// The table, if all its keys are among `known`.
-    pub(super) fn table(&self, known: &[&str]) -> Result<Table<'a>> {
+    pub(crate) fn table(&self, known: &[&str]) -> Result<Table<'a>> {
         let table = self.open_table()?;
         for (key, value) in table.entries {
             if !known.contains(&key.get_ref().as_ref()) {
@@ -273,7 +288,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The table, whose keys are names of the user.
-    pub(super) fn open_table(&self) -> Result<Table<'a>> {
+    pub(crate) fn open_table(&self) -> Result<Table<'a>> {
         match self.value {
             DeValue::Table(entries) => Ok(Table {
                 entry: self.clone(),
@@ -284,7 +299,7 @@ impl<'a> Entry<'a> {
     }
 
     /// The same value under the name it gives itself, so that errors and animation keys speak of `cut.front`, not `cut.0`.
-    pub(super) fn named(mut self) -> Self {
+    pub(crate) fn named(mut self) -> Self {
         if let DeValue::Table(entries) = self.value
             && let Some(DeValue::String(name)) = entries.get("name").map(toml::Spanned::get_ref)
             && let Some((list, _)) = self.key.rsplit_once('.')
@@ -303,9 +318,24 @@ impl<'a> Entry<'a> {
     }
 }
 
+/// Reads a file of TOML whose keys are among `known`.
+pub(crate) fn with_table<T>(
+    source: &Source<'_>,
+    known: &[&str],
+    read: impl FnOnce(&Table<'_>) -> Result<T>,
+) -> Result<T> {
+    let root = DeTable::parse(source.text).map_err(|e| {
+        let line = source.line(e.span().map_or(0, |s| s.start));
+        let mend = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
+        Error::file_line(source.path, line, e.message().trim_end(), mend)
+    })?;
+    let root = DeValue::Table(root.into_inner());
+    read(&Table::of_file(source, &root, known)?)
+}
+
 impl<'a> Table<'a> {
     /// The whole file.
-    pub(super) fn of_file(
+    pub(crate) fn of_file(
         source: &'a Source<'a>,
         root: &'a DeValue<'a>,
         known: &[&str],
@@ -320,7 +350,7 @@ impl<'a> Table<'a> {
     }
 
     /// The value of a key, if it is there.
-    pub(super) fn get(&self, key: &str) -> Option<Entry<'a>> {
+    pub(crate) fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (key, value) = self.entries.get_key_value(key)?;
         Some(Entry {
             source: self.entry.source,
@@ -331,7 +361,7 @@ impl<'a> Table<'a> {
     }
 
     /// The value of a key that has to be there.
-    pub(super) fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
+    pub(crate) fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
         self.get(key).ok_or_else(|| {
             let mend = format!("add for example `{key} = {example}`");
             self.entry.fault(format_args!("it has no `{key}`"), mend)
@@ -339,13 +369,13 @@ impl<'a> Table<'a> {
     }
 
     /// All values with their keys, by name.
-    pub(super) fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
+    pub(crate) fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
         let keys = self.entries.keys().map(|k| k.get_ref().as_ref());
         keys.filter_map(|key| self.get(key).map(|entry| (key, entry)))
     }
 
     /// The tables of a list `[[key]]`; none if the key is missing.
-    pub(super) fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
+    pub(crate) fn tables(&self, key: &str) -> Result<Vec<Entry<'a>>> {
         match self.get(key) {
             Some(entry) => Ok(entry.list()?.into_iter().map(Entry::named).collect()),
             None => Ok(Vec::new()),

@@ -6,10 +6,8 @@
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-use toml::de::{DeTable, DeValue};
-
 use super::keys::Keyed;
-use super::reader::{Source, Table};
+use super::reader::{self, Source, Table};
 use super::reliefs::Resolved;
 use super::stock::Held;
 use super::{Contents, KEYS};
@@ -37,13 +35,7 @@ pub(super) fn with_table<T>(
     source: &Source<'_>,
     read: impl FnOnce(&Table<'_>) -> Result<T>,
 ) -> Result<T> {
-    let root = DeTable::parse(source.text).map_err(|e| {
-        let line = source.line(e.span().map_or(0, |s| s.start));
-        let mend = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
-        Error::file_line(source.path, line, e.message().trim_end(), mend)
-    })?;
-    let root = DeValue::Table(root.into_inner());
-    read(&Table::of_file(source, &root, KEYS)?)
+    reader::with_table(source, KEYS, read)
 }
 
 impl Script {

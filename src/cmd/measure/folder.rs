@@ -1,0 +1,179 @@
+//! The folder of a run: what is there is read, and what is measured is written, each file whole.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::cmd::output::{checked_folder, write_file};
+use crate::cmd::picture;
+use crate::experiment::run::Measured;
+use crate::experiment::{CaseRecords, Definition, Record, Run};
+use crate::gpu::AdapterReport;
+use crate::{Error, Result};
+
+/// The folder of a run.
+pub(super) struct Folder(PathBuf);
+
+impl Folder {
+    /// A folder that can be written to.
+    pub(super) fn checked(path: &Path) -> Result<Self> {
+        checked_folder("--out", path)?;
+        Ok(Self(path.to_owned()))
+    }
+
+    /// The run that is there, if one is. One of another device, or in full where this is quick, is not to be mixed with this one:
+    /// refused unless all is measured again.
+    pub(super) fn earlier(
+        &self,
+        adapter: &AdapterReport,
+        is_quick: bool,
+        force: bool,
+    ) -> Result<Option<Run>> {
+        let path = self.0.join("run.json");
+        if !path.exists() {
+            return Ok(None);
+        }
+        let refuse = |what: String| {
+            let mend = "choose another folder with --out, or measure all again with --force";
+            Err(Error::file(&path, what, mend))
+        };
+        let Some(run) = read::<Run>(&path) else {
+            return if force {
+                Ok(None)
+            } else {
+                refuse("it is not that of a run".to_owned())
+            };
+        };
+        let word = |is_quick| if is_quick { "quick" } else { "in full" };
+        let is_other = run.adapter != *adapter || run.is_quick != is_quick;
+        if !is_other {
+            return Ok((!force).then_some(run));
+        }
+        if force {
+            return Ok(None);
+        }
+        refuse(format!(
+            "the folder holds a run on {} ({}), {}; this one is on {} ({}), {}",
+            run.adapter.name,
+            run.adapter.driver,
+            word(run.is_quick),
+            adapter.name,
+            adapter.driver,
+            word(is_quick)
+        ))
+    }
+
+    /// Writes what is said of the run.
+    pub(super) fn write_run(&self, run: &Run) -> Result<()> {
+        write_json(&self.0.join("run.json"), run)
+    }
+
+    /// Writes what was asked.
+    pub(super) fn write_definition(&self, definition: &Definition) -> Result<()> {
+        write_json(
+            &self.of(&definition.name).join("experiment.json"),
+            &definition.json,
+        )
+    }
+
+    /// The record of these files, if it is of this identity and its pictures are there.
+    pub(super) fn record(&self, experiment: &str, stem: &str, identity: &str) -> Option<Record> {
+        let folder = self.of(experiment);
+        let record: Record = read(&folder.join(format!("{stem}.json")))?;
+        let files = record
+            .pictures
+            .iter()
+            .flat_map(|p| [Some(&p.file), p.heatmap.as_ref()]);
+        let is_whole = files.flatten().all(|f| folder.join(f).is_file());
+        (record.format == Record::FORMAT && record.identity == identity && is_whole)
+            .then_some(record)
+    }
+
+    /// Writes a point: its pictures first, so that no record names one that is not there.
+    pub(super) fn write(&self, stem: &str, measured: &Measured) -> Result<()> {
+        let folder = self.of(&measured.record.experiment);
+        for (file, image) in &measured.pictures {
+            write_file(&folder.join(file), &picture::png(image)?)?;
+        }
+        write_json(&folder.join(format!("{stem}.json")), &measured.record)
+    }
+
+    /// The record of hard cases, if it is of this identity.
+    pub(super) fn cases(&self, experiment: &str, run: &str, identity: &str) -> Option<CaseRecords> {
+        let record: CaseRecords = read(&self.of(experiment).join(format!("{run}.cases.json")))?;
+        (record.format == Record::FORMAT && record.identity == identity).then_some(record)
+    }
+
+    /// Writes the record of hard cases.
+    pub(super) fn write_cases(&self, record: &CaseRecords) -> Result<()> {
+        let path = self
+            .of(&record.experiment)
+            .join(format!("{}.cases.json", record.run));
+        write_json(&path, record)
+    }
+
+    /// Removes records of this experiment that it no longer asks for: a report would show them as if they were asked for. Files that
+    /// are no records stay. Returns how many were removed.
+    pub(super) fn remove_others(
+        &self,
+        experiment: &str,
+        stems: &BTreeSet<String>,
+    ) -> Result<usize> {
+        let folder = self.of(experiment);
+        let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
+        let mut removed = 0;
+        for path in entries.map(|e| e.path()) {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let Some(stem) = name.strip_suffix(".json") else {
+                continue;
+            };
+            if stems.contains(stem) || stem == "experiment" {
+                continue;
+            }
+            let pictures = match (read::<Record>(&path), read::<CaseRecords>(&path)) {
+                (Some(record), _) => record.pictures,
+                (None, Some(_)) => Vec::new(),
+                (None, None) => continue,
+            };
+            let files = pictures.into_iter().flat_map(|p| [Some(p.file), p.heatmap]);
+            for file in files
+                .flatten()
+                .map(|f| folder.join(f))
+                .chain([path.clone()])
+            {
+                match std::fs::remove_file(&file) {
+                    Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                        let mend = "check the folder's permissions";
+                        return Err(Error::file(&file, format!("cannot be removed: {e}"), mend));
+                    }
+                    _ => {}
+                }
+            }
+            removed += 1;
+        }
+        Ok(removed)
+    }
+
+    fn of(&self, experiment: &str) -> PathBuf {
+        self.0.join(experiment)
+    }
+}
+
+/// What a file holds, if it holds such a thing.
+fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
+    let bytes = std::fs::read(path).ok()?;
+    serde_json::from_slice(&bytes).ok()
+}
+
+fn write_json(path: &Path, value: &impl Serialize) -> Result<()> {
+    let text = serde_json::to_string_pretty(value).map_err(|e| {
+        Error::file(
+            path,
+            format!("cannot be written as JSON: {e}"),
+            "report this",
+        )
+    })?;
+    write_file(path, format!("{text}\n").as_bytes())
+}

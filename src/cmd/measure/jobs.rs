@@ -1,0 +1,272 @@
+//! What is to be measured: the points of all runs that were asked for, in order, checked before the first begins.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use super::{MeasureArgs, words};
+use crate::cmd::judge::quoted;
+use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
+use crate::experiment::run::file_stem;
+use crate::experiment::sweep::Point;
+use crate::experiment::{Definition, Identity};
+use crate::gpu::AdapterReport;
+use crate::scene::glob_matches;
+use crate::{Error, Result};
+
+/// One thing to measure.
+pub(super) struct Job<'a> {
+    /// Of which experiment.
+    pub(super) definition: &'a Definition,
+    /// Of which run.
+    pub(super) run: &'a DefinedRun,
+    /// What it is.
+    pub(super) task: Task<'a>,
+}
+
+/// What is measured.
+pub(super) enum Task<'a> {
+    /// A point, and whether it is the first of its run.
+    Point(&'a SceneRun, &'a Point, bool),
+    /// Hard cases.
+    Cases(&'a AskedCases),
+    /// A search.
+    Search(&'a AskedSearch),
+}
+
+impl Job<'_> {
+    /// Its place in words: `01-paper, crank, amplitude = 1%`.
+    pub(super) fn place(&self) -> String {
+        let mut place = format!("{}, {}", self.definition.name, self.run.name);
+        if let Task::Point(_, point, _) = self.task {
+            for (name, value) in &point.parameters {
+                place.push_str(&format!(", {name} = {value}"));
+            }
+        }
+        place
+    }
+
+    /// The name of its record, without an extension.
+    pub(super) fn stem(&self) -> String {
+        match self.task {
+            Task::Point(_, point, _) => file_stem(&self.run.name, point),
+            Task::Cases(_) | Task::Search(_) => format!("{}.cases", self.run.name),
+        }
+    }
+
+    /// An error with the place where it happened.
+    pub(super) fn place_error(&self, error: Error) -> Error {
+        let place = format!(
+            "{}: run `{}`",
+            self.definition.path.display(),
+            self.run.name
+        );
+        match error {
+            Error::Input {
+                culprit,
+                what,
+                mend,
+            } => Error::input(format!("{place}: {culprit}"), what, mend),
+            Error::File {
+                path,
+                line,
+                what,
+                mend,
+            } => {
+                let line = line.map(|n| format!(":{n}")).unwrap_or_default();
+                Error::input(format!("{place}: {}{line}", path.display()), what, mend)
+            }
+            other => other,
+        }
+    }
+
+    /// How many rounds it is measured, if it is.
+    pub(super) fn rounds(&self, args: &MeasureArgs) -> usize {
+        match self.task {
+            Task::Point(run, ..) => args.rounds.map_or(run.rounds, |n| n as usize),
+            Task::Cases(_) | Task::Search(_) => 0,
+        }
+    }
+
+    /// The command line that measures it again.
+    pub(super) fn command(&self, args: &MeasureArgs) -> String {
+        let mut again: Vec<String> = Vec::new();
+        match self.task {
+            Task::Point(run, point, _) if point.truth.is_none() && run.drift.is_none() => {
+                again.push("compare".to_owned());
+                again.extend(point.scene.iter().cloned());
+                let names: Vec<String> = point
+                    .entrants
+                    .iter()
+                    .map(|e| e.contender.to_string())
+                    .collect();
+                again.push(format!("--strategies={}", names.join(",")));
+                again.push(format!("--rounds={}", self.rounds(args)));
+            }
+            _ => {
+                again.push("measure".to_owned());
+                again.push(self.definition.path.display().to_string());
+                again.push(format!("--only={}", self.run.name));
+                again.extend(args.quick.then(|| "--quick".to_owned()));
+                again.extend(args.rounds.map(|n| format!("--rounds={n}")));
+                again.push("--out=target/again".to_owned());
+            }
+        }
+        again.extend(
+            args.device
+                .adapter
+                .as_ref()
+                .map(|a| format!("--adapter={a}")),
+        );
+        quoted(again.into_iter())
+    }
+
+    /// What a record of it would be of.
+    pub(super) fn identity(
+        &self,
+        program: &str,
+        adapter: &AdapterReport,
+        args: &MeasureArgs,
+    ) -> String {
+        let mut identity = Identity::default();
+        identity.add(env!("CARGO_PKG_VERSION"));
+        identity.add(program);
+        identity.add(format!("{adapter:?} {}", args.quick));
+        identity.add(&self.run.name);
+        match self.task {
+            Task::Point(run, point, is_first) => {
+                identity.add_words(&point.scene);
+                identity.add_words(point.truth.as_deref().unwrap_or_default());
+                for entrant in &point.entrants {
+                    identity.add(format!("{} {:?}", entrant.contender, entrant.parameters));
+                }
+                let keeps_pictures = run.keeps_pictures && is_first;
+                let rounds = self.rounds(args);
+                identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));
+                identity.add(format!("{:?} {:?}", run.drift, run.claims));
+            }
+            Task::Cases(asked) => identity.add(format!("{asked:?}")),
+            Task::Search(asked) => identity.add(format!("{asked:?}")),
+        }
+        identity.text()
+    }
+}
+
+/// The experiments of some files, each name once.
+pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
+    let mut names = BTreeSet::new();
+    let mut all = Vec::new();
+    for path in paths {
+        let definition = Definition::load(path)?;
+        if !names.insert(definition.name.clone()) {
+            return Err(Error::file(
+                path,
+                format!("another experiment is called `{}`", definition.name),
+                "rename one of the files: records are kept by their names",
+            ));
+        }
+        all.push(definition);
+    }
+    Ok(all)
+}
+
+/// All that is asked of some experiments; refused where words are no words of the command line.
+pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Result<Vec<Job<'a>>> {
+    let is_wanted = |run: &DefinedRun| {
+        args.only
+            .as_ref()
+            .is_none_or(|g| glob_matches(g, &run.name))
+    };
+    let mut jobs = Vec::new();
+    for definition in definitions {
+        for run in definition.runs.iter().filter(|r| is_wanted(r)) {
+            jobs.extend(of_run(definition, run, args.quick));
+        }
+    }
+    if let (true, Some(glob)) = (jobs.is_empty(), &args.only) {
+        let names = definitions
+            .iter()
+            .flat_map(|d| d.runs.iter().map(|r| r.name.as_str()));
+        return Err(Error::input(
+            format!("--only {glob}"),
+            "no run is called so",
+            crate::error::did_you_mean(glob, names),
+        ));
+    }
+    for job in &jobs {
+        if let Task::Point(_, point, _) = job.task {
+            let all = std::iter::once(&point.scene).chain(&point.truth);
+            all.map(|w| words::check(w))
+                .collect::<Result<()>>()
+                .map_err(|e| job.place_error(e))?;
+        }
+    }
+    Ok(jobs)
+}
+
+/// Everything that a run asks.
+pub(super) fn of_run<'a>(
+    definition: &'a Definition,
+    run: &'a DefinedRun,
+    is_quick: bool,
+) -> Vec<Job<'a>> {
+    let tasks: Vec<Task<'_>> = match run.asked(is_quick) {
+        Asked::Scenes(scenes) => (scenes.points.iter().enumerate())
+            .map(|(i, point)| Task::Point(scenes, point, i == 0))
+            .collect(),
+        Asked::Cases(asked) => vec![Task::Cases(asked)],
+        Asked::Search(asked) => vec![Task::Search(asked)],
+    };
+    let job = |task| Job {
+        definition,
+        run,
+        task,
+    };
+    tasks.into_iter().map(job).collect()
+}
+
+/// What tells this program from others: its own contents.
+pub(super) fn program() -> String {
+    let mut identity = Identity::default();
+    match std::env::current_exe() {
+        Ok(path) => identity.add_file(&path),
+        Err(_) => identity.add(""),
+    }
+    identity.text()
+}
+
+/// Jobs in words, one line each, with who is asked.
+pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
+    let mut text = String::new();
+    for job in jobs {
+        text.push_str(&job.place());
+        match job.task {
+            Task::Point(_, point, _) => {
+                let names: Vec<String> = point
+                    .entrants
+                    .iter()
+                    .map(|e| e.contender.to_string())
+                    .collect();
+                text.push_str(&format!(
+                    ": {} rounds of {}\n  {}\n",
+                    job.rounds(args),
+                    names.join(", "),
+                    job.command(args)
+                ));
+            }
+            Task::Cases(asked) => {
+                text.push_str(&format!(": hard cases {}\n", asked.cases.join(", ")))
+            }
+            Task::Search(asked) => text.push_str(&format!(": {} random scenes\n", asked.scenes)),
+        }
+    }
+    text
+}
+
+/// Names of all records that an experiment asks for.
+pub(super) fn stems(definition: &Definition, is_quick: bool) -> BTreeSet<String> {
+    let jobs = definition
+        .runs
+        .iter()
+        .flat_map(|r| of_run(definition, r, is_quick));
+    jobs.map(|j| j.stem()).collect()
+}

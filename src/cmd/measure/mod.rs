@@ -1,0 +1,336 @@
+//! `measure`: experiments run, and a record left of each point.
+//!
+//! Files, words, strategies, values and outputs are checked before the first point is measured. A point that is on disk as it would
+//! be measured now is kept, so that a run that was interrupted, or an experiment that grew, goes on where it stopped.
+
+mod cases;
+mod folder;
+mod interrupt;
+mod jobs;
+mod machine;
+mod tally;
+mod words;
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Verdict;
+use super::args::AdapterArgs;
+use super::console::{Console, ConsoleArgs};
+use super::judge::command_line;
+use super::output::write_stdout;
+use crate::Result;
+use crate::experiment::run::{Assignment, measure};
+use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Stopwatch, Watcher};
+use crate::gpu::Gpu;
+use crate::session::Session;
+use folder::Folder;
+use interrupt::Interrupt;
+use jobs::{Job, Task};
+use tally::Tally;
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  cutaway measure experiments/curated/01-paper.toml
+  cutaway measure experiments/curated/*.toml --quick --out target/measure
+  cutaway measure experiments/curated/*.toml --dry-run
+  cutaway measure mine.toml --only crank --rounds 25 --out target/mine
+
+Ctrl-C ends after the present round. The same command again goes on where it stopped.
+Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130 interrupted.";
+
+/// Options of `measure`.
+#[derive(Args)]
+pub(super) struct MeasureArgs {
+    /// Experiments (.toml)
+    #[arg(required = true, value_name = "EXPERIMENT")]
+    experiments: Vec<PathBuf>,
+    /// Folder for the records and pictures
+    #[arg(long, value_name = "DIR", default_value = "target/measure")]
+    out: PathBuf,
+    /// Fewer pixels, values and rounds, as the experiments say
+    #[arg(long)]
+    quick: bool,
+    /// Measure again what has been measured
+    #[arg(long)]
+    force: bool,
+    /// List what would be measured; needs no graphics adapter
+    #[arg(long)]
+    dry_run: bool,
+    /// Only the runs that are called so; * stands for anything
+    #[arg(long, value_name = "RUN")]
+    only: Option<String>,
+    /// Measured rounds, after one to warm up [default: as the experiments say]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    rounds: Option<u32>,
+    #[command(flatten)]
+    device: AdapterArgs,
+    #[command(flatten)]
+    console: ConsoleArgs,
+}
+
+/// Runs `measure`.
+pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
+    let definitions = jobs::load(&args.experiments)?;
+    let jobs = jobs::jobs(&definitions, args)?;
+    if args.dry_run {
+        write_stdout(jobs::listed(&jobs, args).as_bytes())?;
+        return Ok(Verdict::Done);
+    }
+    let folder = Folder::checked(&args.out)?;
+    let machine = machine::machine();
+    let gpu = args.device.open()?;
+    let earlier = folder.earlier(gpu.report(), args.quick, args.force)?;
+    let steps: usize = jobs.iter().map(|j| steps(j, args)).sum();
+    let console = Console::new(args.console, steps);
+    console.show_what_is_left();
+    let mut sitting = Sitting {
+        args,
+        folder,
+        run: described(&gpu, earlier, machine.clone(), args.quick),
+        machine,
+        program: jobs::program(),
+        interrupt: Interrupt::listen()?,
+        watch: Stopwatch::start(),
+        session: Session::new(gpu),
+        console,
+    };
+    let took_before_s = sitting.run.took_s;
+    let mut tally = Tally::default();
+    let mut began: Vec<&str> = Vec::new();
+    for job in &jobs {
+        if !began.contains(&job.definition.name.as_str()) {
+            began.push(&job.definition.name);
+            sitting.begin(job)?;
+        }
+        let is_complete = sitting
+            .work(job, &mut tally)
+            .map_err(|e| job.place_error(e))?;
+        sitting.run.took_s = took_before_s + sitting.watch.ms() / 1e3;
+        sitting.folder.write_run(&sitting.run)?;
+        if !is_complete {
+            break;
+        }
+    }
+    drop(sitting.console);
+    write_stdout(tally.text(&jobs, args).as_bytes())?;
+    Ok(tally.verdict(jobs.len()))
+}
+
+/// How many steps a job tells of.
+fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
+    match job.task {
+        Task::Point(run, point, _) => run.steps(point, job.rounds(args)),
+        Task::Cases(_) | Task::Search(_) => 1,
+    }
+}
+
+/// What is said of the run. One that goes on keeps its beginning.
+fn described(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> Run {
+    let (began, took_s) = match earlier {
+        Some(run) => (run.began, run.took_s),
+        None => (machine::now(), 0.0),
+    };
+    Run {
+        format: Record::FORMAT,
+        command: command_line(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: machine::commit(),
+        began,
+        took_s,
+        is_quick,
+        machine,
+        adapter: gpu.report().clone(),
+        limits: gpu.limits().by_name(),
+    }
+}
+
+/// One sitting of a run.
+struct Sitting<'a> {
+    args: &'a MeasureArgs,
+    folder: Folder,
+    run: Run,
+    machine: Machine,
+    program: String,
+    interrupt: Interrupt,
+    watch: Stopwatch,
+    session: Session,
+    console: Console,
+}
+
+impl Sitting<'_> {
+    /// An experiment begins.
+    fn begin(&self, job: &Job<'_>) -> Result<()> {
+        let definition = job.definition;
+        self.folder.write_run(&self.run)?;
+        self.folder.write_definition(definition)?;
+        let stems = jobs::stems(definition, self.args.quick);
+        let removed = self.folder.remove_others(&definition.name, &stems)?;
+        if removed > 0 {
+            self.console.note(format!(
+                "{}: removed {removed} records of points that it no longer has",
+                definition.name
+            ));
+        }
+        Ok(())
+    }
+
+    /// Measures a job, or keeps what is there. Whether to go on.
+    fn work(&mut self, job: &Job<'_>, tally: &mut Tally) -> Result<bool> {
+        if self.interrupt.is_wanted() {
+            tally.interrupted = true;
+            return Ok(false);
+        }
+        let identity = job.identity(&self.program, self.session.gpu().report(), self.args);
+        let kept = (!self.args.force)
+            .then(|| self.kept(job, &identity))
+            .flatten();
+        if let Some(reached) = kept {
+            self.console.skip(steps(job, self.args));
+            self.console.detail(format!("{}: kept", job.place()));
+            let watching = Watching::of(job, &self.console, &self.interrupt);
+            reached.iter().for_each(|r| watching.reached(r));
+            tally.add(job, true, &reached);
+            return Ok(true);
+        }
+        let reached = match job.task {
+            Task::Point(..) => self.point(job, identity)?,
+            Task::Cases(_) | Task::Search(_) => self.cases(job, identity)?,
+        };
+        match reached {
+            Some(reached) => tally.add(job, false, &reached),
+            None if self.interrupt.is_wanted() => tally.interrupted = true,
+            None => tally.missing(job),
+        }
+        Ok(!tally.interrupted)
+    }
+
+    /// What came of the expectations of a job that need not be measured.
+    fn kept(&self, job: &Job<'_>, identity: &str) -> Option<Vec<Reached>> {
+        let experiment = &job.definition.name;
+        match job.task {
+            Task::Point(..) => {
+                let record = self.folder.record(experiment, &job.stem(), identity)?;
+                Some(record.expectations)
+            }
+            Task::Cases(_) | Task::Search(_) => {
+                let record = self.folder.cases(experiment, &job.run.name, identity)?;
+                Some(
+                    record
+                        .cases
+                        .into_iter()
+                        .flat_map(|c| c.expectations)
+                        .collect(),
+                )
+            }
+        }
+    }
+
+    fn point(&mut self, job: &Job<'_>, identity: String) -> Result<Option<Vec<Reached>>> {
+        let Task::Point(run, point, is_first) = job.task else {
+            return Ok(None);
+        };
+        let assignment = Assignment {
+            experiment: &job.definition.name,
+            run_name: &job.run.name,
+            run,
+            point,
+            rounds: job.rounds(self.args),
+            is_quick: self.args.quick,
+            keeps_pictures: run.keeps_pictures && is_first,
+            identity,
+            command: job.command(self.args),
+            machine: &self.machine,
+        };
+        self.console.detail(job.place());
+        let watching = Watching::of(job, &self.console, &self.interrupt);
+        let opener = words::OpensWords(&self.console);
+        let Some(measured) = measure(&mut self.session, &assignment, &opener, &watching)? else {
+            return Ok(None);
+        };
+        self.folder.write(&job.stem(), &measured)?;
+        Ok(Some(measured.record.expectations))
+    }
+
+    fn cases(&mut self, job: &Job<'_>, identity: String) -> Result<Option<Vec<Reached>>> {
+        self.console.step(job.place());
+        let console = &self.console;
+        let mut step = |what: String| console.detail(what);
+        let (cases, sizes_px) = match job.task {
+            Task::Cases(asked) => {
+                let cases = cases::cases(&mut self.session, asked, &mut step)?;
+                (cases, asked.sizes_px.clone())
+            }
+            Task::Search(asked) => (
+                cases::search(&mut self.session, asked, &mut step)?,
+                Vec::new(),
+            ),
+            Task::Point(..) => (None, Vec::new()),
+        };
+        self.session.forget();
+        let Some(cases) = cases else {
+            self.console.warn(format!(
+                "{}: hard cases and searches are not built into this program, and are left out",
+                job.place()
+            ));
+            return Ok(None);
+        };
+        let record = CaseRecords {
+            format: Record::FORMAT,
+            experiment: job.definition.name.clone(),
+            run: job.run.name.clone(),
+            identity,
+            sizes_px,
+            cases,
+        };
+        self.folder.write_cases(&record)?;
+        let reached: Vec<Reached> = record
+            .cases
+            .into_iter()
+            .flat_map(|c| c.expectations)
+            .collect();
+        let watching = Watching::of(job, &self.console, &self.interrupt);
+        reached.iter().for_each(|r| watching.reached(r));
+        Ok(Some(reached))
+    }
+}
+
+/// Tells the console what happens.
+struct Watching<'a> {
+    place: String,
+    console: &'a Console,
+    interrupt: &'a Interrupt,
+}
+
+impl<'a> Watching<'a> {
+    fn of(job: &Job<'_>, console: &'a Console, interrupt: &'a Interrupt) -> Self {
+        Self {
+            place: job.place(),
+            console,
+            interrupt,
+        }
+    }
+}
+
+impl Watcher for Watching<'_> {
+    fn step(&self, what: String) {
+        self.console.step(format!("{}: {what}", self.place));
+    }
+
+    fn reached(&self, reached: &Reached) {
+        if reached.holds {
+            return;
+        }
+        let declared = reached.expected.why.as_ref();
+        let declared = declared.map_or_else(String::new, |w| format!(" (declared: {w})"));
+        self.console.failed(format!(
+            "{}: {}: expected {}{declared}, found {}",
+            self.place, reached.strategy, reached.expected.what, reached.found
+        ));
+    }
+
+    fn goes_on(&self) -> bool {
+        !self.interrupt.is_wanted()
+    }
+}

@@ -1,0 +1,101 @@
+//! Words of an experiment, read by the same parser as those of a user after `cutaway compare`.
+
+use std::path::Path;
+
+use clap::Parser;
+
+use crate::cmd::args::{RasteriserArgs, SceneArgs};
+use crate::cmd::console::Console;
+use crate::cmd::open::open;
+use crate::cmd::when::TimeArgs;
+use crate::experiment::{Opener, Shown, Staged};
+use crate::scene::frames::Pattern;
+use crate::{Error, Result};
+
+/// Everything that says what is drawn, and nothing that says what is measured of it.
+#[derive(Parser)]
+#[command(name = "cutaway compare", disable_help_flag = true)]
+struct PointWords {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    when: TimeArgs,
+    #[command(flatten)]
+    rasteriser: RasteriserArgs,
+}
+
+fn parsed(words: &[String]) -> Result<PointWords> {
+    let all = std::iter::once("cutaway").chain(words.iter().map(String::as_str));
+    PointWords::try_parse_from(all).map_err(|e| {
+        let told = e.to_string();
+        let what = told.trim_start_matches("error: ").split("\n\n").next();
+        Error::input(
+            format!("`{}`", words.join(" ")),
+            what.unwrap_or_default(),
+            "write words as after `cutaway compare`, options as `--name=value`; `--strategies` and `--rounds` are keys here",
+        )
+    })
+}
+
+/// Checks words without opening what they name.
+pub(super) fn check(words: &[String]) -> Result<()> {
+    let inputs = parsed(words)?.scene.inputs;
+    let is_missing = |i: &&String| {
+        let is_file = !i.starts_with("shape:") && !Pattern::is_in(i);
+        is_file && !Path::new(i).exists()
+    };
+    match inputs.iter().find(is_missing) {
+        None => Ok(()),
+        Some(missing) => Err(Error::file(
+            Path::new(missing),
+            "there is no such file",
+            "check the path: it is seen from where the command is run; built-in shapes are written shape:NAME",
+        )),
+    }
+}
+
+/// Opens words, and says on the console what there is to say about them.
+pub(super) struct OpensWords<'a>(pub(super) &'a Console);
+
+impl Opener for OpensWords<'_> {
+    fn open(&self, words: &[String]) -> Result<Staged> {
+        let words = parsed(words)?;
+        let opened = open(&words.scene, &words.when, self.0)?;
+        let shown = Shown::of(&opened.scene);
+        Ok(Staged {
+            name: opened.scene.name.clone(),
+            view: opened.view(&shown.model.prepared),
+            options: opened.options(words.rasteriser.options()),
+            shown,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_those_of_the_command_line() {
+        let check = |text: &str| {
+            let words: Vec<String> = text.split(' ').map(str::to_owned).collect();
+            check(&words).map_err(|e| e.to_string())
+        };
+        for text in [
+            "shape:crank --section=-z=50% --relief=fractal:amplitude=1% --resolution=64,48",
+            "shape:crank --camera-azimuth-angle=-26 --time=0 --rasteriser=compute",
+        ] {
+            assert_eq!(check(text), Ok(()), "{text}");
+        }
+        for (text, told) in [
+            ("shape:crank --sektion=z=50%", "--sektion"),
+            ("shape:crank --resolution=64", "64"),
+            ("shape:crank --strategies=all", "keys here"),
+            ("shape:crank --help", "--help"),
+            ("nowhere.stl", "nowhere.stl"),
+        ] {
+            let message = check(text).unwrap_err();
+            assert!(message.contains(told), "{message}");
+        }
+    }
+}

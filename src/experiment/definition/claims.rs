@@ -1,0 +1,216 @@
+//! `[[run.expect]]`: what somebody is expected to reach.
+//!
+//! An expectation is about error, never about time: a time that holds on one machine says nothing on another, and times live in
+//! reports. What declares a failure or a bound says why.
+
+use super::scenes::{SceneRun, some_texts};
+use crate::Result;
+use crate::error::did_you_mean;
+use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
+use crate::experiment::{Bound, Ending, Parameters};
+use crate::scene::glob_matches;
+use crate::scene::reader::{Entry, Table};
+
+/// Keys beside the names of figures.
+const KEYS: [&str; 5] = ["strategies", "where", "why", "outcome", "reason"];
+
+/// What somebody is expected to reach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// Globs over the names of contenders.
+    pub strategies: Vec<String>,
+    /// Values that the point or the contender must have.
+    pub conditions: Parameters,
+    /// Why it cannot be better.
+    pub why: Option<String>,
+    /// How the frame ends.
+    pub outcome: Ending,
+    /// Words of the reason, where it is not complete.
+    pub reason: Option<String>,
+    /// What figures are to be.
+    pub figures: Vec<(String, Wanted)>,
+}
+
+/// What a figure is to be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wanted {
+    /// A number, or within bounds.
+    Within(Bound),
+    /// Strictly smaller, or 0 both times, from value to value of an axis of strategies.
+    FallsAlong(String),
+}
+
+impl Claim {
+    /// Whether a contender of a point is meant: its name, and the values that made the two.
+    pub fn means(&self, name: &str, of_point: &Parameters, own: &Parameters) -> bool {
+        let has = |(key, value): (&String, &String)| {
+            [own, of_point].iter().any(|p| p.get(key) == Some(value))
+        };
+        self.strategies.iter().any(|g| glob_matches(g, name)) && self.conditions.iter().all(has)
+    }
+}
+
+/// Reads what a run expects.
+pub(super) fn read(table: &Table<'_>, run: &SceneRun) -> Result<Vec<Claim>> {
+    let entries = table.tables("expect")?;
+    entries.iter().map(|e| claim(e, run)).collect()
+}
+
+fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
+    for (key, stray) in entry.open_table()?.all() {
+        if OF_TIME.contains(&key) || key.starts_with("time") || key.contains("draw_only") {
+            let mend = "leave it out: draw it in a [[chart]]; a time is another on each machine";
+            return Err(stray.fault("nothing can be expected of time", mend));
+        }
+    }
+    let mut names = of_error();
+    names.extend(
+        OF_SIZE
+            .iter()
+            .filter(|n| n.starts_with("bytes"))
+            .map(|n| (*n).to_owned()),
+    );
+    if run.drift.is_some() {
+        names.extend(OF_DRIFT.map(str::to_owned));
+    }
+    let known: Vec<&str> = KEYS
+        .into_iter()
+        .chain(names.iter().map(String::as_str))
+        .collect();
+    let table = entry.table(&known)?;
+    let text = |key: &str| {
+        table
+            .get(key)
+            .map(|e| e.text().map(str::to_owned))
+            .transpose()
+    };
+    let outcome = table.get("outcome").map(|e| {
+        e.choice(&[
+            ("complete", Ending::Complete),
+            ("refused", Ending::Refused),
+            ("overflowed", Ending::Overflowed),
+        ])
+    });
+    let mut claim = Claim {
+        strategies: some_texts(&table.need("strategies", "[\"raycast+*\"]")?)?,
+        conditions: conditions(&table, run)?,
+        why: text("why")?,
+        outcome: outcome.transpose()?.unwrap_or(Ending::Complete),
+        reason: text("reason")?,
+        figures: Vec::new(),
+    };
+    let mut is_declared = claim.outcome != Ending::Complete;
+    for name in &names {
+        if let Some(entry) = table.get(name) {
+            let wanted = wanted(&entry, run)?;
+            is_declared |= entry.is_table() && matches!(wanted, Wanted::Within(_));
+            claim.figures.push((name.clone(), wanted));
+        }
+    }
+    check(&table, &claim, is_declared)?;
+    must_mean_somebody(&table, &claim, run)?;
+    Ok(claim)
+}
+
+fn check(table: &Table<'_>, claim: &Claim, is_declared: bool) -> Result<()> {
+    let fault = |what: &str, mend: &str| Err(table.entry.fault(what, mend));
+    if claim.figures.is_empty() && table.get("outcome").is_none() {
+        return fault(
+            "nothing is expected",
+            "add for example `decided_wrong_px = 0`",
+        );
+    }
+    if claim.outcome == Ending::Refused && !claim.figures.is_empty() {
+        return fault("what is refused has no figures", "expect one or the other");
+    }
+    if claim.outcome == Ending::Complete && claim.reason.is_some() {
+        let mend = "leave `reason` out, or expect `outcome = \"refused\"`";
+        return fault("what is complete has no reason", mend);
+    }
+    if is_declared && claim.why.is_none() {
+        let mend = "add `why = \"...\"`: what keeps it from being exact";
+        return fault(
+            "it declares a failure or a bound and does not say why",
+            mend,
+        );
+    }
+    Ok(())
+}
+
+fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
+    let mut conditions = Parameters::new();
+    let Some(entry) = table.get("where") else {
+        return Ok(conditions);
+    };
+    let known: Vec<&str> = run.axes.placeholders().collect();
+    for (key, value) in entry.table(&known)?.all() {
+        let word = value.word()?;
+        if !run.axes.have(key, &word) {
+            let mend = "name a value that [run.sweep] has, written as it is there";
+            return Err(value.fault(format_args!("it is never `{word}`"), mend));
+        }
+        conditions.insert(key.to_owned(), word);
+    }
+    Ok(conditions)
+}
+
+fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
+    if !entry.is_table() {
+        let number = entry.number()?;
+        return Ok(Wanted::Within(Bound {
+            least: Some(number),
+            most: Some(number),
+        }));
+    }
+    let table = entry.table(&["least", "most", "falls_along"])?;
+    let number = |key: &str| table.get(key).map(|e| e.number()).transpose();
+    let bound = Bound {
+        least: number("least")?,
+        most: number("most")?,
+    };
+    let Some(along) = table.get("falls_along") else {
+        return match (bound.least, bound.most) {
+            (None, None) => Err(entry.fault("nothing is expected", "write `{ most = 30 }`")),
+            (Some(least), Some(most)) if least > most => {
+                Err(entry.fault("no number is within", "let `least` be at most `most`"))
+            }
+            _ => Ok(Wanted::Within(bound)),
+        };
+    };
+    if bound != Bound::default() {
+        let mend = "write two [[run.expect]]";
+        return Err(entry.fault("it falls, or it is within bounds", mend));
+    }
+    let axis = along.text()?;
+    let points = run.points.first();
+    let mut of_strategies = points.iter().flat_map(|p| &p.entrants);
+    if !of_strategies.any(|e| e.parameters.contains_key(axis)) || run.axes.get(axis).is_none() {
+        let mend = did_you_mean(axis, run.axes.names());
+        let what = format!("`{axis}` is no axis that only strategies have");
+        return Err(along.fault(what, mend));
+    }
+    Ok(Wanted::FallsAlong(axis.to_owned()))
+}
+
+/// An expectation that no contender could ever miss is a slip.
+fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
+    let strategies = table.need("strategies", "[\"*\"]")?;
+    let names: Vec<String> = (run.points.iter().flat_map(|p| &p.entrants))
+        .map(|e| e.contender.to_string())
+        .collect();
+    for glob in &claim.strategies {
+        if !names.iter().any(|n| glob_matches(glob, n)) {
+            let mend = did_you_mean(glob, names.iter().map(String::as_str));
+            return Err(strategies.fault(format_args!("nobody is called `{glob}`"), mend));
+        }
+    }
+    let is_meant = run.points.iter().any(|p| {
+        let mut entrants = p.entrants.iter();
+        entrants.any(|e| claim.means(&e.contender.to_string(), &p.parameters, &e.parameters))
+    });
+    if is_meant {
+        return Ok(());
+    }
+    let mend = "let `where` and `strategies` fit some contender of some point";
+    Err(table.entry.fault("it means nobody", mend))
+}

@@ -1,0 +1,191 @@
+//! An experiment as it is written: one TOML file with a question, scenes, what is varied, who is asked, and what is expected.
+//!
+//! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every
+//! placeholder has values and every value a use, and every expectation means somebody. What is read is already expanded: each run
+//! of scenes holds its points twice, in full and as `--quick` takes them. The words of scenes are those of the command line, whose
+//! parser is to the right of here: who runs an experiment parses them (see [`super::Opener`]).
+//!
+//! The format is told in `experiments/README.md`; the readers of its parts are beside this file.
+
+mod charts;
+mod claims;
+mod others;
+mod scenes;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+pub use charts::Chart;
+pub use claims::{Claim, Wanted};
+pub use others::{AskedCases, AskedSearch};
+pub use scenes::SceneRun;
+
+use crate::scene::reader::{Entry, Source, Table, with_table};
+use crate::{Error, Result};
+
+/// Keys of the file.
+const KEYS: &[&str] = &["question", "analysis", "run", "chart"];
+
+/// An experiment.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The file it was read from, as it was named.
+    pub path: PathBuf,
+    /// The stem of the file.
+    pub name: String,
+    /// What is asked, in a sentence that ends in a question mark.
+    pub question: String,
+    /// How to read the answer, in Markdown.
+    pub analysis: String,
+    /// What is run.
+    pub runs: Vec<DefinedRun>,
+    /// What is drawn of it.
+    pub charts: Vec<Chart>,
+    /// All of the file, as JSON, with its `name`.
+    pub json: Value,
+}
+
+/// A run of an experiment.
+#[derive(Clone, Debug)]
+pub struct DefinedRun {
+    /// Its name, unique in the experiment.
+    pub name: String,
+    /// What it is, in a line.
+    pub about: Option<String>,
+    /// What is asked.
+    pub full: Asked,
+    /// What is asked by `--quick`.
+    pub quick: Asked,
+}
+
+impl DefinedRun {
+    /// What is asked.
+    pub fn asked(&self, is_quick: bool) -> &Asked {
+        if is_quick { &self.quick } else { &self.full }
+    }
+}
+
+/// What a run asks.
+#[derive(Clone, Debug)]
+pub enum Asked {
+    /// Strategies on scenes.
+    Scenes(SceneRun),
+    /// Hard cases of the library.
+    Cases(AskedCases),
+    /// Random scenes, searched for faults.
+    Search(AskedSearch),
+}
+
+impl Definition {
+    /// Reads an experiment from its file.
+    pub fn load(path: &Path) -> Result<Self> {
+        let text = std::fs::read_to_string(path).map_err(|e| {
+            let mend = "check the path; an experiment is TOML text in UTF-8";
+            Error::file(path, format!("cannot be read: {e}"), mend)
+        })?;
+        Self::read(path, &text)
+    }
+
+    /// Reads an experiment from text that a file holds.
+    pub fn read(path: &Path, text: &str) -> Result<Self> {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let name = stem.into_owned();
+        if !is_name(&name) || path.extension().is_none_or(|e| e != "toml") {
+            return Err(Error::file(
+                path,
+                "the file's name is the experiment's name: [a-z0-9-]+ and .toml",
+                "call it for example 01-paper.toml",
+            ));
+        }
+        let source = Source { path, text };
+        with_table(&source, KEYS, |root| {
+            let question = question(root)?;
+            let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
+            let analysis = analysis.text()?.trim().to_owned();
+            let runs = runs(root)?;
+            let charts = root.tables("chart")?;
+            let charts = charts.iter().map(|e| charts::read(e, &runs));
+            Ok(Self {
+                path: path.to_owned(),
+                name: name.clone(),
+                question,
+                analysis,
+                charts: charts.collect::<Result<_>>()?,
+                runs,
+                json: as_json(&name, path, text)?,
+            })
+        })
+    }
+}
+
+/// A name that can be a file's, on any system.
+fn is_name(name: &str) -> bool {
+    let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    !name.is_empty() && name.chars().all(is_plain)
+}
+
+fn question(root: &Table<'_>) -> Result<String> {
+    let entry = root.need("question", "\"What does it cost?\"")?;
+    let question = entry.text()?.trim();
+    if question.len() < 2 || !question.ends_with('?') {
+        let mend = "ask something: one sentence that ends in a question mark";
+        return Err(entry.fault("it is no question", mend));
+    }
+    Ok(question.to_owned())
+}
+
+fn runs(root: &Table<'_>) -> Result<Vec<DefinedRun>> {
+    let entries = root.tables("run")?;
+    if entries.is_empty() {
+        let mend = "add `[[run]]` with `name`, `scene` and `strategies`";
+        return Err(root.entry.fault("the experiment runs nothing", mend));
+    }
+    let runs: Vec<DefinedRun> = entries.iter().map(run).collect::<Result<_>>()?;
+    let mut seen = BTreeSet::new();
+    match runs.iter().position(|r| !seen.insert(r.name.as_str())) {
+        Some(i) => Err(entries[i].fault("the name is taken", "give every run its own name")),
+        None => Ok(runs),
+    }
+}
+
+fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
+    let table = entry.open_table()?;
+    let is_cases = table.get("cases").is_some();
+    let is_search = table.get("random").is_some();
+    if usize::from(is_cases) + usize::from(is_search) + usize::from(table.get("scene").is_some())
+        != 1
+    {
+        let mend = "say what is run by one of `scene`, `cases` and `random`";
+        return Err(entry.fault("it runs nothing, or several things", mend));
+    }
+    let name = table.need("name", "\"crank\"")?;
+    if !is_name(name.text()?) {
+        let mend = "use small letters, digits and `-`: files are called by it";
+        return Err(name.fault("it cannot be a name", mend));
+    }
+    let about = table.get("about");
+    let about = about.map(|e| e.text().map(str::to_owned)).transpose()?;
+    let (full, quick) = if is_cases {
+        others::read_cases(entry)?
+    } else if is_search {
+        others::read_search(entry)?
+    } else {
+        scenes::read(entry)?
+    };
+    Ok(DefinedRun {
+        name: name.text()?.to_owned(),
+        about,
+        full,
+        quick,
+    })
+}
+
+fn as_json(name: &str, path: &Path, text: &str) -> Result<Value> {
+    let fault = |e: String| Error::file(path, e, "report this: it was read before");
+    let table: toml::Table = text.parse().map_err(|e| fault(format!("{e}")))?;
+    let mut json = json!(table);
+    json["name"] = json!(name);
+    Ok(json)
+}

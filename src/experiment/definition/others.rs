@@ -1,0 +1,111 @@
+//! Runs that ask no scene of their own: the hard cases of the library, and the search through random scenes.
+
+use super::Asked;
+use super::scenes;
+use crate::Result;
+use crate::experiment::Contender;
+use crate::experiment::sweep::named;
+use crate::scene::reader::{Entry, Table};
+
+/// Hard cases that are asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AskedCases {
+    /// Globs over their ids.
+    pub cases: Vec<String>,
+    /// Who is asked; none means whoever the cases name.
+    pub contenders: Option<Vec<Contender>>,
+    /// Pixels along the sides of the pictures; empty leaves it to the cases.
+    pub sizes_px: Vec<u32>,
+}
+
+/// A search through random scenes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AskedSearch {
+    /// How many scenes.
+    pub scenes: usize,
+    /// Where they begin.
+    pub seed: u64,
+    /// Who is asked; none means all that should be exact.
+    pub contenders: Option<Vec<Contender>>,
+}
+
+/// Reads a run of hard cases, in full and quick.
+pub(super) fn read_cases(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
+    let table = entry.table(&["name", "about", "cases", "strategies", "sizes", "quick"])?;
+    let globs = table.need("cases", "[\"*\"]")?;
+    let full = AskedCases {
+        cases: scenes::some_texts(&globs)?,
+        contenders: contenders(&table)?,
+        sizes_px: sizes(&table)?.unwrap_or_default(),
+    };
+    let mut quick = full.clone();
+    if let Some(entry) = table.get("quick") {
+        let table = entry.table(&["sizes", "strategies"])?;
+        quick.sizes_px = sizes(&table)?.unwrap_or(quick.sizes_px);
+        quick.contenders = contenders(&table)?.or(quick.contenders);
+    }
+    Ok((Asked::Cases(full), Asked::Cases(quick)))
+}
+
+/// Reads a search, in full and quick.
+pub(super) fn read_search(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
+    let table = entry.table(&["name", "about", "random", "strategies", "quick"])?;
+    let random = table.need("random", "{ scenes = 200, seed = 1 }")?;
+    let mut full = AskedSearch {
+        scenes: 0,
+        seed: 1,
+        contenders: contenders(&table)?,
+    };
+    search(&random, &mut full)?;
+    let mut quick = full.clone();
+    if let Some(entry) = table.get("quick") {
+        let table = entry.table(&["random", "strategies"])?;
+        quick.contenders = contenders(&table)?.or(quick.contenders);
+        if let Some(random) = table.get("random") {
+            search(&random, &mut quick)?;
+        }
+    }
+    Ok((Asked::Search(full), Asked::Search(quick)))
+}
+
+fn search(entry: &Entry<'_>, asked: &mut AskedSearch) -> Result<()> {
+    let table = entry.table(&["scenes", "seed"])?;
+    let scenes = table.need("scenes", "200")?;
+    asked.scenes = scenes.whole()?;
+    if asked.scenes == 0 {
+        return Err(scenes.fault("no scene is searched", "say at least 1"));
+    }
+    if let Some(seed) = table.get("seed") {
+        asked.seed = seed.whole()?;
+    }
+    Ok(())
+}
+
+fn contenders(table: &Table<'_>) -> Result<Option<Vec<Contender>>> {
+    let Some(entry) = table.get("strategies") else {
+        return Ok(None);
+    };
+    let mut contenders: Vec<Contender> = Vec::new();
+    for text in scenes::some_texts(&entry)? {
+        for contender in named(&text).map_err(|f| entry.place(f))? {
+            if !contenders.contains(&contender) {
+                contenders.push(contender);
+            }
+        }
+    }
+    Ok(Some(contenders))
+}
+
+fn sizes(table: &Table<'_>) -> Result<Option<Vec<u32>>> {
+    let Some(entry) = table.get("sizes") else {
+        return Ok(None);
+    };
+    let sizes: Vec<u32> = (entry.list()?.iter())
+        .map(Entry::whole)
+        .collect::<Result<_>>()?;
+    if sizes.is_empty() || sizes.iter().any(|s| !(8..=4096).contains(s)) {
+        let mend = "write for example `sizes = [64, 256]`: whole numbers from 8 to 4096";
+        return Err(entry.fault("there must be sizes that can be drawn", mend));
+    }
+    Ok(Some(sizes))
+}

@@ -1,0 +1,120 @@
+//! A camera that drifts sideways by parts of a pixel, and how much flickers while it does.
+//!
+//! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
+//! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
+//! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
+//! change. Costs one frame of every contender and one of exact for each step.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::figures::OF_DRIFT;
+use super::{Contender, Staged};
+use crate::Result;
+use crate::exact::{Exact, evaluate};
+use crate::layers::{Kind, Layer, Layers};
+use crate::scene::Prepared;
+use crate::session::{Outcome, Session};
+
+/// How a camera drifts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// How many frames are drawn.
+    pub frames: u32,
+    /// By how many pixels the picture is shifted from each to the next.
+    pub px: f64,
+}
+
+/// Pixels that change while a camera drifts: the sum over all pairs of frames that follow each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flicker {
+    /// Pixels of the strategy that change.
+    pub px: usize,
+    /// Pixels of exact that change.
+    pub exact_px: usize,
+    /// Pixels that exact is sure of in both frames, where one of the two changes and the other does not.
+    pub excess_px: usize,
+}
+
+impl Flicker {
+    /// As figures of a record.
+    pub fn figures(self) -> BTreeMap<String, f64> {
+        let names = OF_DRIFT.map(str::to_owned);
+        let values = [self.px, self.exact_px, self.excess_px].map(|n| n as f64);
+        names.into_iter().zip(values).collect()
+    }
+
+    /// Adds what changes from one frame to the next, each with its exact image.
+    pub fn add(&mut self, [before, after]: [(&Exact, &Layers); 2]) {
+        for pixel in 0..after.1.pixels.len() {
+            let changes =
+                |a: &Layers, b: &Layers| class(&a.pixels[pixel]) != class(&b.pixels[pixel]);
+            let drawn = changes(before.1, after.1);
+            let exact = changes(&before.0.layers, &after.0.layers);
+            let is_sure = !before.0.undecided[pixel] && !after.0.undecided[pixel];
+            self.px += usize::from(drawn);
+            self.exact_px += usize::from(exact);
+            self.excess_px += usize::from(is_sure && drawn != exact);
+        }
+    }
+}
+
+/// What a pixel shows.
+fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
+    match layer.kind {
+        Kind::Background => (Kind::Background, 0, 0, false),
+        Kind::Surface => (Kind::Surface, layer.part, 0, layer.back_face),
+        Kind::Cap => (Kind::Cap, layer.part, layer.clip_surface, false),
+    }
+}
+
+/// Lets the camera of a scene drift; the figures of each contender, none of one that refuses. Ends early with `None` as soon as
+/// `goes_on` says no.
+pub fn flicker(
+    session: &mut Session,
+    staged: &Staged,
+    truth: &Prepared,
+    contenders: &[Contender],
+    drift: Drift,
+    step: &mut dyn FnMut(String),
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<BTreeMap<String, f64>>>> {
+    let usual = session.options();
+    let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); contenders.len()];
+    let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
+    for frame in 0..drift.frames {
+        if !goes_on() {
+            return Ok(None);
+        }
+        step(format!("drift {} of {}", frame + 1, drift.frames));
+        let shift = DVec2::new(f64::from(frame) * drift.px, 0.0);
+        let view = staged.view.sampled_at(shift + 0.5);
+        let exact = evaluate(truth, &view);
+        let mut drawn = Vec::with_capacity(contenders.len());
+        for contender in contenders {
+            session.set_options(contender.options(usual));
+            let outcome = session.draw(&staged.shown.model, &view, &contender.strategy);
+            let layers = match outcome.map(|d| d.outcome) {
+                Ok(Outcome::Refused(_)) => Ok(None),
+                Ok(_) => session.layers(&contender.strategy).map(Some),
+                Err(e) => Err(e),
+            };
+            session.set_options(usual);
+            drawn.push(layers?);
+        }
+        if let Some((last, drawn_before)) = &before {
+            for (sum, (a, b)) in sums.iter_mut().zip(drawn_before.iter().zip(&drawn)) {
+                match (a, b, &mut *sum) {
+                    (Some(a), Some(b), Some(sum)) => sum.add([(last, a), (&exact, b)]),
+                    _ => *sum = None,
+                }
+            }
+        }
+        before = Some((exact, drawn));
+    }
+    let figures = sums
+        .iter()
+        .map(|s| s.map(Flicker::figures).unwrap_or_default());
+    Ok(Some(figures.collect()))
+}

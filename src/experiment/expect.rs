@@ -1,0 +1,177 @@
+//! Expectations held against what was found.
+
+use std::collections::BTreeMap;
+
+use super::definition::{Claim, SceneRun, Wanted};
+use super::figures::figure;
+use super::sweep::Point;
+use super::{Bound, Ending, Expectation, Measurement, Reached, StrategyMeasurement};
+
+/// What was found at a point.
+pub struct Findings<'a> {
+    /// The strategies, in the order of the point's entrants.
+    pub measurement: &'a Measurement,
+    /// Figures that one frame does not have, in the same order.
+    pub figures: &'a [BTreeMap<String, f64>],
+}
+
+/// What came of every expectation of a run at a point, in the order they are written.
+pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reached> {
+    run.claims
+        .iter()
+        .flat_map(|c| of_claim(run, point, c, found))
+        .collect()
+}
+
+fn of_claim(run: &SceneRun, point: &Point, claim: &Claim, found: &Findings<'_>) -> Vec<Reached> {
+    let names = || found.measurement.strategies.iter().map(|s| s.name.as_str());
+    let is_meant = |i: &usize| {
+        let entrant = &point.entrants[*i];
+        let name = names().nth(*i).unwrap_or_default();
+        claim.means(name, &point.parameters, &entrant.parameters)
+    };
+    let meant: Vec<usize> = (0..point.entrants.len()).filter(is_meant).collect();
+    let mut all = Vec::new();
+    for index in &meant {
+        let strategy = &found.measurement.strategies[*index];
+        let ended = ending(claim, strategy);
+        // What did not end as expected has no figures that mean anything.
+        let is_as_expected = ended.holds;
+        if !is_as_expected || claim.outcome != Ending::Complete || claim.figures.is_empty() {
+            all.push(ended);
+        }
+        if is_as_expected {
+            all.extend(bounds(claim, *index, found));
+        }
+    }
+    for (name, wanted) in &claim.figures {
+        if let Wanted::FallsAlong(axis) = wanted {
+            all.extend(falls(run, point, claim, &meant, (name, axis), found));
+        }
+    }
+    all
+}
+
+fn expectation(claim: &Claim, what: String) -> Expectation {
+    Expectation {
+        what,
+        why: claim.why.clone(),
+    }
+}
+
+/// How a frame ended.
+fn ending(claim: &Claim, strategy: &StrategyMeasurement) -> Reached {
+    let told = strategy.reason.as_deref().unwrap_or_default();
+    let says_so = claim
+        .reason
+        .as_ref()
+        .is_none_or(|words| told.contains(words));
+    let mut what = claim.outcome.name().to_owned();
+    if let Some(words) = &claim.reason {
+        what.push_str(&format!(", because of `{words}`"));
+    }
+    let mut found = strategy.outcome.name().to_owned();
+    if !told.is_empty() {
+        found.push_str(&format!(": {told}"));
+    }
+    Reached {
+        strategy: strategy.name.clone(),
+        expected: expectation(claim, what),
+        found,
+        holds: strategy.outcome == claim.outcome && says_so,
+    }
+}
+
+/// What figures of a strategy are to be.
+fn bounds(claim: &Claim, index: usize, found: &Findings<'_>) -> Vec<Reached> {
+    let of_figure = |(name, wanted): &(String, Wanted)| {
+        let Wanted::Within(bound) = wanted else {
+            return None;
+        };
+        let number = number(found, index, name);
+        Some(Reached {
+            strategy: found.measurement.strategies[index].name.clone(),
+            expected: expectation(claim, format!("{name} {}", words(bound))),
+            found: told(name, number),
+            holds: number.is_some_and(|n| bound.holds(n)),
+        })
+    };
+    claim.figures.iter().filter_map(of_figure).collect()
+}
+
+fn number(found: &Findings<'_>, index: usize, name: &str) -> Option<f64> {
+    let none = BTreeMap::new();
+    let more = found.figures.get(index).unwrap_or(&none);
+    figure(found.measurement, index, more, name)
+}
+
+fn told(name: &str, number: Option<f64>) -> String {
+    number.map_or_else(|| format!("no {name}"), |n| format!("{name} {n}"))
+}
+
+/// Bounds in words.
+fn words(bound: &Bound) -> String {
+    match (bound.least, bound.most) {
+        (Some(least), Some(most)) if least >= most => format!("{least}"),
+        (Some(least), Some(most)) => format!("{least} to {most}"),
+        (Some(least), None) => format!("at least {least}"),
+        (None, Some(most)) => format!("at most {most}"),
+        (None, None) => "anything".to_owned(),
+    }
+}
+
+/// A figure that falls from value to value of an axis, everything else being the same: one answer for each step.
+fn falls(
+    run: &SceneRun,
+    point: &Point,
+    claim: &Claim,
+    meant: &[usize],
+    (name, axis): (&str, &str),
+    found: &Findings<'_>,
+) -> Vec<Reached> {
+    let Some(axis) = run.axes.get(axis) else {
+        return Vec::new();
+    };
+    let value = |i: usize| point.entrants[i].parameters.get(&axis.name);
+    let alike = |a: usize, b: usize| {
+        let rest = |i: usize| {
+            let own = &point.entrants[i];
+            let is_other = |(key, _): &(&String, &String)| {
+                !axis.values.iter().any(|v| v.with.contains_key(*key))
+            };
+            (
+                own.template,
+                own.parameters.iter().filter(is_other).collect::<Vec<_>>(),
+            )
+        };
+        rest(a) == rest(b)
+    };
+    let steps = axis.values.windows(2).flat_map(|pair| {
+        let of = |i: &usize, v: &super::sweep::Value| value(*i) == Some(&v.is);
+        let froms = meant.iter().filter(move |i| of(i, &pair[0]));
+        froms.flat_map(move |from| {
+            let tos = meant
+                .iter()
+                .filter(move |to| of(to, &pair[1]) && alike(*from, **to));
+            tos.map(move |to| (*from, *to, pair))
+        })
+    });
+    steps
+        .map(|(from, to, pair)| {
+            let [before, after] = [from, to].map(|i| number(found, i, name));
+            let falls = before
+                .zip(after)
+                .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
+            let what = format!(
+                "{name} falls along {} from {} to {}",
+                axis.name, pair[0].is, pair[1].is
+            );
+            Reached {
+                strategy: found.measurement.strategies[to].name.clone(),
+                expected: expectation(claim, what),
+                found: format!("{}, then {}", told(name, before), told(name, after)),
+                holds: falls,
+            }
+        })
+        .collect()
+}

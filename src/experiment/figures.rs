@@ -1,0 +1,106 @@
+//! Figures of a strategy by name: what expectations are about, and what charts have on their axes.
+//!
+//! Errors are the fields of [`Comparison`](crate::compare::Comparison), whichever it has, with `wrong_px`, all wrong pixels, and
+//! `marked`, another name of `odd_parity_px`: the pixels that the strategy does not vouch for.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::Measurement;
+use crate::compare::Comparison;
+
+/// Figures of a camera that drifts, see [`super::drift`].
+pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_excess_px"];
+
+/// What a strategy takes, other than time, and what it is given.
+pub const OF_SIZE: [&str; 5] = [
+    "bytes",
+    "bytes.solid",
+    "bytes.cut",
+    "bytes.frame",
+    "triangles",
+];
+
+/// What takes time. No expectation is about it: it is another on each machine.
+pub const OF_TIME: [&str; 4] = ["ratio", "time_ms.solid", "time_ms.cut", "time_ms.frame"];
+
+/// Names of the errors of a frame.
+pub fn of_error() -> Vec<String> {
+    let fields = fields(&Comparison::default())
+        .into_iter()
+        .map(|(name, _)| name);
+    let more = ["wrong_px", "marked"].map(str::to_owned);
+    fields.chain(more).collect()
+}
+
+/// A figure of the strategy with this number in the measurement; none where there is none: a frame was refused, a clock never ran,
+/// nothing drifted. `more` are the figures that one frame does not have.
+pub fn figure(
+    measurement: &Measurement,
+    strategy: usize,
+    more: &BTreeMap<String, f64>,
+    name: &str,
+) -> Option<f64> {
+    let found = measurement.strategies.get(strategy)?;
+    let comparison = found.comparison.as_ref()?;
+    let (bytes, times) = (&found.bytes, &found.time_ms);
+    let median = |s: &super::Samples| (!s.samples.is_empty()).then_some(s.median);
+    match name {
+        "wrong_px" => Some(comparison.wrong_px() as f64),
+        "marked" => Some(comparison.odd_parity_px as f64),
+        "bytes" => Some((bytes.solid + bytes.cut + bytes.frame) as f64),
+        "bytes.solid" => Some(bytes.solid as f64),
+        "bytes.cut" => Some(bytes.cut as f64),
+        "bytes.frame" => Some(bytes.frame as f64),
+        "triangles" => Some(measurement.triangles as f64),
+        "ratio" => found.frame_over_draw_only,
+        "time_ms.solid" => median(&times.solid),
+        "time_ms.cut" => median(&times.cut),
+        "time_ms.frame" => median(&times.frame),
+        name => (more.get(name).copied())
+            .or_else(|| fields(comparison).into_iter().find(|(n, _)| n == name)?.1),
+    }
+}
+
+/// The numbers of a comparison by their names in JSON.
+fn fields(comparison: &Comparison) -> Vec<(String, Option<f64>)> {
+    match serde_json::to_value(comparison) {
+        Ok(Value::Object(fields)) => (fields.into_iter())
+            .map(|(name, value)| (name, value.as_f64()))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::example;
+
+    #[test]
+    fn every_name_is_a_figure_or_none() {
+        let measurement = example();
+        let more = BTreeMap::from([("flicker_px".to_owned(), 7.0)]);
+        let of = |strategy, name: &str| figure(&measurement, strategy, &more, name);
+        for (name, value) in [
+            ("missed_cap_px", Some(3.0)),
+            ("wrong_px", Some(3.0)),
+            ("marked", Some(0.0)),
+            ("bytes", Some(2048.0 + f64::from(1 << 20))),
+            ("time_ms.frame", Some(3.0)),
+            ("time_ms.cut", None),
+            ("ratio", Some(1.5)),
+            ("triangles", Some(12.0)),
+            ("flicker_px", Some(7.0)),
+            ("flicker_excess_px", None),
+            ("misssed_cap_px", None),
+        ] {
+            assert_eq!(of(0, name), value, "{name}");
+        }
+        let drawn = of_error().iter().filter(|n| of(0, n).is_some()).count();
+        assert_eq!(drawn, of_error().len(), "every error has a number");
+        assert_eq!(of(1, "missed_cap_px"), None, "what was refused has none");
+        assert_eq!(of(2, "missed_cap_px"), None, "nobody is there");
+    }
+}

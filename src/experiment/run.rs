@@ -1,0 +1,263 @@
+//! One point of an experiment, from its words to its record.
+//!
+//! Errors come first; expectations are held against them and told before any time is taken, so that whoever watches can end a run
+//! that has already failed. Then times are taken in turns, warnings are worked out, and the pictures are drawn last of all.
+//!
+//! What opens words, and what is told meanwhile, comes from outside: the parser of words is that of the command line.
+
+use std::collections::BTreeMap;
+
+use image::RgbaImage;
+
+use super::definition::SceneRun;
+use super::drift::flicker;
+use super::expect::{Findings, reached};
+use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
+use super::sweep::Point;
+use super::{Contender, Machine, Picture, Reached, Record, Shown, Warning};
+use crate::scene::View;
+use crate::session::Session;
+use crate::strategies::FrameOptions;
+use crate::{Error, Result};
+
+/// A scene that words stand for.
+pub struct Staged {
+    /// Its name.
+    pub name: String,
+    /// The scene.
+    pub shown: Shown,
+    /// The view of it.
+    pub view: View,
+    /// Options of all frames that name no others.
+    pub options: FrameOptions,
+}
+
+/// Whoever knows what words stand for.
+pub trait Opener {
+    /// Opens the scene of some words, those after `cutaway compare`.
+    fn open(&self, words: &[String]) -> Result<Staged>;
+}
+
+/// Whoever watches a run.
+pub trait Watcher {
+    /// A step begins.
+    fn step(&self, what: String);
+    /// An expectation was held against what was found.
+    fn reached(&self, reached: &Reached);
+    /// Whether to go on: a point that is not complete is not kept.
+    fn goes_on(&self) -> bool;
+}
+
+/// A point to be measured, and what its record says beside what is found.
+pub struct Assignment<'a> {
+    /// Name of the experiment.
+    pub experiment: &'a str,
+    /// Name of the run.
+    pub run_name: &'a str,
+    /// The run.
+    pub run: &'a SceneRun,
+    /// The point.
+    pub point: &'a Point,
+    /// Measured rounds.
+    pub rounds: usize,
+    /// Whether it is as `--quick` takes it.
+    pub is_quick: bool,
+    /// Whether pictures are kept.
+    pub keeps_pictures: bool,
+    /// As [`Record::identity`].
+    pub identity: String,
+    /// The command line that measures it again.
+    pub command: String,
+    /// Where it is measured.
+    pub machine: &'a Machine,
+}
+
+impl SceneRun {
+    /// How many steps are told of one of its points.
+    pub fn steps(&self, point: &Point, rounds: usize) -> usize {
+        let drift = self.drift.map_or(0, |d| d.frames as usize);
+        1 + drift + error_steps(point.entrants.len()) + timing_steps(rounds)
+    }
+}
+
+/// The name of the files of a point, without an extension.
+pub fn file_stem(run: &str, point: &Point) -> String {
+    match point.stem.as_str() {
+        "" => run.to_owned(),
+        stem => format!("{run}.{stem}"),
+    }
+}
+
+/// A point that was measured.
+pub struct Measured {
+    /// Its record.
+    pub record: Record,
+    /// Its pictures, by the names that the record gives them.
+    pub pictures: Vec<(String, RgbaImage)>,
+}
+
+/// Measures a point; none if it was ended early. Nothing stays in the session.
+pub fn measure(
+    session: &mut Session,
+    assignment: &Assignment<'_>,
+    opener: &dyn Opener,
+    watcher: &dyn Watcher,
+) -> Result<Option<Measured>> {
+    let usual = session.options();
+    let measured = measure_with(session, assignment, opener, watcher);
+    session.forget();
+    session.set_options(usual);
+    measured
+}
+
+fn measure_with(
+    session: &mut Session,
+    assignment: &Assignment<'_>,
+    opener: &dyn Opener,
+    watcher: &dyn Watcher,
+) -> Result<Option<Measured>> {
+    let point = assignment.point;
+    watcher.step(format!("opening {}", point.scene.join(" ")));
+    let staged = opener.open(&point.scene)?;
+    let truth = (point.truth.as_ref()).map(|words| opener.open(words).map(|s| s.shown));
+    let truth = truth.transpose()?;
+    must_be_framed_alike(&staged.shown, truth.as_ref())?;
+    session.set_options(staged.options);
+    let contenders: Vec<Contender> = point.entrants.iter().map(|e| e.contender).collect();
+    let mut step = |what| watcher.step(what);
+    let goes_on = || watcher.goes_on();
+    let figures = match assignment.run.drift {
+        None => vec![BTreeMap::new(); contenders.len()],
+        Some(drift) => {
+            let truth = truth.as_ref().unwrap_or(&staged.shown).truth()?;
+            let found = flicker(
+                session,
+                &staged,
+                truth,
+                &contenders,
+                drift,
+                &mut step,
+                &goes_on,
+            )?;
+            let Some(found) = found else {
+                return Ok(None);
+            };
+            found
+        }
+    };
+    let question = Question {
+        name: staged.name.clone(),
+        shown: &staged.shown,
+        view: staged.view,
+        truth: truth.as_ref(),
+        command: assignment.command.clone(),
+    };
+    let mut judgement = errors(session, &question, &contenders, &mut step)?;
+    let found = Findings {
+        measurement: &judgement.measurement,
+        figures: &figures,
+    };
+    let expectations = reached(assignment.run, point, &found);
+    for reached in &expectations {
+        watcher.reached(reached);
+    }
+    let rounds = assignment.rounds;
+    if !times(
+        session,
+        &question,
+        &mut judgement,
+        rounds,
+        &mut step,
+        &goes_on,
+    )? {
+        return Ok(None);
+    }
+    let (pictures, images) = if assignment.keeps_pictures {
+        pictures(
+            session,
+            &staged,
+            &judgement,
+            &file_stem(assignment.run_name, point),
+        )?
+    } else {
+        Default::default()
+    };
+    let measurement = judgement.measurement;
+    let record = Record {
+        format: Record::FORMAT,
+        experiment: assignment.experiment.to_owned(),
+        run: assignment.run_name.to_owned(),
+        parameters: point.parameters.clone(),
+        is_quick: assignment.is_quick,
+        identity: assignment.identity.clone(),
+        of_strategies: point
+            .entrants
+            .iter()
+            .map(|e| e.parameters.clone())
+            .collect(),
+        figures,
+        expectations,
+        warnings: Warning::all_of(&measurement, assignment.machine),
+        pictures,
+        measurement,
+    };
+    Ok(Some(Measured {
+        record,
+        pictures: images,
+    }))
+}
+
+/// Pixels of two scenes show the same place only if both are placed and scaled alike.
+fn must_be_framed_alike(shown: &Shown, truth: Option<&Shown>) -> Result<()> {
+    let Some(truth) = truth else {
+        return Ok(());
+    };
+    let [a, b] = [shown, truth].map(|s| &s.model.prepared);
+    let apart = (a.centre_in_world - b.centre_in_world).length() * a.scale;
+    if apart < 1e-9 && (a.scale / b.scale - 1.0).abs() < 1e-9 {
+        return Ok(());
+    }
+    Err(Error::input(
+        "truth",
+        "its bounds are not those of the scene, so that cameras and sections in percent are elsewhere",
+        "let both fill the same box",
+    ))
+}
+
+/// Pictures of exact and of all that drew, with their names.
+fn pictures(
+    session: &mut Session,
+    staged: &Staged,
+    judgement: &Judgement,
+    stem: &str,
+) -> Result<(Vec<Picture>, Vec<(String, RgbaImage)>)> {
+    let [width, height] = staged.view.size_px;
+    let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
+    let exact = session.shade(&staged.shown.model, &staged.view, &judgement.exact.layers)?;
+    let file = format!("{stem}.exact.png");
+    let mut images = vec![(file.clone(), image(exact))];
+    let mut pictures = vec![Picture {
+        drawer: "exact".to_owned(),
+        file,
+        heatmap: None,
+    }];
+    for frame in &judgement.frames {
+        let Some(heatmap) = judgement.heatmap(frame) else {
+            continue;
+        };
+        let drawer = frame.contender.to_string();
+        let safe = drawer.replace([':', ',', '@'], "-");
+        let (file, map) = (
+            format!("{stem}.{safe}.png"),
+            format!("{stem}.{safe}.heatmap.png"),
+        );
+        images.push((file.clone(), image(judgement.picture(session, frame)?)));
+        images.push((map.clone(), heatmap));
+        pictures.push(Picture {
+            drawer,
+            file,
+            heatmap: Some(map),
+        });
+    }
+    Ok((pictures, images))
+}

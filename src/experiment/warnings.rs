@@ -1,0 +1,214 @@
+//! What is to be said beside the figures of a record, worked out from the measurement alone.
+//!
+//! Thresholds are habits, not laws: they say when a reader should look at the samples before believing a median.
+
+use super::measurement::Timing;
+use super::{Ending, Machine, Measurement, Samples, Warning};
+
+/// A ratio scatters if its median absolute deviation is this share of it.
+const NOISY: f64 = 0.10;
+
+/// The machine slowed down if the last third of the rounds took so much longer than the first.
+const THROTTLED: f64 = 1.15;
+
+/// Rounds that tell a trend from an outlier.
+const ROUNDS_OF_A_TREND: usize = 6;
+
+/// Rounds that tell a spread.
+const ROUNDS_OF_A_SPREAD: usize = 5;
+
+/// Exact leaves many pixels undecided at this share of those that show something.
+const UNDECIDED: f64 = 0.02;
+
+/// The machine is busy if this share of its processors had work before.
+const BUSY: f64 = 0.5;
+
+impl Warning {
+    /// What is to be said of a measurement that was taken on this machine.
+    pub fn all_of(measurement: &Measurement, machine: &Machine) -> Vec<Self> {
+        let mut all = Vec::new();
+        if measurement.adapter.software {
+            let adapter = measurement.adapter.name.clone();
+            all.push(Self::SoftwareAdapter { adapter });
+        }
+        if measurement.timing == Timing::Wall {
+            all.push(Self::WallTimes);
+        }
+        if let Some(load) = machine.load.filter(|l| *l >= BUSY * machine.cores as f64) {
+            let cores = machine.cores;
+            all.push(Self::Busy { load, cores });
+        }
+        let rounds = measurement.rounds;
+        if rounds < ROUNDS_OF_A_SPREAD {
+            all.push(Self::FewRounds { rounds });
+        }
+        all.extend(slowdown(&measurement.draw_only_ms));
+        let exact = &measurement.exact;
+        let share = exact.undecided_px as f64 / (exact.cap_px + exact.surface_px).max(1) as f64;
+        if share > UNDECIDED {
+            all.push(Self::Undecided { share });
+        }
+        for strategy in &measurement.strategies {
+            let name = || strategy.name.clone();
+            if strategy.outcome == Ending::Overflowed {
+                let reason = strategy.reason.clone().unwrap_or_default();
+                let strategy = name();
+                all.push(Self::Overflowed { strategy, reason });
+            }
+            let ratio = strategy.frame_over_draw_only;
+            let spread = ratio
+                .zip(strategy.frame_over_draw_only_mad)
+                .map(|(r, mad)| mad / r);
+            if let Some(spread) = spread.filter(|s| *s > NOISY && rounds >= ROUNDS_OF_A_SPREAD) {
+                let strategy = name();
+                all.push(Self::Noisy { strategy, spread });
+            }
+        }
+        all
+    }
+
+    /// What is the matter.
+    pub fn text(&self) -> String {
+        match self {
+            Self::SoftwareAdapter { adapter } => {
+                format!("{adapter} draws on the CPU: times say nothing about graphics cards")
+            }
+            Self::WallTimes => {
+                "times are those of the wall around each pass, with what it costs to begin and \
+                                to wait for one"
+                    .to_owned()
+            }
+            Self::Busy { load, cores } => {
+                format!("other work was on the machine: load {load:.1} on {cores} processors")
+            }
+            Self::Noisy { strategy, spread } => {
+                format!(
+                    "times of {strategy} scatter: {:.0} % around the median",
+                    spread * 100.0
+                )
+            }
+            Self::Throttled { slowdown } => {
+                format!(
+                    "the machine slowed down: the last third of the rounds took {slowdown:.2} times the first"
+                )
+            }
+            Self::Overflowed { strategy, reason } => format!("{strategy} overflowed: {reason}"),
+            Self::Undecided { share } => {
+                format!(
+                    "exact leaves {:.1} % of the pixels undecided",
+                    share * 100.0
+                )
+            }
+            Self::FewRounds { rounds } => {
+                format!("{rounds} rounds are too few for a spread to mean anything")
+            }
+        }
+    }
+
+    /// What to do about it.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::SoftwareAdapter { .. } => {
+                "measure on a graphics card before you choose by time; errors hold as they are"
+            }
+            Self::WallTimes => "compare ratios, and frames that take more than a few milliseconds",
+            Self::Busy { .. } => "end the other work and measure again with --force",
+            Self::Noisy { .. } => {
+                "measure again with more --rounds, on a machine that does nothing else"
+            }
+            Self::Throttled { .. } => {
+                "let the machine cool, fix its clock, and measure again with --force"
+            }
+            Self::Overflowed { .. } => {
+                "errors are those of the frame that overflowed: lower --resolution, or raise its limit"
+            }
+            Self::Undecided { .. } => {
+                "look from elsewhere, or closer: nobody can be called wrong at these pixels"
+            }
+            Self::FewRounds { .. } => "leave --quick out, or measure more --rounds",
+        }
+    }
+}
+
+/// The same frame drawn again and again takes as long, unless the machine changes.
+fn slowdown(draw_only_ms: &Samples) -> Option<Warning> {
+    let all = &draw_only_ms.samples;
+    if all.len() < ROUNDS_OF_A_TREND {
+        return None;
+    }
+    let third = all.len() / 3;
+    let median = |part: &[f64]| Samples::of(part.to_vec()).median;
+    let slowdown = median(&all[all.len() - third..]) / median(&all[..third]);
+    (slowdown > THROTTLED).then_some(Warning::Throttled { slowdown })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::example;
+
+    fn kinds(measurement: &Measurement, load: f64) -> Vec<String> {
+        let machine = Machine {
+            cores: 2,
+            load: Some(load),
+            ..Machine::default()
+        };
+        let warnings = Warning::all_of(measurement, &machine);
+        assert!(
+            warnings
+                .iter()
+                .all(|w| !w.text().is_empty() && !w.remedy().is_empty()),
+            "each is told with its remedy"
+        );
+        let json = serde_json::to_value(warnings).unwrap();
+        let kinds = json.as_array().unwrap().iter();
+        kinds
+            .map(|w| w["kind"].as_str().unwrap().to_owned())
+            .collect()
+    }
+
+    /// Measured without any fault.
+    fn calm() -> Measurement {
+        let mut calm = example();
+        calm.adapter.software = false;
+        calm.rounds = 9;
+        calm.exact.undecided_px = 0;
+        calm.draw_only_ms = Samples::of(vec![2.0; 9]);
+        calm.strategies[0].frame_over_draw_only_mad = Some(0.01);
+        calm
+    }
+
+    #[test]
+    fn each_fault_has_its_warning_and_none_without() {
+        assert_eq!(kinds(&calm(), 0.1), Vec::<String>::new(), "the control");
+        type Fault = (&'static str, fn(&mut Measurement));
+        let faults: [Fault; 7] = [
+            ("software-adapter", |m| m.adapter.software = true),
+            ("wall-times", |m| m.timing = Timing::Wall),
+            ("few-rounds", |m| m.rounds = 3),
+            ("throttled", |m| {
+                m.draw_only_ms = Samples::of([[2.0; 6].as_slice(), &[2.4; 3]].concat());
+            }),
+            ("noisy", |m| {
+                m.strategies[0].frame_over_draw_only_mad = Some(0.2)
+            }),
+            ("overflowed", |m| {
+                m.strategies[0].outcome = Ending::Overflowed
+            }),
+            ("undecided", |m| m.exact.undecided_px = 2),
+        ];
+        for (kind, plant) in faults {
+            let mut planted = calm();
+            plant(&mut planted);
+            assert_eq!(kinds(&planted, 0.1), [kind]);
+        }
+        assert_eq!(kinds(&calm(), 1.5), ["busy"]);
+    }
+
+    #[test]
+    fn an_outlier_is_no_trend() {
+        let mut measurement = calm();
+        measurement.draw_only_ms = Samples::of(vec![2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 50.0, 2.0]);
+        assert!(kinds(&measurement, 0.0).is_empty(), "one slow round");
+    }
+}
