@@ -24,6 +24,7 @@ mod picture;
 mod plan;
 mod regions;
 mod render;
+mod report;
 mod section;
 mod sections;
 mod when;
@@ -53,6 +54,7 @@ Examples:
   cutaway section bracket.stl --section z=50% -o cut.svg
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
+  cutaway report target/measure
   cutaway demo
 
 Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.";
@@ -90,6 +92,9 @@ enum Command {
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
     Plan(plan::PlanArgs),
+    /// Make pages and tables of what was measured; needs no graphics adapter
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::ReportArgs),
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = demo::EXAMPLES)]
     Demo(demo::DemoArgs),
@@ -106,6 +111,7 @@ pub fn main() -> ExitCode {
         Command::Inspect(args) => inspect::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Plan(args) => plan::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     exit_code(ended)

@@ -17,7 +17,10 @@ pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_s
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
-pub use record::{Bound, Expectation, Machine, Parameters, Picture, Reached, Record, Run, Warning};
+pub use record::{
+    Bound, CaseRecord, CaseRecords, Expectation, Machine, Parameters, Picture, Reached, Record,
+    Run, Warning,
+};
 pub use samples::Samples;
 pub use shown::Shown;
 pub(crate) use stopwatch::Stopwatch;
