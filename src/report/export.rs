@@ -12,7 +12,7 @@ use crate::experiment::{CaseRecords, Record, Run};
 const REPORT_FORMAT: u32 = 1;
 
 /// One row for each point and strategy: what it is, then every figure by name; what was not measured is empty.
-pub fn csv(recorded: &Recorded) -> String {
+pub(super) fn csv(recorded: &Recorded) -> String {
     let mut all: Vec<(&Run, Row<'_>)> = Vec::new();
     for folder in &recorded.folders {
         for record in folder.experiments.iter().flat_map(|e| &e.records) {
@@ -135,7 +135,7 @@ struct DerivedStanding {
 }
 
 /// All records, and what is worked out of them.
-pub fn json(recorded: &Recorded) -> String {
+pub(super) fn json(recorded: &Recorded) -> String {
     let records: Vec<&Record> = (recorded.folders.iter())
         .flat_map(|f| f.experiments.iter().flat_map(|e| &e.records))
         .collect();

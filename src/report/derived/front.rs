@@ -6,7 +6,7 @@
 
 /// What one strategy offers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Offer {
+pub(crate) struct Offer {
     /// Error, 0 or more.
     pub error: f64,
     /// Cost, more than 0.
@@ -17,7 +17,7 @@ pub struct Offer {
 
 /// From one offer of a front to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub(crate) struct Step {
     /// Index of the cheaper offer.
     pub from: usize,
     /// Index of the more accurate offer.
@@ -33,7 +33,7 @@ pub struct Step {
 }
 
 /// Indices of the offers on the front, the cheapest first. Of equal offers the first is taken.
-pub fn front(offers: &[Offer]) -> Vec<usize> {
+pub(crate) fn front(offers: &[Offer]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..offers.len()).collect();
     order.sort_by(|a, b| {
         let (a, b) = (&offers[*a], &offers[*b]);
@@ -49,7 +49,7 @@ pub fn front(offers: &[Offer]) -> Vec<usize> {
 }
 
 /// The steps along a front.
-pub fn steps(offers: &[Offer], front: &[usize]) -> Vec<Step> {
+pub(crate) fn steps(offers: &[Offer], front: &[usize]) -> Vec<Step> {
     let pairs = front.windows(2);
     pairs
         .map(|pair| {

@@ -14,9 +14,9 @@ mod situation;
 mod standing;
 mod warned;
 
-pub use front::{Offer, Step, front, steps};
-pub use order::{natural, number_of};
-pub use row::{Row, rows};
-pub use situation::{Kind, Situation, is_exact, winner};
-pub use standing::{Spread, Standing, standings};
-pub use warned::{concerns, remedy, told};
+pub(super) use front::{Offer, front, steps};
+pub(super) use order::{natural, number_of};
+pub(super) use row::{Row, rows};
+pub(super) use situation::{Kind, Situation, is_exact, winner};
+pub(super) use standing::{Spread, Standing, standings};
+pub(super) use warned::{concerns, remedy, told};

@@ -15,7 +15,7 @@ const SUFFIXES: [(&str, f64); 8] = [
 ];
 
 /// The number that a value stands for; a pair, as of pixels, stands for its product.
-pub fn number_of(text: &str) -> Option<f64> {
+pub(crate) fn number_of(text: &str) -> Option<f64> {
     if let Some((a, b)) = text.split_once([',', 'x']) {
         let side = |t: &str| t.trim().parse::<u32>().ok().map(f64::from);
         return Some(side(a)? * side(b)?);
@@ -32,7 +32,7 @@ pub fn number_of(text: &str) -> Option<f64> {
 }
 
 /// Numbers by size and before words; words by their letters.
-pub fn natural(a: &str, b: &str) -> Ordering {
+pub(crate) fn natural(a: &str, b: &str) -> Ordering {
     match (number_of(a), number_of(b)) {
         (Some(x), Some(y)) => x.total_cmp(&y).then_with(|| a.cmp(b)),
         (Some(_), None) => Ordering::Less,

@@ -1,7 +1,7 @@
 //! A strategy at a point: all that was found of it, by name.
 //!
 //! Names of figures are those of charts and of the columns of the CSV: the fields of a comparison, `ratio` (frame time over that of
-//! drawing the uncut scene), `time_ms.CLOCK` with `.mad`, `bytes.CLOCK` and `bytes` (their sum), `draw_only_ms`, `triangles`, `pixels`, and
+//! drawing the uncut scene), `wrong_px` (all wrong pixels), `marked` (those that the strategy does not vouch for), `time_ms.CLOCK` with `.mad`, `bytes.CLOCK` and `bytes` (their sum), `draw_only_ms`, `triangles`, `pixels`, and
 //! whatever else the record has figures for. What was not measured is not there.
 
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use crate::experiment::{Record, Samples, StrategyMeasurement};
 
 /// A strategy at a point.
 #[derive(Clone, Debug)]
-pub struct Row<'a> {
+pub(crate) struct Row<'a> {
     /// The point.
     pub record: &'a Record,
     /// Which of its strategies.
@@ -21,7 +21,7 @@ pub struct Row<'a> {
 }
 
 /// All strategies of a point.
-pub fn rows(record: &Record) -> Vec<Row<'_>> {
+pub(crate) fn rows(record: &Record) -> Vec<Row<'_>> {
     (0..record.measurement.strategies.len())
         .map(|index| Row::of(record, index))
         .collect()
@@ -63,12 +63,14 @@ impl<'a> Row<'a> {
             ];
             for (clock, samples, bytes) in clocks {
                 add(&format!("bytes.{clock}"), Some(bytes as f64));
-                // Frames that were timed and need nothing on a clock spend nothing on it.
-                if !time.frame.samples.is_empty() {
+                if !samples.samples.is_empty() {
                     add(&format!("time_ms.{clock}"), Some(samples.median));
                     add(&format!("time_ms.{clock}.mad"), Some(samples.mad));
                 }
             }
+            let comparison = found.comparison;
+            add("wrong_px", comparison.map(|c| c.wrong_px() as f64));
+            add("marked", comparison.map(|c| c.odd_parity_px as f64));
             let sum = bytes.solid + bytes.cut + bytes.frame;
             add("bytes", Some(sum as f64));
             for situation in Situation::ALL {
@@ -83,12 +85,12 @@ impl<'a> Row<'a> {
     }
 
     /// What was found of the strategy.
-    pub fn found(&self) -> &'a StrategyMeasurement {
+    pub(crate) fn found(&self) -> &'a StrategyMeasurement {
         &self.record.measurement.strategies[self.index]
     }
 
     /// A parameter of the scene or of the strategy, as it is written.
-    pub fn parameter(&self, name: &str) -> Option<&'a str> {
+    pub(crate) fn parameter(&self, name: &str) -> Option<&'a str> {
         let of_strategy = self.record.of_strategies[self.index].get(name);
         of_strategy
             .or_else(|| self.record.parameters.get(name))
@@ -96,7 +98,7 @@ impl<'a> Row<'a> {
     }
 
     /// The name of the strategy with its parameters' names for their values: `grid:{cells}+mask`.
-    pub fn family(&self) -> String {
+    pub(crate) fn family(&self) -> String {
         let mut name = self.found().name.clone();
         for (parameter, value) in &self.record.of_strategies[self.index] {
             name = with_name_for_value(&name, parameter, value);

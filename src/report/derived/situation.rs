@@ -8,7 +8,7 @@ use crate::experiment::{Ending, Record, StrategyMeasurement};
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Situation {
+pub(crate) enum Situation {
     /// Only the view.
     View,
     /// The cut, and maybe the view.
@@ -19,10 +19,10 @@ pub enum Situation {
 
 impl Situation {
     /// All, the least work first.
-    pub const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
+    pub(crate) const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
 
     /// In words.
-    pub fn told(self) -> &'static str {
+    pub(crate) fn told(self) -> &'static str {
         match self {
             Self::View => "only the view moves",
             Self::Cut => "the cut moves",
@@ -31,7 +31,7 @@ impl Situation {
     }
 
     /// The name of its ratio among the figures.
-    pub fn figure(self) -> &'static str {
+    pub(crate) fn figure(self) -> &'static str {
         match self {
             Self::View => "ratio.view_moves",
             Self::Cut => "ratio.cut_moves",
@@ -40,7 +40,7 @@ impl Situation {
     }
 
     /// Time of a strategy's frame; none where none was taken.
-    pub fn ms(self, found: &StrategyMeasurement) -> Option<f64> {
+    pub(crate) fn ms(self, found: &StrategyMeasurement) -> Option<f64> {
         let time = &found.time_ms;
         if !found.was_drawn() || time.frame.samples.is_empty() {
             return None;
@@ -54,7 +54,7 @@ impl Situation {
     }
 
     /// That time over drawing the uncut scene.
-    pub fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
+    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
         let draw_only = record.measurement.draw_only_ms.median;
         (draw_only > 0.0)
             .then(|| self.ms(found))
@@ -64,12 +64,12 @@ impl Situation {
 }
 
 /// Whether a strategy drew all of a frame and got no pixel wrong that the reference is sure of.
-pub fn is_exact(found: &StrategyMeasurement) -> bool {
+pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
 
 /// Index of the fastest exact strategy of a point; none where none is exact or nothing was timed.
-pub fn winner(record: &Record, situation: Situation) -> Option<usize> {
+pub(crate) fn winner(record: &Record, situation: Situation) -> Option<usize> {
     let strategies = record.measurement.strategies.iter().enumerate();
     strategies
         .filter(|(_, s)| is_exact(s))
@@ -80,7 +80,7 @@ pub fn winner(record: &Record, situation: Situation) -> Option<usize> {
 
 /// By what a scene is cut, as far as its command tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// At least one relief.
     Relief,
     /// Planes alone.
@@ -91,10 +91,10 @@ pub enum Kind {
 
 impl Kind {
     /// All.
-    pub const ALL: [Self; 3] = [Self::Planes, Self::Relief, Self::SceneFile];
+    pub(crate) const ALL: [Self; 3] = [Self::Planes, Self::Relief, Self::SceneFile];
 
     /// Of the scene of a point.
-    pub fn of(record: &Record) -> Self {
+    pub(crate) fn of(record: &Record) -> Self {
         let command = &record.measurement.command;
         if command.contains("--relief") {
             Self::Relief
@@ -106,7 +106,7 @@ impl Kind {
     }
 
     /// In words.
-    pub fn told(self) -> &'static str {
+    pub(crate) fn told(self) -> &'static str {
         match self {
             Self::Relief => "reliefs",
             Self::Planes => "planes only",

@@ -7,7 +7,7 @@ use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 
 /// Least, median and greatest of some numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
+pub(crate) struct Spread {
     /// Least.
     pub least: f64,
     /// Median.
@@ -18,7 +18,7 @@ pub struct Spread {
 
 impl Spread {
     /// Of some numbers; none of none.
-    pub fn of(numbers: Vec<f64>) -> Option<Self> {
+    pub(crate) fn of(numbers: Vec<f64>) -> Option<Self> {
         let first = *numbers.first()?;
         let least = numbers.iter().copied().fold(first, f64::min);
         let most = numbers.iter().copied().fold(first, f64::max);
@@ -32,7 +32,7 @@ impl Spread {
 
 /// A strategy over some points.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Standing {
+pub(crate) struct Standing {
     /// Its name.
     pub name: String,
     /// Points that it was asked to draw.
@@ -53,7 +53,7 @@ pub struct Standing {
 
 impl Standing {
     /// Of a strategy over the points where it was asked.
-    pub fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
+    pub(crate) fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
         let mut standing = Self {
             name: name.to_owned(),
             ..Self::default()
@@ -86,19 +86,19 @@ impl Standing {
     }
 
     /// Points that it refused.
-    pub fn refused(&self) -> usize {
+    pub(crate) fn refused(&self) -> usize {
         self.asked - self.drawn
     }
 
     /// Whether it was exact wherever it drew.
-    pub fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.drawn > 0 && self.exact == self.drawn
     }
 }
 
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
 /// parameters. The exact ones come first, then the most drawn, then the least wrong, then the cheapest.
-pub fn standings(records: &[&Record]) -> Vec<Standing> {
+pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
         for (found, swept) in record

@@ -3,7 +3,7 @@
 use crate::experiment::Warning;
 
 /// Whose figures a warning concerns; none where it concerns all of a point.
-pub fn concerns(warning: &Warning) -> Option<&str> {
+pub(crate) fn concerns(warning: &Warning) -> Option<&str> {
     match warning {
         Warning::Noisy { strategy, .. } | Warning::Overflowed { strategy, .. } => Some(strategy),
         _ => None,
@@ -11,7 +11,7 @@ pub fn concerns(warning: &Warning) -> Option<&str> {
 }
 
 /// What is to be known.
-pub fn told(warning: &Warning) -> String {
+pub(crate) fn told(warning: &Warning) -> String {
     match warning {
         Warning::SoftwareAdapter { adapter } => {
             format!("{adapter} draws on the processor: its times say nothing about graphics cards")
@@ -41,7 +41,7 @@ pub fn told(warning: &Warning) -> String {
 }
 
 /// What to do about it.
-pub fn remedy(warning: &Warning) -> &'static str {
+pub(crate) fn remedy(warning: &Warning) -> &'static str {
     match warning {
         Warning::SoftwareAdapter { .. } => {
             "compare ratios and errors only, or measure on a graphics card (--adapter)"

@@ -8,7 +8,7 @@ use crate::report::text::milliseconds;
 
 /// Bars under each other.
 #[derive(Clone, Debug, Default)]
-pub struct Bars {
+pub(crate) struct Bars {
     /// What they show.
     pub label: String,
     /// Names of the clocks.
@@ -19,7 +19,7 @@ pub struct Bars {
 
 /// A strategy.
 #[derive(Clone, Debug, Default)]
-pub struct Bar {
+pub(crate) struct Bar {
     /// Its name.
     pub name: String,
     /// For each clock its passes.
@@ -28,7 +28,7 @@ pub struct Bar {
 
 /// A pass.
 #[derive(Clone, Debug, Default)]
-pub struct Segment {
+pub(crate) struct Segment {
     /// Its name.
     pub name: String,
     /// How long it takes.

@@ -19,7 +19,7 @@ const COLORS: usize = 8;
 
 /// A chart.
 #[derive(Clone, Debug, Default)]
-pub struct Chart {
+pub(crate) struct Chart {
     /// What it shows.
     pub title: String,
     /// One line under it.
@@ -36,7 +36,7 @@ pub struct Chart {
 
 /// An axis of a chart.
 #[derive(Clone, Debug, Default)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// What it measures, with its unit.
     pub label: String,
     /// Whether it is logarithmic.
@@ -47,7 +47,7 @@ pub struct Axis {
 
 /// Marks of one kind.
 #[derive(Clone, Debug, Default)]
-pub struct Series {
+pub(crate) struct Series {
     /// Its name.
     pub name: String,
     /// In the order in which they are joined.
@@ -56,7 +56,7 @@ pub struct Series {
 
 /// A mark.
 #[derive(Clone, Debug, Default)]
-pub struct Mark {
+pub(crate) struct Mark {
     /// Where it is.
     pub at: [f64; 2],
     /// How far its coordinates scatter to either side.

@@ -4,7 +4,7 @@ use super::super::html::{base64, escape};
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
-pub struct Gallery {
+pub(crate) struct Gallery {
     /// What they show.
     pub label: String,
     /// The pictures, exact first.
@@ -15,7 +15,7 @@ pub struct Gallery {
 
 /// A picture.
 #[derive(Clone, Debug)]
-pub struct Shot {
+pub(crate) struct Shot {
     /// Who drew it, and whether it is a heat map.
     pub name: String,
     /// What can be seen.
@@ -28,7 +28,7 @@ pub struct Shot {
 
 /// Where a picture is.
 #[derive(Clone, Debug)]
-pub enum Source {
+pub(crate) enum Source {
     /// In the page.
     Inside(Vec<u8>),
     /// In its file.

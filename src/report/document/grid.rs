@@ -4,7 +4,7 @@ use crate::report::Table;
 
 /// How grave something is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tone {
+pub(crate) enum Tone {
     /// Nothing to say.
     #[default]
     Plain,
@@ -20,7 +20,7 @@ pub enum Tone {
 
 impl Tone {
     /// Lower-case name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
             Self::Good => "good",
@@ -33,7 +33,7 @@ impl Tone {
 
 /// A cell.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Cell {
+pub(crate) struct Cell {
     /// What it says.
     pub text: String,
     /// The longer story.
@@ -46,7 +46,7 @@ pub struct Cell {
 
 impl Cell {
     /// A cell that sorts by a number.
-    pub fn number(text: impl Into<String>, key: f64) -> Self {
+    pub(crate) fn number(text: impl Into<String>, key: f64) -> Self {
         Self {
             text: text.into(),
             key: Some(key),
@@ -55,12 +55,12 @@ impl Cell {
     }
 
     /// The same in a tone.
-    pub fn toned(self, tone: Tone) -> Self {
+    pub(crate) fn toned(self, tone: Tone) -> Self {
         Self { tone, ..self }
     }
 
     /// The same with a longer story.
-    pub fn titled(self, title: impl Into<String>) -> Self {
+    pub(crate) fn titled(self, title: impl Into<String>) -> Self {
         let title = Some(title.into());
         Self { title, ..self }
     }
@@ -77,7 +77,7 @@ impl<S: Into<String>> From<S> for Cell {
 
 /// A table.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Grid {
+pub(crate) struct Grid {
     /// What it is, for those who cannot see it.
     pub label: String,
     /// Headings of the columns.
@@ -88,7 +88,7 @@ pub struct Grid {
 
 impl Grid {
     /// A table with headings and no rows.
-    pub fn new<C: Into<Cell>>(label: &str, heading: impl IntoIterator<Item = C>) -> Self {
+    pub(crate) fn new<C: Into<Cell>>(label: &str, heading: impl IntoIterator<Item = C>) -> Self {
         Self {
             label: label.to_owned(),
             heading: heading.into_iter().map(Into::into).collect(),
@@ -97,7 +97,7 @@ impl Grid {
     }
 
     /// Adds a row; cells that are missing stay empty.
-    pub fn row<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
+    pub(crate) fn row<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
         let mut cells: Vec<Cell> = cells.into_iter().map(Into::into).collect();
         cells.resize(self.heading.len(), Cell::default());
         self.rows.push(cells);

@@ -13,7 +13,7 @@ const SCRIPT: &str = include_str!("script.js");
 const LONG_CELL: usize = 60;
 
 /// The report as a page.
-pub fn html(document: &Document) -> String {
+pub(crate) fn html(document: &Document) -> String {
     let mut anchors = Anchors::default();
     let mut body = String::new();
     for block in &document.blocks {

@@ -3,7 +3,7 @@
 use super::{Block, Document, Gallery, gallery, stretches};
 
 /// The report as text.
-pub fn markdown(document: &Document) -> String {
+pub(crate) fn markdown(document: &Document) -> String {
     let mut text = format!("# {}\n", words(&document.title));
     write(&mut text, &document.blocks);
     text

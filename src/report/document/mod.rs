@@ -15,17 +15,17 @@ mod html;
 mod markdown;
 mod prose;
 
-pub use bars::{Bar, Bars, Segment};
+pub(super) use bars::{Bar, Bars, Segment};
 pub(in crate::report) use chart::word_of;
-pub use chart::{Axis, Chart, Mark, Series};
-pub use gallery::{Gallery, Shot, Source};
-pub use grid::{Cell, Grid, Tone};
-pub use html::html;
-pub use markdown::markdown;
+pub(super) use chart::{Axis, Chart, Mark, Series};
+pub(super) use gallery::{Gallery, Shot, Source};
+pub(super) use grid::{Cell, Grid, Tone};
+pub(super) use html::html;
+pub(super) use markdown::markdown;
 
 /// A report.
 #[derive(Clone, Debug, Default)]
-pub struct Document {
+pub(super) struct Document {
     /// Its title.
     pub title: String,
     /// What it says, in order.
@@ -34,7 +34,7 @@ pub struct Document {
 
 /// A piece of a report.
 #[derive(Clone, Debug)]
-pub enum Block {
+pub(super) enum Block {
     /// A heading of a level from 2 to 5.
     Heading(u8, String),
     /// A paragraph.
@@ -60,14 +60,14 @@ pub enum Block {
         /// Whether it is shown from the start.
         open: bool,
         /// What is in it.
-        blocks: Vec<Block>,
+        blocks: Vec<Self>,
     },
 }
 
 /// Stretches of a text: code or not.
 fn stretches(text: &str) -> impl Iterator<Item = (bool, &str)> {
     // A lone backtick is one.
-    let is_paired = text.matches('`').count() % 2 == 0;
+    let is_paired = text.matches('`').count().is_multiple_of(2);
     let pieces: Vec<&str> = if is_paired {
         text.split('`').collect()
     } else {

@@ -21,7 +21,7 @@ use super::recorded::Recorded;
 use point::Points;
 
 /// The report of some folders.
-pub fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
+pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
     let points = Points::of(recorded);
     let pictures = pictures::Chosen::of(&points, options);
     let mut blocks = Vec::new();
