@@ -27,6 +27,7 @@ mod picture;
 mod plan;
 mod regions;
 mod render;
+mod report;
 mod section;
 mod sections;
 mod when;
@@ -62,6 +63,7 @@ Examples:
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
   cutaway measure experiments/curated/01-paper.toml --quick --out target/measure
+  cutaway report target/measure
   cutaway demo
 
 Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.";
@@ -102,6 +104,9 @@ enum Command {
     /// Run experiments: files that say what is varied, who is asked and what is expected; leaves a record of each point
     #[command(after_help = measure::EXAMPLES)]
     Measure(measure::MeasureArgs),
+    /// Make pages and tables of what was measured; needs no graphics adapter
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::ReportArgs),
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = demo::EXAMPLES)]
     Demo(demo::DemoArgs),
@@ -119,6 +124,7 @@ pub fn main() -> ExitCode {
         Command::Section(args) => section::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Measure(args) => measure::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     exit_code(ended)

@@ -2,17 +2,31 @@
 //!
 //! [`text`] makes a table of a [`Measurement`](crate::experiment::Measurement) for a terminal, [`markdown`] one for a page, and
 //! [`html`] one file with the pictures in it, which opens from disk and asks no network.
+//!
+//! Of recorded runs [`pages`] makes a report: `recorded` reads them, `derived` works out what no record has, `sections` say it, and
+//! `document` writes it down as a page and as Markdown; `export` is for machines.
 
+mod derived;
+mod document;
+mod export;
 mod html;
 mod markdown;
+mod pages;
+mod recorded;
 mod section;
+mod sections;
 mod svg;
 mod table;
 mod text;
 
 pub use html::{Figure, html};
 pub use markdown::markdown;
+pub use pages::{Pages, pages};
+pub use recorded::{
+    ChartDefinition, Definition, Experiment, Folder, PeerRecord, PeerRow, Recorded, RunDefinition,
+};
 pub use section::{Curve, Drawn, PartReport, PlaneReport, SectionReport};
+pub use sections::PictureOptions;
 pub use svg::{Unit, svg};
 pub use table::Table;
 pub use text::text;

@@ -1,0 +1,22 @@
+//! Every number of a report that is in no record: worked out in one place each, and held by closed forms.
+//!
+//! | what | where |
+//! |---|---|
+//! | figures of a strategy at a point by name | [`Row`] |
+//! | the front of error against cost, and the price of each tenfold | [`front`], [`steps`] |
+//! | what a strategy costs in each situation, and who is the fastest exact one | [`Situation`], [`winner`] |
+//! | how often a strategy is exact, refused, overflowed | [`Standing`] |
+
+mod front;
+mod order;
+mod row;
+mod situation;
+mod standing;
+mod warned;
+
+pub(super) use front::{Offer, front, steps};
+pub(super) use order::{natural, number_of};
+pub(super) use row::{Row, rows};
+pub(super) use situation::{Kind, Situation, is_exact, winner};
+pub(super) use standing::{Spread, Standing, standings};
+pub(super) use warned::{concerns, remedy, told};

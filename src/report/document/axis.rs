@@ -1,0 +1,202 @@
+//! Where values lie along an axis, and which of them are told.
+//!
+//! A logarithmic axis has no place for 0. Where some value is 0, a strip is kept beyond its least end with a tick of its own.
+
+/// Pixels between a strip for 0 and the rest.
+const ZERO_STRIP: f64 = 26.0;
+
+/// Least room on either side of the values, as a share of the axis.
+const MARGIN: f64 = 0.05;
+
+/// An axis of a chart, laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Scale {
+    is_log: bool,
+    /// Least and greatest value, logarithms on a logarithmic axis.
+    range: [f64; 2],
+    /// Where they are drawn.
+    px: [f64; 2],
+    /// Where 0 is drawn, if it is apart.
+    pub(super) zero_px: Option<f64>,
+}
+
+impl Scale {
+    /// An axis for some values, from one end to the other in pixels. A linear one begins at 0 if `from_zero`.
+    pub(super) fn of(values: &[f64], is_log: bool, from_zero: bool, px: [f64; 2]) -> Self {
+        let has_zero = is_log && values.iter().any(|v| *v <= 0.0);
+        let shown: Vec<f64> = values
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite() && (!is_log || *v > 0.0))
+            .map(|v| if is_log { v.log10() } else { v })
+            .collect();
+        let mut least = shown.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut most = shown.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if shown.is_empty() {
+            (least, most) = (0.0, 1.0);
+        }
+        let starts_at_zero = from_zero && !is_log && least >= 0.0;
+        if starts_at_zero {
+            least = 0.0;
+        }
+        // A lone value has room around it.
+        let short = if is_log {
+            0.2
+        } else {
+            0.1 * most.abs().max(1e-9)
+        };
+        let room = ((most - least) * MARGIN).max(if most - least < short { short } else { 0.0 });
+        let range = [if starts_at_zero { 0.0 } else { least - room }, most + room];
+        let toward = (px[1] - px[0]).signum();
+        let zero_px = has_zero.then_some(px[0]);
+        let from = if has_zero {
+            px[0] + toward * ZERO_STRIP
+        } else {
+            px[0]
+        };
+        Self {
+            is_log,
+            range,
+            px: [from, px[1]],
+            zero_px,
+        }
+    }
+
+    /// Where a value is drawn.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        if self.is_log && value <= 0.0 {
+            return self.zero_px.unwrap_or(self.px[0]);
+        }
+        let value = if self.is_log { value.log10() } else { value };
+        let share = (value - self.range[0]) / (self.range[1] - self.range[0]);
+        self.px[0] + share.clamp(0.0, 1.0) * (self.px[1] - self.px[0])
+    }
+
+    /// Values that are told beside the axis, with their words.
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+        let values = if self.is_log {
+            self.log_ticks()
+        } else {
+            linear_ticks(self.range, 6.0)
+        };
+        let zero = self.zero_px.map(|_| (0.0, "0".to_owned()));
+        let others = values.into_iter().map(|v| (v, number(v)));
+        zero.into_iter().chain(others).collect()
+    }
+
+    fn log_ticks(&self) -> Vec<f64> {
+        let [least, most] = self.range;
+        let within = |digits: &[f64], every: i32| -> Vec<f64> {
+            let decades = (least.floor() as i32)..=(most.ceil() as i32);
+            decades
+                .filter(|d| d.rem_euclid(every) == 0)
+                .flat_map(|d| digits.iter().map(move |m| m * 10_f64.powi(d)))
+                .filter(|v| (least..=most).contains(&v.log10()))
+                .collect()
+        };
+        match most - least {
+            ..1.0 => {
+                let few = within(&[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], 1);
+                if few.len() >= 2 {
+                    return few;
+                }
+                linear_ticks([10_f64.powf(least), 10_f64.powf(most)], 4.0)
+            }
+            ..3.0 => within(&[1.0, 2.0, 5.0], 1),
+            ..8.0 => within(&[1.0], 1),
+            _ => within(&[1.0], 2),
+        }
+    }
+}
+
+/// Round values about as many as asked for.
+fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
+    let rough = (most - least) / count;
+    let unit = 10_f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 2.5, 5.0, 10.0]
+        .map(|m| m * unit)
+        .into_iter()
+        .find(|s| *s >= rough)
+        .unwrap_or(rough);
+    let first = (least / step).ceil() as i64;
+    let last = (most / step).floor() as i64;
+    (first..=last.min(first + 20))
+        .map(|i| i as f64 * step)
+        .collect()
+}
+
+/// A number in few letters.
+pub(super) fn number(value: f64) -> String {
+    let size = value.abs();
+    let (value, suffix) = match size {
+        1e9.. => (value / 1e9, " G"),
+        1e6.. => (value / 1e6, " M"),
+        1e4.. => (value / 1e3, " k"),
+        _ => (value, ""),
+    };
+    if size > 0.0 && size < 1e-3 {
+        return format!("{value:.0e}");
+    }
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    format!("{text}{suffix}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decades_lie_at_even_distances_and_zero_apart() {
+        let scale = Scale::of(&[0.0, 1.0, 10.0, 100.0, 1000.0], true, false, [300.0, 0.0]);
+        let at = [1.0, 10.0, 100.0, 1000.0].map(|v| scale.place(v));
+        let steps: Vec<f64> = at.windows(2).map(|p| p[0] - p[1]).collect();
+        assert!(
+            steps.iter().all(|s| (s - steps[0]).abs() < 1e-9),
+            "{steps:?}"
+        );
+        assert_eq!(scale.place(0.0), 300.0);
+        assert!(at[0] <= 300.0 - ZERO_STRIP, "{at:?}");
+        let told: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
+        assert_eq!(told, ["0", "1", "10", "100", "1000"]);
+        let without = Scale::of(&[1.0, 10.0], true, false, [300.0, 0.0]);
+        assert_eq!(without.zero_px, None);
+    }
+
+    #[test]
+    fn linear_axes_have_round_ticks() {
+        let scale = Scale::of(&[0.3, 9.7], false, true, [0.0, 100.0]);
+        assert_eq!(scale.place(0.0), 0.0);
+        let told: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
+        assert_eq!(told, ["0", "2", "4", "6", "8", "10"]);
+    }
+
+    #[test]
+    fn few_or_no_values_are_laid_out_too() {
+        for values in [vec![], vec![0.0], vec![5.0], vec![1e-9, 1e12]] {
+            for is_log in [false, true] {
+                let scale = Scale::of(&values, is_log, true, [0.0, 100.0]);
+                for value in &values {
+                    let at = scale.place(*value);
+                    assert!((0.0..=100.0).contains(&at), "{values:?} at {at}");
+                }
+                assert!(!scale.ticks().is_empty(), "{values:?} {is_log}");
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (0.0, "0"),
+            (1.5, "1.5"),
+            (1000.0, "1000"),
+            (25_000.0, "25 k"),
+            (2e6, "2 M"),
+            (1e-5, "1e-5"),
+            (0.125, "0.125"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}

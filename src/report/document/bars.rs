@@ -1,0 +1,152 @@
+//! Where time goes: for each strategy a bar on each clock, divided by passes.
+//!
+//! Each clock has a scale of its own: building a structure once can take a thousand frames.
+
+use super::{Cell, Grid};
+use crate::report::html::escape;
+use crate::report::text::milliseconds;
+
+/// Bars under each other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bars {
+    /// What they show.
+    pub label: String,
+    /// Names of the clocks.
+    pub clocks: Vec<String>,
+    /// Strategies.
+    pub bars: Vec<Bar>,
+}
+
+/// A strategy.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bar {
+    /// Its name.
+    pub name: String,
+    /// For each clock its passes.
+    pub segments: Vec<Vec<Segment>>,
+}
+
+/// A pass.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Segment {
+    /// Its name.
+    pub name: String,
+    /// How long it takes.
+    pub ms: f64,
+}
+
+/// Hues that segments take in turn.
+const HUES: usize = 6;
+
+fn total(segments: &[Segment]) -> f64 {
+    segments.iter().map(|s| s.ms).sum()
+}
+
+impl Bars {
+    fn longest(&self, clock: usize) -> f64 {
+        let totals = self.bars.iter().map(|b| total(&b.segments[clock]));
+        totals.fold(0.0, f64::max)
+    }
+
+    /// A table with a bar in each cell.
+    pub(super) fn html(&self) -> String {
+        let headings: String = (self.clocks.iter().enumerate())
+            .map(|(i, clock)| {
+                let longest = milliseconds(self.longest(i));
+                format!(
+                    "<th scope=\"col\">{} <small>full: {longest} ms</small></th>",
+                    escape(clock)
+                )
+            })
+            .collect();
+        let rows: String = self.bars.iter().map(|bar| self.row(bar)).collect();
+        format!(
+            "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"bars\">\n\
+             <thead><tr><th scope=\"col\">strategy</th>{headings}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
+            escape(&self.label)
+        )
+    }
+
+    fn row(&self, bar: &Bar) -> String {
+        let cells: String = (bar.segments.iter().enumerate())
+            .map(|(clock, segments)| {
+                let longest = self.longest(clock);
+                let sum = total(segments);
+                if sum <= 0.0 {
+                    return "<td class=\"faint\">nothing</td>".to_owned();
+                }
+                let parts: String = (segments.iter().enumerate())
+                    .filter(|(_, s)| s.ms > 0.0)
+                    .map(|(i, s)| {
+                        format!(
+                            "<i class=\"s{}\" style=\"width:{:.2}%\" title=\"{}: {} ms\"></i>",
+                            i % HUES,
+                            100.0 * s.ms / longest,
+                            escape(&s.name),
+                            milliseconds(s.ms)
+                        )
+                    })
+                    .collect();
+                format!(
+                    "<td><div class=\"bar\">{parts}</div><small>{} ms</small></td>",
+                    milliseconds(sum)
+                )
+            })
+            .collect();
+        format!(
+            "<tr><th scope=\"row\">{}</th>{cells}</tr>\n",
+            escape(&bar.name)
+        )
+    }
+
+    /// The same as a table of words.
+    pub(super) fn grid(&self) -> Grid {
+        let mut grid = Grid::new(&self.label, ["strategy", "clock", "pass", "ms"]);
+        for bar in &self.bars {
+            for (segments, clock) in bar.segments.iter().zip(&self.clocks) {
+                for segment in segments {
+                    let row = [&bar.name, clock, &segment.name].map(|t| Cell::from(t.as_str()));
+                    let ms = Cell::number(milliseconds(segment.ms), segment.ms);
+                    grid.row(row.into_iter().chain([ms]));
+                }
+            }
+        }
+        grid
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_are_as_long_as_their_share_of_the_longest() {
+        let segments = |all: &[f64]| -> Vec<Segment> {
+            let of = |ms: &f64| Segment {
+                name: "a<b".to_owned(),
+                ms: *ms,
+            };
+            all.iter().map(of).collect()
+        };
+        let bar = |all: &[f64]| Bar {
+            name: "x".to_owned(),
+            segments: vec![segments(all)],
+        };
+        let bars = Bars {
+            label: "where".to_owned(),
+            clocks: vec!["frame".to_owned()],
+            bars: vec![bar(&[1.0, 3.0]), bar(&[2.0]), bar(&[])],
+        };
+        let page = bars.html();
+        for said in [
+            "width:25.00%",
+            "width:75.00%",
+            "width:50.00%",
+            "nothing",
+            "a&lt;b",
+        ] {
+            assert!(page.contains(said), "{said} is missing from {page}");
+        }
+        assert_eq!(bars.grid().rows.len(), 3);
+    }
+}

@@ -1,0 +1,108 @@
+//! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
+
+use super::super::html::{base64, escape};
+
+/// Pictures of one frame.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Gallery {
+    /// What they show.
+    pub label: String,
+    /// The pictures, exact first.
+    pub shots: Vec<Shot>,
+    /// Names of pictures that did not fit into the page.
+    pub left_out: Vec<String>,
+}
+
+/// A picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Shot {
+    /// Who drew it, and whether it is a heat map.
+    pub name: String,
+    /// What can be seen.
+    pub caption: String,
+    /// Where it is.
+    pub source: Source,
+    /// The file, as seen from the report.
+    pub link: String,
+}
+
+/// Where a picture is.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// In the page.
+    Inside(Vec<u8>),
+    /// In its file.
+    Beside,
+}
+
+impl Shot {
+    fn url(&self) -> String {
+        match &self.source {
+            Source::Inside(png) => format!("data:image/png;base64,{}", base64(png)),
+            Source::Beside => encoded(&self.link),
+        }
+    }
+}
+
+/// A path as the address of a link.
+pub(super) fn encoded(path: &str) -> String {
+    let mut url = String::new();
+    for byte in path.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => {
+                url.push(char::from(byte));
+            }
+            _ => url.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    url
+}
+
+impl Gallery {
+    /// The pictures under each other; the script makes a slider of them.
+    pub(super) fn html(&self) -> String {
+        let shots: String = self.shots.iter().map(figure).collect();
+        format!(
+            "<div class=\"gallery\" role=\"group\" aria-label=\"{}\">\n<div class=\"shots\">\n{shots}</div>\n</div>\n",
+            escape(&self.label)
+        )
+    }
+}
+
+fn figure(shot: &Shot) -> String {
+    let name = escape(&shot.name);
+    format!(
+        "<figure><img loading=\"lazy\" alt=\"{name}\" src=\"{}\"><figcaption><b>{name}</b> {}</figcaption></figure>\n",
+        shot.url(),
+        escape(&shot.caption)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_addresses() {
+        assert_eq!(encoded("a b/grid-256+vds.png"), "a%20b/grid-256%2Bvds.png");
+        assert_eq!(encoded("\"><script>"), "%22%3E%3Cscript%3E");
+    }
+
+    #[test]
+    fn pictures_are_in_the_page_or_beside_it() {
+        let shot = |source| Shot {
+            name: "<exact>".to_owned(),
+            caption: String::new(),
+            source,
+            link: "x/exact.png".to_owned(),
+        };
+        let gallery = Gallery {
+            shots: vec![shot(Source::Inside(b"foo".to_vec())), shot(Source::Beside)],
+            ..Gallery::default()
+        };
+        let page = gallery.html();
+        assert!(page.contains("data:image/png;base64,Zm9v"), "{page}");
+        assert!(page.contains("src=\"x/exact.png\""), "{page}");
+        assert!(!page.contains("<exact>"), "{page}");
+    }
+}

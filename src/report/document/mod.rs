@@ -1,0 +1,81 @@
+//! A report as a list of blocks, and the two forms it is written in.
+//!
+//! Sections say what is to be read; [`html`] and [`markdown`] say how it looks. Both are made of the same blocks, so that neither knows
+//! more than the other, but for what a page of text cannot show: charts are told there by the tables around them.
+//!
+//! Words of a block are plain: what comes from a record is escaped by whoever writes it down, in one place for each form. A stretch
+//! between backticks is code.
+
+mod axis;
+mod bars;
+mod chart;
+mod gallery;
+mod grid;
+mod html;
+mod markdown;
+mod prose;
+
+pub(super) use bars::{Bar, Bars, Segment};
+pub(in crate::report) use chart::word_of;
+pub(super) use chart::{Axis, Chart, Mark, Series};
+pub(super) use gallery::{Gallery, Shot, Source};
+pub(super) use grid::{Cell, Grid, Tone};
+pub(super) use html::html;
+pub(super) use markdown::markdown;
+
+/// A report.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Document {
+    /// Its title.
+    pub title: String,
+    /// What it says, in order.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a report.
+#[derive(Clone, Debug)]
+pub(super) enum Block {
+    /// A heading of a level from 2 to 5.
+    Heading(u8, String),
+    /// A paragraph.
+    Text(String),
+    /// Markdown that people wrote.
+    Prose(String),
+    /// A table.
+    Grid(Grid),
+    /// Something to be noticed.
+    Notice(Tone, String),
+    /// A command line to copy.
+    Command(String),
+    /// A chart.
+    Chart(Chart),
+    /// Where time goes.
+    Bars(Bars),
+    /// Pictures of one frame.
+    Gallery(Gallery),
+    /// What is shown on demand.
+    Folded {
+        /// The line that is always shown.
+        summary: String,
+        /// Whether it is shown from the start.
+        open: bool,
+        /// What is in it.
+        blocks: Vec<Self>,
+    },
+}
+
+/// Stretches of a text: code or not.
+fn stretches(text: &str) -> impl Iterator<Item = (bool, &str)> {
+    // A lone backtick is one.
+    let is_paired = text.matches('`').count().is_multiple_of(2);
+    let pieces: Vec<&str> = if is_paired {
+        text.split('`').collect()
+    } else {
+        vec![text]
+    };
+    pieces
+        .into_iter()
+        .enumerate()
+        .map(|(i, piece)| (i % 2 == 1, piece))
+        .filter(|(_, piece)| !piece.is_empty())
+}

@@ -1,0 +1,69 @@
+//! Markdown that people wrote, as HTML that can do nothing: no tags of its own, no pictures from elsewhere, no links but to the web.
+
+use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
+
+/// The prose as HTML. Headings become small ones, for the prose is inside a section.
+pub(super) fn prose(text: &str) -> String {
+    let events = Parser::new_ext(text, Options::ENABLE_TABLES).filter_map(tame);
+    let mut page = String::new();
+    html::push_html(&mut page, events);
+    page
+}
+
+fn tame(event: Event<'_>) -> Option<Event<'_>> {
+    let level = HeadingLevel::H5;
+    Some(match event {
+        Event::Html(text) | Event::InlineHtml(text) => Event::Text(text),
+        Event::Start(Tag::Heading { .. }) => Event::Start(Tag::Heading {
+            level,
+            id: None,
+            classes: Vec::new(),
+            attrs: Vec::new(),
+        }),
+        Event::End(TagEnd::Heading(_)) => Event::End(TagEnd::Heading(level)),
+        // Its words stay.
+        Event::Start(Tag::Image { .. }) | Event::End(TagEnd::Image) => return None,
+        Event::Start(Tag::Link {
+            link_type,
+            dest_url,
+            title,
+            id,
+        }) => {
+            let is_web = dest_url.starts_with("https://") || dest_url.starts_with("http://");
+            Event::Start(Tag::Link {
+                link_type,
+                dest_url: if is_web { dest_url } else { "#".into() },
+                title,
+                id,
+            })
+        }
+        event => event,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prose_is_set_and_tamed() {
+        let page = prose(
+            "# Why\n\nOne *two* <script>alert(1)</script> `a<b`\n\n![a cat](http://x/cat.png) [in](javascript:x) [out](https://x/)\n\n| a |\n|---|\n| b |\n",
+        );
+        for said in [
+            "<h5>Why</h5>",
+            "<em>two</em>",
+            "&lt;script&gt;",
+            "<code>a&lt;b</code>",
+            "a cat",
+            "href=\"#\"",
+            "href=\"https://x/\"",
+            "<td>b</td>",
+        ] {
+            assert!(page.contains(said), "{said} is missing from {page}");
+        }
+        for kept_out in ["<script", "<img", "javascript:"] {
+            assert!(!page.contains(kept_out), "{kept_out} is in {page}");
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! One folder of a run.
+
+use std::path::{Path, PathBuf};
+
+use super::{Definition, MISSING, PeerRecord, read_json, read_numbered};
+use crate::experiment::{CaseRecords, Record, Run};
+use crate::report::derived::natural;
+use crate::{Error, Result};
+
+/// A folder of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Folder {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Where and by what the run was made.
+    pub run: Run,
+    /// By name.
+    pub experiments: Vec<Experiment>,
+    /// Outside baselines, by file name.
+    pub peers: Vec<PeerRecord>,
+}
+
+/// An experiment and its records.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Experiment {
+    /// What was asked.
+    pub definition: Definition,
+    /// Its points: runs in the order of the definition, and in them by their parameters.
+    pub records: Vec<Record>,
+    /// Hard cases and searches.
+    pub cases: Vec<CaseRecords>,
+}
+
+/// The file that says that a folder holds a run.
+const RUN_FILE: &str = "run.json";
+/// The file that says that a folder holds an experiment.
+const EXPERIMENT_FILE: &str = "experiment.json";
+/// The folder of outside baselines.
+const PEERS_FOLDER: &str = "peers";
+
+impl Folder {
+    /// Reads all of it.
+    pub(super) fn read(path: &Path) -> Result<Self> {
+        if !path.is_dir() {
+            return Err(Error::file(path, "there is no such folder", MISSING));
+        }
+        let run: Run = read_numbered(&path.join(RUN_FILE), Record::FORMAT)?;
+        let mut experiments = Vec::new();
+        let mut peers = Vec::new();
+        for entry in entries(path)?.into_iter().filter(|e| e.is_dir()) {
+            if entry.file_name().is_some_and(|n| n == PEERS_FOLDER) {
+                for file in json_files(&entry)? {
+                    peers.push(read_numbered(&file, PeerRecord::FORMAT)?);
+                }
+                continue;
+            }
+            // A folder of something else, as of another report.
+            if json_files(&entry)?.is_empty() {
+                continue;
+            }
+            experiments.push(Experiment::read(&entry)?);
+        }
+        experiments.sort_by(|a, b| a.definition.name.cmp(&b.definition.name));
+        Ok(Self {
+            path: path.to_owned(),
+            run,
+            experiments,
+            peers,
+        })
+    }
+
+    /// The folder of an experiment's pictures.
+    pub fn pictures(&self, experiment: &Experiment) -> PathBuf {
+        self.path.join(&experiment.definition.name)
+    }
+}
+
+impl Experiment {
+    fn read(path: &Path) -> Result<Self> {
+        let definition: Definition = read_json(&path.join(EXPERIMENT_FILE))?;
+        let mut records: Vec<Record> = Vec::new();
+        let mut cases: Vec<CaseRecords> = Vec::new();
+        for file in json_files(path)? {
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            if name == EXPERIMENT_FILE {
+                continue;
+            }
+            let experiment = if name.ends_with(".cases.json") {
+                cases.push(read_numbered(&file, Record::FORMAT)?);
+                cases.last().map(|c| &c.experiment)
+            } else {
+                let record = read_numbered(&file, Record::FORMAT)?;
+                is_at_one(&file, &record)?;
+                records.push(record);
+                records.last().map(|r| &r.experiment)
+            };
+            if experiment != Some(&definition.name) {
+                return Err(Error::file(
+                    &file,
+                    format!(
+                        "it is of experiment `{}`, in the folder of `{}`",
+                        experiment.map_or("", String::as_str),
+                        definition.name
+                    ),
+                    "move it to where it belongs, or measure again",
+                ));
+            }
+        }
+        records.sort_by(|a, b| {
+            let place = |r: &Record| definition.place_of(&r.run);
+            let values = a.parameters.values().zip(b.parameters.values());
+            let by_values = values.map(|(a, b)| natural(a, b));
+            place(a)
+                .cmp(&place(b))
+                .then_with(|| a.run.cmp(&b.run))
+                .then_with(|| by_values.fold(std::cmp::Ordering::Equal, |o, by| o.then(by)))
+        });
+        cases.sort_by_key(|c| definition.place_of(&c.run));
+        Ok(Self {
+            definition,
+            records,
+            cases,
+        })
+    }
+}
+
+/// A record has as many values for each strategy as strategies.
+fn is_at_one(file: &Path, record: &Record) -> Result<()> {
+    let strategies = record.measurement.strategies.len();
+    for (what, count) in [
+        ("of_strategies", record.of_strategies.len()),
+        ("figures", record.figures.len()),
+    ] {
+        if count != strategies {
+            return Err(Error::file(
+                file,
+                format!("`{what}` has {count} entries for {strategies} strategies"),
+                "remove the file and measure again: points that are whole are kept",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// What is in a folder, by name, without hidden files: unfinished ones are.
+fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
+    let unreadable = |e: std::io::Error| {
+        Error::file(
+            folder,
+            format!("cannot be read: {e}"),
+            "check the folder's permissions",
+        )
+    };
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        if !entry.file_name().to_string_lossy().starts_with('.') {
+            found.push(entry.path());
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn json_files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = entries(folder)?;
+    files.retain(|f| f.is_file() && f.extension().is_some_and(|e| e == "json"));
+    Ok(files)
+}

@@ -1,0 +1,251 @@
+//! What should I use: the short answers, all of them worked out from the records.
+
+use super::figures::{ranged, times};
+use super::point::{Point, Points};
+use super::{counted, figures};
+use crate::experiment::Record;
+use crate::report::derived::{Kind, Situation, Spread, Standing, is_exact, standings, winner};
+use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::strategies::Strategy;
+
+pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
+    if points.all.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = vec![heading("Which strategy is exact, and what does it cost?")];
+    blocks.push(Block::Text(
+        "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
+         The ratio is the time of a frame over that of drawing the same scene with nothing cut: median, and on pointing at it the range. \
+         Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
+            .to_owned(),
+    ));
+    for adapter in points.adapters() {
+        let on_it = points.on(adapter);
+        let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
+        blocks.extend(whose(points, adapter));
+        blocks.push(Block::Grid(exactness(&standings(&records))));
+    }
+    blocks.push(heading(
+        "What does the paper's path cost, and what does it miss?",
+    ));
+    blocks.extend(points.adapters().map(|adapter| {
+        let records: Vec<&Record> = points.on(adapter).iter().map(|p| p.record).collect();
+        Block::Text(papers_path(&points.label(adapter), &records))
+    }));
+    blocks.push(heading("Which one for what moves?"));
+    blocks.push(Block::Text(
+        "Among the strategies that are exact at a point, the one whose frame is cheapest there when only the view moves (clock of the frame), \
+         the cut moves (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy with times."
+            .to_owned(),
+    ));
+    for adapter in points.adapters() {
+        blocks.extend(whose(points, adapter));
+        blocks.push(Block::Grid(by_situation(&points.on(adapter))));
+    }
+    blocks.push(heading("Answers by question"));
+    for adapter in points.adapters() {
+        blocks.extend(whose(points, adapter));
+        blocks.push(Block::Grid(by_question(points, &points.on(adapter))));
+    }
+    blocks
+}
+
+fn heading(text: &str) -> Block {
+    Block::Heading(4, text.to_owned())
+}
+
+/// Whose figures follow, where there are several adapters.
+fn whose(points: &Points<'_>, adapter: &crate::gpu::AdapterReport) -> Option<Block> {
+    (points.adapters().count() > 1).then(|| Block::Heading(5, points.label(adapter)))
+}
+
+fn exactness(standings: &[Standing]) -> Grid {
+    let mut grid = Grid::new(
+        "exactness of strategies",
+        [
+            "strategy",
+            "points",
+            "drawn",
+            "exact",
+            "worst: decided wrong px",
+            "frame, × draw only",
+            "overflowed",
+            "refused",
+            "why it refuses",
+        ],
+    );
+    for s in standings {
+        let count = |n: usize| Cell::number(n.to_string(), n as f64);
+        let exact = match (s.drawn, s.exact) {
+            (0, _) => Cell::from("-").toned(Tone::Faint),
+            (drawn, exact) if drawn == exact => count(exact).toned(Tone::Good),
+            (_, exact) => count(exact).toned(Tone::Fair),
+        };
+        let reasons: Vec<String> = s.refusals.keys().cloned().collect();
+        let worst = match s.drawn {
+            0 => Cell::from("-").toned(Tone::Faint),
+            _ => figures::wrong_px(s.worst_px),
+        };
+        grid.row([
+            Cell::from(s.name.as_str()),
+            count(s.asked),
+            count(s.drawn),
+            exact,
+            worst,
+            ranged(s.ratio),
+            count(s.overflowed).toned(if s.overflowed > 0 {
+                Tone::Fair
+            } else {
+                Tone::Plain
+            }),
+            count(s.refused()),
+            Cell::from(reasons.join("; ")),
+        ]);
+    }
+    grid
+}
+
+/// The paper's strategy over all points, in a sentence or two.
+fn papers_path(adapter: &str, records: &[&Record]) -> String {
+    let name = Strategy::PAPER.to_string();
+    let paper = Standing::of(&name, records.iter().copied());
+    let Some(ratio) = paper.ratio else {
+        return format!("On {adapter}: `{name}` was not timed on any point.");
+    };
+    let all = records.iter().flat_map(|r| &r.measurement.strategies);
+    let drawn: Vec<_> = all
+        .filter(|s| s.name == name)
+        .filter_map(|s| s.comparison)
+        .collect();
+    let over = |of: fn(&crate::Comparison) -> usize| -> String {
+        let spread = Spread::of(drawn.iter().map(|c| of(c) as f64).collect());
+        spread.map_or_else(String::new, |s| {
+            format!("{:.0} ({:.0} to {:.0})", s.median, s.least, s.most)
+        })
+    };
+    format!(
+        "On {adapter}: `{name}` costs {} draw only in the median ({} to {}) over {}, and is exact at {} of them. \
+         Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
+        times(ratio.median),
+        times(ratio.least),
+        times(ratio.most),
+        counted(paper.drawn, "point"),
+        paper.exact,
+        over(|c| c.decided_wrong_px),
+        over(|c| c.missed_cap_px),
+        over(|c| c.leaked_cap_px),
+        over(|c| c.crack_px),
+    )
+}
+
+/// How often each strategy is the fastest exact one, the most often first.
+fn wins<'a>(records: &[&'a Record], situation: Situation) -> Vec<(&'a str, usize)> {
+    let mut wins: Vec<(&str, usize)> = Vec::new();
+    for record in records {
+        let Some(index) = winner(record, situation) else {
+            continue;
+        };
+        let name = record.measurement.strategies[index].name.as_str();
+        match wins.iter_mut().find(|(n, _)| *n == name) {
+            Some((_, count)) => *count += 1,
+            None => wins.push((name, 1)),
+        }
+    }
+    wins.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
+    wins
+}
+
+/// What the fastest exact strategy of each point costs.
+fn best_ratios(records: &[&Record], situation: Situation) -> Option<Spread> {
+    let ratios = records.iter().filter_map(|record| {
+        let found = &record.measurement.strategies[winner(record, situation)?];
+        situation.ratio(record, found)
+    });
+    Spread::of(ratios.collect())
+}
+
+fn told_wins(wins: &[(&str, usize)]) -> String {
+    let words: Vec<String> = wins.iter().map(|(n, c)| format!("{n} ({c})")).collect();
+    words.join(", ")
+}
+
+fn by_situation(points: &[Point<'_>]) -> Grid {
+    let heading = [
+        "cut by",
+        "situation",
+        "exact at",
+        "fastest exact (points)",
+        "at, × draw only",
+        "next (points)",
+    ];
+    let mut grid = Grid::new("the fastest exact strategy by situation", heading);
+    for kind in Kind::ALL {
+        let of_kind: Vec<&Record> = (points.iter().map(|p| p.record))
+            .filter(|r| Kind::of(r) == kind)
+            .collect();
+        for situation in Situation::ALL {
+            let wins = wins(&of_kind, situation);
+            let Some((first, others)) = wins.split_first() else {
+                continue;
+            };
+            let count: usize = wins.iter().map(|(_, count)| count).sum();
+            grid.row([
+                Cell::from(kind.told()),
+                Cell::from(situation.told()),
+                Cell::number(format!("{count} of {}", of_kind.len()), count as f64),
+                Cell::from(told_wins(&[*first])).toned(Tone::Good),
+                ranged(best_ratios(&of_kind, situation)),
+                Cell::from(told_wins(&others[..others.len().min(2)])),
+            ]);
+        }
+    }
+    grid
+}
+
+fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
+    let paper = Strategy::PAPER.to_string();
+    let mut grid = Grid::new(
+        "answers by question",
+        [
+            "question",
+            "points",
+            "an exact one at",
+            "fastest exact (points)",
+            "at, × draw only",
+            "the paper's at, × draw only",
+            "the paper's worst: decided wrong px",
+        ],
+    );
+    for (name, of_it) in points.by_experiment() {
+        let records: Vec<&Record> = (of_it.iter())
+            .filter(|p| on_it.iter().any(|q| std::ptr::eq(p.record, q.record)))
+            .map(|p| p.record)
+            .collect();
+        if records.is_empty() {
+            continue;
+        }
+        let question = of_it
+            .first()
+            .map_or("", |p| p.experiment.definition.question.as_str());
+        let exact = records
+            .iter()
+            .filter(|r| r.measurement.strategies.iter().any(is_exact));
+        let exact = exact.count();
+        let standing = Standing::of(&paper, records.iter().copied());
+        let wins = wins(&records, Situation::View);
+        let worst = match standing.drawn {
+            0 => Cell::default(),
+            _ => figures::wrong_px(standing.worst_px),
+        };
+        grid.row([
+            Cell::from(format!("{name}: {question}")),
+            Cell::number(records.len().to_string(), records.len() as f64),
+            Cell::number(exact.to_string(), exact as f64),
+            Cell::from(told_wins(&wins[..wins.len().min(2)])),
+            ranged(best_ratios(&records, Situation::View)),
+            ranged(standing.ratio),
+            worst,
+        ]);
+    }
+    grid
+}

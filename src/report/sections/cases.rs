@@ -1,0 +1,116 @@
+//! Hard cases and the property search: every case through every strategy, with what was expected and what was reached.
+
+use super::counted;
+use super::expectations::missed_notice;
+use crate::experiment::{CaseRecord, CaseRecords, Reached};
+use crate::report::derived::natural;
+use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::recorded::Recorded;
+
+pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for folder in &recorded.folders {
+        for experiment in &folder.experiments {
+            for cases in &experiment.cases {
+                if blocks.is_empty() {
+                    blocks.push(Block::Text(
+                        "Scenes with a known answer. A cell says what came of the expectation of that strategy: `reached`; `declared`, a failure or a bound that was \
+                         stated beforehand with its reason, and occurred as stated; or `missed`, which a declared failure that passes is too. Cases with something missed come first."
+                            .to_owned(),
+                    ));
+                }
+                let place = match recorded.folders.len() {
+                    1 => String::new(),
+                    _ => format!(" · {}", folder.run.adapter.name),
+                };
+                blocks.push(Block::Heading(
+                    4,
+                    format!("{}, run {}{place}", cases.experiment, cases.run),
+                ));
+                blocks.extend(one(cases));
+            }
+        }
+    }
+    blocks
+}
+
+fn one(cases: &CaseRecords) -> Vec<Block> {
+    let all = || cases.cases.iter().flat_map(|c| &c.expectations);
+    let missed = || all().filter(|r| !r.holds);
+    let declared = all().filter(|r| r.holds && r.expected.why.is_some());
+    let sizes: Vec<String> = cases.sizes_px.iter().map(ToString::to_string).collect();
+    let sizes = match sizes.is_empty() {
+        true => String::new(),
+        false => format!(", pictures with sides of {} px", sizes.join(" and ")),
+    };
+    let mut blocks = vec![Block::Text(format!(
+        "{}{sizes}: {}, {} missed, {} declared.",
+        counted(cases.cases.len(), "case"),
+        counted(all().count(), "expectation"),
+        missed().count(),
+        declared.count(),
+    ))];
+    for case in &cases.cases {
+        for reached in case.expectations.iter().filter(|r| !r.holds) {
+            if let Block::Notice(tone, text) = missed_notice(reached) {
+                let text = format!("Case {} ({}). {text}", case.id, case.name);
+                blocks.push(Block::Notice(tone, text));
+            }
+        }
+    }
+    blocks.push(Block::Grid(table(cases)));
+    blocks
+}
+
+fn table(cases: &CaseRecords) -> Grid {
+    let mut strategies: Vec<&str> = Vec::new();
+    for reached in cases.cases.iter().flat_map(|c| &c.expectations) {
+        if !strategies.contains(&reached.strategy.as_str()) {
+            strategies.push(&reached.strategy);
+        }
+    }
+    let heading = ["case", "what it is"]
+        .into_iter()
+        .chain(strategies.iter().copied());
+    let mut grid = Grid::new("hard cases", heading.chain(["held by"]));
+    let mut sorted: Vec<&CaseRecord> = cases.cases.iter().collect();
+    let is_clean = |c: &CaseRecord| c.expectations.iter().all(|r| r.holds);
+    sorted.sort_by(|a, b| is_clean(a).cmp(&is_clean(b)).then(natural(&a.id, &b.id)));
+    for case in sorted {
+        let of = |strategy: &&str| -> Cell {
+            let of_it = case
+                .expectations
+                .iter()
+                .filter(|r| r.strategy == **strategy);
+            cell(&of_it.collect::<Vec<_>>())
+        };
+        let first = [Cell::from(case.id.as_str()), Cell::from(case.name.as_str())];
+        let held_by = case.held_by.as_ref();
+        let held_by = held_by.map_or_else(Cell::default, |h| Cell::from(format!("`{h}`")));
+        let cells = strategies.iter().map(of);
+        grid.row(first.into_iter().chain(cells).chain([held_by]));
+    }
+    grid
+}
+
+/// The gravest of what came of a strategy's expectations at one case.
+fn cell(reached: &[&Reached]) -> Cell {
+    let story: Vec<String> = reached
+        .iter()
+        .map(|r| {
+            let why = r.expected.why.as_ref();
+            let why = why.map_or_else(String::new, |w| format!("; why: {w}"));
+            format!("expected {}; found {}{why}", r.expected.what, r.found)
+        })
+        .collect();
+    let (word, tone) = if reached.is_empty() {
+        return Cell::default();
+    } else if reached.iter().any(|r| !r.holds) {
+        ("missed", Tone::Bad)
+    } else if reached.iter().any(|r| r.expected.why.is_some()) {
+        ("declared", Tone::Fair)
+    } else {
+        ("reached", Tone::Good)
+    };
+    Cell::from(word).toned(tone).titled(story.join(" | "))
+}

@@ -1,0 +1,274 @@
+//! The charts that an experiment asks for.
+//!
+//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of an adapter. Marks of
+//! one strategy under a sweep of its parameter are one series, in the order of the parameter.
+
+use super::figures::{label, times};
+use super::point::{Point, Points};
+use crate::experiment::Ending;
+use crate::report::derived::{Offer, Row, front, natural, number_of, rows, steps};
+use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
+use crate::report::recorded::ChartDefinition;
+
+/// All charts of a definition, from the points of its experiment.
+pub(super) fn blocks(
+    charts: &[ChartDefinition],
+    points: &Points<'_>,
+    all: &[Point<'_>],
+) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for asked in charts {
+        let of_runs = all
+            .iter()
+            .filter(|p| asked.runs.is_empty() || asked.runs.contains(&p.record.run));
+        let mut facets: Vec<(String, Vec<Point<'_>>)> = Vec::new();
+        for point in of_runs {
+            let facet = match asked.pareto {
+                true => format!("{}{}", point.name(), points.on_whom(point)),
+                false => points.on_whom(point),
+            };
+            match facets.iter_mut().find(|(name, _)| *name == facet) {
+                Some((_, of_facet)) => of_facet.push(*point),
+                None => facets.push((facet, vec![*point])),
+            }
+        }
+        let before = blocks.len();
+        for (facet, of_facet) in &facets {
+            let facet = if facets.len() > 1 { facet.as_str() } else { "" };
+            blocks.extend(drawn(asked, facet, of_facet));
+        }
+        if blocks.len() == before {
+            let text = format!(
+                "\"{}\" has nothing to show: no record has figures for both `{}` and `{}`.",
+                asked.title, asked.x, asked.y
+            );
+            blocks.push(Block::Notice(Tone::Fair, text));
+        }
+    }
+    blocks
+}
+
+/// A strategy at a point with its place in a chart.
+struct Placed<'a> {
+    row: Row<'a>,
+    at: [f64; 2],
+    series: String,
+}
+
+fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+    let rows: Vec<Row<'_>> = points.iter().flat_map(|p| rows(p.record)).collect();
+    let categories = categories(asked, &rows);
+    let mut placed: Vec<Placed<'_>> = Vec::new();
+    for row in rows {
+        let x = x_of(asked, &categories, &row);
+        let y = row.figures.get(&asked.y).copied();
+        if let (Some(x), Some(y)) = (x, y) {
+            placed.push(Placed {
+                at: [x, y],
+                series: String::new(),
+                row,
+            });
+        }
+    }
+    if placed.is_empty() {
+        return Vec::new();
+    }
+    name_series(asked, &mut placed);
+    let is_log = |axis: &str| asked.log.iter().any(|a| a == axis);
+    let mut chart = Chart {
+        title: match facet.trim_start_matches([' ', '·']) {
+            "" => asked.title.clone(),
+            facet => format!("{} ({facet})", asked.title),
+        },
+        note: asked.note.clone(),
+        x: Axis {
+            label: label(&asked.x),
+            is_log: is_log("x") && categories.is_empty(),
+            categories,
+        },
+        y: Axis {
+            label: label(&asked.y),
+            // Errors span decades.
+            is_log: is_log("y") || asked.pareto,
+            categories: Vec::new(),
+        },
+        ..Chart::default()
+    };
+    let mut prices = None;
+    if asked.pareto {
+        let offers: Vec<Offer> = placed.iter().map(|p| offer(asked, p)).collect();
+        let on_front = front(&offers);
+        chart.front = on_front.iter().map(|i| placed[*i].at).collect();
+        prices = Some(price_table(&placed, &offers, &on_front));
+    }
+    chart.series = series(asked, &placed);
+    let mut blocks = vec![Block::Chart(chart)];
+    blocks.extend(prices.into_iter().map(Block::Grid));
+    blocks
+}
+
+/// Values of the x axis in order, where they are not all numbers.
+fn categories(asked: &ChartDefinition, rows: &[Row<'_>]) -> Vec<String> {
+    let mut values: Vec<&str> = rows.iter().filter_map(|r| r.parameter(&asked.x)).collect();
+    if values.iter().all(|v| number_of(v).is_some()) {
+        return Vec::new();
+    }
+    values.sort_by(|a, b| natural(a, b));
+    values.dedup();
+    values.into_iter().map(str::to_owned).collect()
+}
+
+fn x_of(asked: &ChartDefinition, categories: &[String], row: &Row<'_>) -> Option<f64> {
+    match row.parameter(&asked.x) {
+        None => row.figures.get(&asked.x).copied(),
+        Some(value) if categories.is_empty() => number_of(value),
+        Some(value) => categories.iter().position(|c| c == value).map(|i| i as f64),
+    }
+}
+
+fn offer(asked: &ChartDefinition, placed: &Placed<'_>) -> Offer {
+    Offer {
+        error: placed.at[1],
+        cost: placed.at[0],
+        spread: spread(&placed.row, &asked.x),
+    }
+}
+
+fn spread(row: &Row<'_>, figure: &str) -> f64 {
+    let name = format!("{figure}.mad");
+    row.figures.get(&name).copied().unwrap_or_default()
+}
+
+/// A series has one strategy, but for the parameter along x, and one value of whatever else varies over the chart.
+fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
+    let mut names: Vec<&String> = placed
+        .iter()
+        .flat_map(|p| p.row.record.parameters.keys())
+        .filter(|name| **name != asked.x)
+        .collect();
+    names.sort();
+    names.dedup();
+    let varies = |name: &&String| {
+        let first = placed[0].row.record.parameters.get(*name);
+        placed
+            .iter()
+            .any(|p| p.row.record.parameters.get(*name) != first)
+    };
+    let names: Vec<String> = names.into_iter().filter(|n| varies(n)).cloned().collect();
+    let has_runs = placed
+        .iter()
+        .any(|p| p.row.record.run != placed[0].row.record.run);
+    for p in placed {
+        let mut words = vec![p.row.family()];
+        if has_runs {
+            words.push(p.row.record.run.clone());
+        }
+        for name in &names {
+            if let Some(value) = p.row.record.parameters.get(name) {
+                words.push(format!("{name} = {value}"));
+            }
+        }
+        p.series = words.join(", ");
+    }
+}
+
+fn series(asked: &ChartDefinition, placed: &[Placed<'_>]) -> Vec<Series> {
+    let mut names: Vec<&str> = Vec::new();
+    for p in placed {
+        if !names.contains(&p.series.as_str()) {
+            names.push(&p.series);
+        }
+    }
+    names
+        .into_iter()
+        .map(|name| {
+            let mut of_it: Vec<&Placed<'_>> = placed.iter().filter(|p| p.series == name).collect();
+            of_it.sort_by(|a, b| in_order(asked, a, b));
+            Series {
+                name: name.to_owned(),
+                marks: of_it.into_iter().map(|p| mark(asked, p)).collect(),
+            }
+        })
+        .collect()
+}
+
+/// By the strategy's own parameters where x is a figure, else along x.
+fn in_order(asked: &ChartDefinition, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
+    let values = |p: &Placed<'_>| p.row.record.of_strategies[p.row.index].clone();
+    let along_x = a.at[0].total_cmp(&b.at[0]);
+    if a.row.parameter(&asked.x).is_some() {
+        return along_x;
+    }
+    let (a, b) = (values(a), values(b));
+    let pairs = a.values().zip(b.values());
+    let by_values = pairs.fold(std::cmp::Ordering::Equal, |o, (a, b)| o.then(natural(a, b)));
+    by_values.then(along_x)
+}
+
+fn mark(asked: &ChartDefinition, placed: &Placed<'_>) -> Mark {
+    let row = &placed.row;
+    let told = |figure: &str, value: f64| {
+        let word = row
+            .parameter(figure)
+            .map_or_else(|| word_of(value), str::to_owned);
+        match spread(row, figure) {
+            0.0 => format!("{}: {word}", label(figure)),
+            mad => format!("{}: {word} ± {}", label(figure), word_of(mad)),
+        }
+    };
+    let found = row.found();
+    let is_doubtful = found.outcome != Ending::Complete;
+    let mut title = vec![
+        found.name.clone(),
+        told(&asked.x, placed.at[0]),
+        told(&asked.y, placed.at[1]),
+    ];
+    title.extend(is_doubtful.then(|| found.outcome.name().to_owned()));
+    Mark {
+        at: placed.at,
+        spread: [spread(row, &asked.x), spread(row, &asked.y)],
+        title: title.join("\n"),
+        is_doubtful,
+    }
+}
+
+fn price_table(placed: &[Placed<'_>], offers: &[Offer], on_front: &[usize]) -> Grid {
+    let heading = [
+        "on the front",
+        "error",
+        "cost",
+        "cost over the one before",
+        "price of each tenfold of accuracy",
+    ];
+    let mut grid = Grid::new("the price of accuracy", heading);
+    let steps = steps(offers, on_front);
+    for (place, index) in on_front.iter().enumerate() {
+        let step = place.checked_sub(1).map(|before| &steps[before]);
+        let price = match step {
+            None => Cell::from("cheapest").toned(Tone::Faint),
+            Some(step) => match step.price {
+                Some(price) => Cell::number(times(price), price),
+                None => Cell::from("to no error at all"),
+            },
+        };
+        let over = step.map_or_else(Cell::default, |step| {
+            let cell = Cell::number(times(step.cost_ratio), step.cost_ratio);
+            match step.is_within_spread {
+                false => cell,
+                true => Cell {
+                    text: format!("{} (within spread)", cell.text),
+                    ..cell
+                },
+            }
+        });
+        let (offer, name) = (&offers[*index], &placed[*index].row.found().name);
+        grid.row([
+            Cell::from(name.as_str()),
+            Cell::number(word_of(offer.error), offer.error),
+            Cell::number(word_of(offer.cost), offer.cost),
+            over,
+            price,
+        ]);
+    }
+    grid
+}

@@ -1,0 +1,118 @@
+//! The experiments: question, analysis, charts, and every point of every run.
+
+use super::point::{Point, Points};
+use super::{charts, costs, counted, expectations, pictures};
+use crate::experiment::Record;
+use crate::report::derived::{concerns, remedy, told};
+use crate::report::document::{Block, Tone};
+
+pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for (name, of_it) in points.by_experiment() {
+        let Some(first) = of_it.first() else {
+            continue;
+        };
+        let definition = &first.experiment.definition;
+        blocks.push(Block::Heading(3, name.to_owned()));
+        if !definition.question.is_empty() {
+            blocks.push(Block::Heading(4, definition.question.clone()));
+        }
+        if !definition.analysis.is_empty() {
+            blocks.push(Block::Prose(definition.analysis.clone()));
+        }
+        blocks.extend(charts::blocks(&definition.charts, points, &of_it));
+        let mut runs: Vec<&str> = of_it.iter().map(|p| p.record.run.as_str()).collect();
+        runs.dedup();
+        runs.sort_by_key(|run| definition.place_of(run));
+        runs.dedup();
+        for run in runs {
+            blocks.push(Block::Heading(4, format!("Run {run}")));
+            let about = definition.runs.iter().find(|r| r.name == run);
+            if let Some(about) = about.and_then(|r| r.about.as_ref()) {
+                blocks.push(Block::Text(about.clone()));
+            }
+            let of_run = of_it.iter().filter(|p| p.record.run == run);
+            for (index, point) in of_run.enumerate() {
+                blocks.push(folded(points, point, pictures, index == 0));
+            }
+        }
+    }
+    blocks
+}
+
+fn folded(
+    points: &Points<'_>,
+    point: &Point<'_>,
+    pictures: &pictures::Chosen,
+    is_first: bool,
+) -> Block {
+    let record = point.record;
+    let missed = record.expectations.iter().filter(|r| !r.holds).count();
+    let missed_words = match missed {
+        0 => String::new(),
+        n => format!(" · {} missed", counted(n, "expectation")),
+    };
+    let parameters = match record.parameters.is_empty() {
+        true => record.run.clone(),
+        false => point.parameters(),
+    };
+    Block::Folded {
+        summary: format!("{parameters}{}{missed_words}", points.on_whom(point)),
+        open: is_first || missed > 0,
+        blocks: one(points, point, pictures),
+    }
+}
+
+fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
+    let record = point.record;
+    let mut blocks = vec![Block::Text(facts(record))];
+    let common = points.common(point.folder);
+    for warning in record.warnings.iter().filter(|w| !common.contains(w)) {
+        let text = format!("{}. Mend: {}.", told(warning), remedy(warning));
+        let tone = match concerns(warning) {
+            Some(_) => Tone::Plain,
+            None => Tone::Fair,
+        };
+        blocks.push(Block::Notice(tone, text));
+    }
+    blocks.push(Block::Grid(costs::table(record)));
+    blocks.extend(expectations::blocks(&record.expectations));
+    if let Some(passes) = costs::passes(record) {
+        blocks.push(Block::Folded {
+            summary: "Where the time goes, by clock and pass".to_owned(),
+            open: false,
+            blocks: vec![passes],
+        });
+    }
+    blocks.push(Block::Folded {
+        summary: "Memory by clock, and every sample".to_owned(),
+        open: false,
+        blocks: costs::samples(record),
+    });
+    blocks.extend(pictures.gallery(point));
+    blocks.push(Block::Text("To repeat this point:".to_owned()));
+    blocks.push(Block::Command(record.measurement.command.clone()));
+    blocks
+}
+
+fn facts(record: &Record) -> String {
+    let (m, exact) = (&record.measurement, &record.measurement.exact);
+    let times = match m.timing {
+        crate::experiment::Timing::Timestamps => "timestamps of the device",
+        crate::experiment::Timing::Wall => "the clock of the wall",
+    };
+    format!(
+        "{}, {} triangles, {} × {} pixels on {}; {} by {}. The reference has {} cap, {} surface and {} undecided pixels ({:.0} ms on the CPU).",
+        m.scene,
+        m.triangles,
+        m.resolution[0],
+        m.resolution[1],
+        m.adapter.name,
+        counted(m.rounds, "round"),
+        times,
+        exact.cap_px,
+        exact.surface_px,
+        exact.undecided_px,
+        exact.time_ms
+    )
+}

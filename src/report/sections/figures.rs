@@ -1,0 +1,109 @@
+//! Figures in words: the same in every table and chart.
+
+use crate::experiment::Samples;
+use crate::report::derived::Spread;
+use crate::report::document::{Cell, Tone};
+use crate::report::text::milliseconds;
+
+/// The name of a figure for readers; that of the figure where there is no better one.
+pub(super) fn label(name: &str) -> String {
+    let told = match name {
+        "decided_wrong_px" => "decided wrong px",
+        "missed_cap_px" => "missed cap px",
+        "leaked_cap_px" => "leaked cap px",
+        "wrong_part_px" => "wrong part px",
+        "crack_px" => "crack px",
+        "outline_px" => "outline px",
+        "interior_wrong_px" => "interior wrong px",
+        "edge_wrong_px" => "edge wrong px",
+        "odd_parity_px" => "unreliable px",
+        "depth_error_px_max" => "largest error of depth, px",
+        "depth_error_px_mean" => "mean error of depth, px",
+        "normal_error_deg_max" => "largest error of cap normals, degrees",
+        "normal_error_deg_mean" => "mean error of cap normals, degrees",
+        "ratio" => "frame time, × draw only",
+        "ratio.view_moves" => "time when the view moves, × draw only",
+        "ratio.cut_moves" => "time when the cut moves, × draw only",
+        "ratio.mesh_moves" => "time when the mesh moves, × draw only",
+        "time_ms.frame" => "time of a frame, ms",
+        "time_ms.cut" => "time when a cut changed, ms",
+        "time_ms.solid" => "time when the mesh changed, ms",
+        "draw_only_ms" => "draw only, ms",
+        "bytes" => "memory, bytes",
+        "bytes.frame" => "memory of the frame, bytes",
+        "bytes.cut" => "memory of the cut, bytes",
+        "bytes.solid" => "memory of the solid, bytes",
+        name => return name.replace('_', " "),
+    };
+    told.to_owned()
+}
+
+/// Pixels that are wrong, none being good.
+pub(super) fn wrong_px(count: usize) -> Cell {
+    Cell::number(count.to_string(), count as f64).toned(tone_of(count))
+}
+
+/// How grave wrong pixels are.
+pub(super) fn tone_of(count: usize) -> Tone {
+    /// So few wrong pixels are seen by nobody.
+    const FEW_PX: usize = 30;
+    match count {
+        0 => Tone::Good,
+        1..=FEW_PX => Tone::Fair,
+        _ => Tone::Bad,
+    }
+}
+
+/// A median with its spread.
+pub(super) fn timed(samples: &Samples) -> Cell {
+    if samples.samples.is_empty() {
+        return Cell::default();
+    }
+    Cell::number(
+        format!(
+            "{} ± {}",
+            milliseconds(samples.median),
+            milliseconds(samples.mad)
+        ),
+        samples.median,
+    )
+}
+
+/// A ratio with its spread.
+pub(super) fn ratio(ratio: Option<f64>, mad: Option<f64>) -> Cell {
+    match (ratio, mad) {
+        (None, _) => Cell::default(),
+        (Some(ratio), None) => Cell::number(times(ratio), ratio),
+        (Some(ratio), Some(mad)) => Cell::number(format!("{} ± {mad:.2}", times(ratio)), ratio),
+    }
+}
+
+/// A factor.
+pub(super) fn times(factor: f64) -> String {
+    match factor {
+        ..10.0 => format!("×{factor:.2}"),
+        ..100.0 => format!("×{factor:.1}"),
+        _ => format!("×{factor:.0}"),
+    }
+}
+
+/// The median of some ratios with their range.
+pub(super) fn ranged(spread: Option<Spread>) -> Cell {
+    spread.map_or_else(Cell::default, |s| {
+        let cell = Cell::number(times(s.median), s.median);
+        cell.titled(format!("from {} to {}", times(s.least), times(s.most)))
+    })
+}
+
+/// Bytes in one unit, so that a column can be read down.
+pub(super) fn mebibytes(bytes: u64) -> Cell {
+    let mib = bytes as f64 / 1_048_576.0;
+    Cell::number(
+        if bytes == 0 {
+            "0".to_owned()
+        } else {
+            format!("{mib:.2}")
+        },
+        mib,
+    )
+}

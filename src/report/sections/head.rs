@@ -1,0 +1,132 @@
+//! What was run, on what, and what concerns all of it.
+
+use super::counted;
+use super::point::Points;
+use crate::report::derived::{remedy, told};
+use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::recorded::{Folder, Recorded};
+
+pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
+    let experiments = points.by_experiment().len();
+    let strategies: usize = (points.all.iter())
+        .map(|p| p.record.measurement.strategies.len())
+        .sum();
+    let mut blocks = vec![Block::Text(format!(
+        "{} with {}; {} of strategies, each judged for every pixel against an exact reference in double precision, \
+         and timed in turns with the plain drawing of the uncut scene (\"draw only\"), to which all ratios refer.",
+        counted(experiments, "experiment"),
+        counted(points.all.len(), "point"),
+        counted(strategies, "measurement"),
+    ))];
+    blocks.push(reached(recorded));
+    let are_quick = recorded.folders.iter().filter(|f| f.run.is_quick).count();
+    if are_quick > 0 {
+        blocks.push(Block::Notice(
+            Tone::Fair,
+            format!(
+                "{} with `--quick`: fewer pixels, values and rounds. Errors are those of the smaller pictures, and times scatter more.",
+                if are_quick == recorded.folders.len() { "Measured" } else { "Measured in part" }
+            ),
+        ));
+    }
+    for folder in &recorded.folders {
+        for warning in points.common(folder) {
+            let place = match recorded.folders.len() {
+                1 => String::new(),
+                _ => format!(" ({})", folder.path.display()),
+            };
+            let text = format!(
+                "All points{place}: {}. Mend: {}.",
+                told(warning),
+                remedy(warning)
+            );
+            blocks.push(Block::Notice(Tone::Fair, text));
+        }
+    }
+    blocks.push(Block::Grid(facts(recorded)));
+    blocks
+}
+
+/// How many expectations were reached, of points and of cases.
+fn reached(recorded: &Recorded) -> Block {
+    let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
+    let of_points = experiments().flat_map(|e| e.records.iter().flat_map(|r| &r.expectations));
+    let of_cases = experiments()
+        .flat_map(|e| &e.cases)
+        .flat_map(|c| c.cases.iter().flat_map(|c| &c.expectations));
+    let (mut all, mut missed) = (0, 0);
+    for reached in of_points.chain(of_cases) {
+        all += 1;
+        missed += usize::from(!reached.holds);
+    }
+    match (all, missed) {
+        (0, _) => Block::Notice(
+            Tone::Plain,
+            "Nothing was expected of these measurements.".to_owned(),
+        ),
+        (all, 0) => Block::Notice(Tone::Good, format!("All {all} expectations were reached.")),
+        (all, missed) => Block::Notice(
+            Tone::Bad,
+            format!(
+                "{missed} of {all} expectations were missed: they are marked where they belong."
+            ),
+        ),
+    }
+}
+
+/// A column for each folder.
+fn facts(recorded: &Recorded) -> Grid {
+    type Fact = (&'static str, fn(&Folder) -> String);
+    const FACTS: [Fact; 13] = [
+        ("command", |f| format!("`{}`", f.run.command)),
+        ("began", |f| f.run.began.clone()),
+        ("took", |f| format!("{:.0} s", f.run.took_s)),
+        ("measured", |f| {
+            if f.run.is_quick { "quick" } else { "in full" }.to_owned()
+        }),
+        ("version", |f| f.run.version.clone()),
+        ("commit", |f| {
+            f.run
+                .commit
+                .clone()
+                .unwrap_or_else(|| "not known".to_owned())
+        }),
+        ("adapter", |f| {
+            let software = if f.run.adapter.software {
+                ", software"
+            } else {
+                ""
+            };
+            format!("{}{software}", f.run.adapter.name)
+        }),
+        ("driver", |f| {
+            format!("{}, {}", f.run.adapter.backend, f.run.adapter.driver)
+        }),
+        ("system", |f| f.run.machine.system.clone()),
+        ("processor", |f| f.run.machine.processor.clone()),
+        ("cores", |f| f.run.machine.cores.to_string()),
+        ("memory", |f| {
+            let gib = |bytes: u64| format!("{:.1} GiB", bytes as f64 / 1_073_741_824.0);
+            f.run
+                .machine
+                .memory
+                .map_or_else(|| "not known".to_owned(), gib)
+        }),
+        ("load before", |f| {
+            let load = |l: f64| format!("{l:.2}");
+            f.run
+                .machine
+                .load
+                .map_or_else(|| "not known".to_owned(), load)
+        }),
+    ];
+    let folders = recorded.folders.iter();
+    let heading =
+        std::iter::once("folder".to_owned()).chain(folders.map(|f| f.path.display().to_string()));
+    let mut grid = Grid::new("what was run", heading);
+    for (name, fact) in FACTS {
+        let cells = recorded.folders.iter().map(|f| Cell::from(fact(f)));
+        grid.row(std::iter::once(Cell::from(name)).chain(cells));
+    }
+    grid
+}

@@ -1,0 +1,52 @@
+//! How the report was made: commands, limits, and where the measurements are biased.
+
+use super::pictures::{Chosen, key_of_colors};
+use crate::report::document::{Block, Cell, Grid};
+use crate::report::recorded::Recorded;
+
+/// What readers should know before they trust a figure.
+const BIAS: &str = "\
+- Errors are counted at pixel centres of the views that were chosen; a strategy that is exact there may be wrong in another view. Hard cases and the property search look for such views.
+- `decided` leaves out pixels where sampling is ambiguous within the error of f32: no answer can be called wrong there.
+- Ratios refer to drawing the uncut scene by the GPU's own rasteriser on the same adapter. On a software adapter that rasteriser is slow, which flatters every ratio.
+- All strategies are ours. The paper's path is built after its text, not its authors' code; what they tuned and did not write down is missing.
+- Medians of interleaved rounds do not see rare hitches. Times of clocks are added where several run; what a driver overlaps is counted twice.
+- The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
+";
+
+pub(super) fn section(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
+    let mut blocks = vec![Block::Prose(BIAS.to_owned())];
+    let [shown, left_out] = pictures.counts();
+    if shown + left_out > 0 {
+        blocks.push(Block::Text(format!(
+            "{shown} pictures are shown and {left_out} left out. Colours of heat maps: {}.",
+            key_of_colors()
+        )));
+    }
+    for folder in &recorded.folders {
+        blocks.push(Block::Text(format!(
+            "`{}` was measured by",
+            folder.path.display()
+        )));
+        blocks.push(Block::Command(folder.run.command.clone()));
+        let mut limits = Grid::new(
+            "limits",
+            ["limit of the device that plans are made for", "value"],
+        );
+        for (name, value) in &folder.run.limits {
+            let value = Cell::number(value.to_string(), *value as f64);
+            limits.row([Cell::from(name.as_str()), value]);
+        }
+        blocks.push(Block::Folded {
+            summary: "Limits of its device".to_owned(),
+            open: false,
+            blocks: vec![Block::Grid(limits)],
+        });
+    }
+    blocks.push(Block::Text(
+        "Every figure is in `report.json`, with all records, and in `report.csv`, one row for each point and strategy. \
+         Times differ from run to run; errors do not."
+            .to_owned(),
+    ));
+    blocks
+}

@@ -1,0 +1,54 @@
+//! What a report says, one file for each section; how it looks is the business of [`super::document`].
+
+mod answers;
+mod cases;
+mod charts;
+mod costs;
+mod expectations;
+mod experiments;
+mod figures;
+mod head;
+mod made;
+mod matrix;
+mod outside;
+mod pictures;
+mod point;
+
+pub use pictures::PictureOptions;
+
+use super::document::{Block, Document};
+use super::recorded::Recorded;
+use point::Points;
+
+/// The report of some folders.
+pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
+    let points = Points::of(recorded);
+    let pictures = pictures::Chosen::of(&points, options);
+    let mut blocks = Vec::new();
+    for (heading, section) in [
+        ("What was run", head::section(recorded, &points)),
+        ("What should I use?", answers::section(&points)),
+        ("Strategies by scenes", matrix::section(&points)),
+        ("Experiments", experiments::section(&points, &pictures)),
+        ("Hard cases", cases::section(recorded)),
+        ("Outside baselines", outside::section(recorded)),
+        ("How it was made", made::section(recorded, &pictures)),
+    ] {
+        if !section.is_empty() {
+            blocks.push(Block::Heading(2, heading.to_owned()));
+            blocks.extend(section);
+        }
+    }
+    Document {
+        title: "What accuracy costs".to_owned(),
+        blocks,
+    }
+}
+
+/// `1 point`, `2 points`.
+fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        count => format!("{count} {what}s"),
+    }
+}

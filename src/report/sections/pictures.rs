@@ -1,0 +1,198 @@
+//! Which pictures are in the page, and which are linked or left out.
+//!
+//! A page that holds its pictures opens from anywhere, but browsers struggle with very large ones. There is a budget of bytes; each
+//! point gets an equal share of what is left, exact first, then the strategies in the order of the record, each with its heat map.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::point::{Point, Points};
+use crate::compare::legend;
+use crate::report::document::{Block, Gallery, Shot, Source};
+
+/// How pictures come into the page.
+#[derive(Clone, Debug)]
+pub struct PictureOptions {
+    /// Folder that the report is written to: links are seen from there.
+    pub out: PathBuf,
+    /// Leave pictures in their files.
+    pub link: bool,
+    /// Most bytes of pictures, before they are written as text, which makes four of three.
+    pub most_bytes: u64,
+}
+
+impl PictureOptions {
+    /// As many bytes of pictures as make a page of about 24 MB.
+    pub const MOST_BYTES: u64 = 17_000_000;
+}
+
+/// The galleries of all points.
+pub(super) struct Chosen {
+    galleries: Vec<Gallery>,
+    /// Which point each is of: run folder, experiment, identity of the record.
+    of: Vec<(PathBuf, String, String)>,
+}
+
+/// A picture before it is known whether it fits.
+struct Wanted {
+    name: String,
+    caption: String,
+    path: PathBuf,
+}
+
+impl Chosen {
+    pub(super) fn of(points: &Points<'_>, options: &PictureOptions) -> Self {
+        let with = || points.all.iter().filter(|p| !p.record.pictures.is_empty());
+        let (mut left, mut waiting) = (options.most_bytes, with().count() as u64);
+        let mut chosen = Self {
+            galleries: Vec::new(),
+            of: Vec::new(),
+        };
+        for point in with() {
+            let share = left / waiting.max(1);
+            let (gallery, used) = gallery(point, options, share);
+            left = left.saturating_sub(used);
+            waiting -= 1;
+            chosen.galleries.push(gallery);
+            chosen.of.push(key(point));
+        }
+        chosen
+    }
+
+    /// The pictures of a point, with what was left out.
+    pub(super) fn gallery(&self, point: &Point<'_>) -> Vec<Block> {
+        let Some(index) = self.of.iter().position(|k| *k == key(point)) else {
+            return Vec::new();
+        };
+        let gallery = &self.galleries[index];
+        let mut blocks = Vec::new();
+        if !gallery.shots.is_empty() {
+            blocks.push(Block::Gallery(gallery.clone()));
+        }
+        if !gallery.left_out.is_empty() {
+            blocks.push(Block::Text(format!(
+                "Not in this page: {}.",
+                gallery.left_out.join(", ")
+            )));
+        }
+        blocks
+    }
+
+    /// How many pictures are in the page or linked, and how many are not.
+    pub(super) fn counts(&self) -> [usize; 2] {
+        let shown = self.galleries.iter().map(|g| g.shots.len()).sum();
+        let left_out = self.galleries.iter().map(|g| g.left_out.len()).sum();
+        [shown, left_out]
+    }
+}
+
+fn key(point: &Point<'_>) -> (PathBuf, String, String) {
+    let record = point.record;
+    let values: Vec<String> = record.parameters.values().cloned().collect();
+    let name = format!("{}.{}", record.run, values.join("."));
+    (point.folder.path.clone(), record.experiment.clone(), name)
+}
+
+/// The pictures of a point within a share of the budget, and how much of it they take.
+fn gallery(point: &Point<'_>, options: &PictureOptions, share: u64) -> (Gallery, u64) {
+    let mut gallery = Gallery {
+        label: format!("pictures of {}", point.name()),
+        ..Gallery::default()
+    };
+    let mut used = 0;
+    for wanted in wanted(point) {
+        let name = wanted.name.clone();
+        match shot(wanted, options, share - used) {
+            Ok((shot, bytes)) => {
+                gallery.shots.push(shot);
+                used += bytes;
+            }
+            Err(why) => gallery.left_out.push(format!("{name} ({why})")),
+        }
+    }
+    (gallery, used)
+}
+
+fn wanted(point: &Point<'_>) -> Vec<Wanted> {
+    let folder = point.folder.pictures(point.experiment);
+    let mut wanted = Vec::new();
+    for picture in &point.record.pictures {
+        let strategies = &point.record.measurement.strategies;
+        let found = strategies.iter().find(|s| s.name == picture.drawer);
+        let wrong = found.and_then(|s| s.comparison).map(|c| c.decided_wrong_px);
+        wanted.push(Wanted {
+            name: picture.drawer.clone(),
+            caption: match wrong {
+                None => "the reference, evaluated for every pixel".to_owned(),
+                Some(0) => "no decided pixel is wrong".to_owned(),
+                Some(px) => format!("{px} decided pixels are wrong"),
+            },
+            path: folder.join(&picture.file),
+        });
+        if let Some(file) = &picture.heatmap {
+            wanted.push(Wanted {
+                name: format!("{}: where it is wrong", picture.drawer),
+                caption: String::new(),
+                path: folder.join(file),
+            });
+        }
+    }
+    wanted
+}
+
+fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u64), &'static str> {
+    let missing = "the file is gone";
+    let bytes = fs::metadata(&wanted.path).map_err(|_| missing)?.len();
+    let shot = |source| Shot {
+        link: relative(&options.out, &wanted.path),
+        name: wanted.name.clone(),
+        caption: wanted.caption.clone(),
+        source,
+    };
+    if options.link {
+        return Ok((shot(Source::Beside), 0));
+    }
+    if bytes > left {
+        return Err("the page would be too large; see --link");
+    }
+    let png = fs::read(&wanted.path).map_err(|_| missing)?;
+    Ok((shot(Source::Inside(png)), bytes))
+}
+
+/// A path as it is seen from a folder.
+fn relative(from: &Path, to: &Path) -> String {
+    let whole = |p: &Path| fs::canonicalize(p).unwrap_or_else(|_| p.to_owned());
+    let (from, to) = (whole(from), whole(to));
+    let common = from.components().zip(to.components());
+    let common = common.take_while(|(a, b)| a == b).count();
+    let up = from.components().skip(common).map(|_| "..".to_owned());
+    let down = to.components().skip(common);
+    let down = down.map(|c| c.as_os_str().to_string_lossy().into_owned());
+    up.chain(down).collect::<Vec<_>>().join("/")
+}
+
+/// What the colours of heat maps mean.
+pub(super) fn key_of_colors() -> String {
+    let words: Vec<String> = legend()
+        .iter()
+        .map(|e| {
+            format!(
+                "{} `#{:02x}{:02x}{:02x}`",
+                e.name, e.rgb[0], e.rgb[1], e.rgb[2]
+            )
+        })
+        .collect();
+    words.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_go_up_and_down() {
+        let told = |from: &str, to: &str| relative(Path::new(from), Path::new(to));
+        assert_eq!(told("/no/a/b", "/no/a/c/d.png"), "../c/d.png");
+        assert_eq!(told("/no/a", "/no/a/c/d.png"), "c/d.png");
+    }
+}
