@@ -79,7 +79,7 @@ impl Cut {
 }
 
 /// `*` stands for any run of characters, `?` for one, everything else for itself.
-pub(super) fn glob_matches(glob: &str, name: &str) -> bool {
+pub(crate) fn glob_matches(glob: &str, name: &str) -> bool {
     let (glob, name): (Vec<char>, Vec<char>) = (glob.chars().collect(), name.chars().collect());
     // Positions to return to when the characters after the last `*` do not fit.
     let (mut g, mut n, mut star) = (0, 0, None);

@@ -34,6 +34,7 @@ use std::sync::Arc;
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
+pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
 pub use cutter::Cutter;
 pub use file::{Interpolation, Key, OpenMesh, OpenedMesh, SceneFile, load_scene_file, parse_color};
