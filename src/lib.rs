@@ -6,7 +6,7 @@
 //! ```text
 //! data     scene -> plan -> passes -> layers -> image / comparison -> record -> report
 //! imports  scene <- exact
-//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- experiment <- report <- cmd
+//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
@@ -18,6 +18,7 @@ pub mod error;
 pub mod exact;
 pub mod experiment;
 pub mod gpu;
+pub mod hard_cases;
 pub mod layers;
 pub mod passes;
 pub mod plan;

@@ -6,7 +6,5 @@ mod common;
 mod corpus;
 #[path = "agree/random.rs"]
 mod random;
-#[path = "agree/recipe.rs"]
-mod recipe;
 #[path = "agree/regressions.rs"]
 mod regressions;

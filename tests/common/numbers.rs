@@ -1,36 +1,8 @@
-//! Numbers without a pattern that are the same everywhere: splitmix64 (Steele, Lea & Flood 2014).
+//! The numbers without a pattern that random scenes are made of.
 
-/// A source of numbers.
-#[derive(Clone, Debug)]
-pub(crate) struct Numbers(pub(crate) u64);
+#![allow(
+    unused_imports,
+    reason = "each test binary uses its own share of what is here"
+)]
 
-impl Numbers {
-    /// 64 bits.
-    pub(crate) fn word(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In `0..1`.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.word() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// In `low..high`.
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    /// In `0..count`.
-    pub(crate) fn below(&mut self, count: u64) -> u64 {
-        self.word() % count
-    }
-
-    /// True once in `times`.
-    pub(crate) fn once_in(&mut self, times: u64) -> bool {
-        self.below(times) == 0
-    }
-}
+pub(crate) use cutaway::hard_cases::numbers::Numbers;

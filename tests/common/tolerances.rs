@@ -27,15 +27,5 @@ pub(crate) const PAPER_INTERIOR_PX: usize = 3;
 /// How far the misclassified share of the depth sprite may be from half of that at half the resolution.
 pub(crate) const SPRITE_HALVING: f64 = 0.15;
 
-/// Decided wrong pixels of `grid:256+vds:512` per boundary pixel on a mild relief: as on the corpus.
-pub(crate) const PAPER_MILD: f64 = 1.0 / 8.0;
-
-/// The same where every texel is a step or a ridge: the grid has no vertex there, and its chord cuts the corner.
-pub(crate) const PAPER_ROUGH: f64 = 1.0 / 2.0;
-
 /// Depths of one cap found in two ways, in scene units: roots are to be right to this, and f32 is to 1e-7.
 pub(crate) const SAME_DEPTH: f64 = 1e-5;
-
-/// How far a point of a frame may be beside where it is, in scene units: rounding of depth and of the sprite's rows in f32,
-/// some ulp of 1 each.
-pub(crate) const ROUNDING_OF_POINTS: f64 = 1e-5;

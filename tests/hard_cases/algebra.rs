@@ -7,10 +7,10 @@ use cutaway::passes::Model;
 use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
 
-use super::bumps;
-use super::solids;
 use crate::common::numbers::Numbers;
 use crate::common::{Question, class_of, scenes, session, software, strategy, tolerances};
+use cutaway::hard_cases::bumps;
+use cutaway::hard_cases::solids;
 
 #[test]
 fn case_37_opposite_signs_are_complementary() {

@@ -5,8 +5,8 @@ use cutaway::scene::Camera;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::solids;
 use crate::common::{Question, class_of, scenes, strategy};
+use cutaway::hard_cases::solids;
 
 #[test]
 fn case_10_inside_the_kept_side_the_near_cap_fills_the_picture() {

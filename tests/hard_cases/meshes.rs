@@ -5,8 +5,8 @@ use cutaway::scene::ClipSurface;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::solids;
 use crate::common::{Question, class_of, meshes, scenes};
+use cutaway::hard_cases::solids;
 
 #[test]
 fn case_04_and_05_every_pixel_counts_even() {

@@ -5,8 +5,8 @@ use cutaway::scene::{ClipSurface, OffsetMap, Wrap};
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::bumps;
 use crate::common::{Question, class_of, meshes, scenes, strategy, tolerances};
+use cutaway::hard_cases::bumps;
 
 #[test]
 fn case_23_a_ramp_is_a_tilted_plane() {

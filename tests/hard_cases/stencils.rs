@@ -9,8 +9,8 @@ use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 
-use super::{bumps, solids, windings};
 use crate::common::{Question, meshes, scenes, session};
+use cutaway::hard_cases::{bumps, solids, windings};
 
 fn masks(question: &Question) -> [Vec<u32>; 2] {
     let mut session = session();

@@ -1,201 +1,192 @@
-//! Runs the table of cases, at both sizes, by every strategy, and holds each answer to its expected outcome.
+//! Holds the table of hard cases: every strategy at 64 pixels, some at 256, each answer to its expected outcome.
 //!
 //! A declared failure that starts to pass is a fault too: then the table is wrong, and a reader of it is misled.
 
-use cutaway::layers::Kind;
-use cutaway::scene::Scene;
+use cutaway::hard_cases::{
+    Case, Entrant, Expected, Form, Keeps, Question, Tally, caps_px, cases, found, pictures, solids,
+    tallied,
+};
 use cutaway::session::Outcome;
-use cutaway::strategies::Strategy;
 
-use super::{band, cases, solids};
-use crate::common::{Judged, Question, strategy};
+use crate::common::session;
 
-/// Pictures are square, of this many pixels along a side.
-pub(crate) const SIZES: [u32; 2] = [64, 256];
-
-/// Texels along a side of the sprite that the paper's strategy is run with.
-pub(crate) const SPRITE: u32 = 512;
-
-/// What a strategy is to make of a case.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Expected {
-    /// No decided pixel wrong, none cracked, none odd.
-    Exact,
-    /// The mesh is open: odd pixels are marked, exactly those, and no other pixel is wrong.
-    Marked,
-    /// Each wrong cap pixel is within the sprite's reach of a mesh: what the theory allows where the grid is exact.
-    Band,
-    /// Decided wrong pixels per pixel on a boundary are at most this many.
-    Share(f64),
-    /// Known to be wrong, for this reason, in at least one of its pictures.
-    Fails(&'static str),
-    /// Not drawn, for a reason that holds these words.
-    Refuses(&'static str),
-}
-
-/// A row of the table.
-pub(crate) struct Case {
-    /// Number in the list of hard cases.
-    pub(crate) number: u32,
-    /// What it is.
-    pub(crate) name: &'static str,
-    /// Its scenes; some depend on the size, to put vertices at pixel centres.
-    pub(crate) scenes: fn(u32) -> Vec<Scene>,
-    /// Outcome of `raycast+mask`, and of `raycast+stencil`, which is the same by other means.
-    pub(crate) mask: Expected,
-    /// Outcome of the paper's strategy.
-    pub(crate) paper: Expected,
-}
-
-fn fault(question: &Question, judged: &Judged, expected: Expected) -> Option<String> {
-    if let Expected::Refuses(words) = expected {
-        let told = judged.outcome.reason().unwrap_or_default();
-        let refused = matches!(judged.outcome, Outcome::Refused(_)) && told.contains(words);
-        return (!refused).then(|| format!("outcome {:?}", judged.outcome));
-    }
-    if expected != Expected::Exact && judged.outcome != Outcome::Complete {
-        return Some(format!("outcome {:?}", judged.outcome));
-    }
-    match expected {
-        Expected::Exact => judged.fault_of_exact(),
-        Expected::Marked => marked_fault(judged),
-        Expected::Band => band::fault(question, judged, SPRITE),
-        Expected::Share(most) => {
-            let (wrong, boundary) = (judged.comparison.decided_wrong_px, question.boundary_px());
-            (wrong as f64 > most * boundary as f64 + 1.0)
-                .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
-        }
-        // Counted over all pictures of the case.
-        Expected::Fails(_) | Expected::Refuses(_) => None,
-    }
-}
-
-/// Odd pixels are to be marked, no others, and nothing wrong is to go unmarked.
-pub(crate) fn marked_fault(judged: &Judged) -> Option<String> {
-    let pixels = judged.layers.pixels.iter().zip(&judged.exact.odd_parity);
-    let mismarked = pixels
-        .zip(&judged.exact.undecided)
-        .filter(|((pixel, odd), undecided)| pixel.unreliable != **odd && !**undecided)
-        .count();
-    let unmarked = judged
-        .decided_wrong()
-        .find(|i| !judged.layers.pixels[*i].unreliable);
-    if mismarked > 0 {
-        return Some(format!(
-            "{mismarked} pixels are marked that should not be, or the reverse"
-        ));
-    }
-    unmarked.map(|i| format!("wrong and not marked: {}", judged.told(i)))
-}
-
-fn run(size: u32) -> Vec<String> {
-    let paper = strategy(&format!("grid:256+vds:{SPRITE}"));
+/// Runs the cases whose number has this remainder: a part of the table for each of several tests.
+fn run(size_px: u32) -> Vec<String> {
     let mut faults = Vec::new();
-    for case in cases::CASES {
-        let questions: Vec<(String, Question)> = (case.scenes)(size)
-            .iter()
-            .map(|s| (s.name.clone(), Question::of(s, [size; 2])))
-            .collect();
-        let caps = |(_, q): &(String, Question)| q.exact.layers.count(Kind::Cap);
-        let caps: usize = questions.iter().map(caps).sum();
+    for case in cases() {
+        let pictures = pictures(case, size_px);
+        let caps = caps_px(&pictures);
         // Of a doubled mesh nothing is inside, so nothing is capped; every other case is about caps.
         if (caps == 0) != (case.name == "every face twice") {
-            faults.push(format!(
-                "{} {} has {caps} cap pixels",
-                case.number, case.name
-            ));
+            faults.push(format!("{} {} has {caps} cap pixels", case.id, case.name));
         }
-        for (strategy, expected) in [
-            (&Strategy::RAYCAST_MASK, case.mask),
-            (&Strategy::RAYCAST_STENCIL, case.mask),
-            (&paper, case.paper),
-        ] {
-            let mut wrong = 0;
-            for (name, question) in &questions {
-                let judged = question.answer(strategy);
-                wrong += judged.comparison.decided_wrong_px;
-                if let Some(fault) = fault(question, &judged, expected) {
-                    faults.push(format!(
-                        "{} {}, {name}: {strategy}: {fault}",
-                        case.number, case.name
-                    ));
-                }
-            }
+        for entrant in Entrant::all(size_px) {
+            let expected = case.expected(&entrant);
+            let tally = tallied(&mut session(), case, &entrant, &pictures).expect("frames");
+            let found = tally.told(&expected);
             println!(
-                "{:>2} {} at {size}: {strategy}: {wrong} decided wrong",
-                case.number, case.name
+                "{:>3} {} at {size_px}: {entrant}: {expected}: {found}",
+                case.id, case.name
             );
-            if matches!(expected, Expected::Fails(_)) && wrong == 0 {
-                faults.push(format!(
-                    "{} {}: {strategy} is declared to fail and passes",
-                    case.number, case.name
-                ));
-            }
+            let of_it = tally.faults_of(&expected);
+            let named = |f| format!("{} {} at {size_px}: {entrant}: {f}", case.id, case.name);
+            faults.extend(of_it.into_iter().map(named));
         }
+        session().forget();
     }
     faults
 }
 
-#[test]
-fn every_case_reaches_its_outcome_at_64_px() {
-    let faults = run(SIZES[0]);
+#[track_caller]
+fn none(faults: &[String]) {
     assert!(
         faults.is_empty(),
         "{} faults:\n{}",
         faults.len(),
         faults.join("\n")
     );
+}
+
+#[test]
+fn every_case_reaches_its_outcome_at_64_px() {
+    none(&run(64));
 }
 
 #[test]
 fn every_case_reaches_its_outcome_at_256_px() {
-    let faults = run(SIZES[1]);
-    assert!(
-        faults.is_empty(),
-        "{} faults:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
+    none(&run(256));
+}
+
+fn named(name: &str) -> Entrant {
+    Entrant::named(name).expect(name)
 }
 
 #[test]
 fn every_expectation_can_be_missed() {
-    let paper = strategy("grid:16+vds:32");
+    let coarse = named("grid:16+vds:32");
     let scene = solids::torus_cut();
     let question = Question::of(&scene, [128; 2]);
-    let coarse = question.answer(&paper);
+    let judged = question.answer(&mut session(), &coarse).expect("a frame");
     // The bands of a sprite of 512 and of no error are too narrow for one of 32.
+    let fine = named("grid:256+vds:512");
     for expected in [
         Expected::Exact,
         Expected::Band,
         Expected::Share(0.0),
+        Expected::Listed(0.0),
         Expected::Marked,
+        Expected::Doubted,
+        Expected::Overflows("anything"),
         Expected::Refuses("anything"),
+        Expected::RefusesSome("anything"),
     ] {
-        assert!(
-            fault(&question, &coarse, expected).is_some(),
-            "{expected:?} takes anything"
-        );
+        let fault = expected.fault(&question, &judged, &fine);
+        assert!(fault.is_some(), "{expected:?} takes anything");
     }
-    assert_eq!(
-        band::fault(&question, &coarse, 32),
-        None,
-        "its own band is wide enough"
-    );
+    let own = Expected::Band.fault(&question, &judged, &coarse);
+    assert_eq!(own, None, "its own band is wide enough");
     // An open mesh whose marks are wiped off.
     let open = &solids::open(128)[0];
     let question = Question::of(open, [128; 2]);
-    let mut judged = question.answer(&Strategy::RAYCAST_MASK);
-    assert_eq!(
-        fault(&question, &judged, Expected::Marked),
-        None,
-        "marked as it should be"
-    );
+    let mask = named("raycast+mask");
+    let mut judged = question.answer(&mut session(), &mask).expect("a frame");
+    let marked = Expected::Marked.fault(&question, &judged, &mask);
+    assert_eq!(marked, None, "marked as it should be");
     for pixel in &mut judged.layers.pixels {
         pixel.unreliable = false;
     }
+    let wiped = Expected::Marked.fault(&question, &judged, &mask);
+    assert!(wiped.is_some(), "wiped marks go unnoticed");
+}
+
+#[test]
+fn a_declaration_that_is_stale_is_a_fault() {
+    let scene = &solids::each("cube", &["-z=0.1"])[0];
+    let question = Question::of(scene, [64; 2]);
+    let mask = named("raycast+mask");
+    let judged = question.answer(&mut session(), &mask).expect("a frame");
+    for stale in [
+        Expected::Fails("it does not"),
+        Expected::Refuses("it draws"),
+        Expected::RefusesSome("it draws"),
+        Expected::Overflows("it has room"),
+    ] {
+        let mut tally = Tally::default();
+        tally.add(&judged, "cube", stale.fault(&question, &judged, &mask));
+        assert_eq!(tally.faults_of(&stale).len(), 1, "{stale:?}");
+    }
+    // A refusal for another reason than the one that is declared.
+    let stencil = named("stencil");
+    let crossing = &cutaway::hard_cases::bumps::crossing(64)[0];
+    let question = Question::of(crossing, [64; 2]);
+    let refused = question.answer(&mut session(), &stencil).expect("a frame");
     assert!(
-        fault(&question, &judged, Expected::Marked).is_some(),
-        "wiped marks go unnoticed"
+        matches!(refused.outcome, Outcome::Refused(_)),
+        "{:?}",
+        refused.outcome
     );
+    for (words, faults) in [("relief", 0), ("near plane", 1)] {
+        let expected = Expected::Refuses(words);
+        let fault = expected.fault(&question, &refused, &stencil);
+        assert_eq!(usize::from(fault.is_some()), faults, "{words}");
+    }
+}
+
+#[test]
+fn turned_normals_and_shifted_depths_are_noticed() {
+    let case = Case {
+        id: "planted",
+        name: "planted",
+        scenes: |_| solids::each("cube", &["-z=0.1"]),
+        form: Form::Plane,
+        exact: Expected::Exact,
+        paper: Expected::Band,
+        apart: &[],
+        keeps: Keeps {
+            normal_deg: 0.1,
+            depth_px: 0.01,
+        },
+    };
+    let (_, question) = &pictures(&case, 64)[0];
+    let mask = named("raycast+mask");
+    let judged = question.answer(&mut session(), &mask).expect("a frame");
+    assert_eq!(case.fault(question, &judged, &mask), None, "as it is drawn");
+    for (what, plant) in [
+        (
+            "normals",
+            (|p| p.normal = -p.normal) as fn(&mut cutaway::layers::Layer),
+        ),
+        ("depths", |p| p.depth *= 1.01),
+    ] {
+        let mut planted = question.answer(&mut session(), &mask).expect("a frame");
+        planted.layers.pixels.iter_mut().for_each(plant);
+        planted.comparison = question.compare(&planted.layers);
+        let fault = case.fault(question, &planted, &mask).unwrap_or_default();
+        assert!(fault.contains(what), "{what}: {fault}");
+    }
+}
+
+#[test]
+fn what_is_asked_is_found_by_number_and_told() {
+    let mut steps = Vec::new();
+    let ids = ["1".to_owned(), "35".to_owned(), "B1?".to_owned()];
+    let cases = found(&mut session(), &ids, &[256, 32], true, &mut |s| {
+        steps.push(s)
+    });
+    let cases = cases.expect("frames");
+    let told: Vec<&str> = cases.iter().map(|c| c.id.as_str()).collect();
+    assert_eq!(told, ["1", "35", "B10", "B11", "B12", "B13", "B14"]);
+    assert!(steps.iter().all(|s| s.contains("at 32 px")), "{steps:?}");
+    for case in &cases {
+        let failed = case.reached.iter().find(|r| !r.holds);
+        assert_eq!(failed, None, "{}", case.id);
+    }
+    let everybody = Entrant::all(32).len();
+    assert_eq!(cases[0].reached.len(), everybody, "nobody is left out");
+    assert_eq!(cases[1].reached.len(), 0, "35 has no pictures");
+    let held_by = cases[1].held_by.clone().unwrap_or_default();
+    assert!(held_by.contains("case_35"), "{held_by}");
+    let unknown = found(&mut session(), &["99".to_owned()], &[32], true, &mut |_| ());
+    let told = unknown.expect_err("no such case").to_string();
+    assert!(told.contains("99") && told.contains("B14"), "{told}");
 }

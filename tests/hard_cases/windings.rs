@@ -1,65 +1,15 @@
 //! Cases 16 to 19 by the nonzero rule: which points a mesh winds around, and what is said where it cannot be told.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{ClipSurface, Cut, Fill, Mesh, Scene};
+use cutaway::scene::{ClipSurface, Cut, Fill, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 use glam::{DAffine3, DVec2, DVec3};
 
-use super::solids;
 use crate::common::numbers::Numbers;
 use crate::common::{Judged, Question, meshes, scenes, session};
-
-/// The same scenes with every part filled by the nonzero rule.
-pub(crate) fn nonzero(mut scenes: Vec<Scene>) -> Vec<Scene> {
-    for scene in &mut scenes {
-        scene.name = format!("{}, nonzero", scene.name);
-        for part in &mut scene.parts {
-            part.fill = Fill::Nonzero;
-        }
-    }
-    scenes
-}
-
-/// A closed profile turned about the z axis. Its winding number around a point is that of the profile around the point's
-/// distance from the axis and height, up to the corners of the turn.
-fn turned(profile: &[DVec2], segments: u32) -> Mesh {
-    let count = profile.len() as u32;
-    let mut mesh = Mesh::default();
-    for s in 0..segments {
-        let turn = std::f64::consts::TAU * f64::from(s) / f64::from(segments);
-        let out = DVec3::new(turn.cos(), turn.sin(), 0.0);
-        (mesh.positions).extend(profile.iter().map(|p| out * p.x + DVec3::Z * p.y));
-        for p in 0..count {
-            let at = |s: u32, p: u32| s % segments * count + p % count;
-            let [a, b, c, d] = [at(s, p), at(s + 1, p), at(s + 1, p + 1), at(s, p + 1)];
-            mesh.triangles.extend([[a, b, c], [a, c, d]]);
-        }
-    }
-    mesh
-}
-
-/// Curves that cross themselves: a loop within a loop, which goes round its inside twice, and an eight, of which one half is
-/// inside out.
-fn profiles() -> [(&'static str, Vec<DVec2>); 2] {
-    let around = |point: &dyn Fn(f64) -> DVec2| {
-        let turns = (0..96).map(|i| std::f64::consts::TAU * f64::from(i) / 96.0);
-        turns.map(point).collect()
-    };
-    [
-        (
-            "loop in a loop",
-            around(&|t| {
-                let reach = 0.12 + 0.24 * t.cos();
-                DVec2::new(0.45 + reach * t.cos(), reach * t.sin())
-            }),
-        ),
-        (
-            "eight",
-            around(&|t| DVec2::new(0.5 + 0.3 * t.sin(), 0.25 * (2.0 * t).sin())),
-        ),
-    ]
-}
+use cutaway::hard_cases::windings::{nonzero, profiles, revolved};
+use cutaway::hard_cases::{self, Entrant, Expected, solids};
 
 /// How often a polygon goes round a point.
 fn index(polygon: &[DVec2], at: DVec2) -> i32 {
@@ -88,21 +38,10 @@ fn distance(polygon: &[DVec2], at: DVec2) -> f64 {
 /// A self-crossing solid, its upper part removed, seen from above.
 fn crossed(profile: &[DVec2], fill: Fill) -> Scene {
     let plane = ClipSurface::plane(DVec3::Z * 0.031, DVec3::NEG_Z);
-    let mut scene = scenes::scene("crossed", turned(profile, 256), vec![plane]);
+    let mut scene = scenes::scene("crossed", revolved(profile, 256), vec![plane]);
     scene.parts[0].fill = fill;
     scene.camera = solids::centred(DVec3::Z, 256);
     scene
-}
-
-/// Self-crossing solids seen from the usual place.
-pub(crate) fn self_crossing(_: u32) -> Vec<Scene> {
-    profiles()
-        .into_iter()
-        .map(|(name, profile)| {
-            let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(-0.3, 0.2, -1.0));
-            scenes::scene(name, turned(&profile, 64), vec![plane])
-        })
-        .collect()
 }
 
 /// The frame of the exact strategy by the compute rasteriser.
@@ -277,14 +216,17 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
         parity.comparison.odd_parity_px, 0,
         "parity hears nothing of it"
     );
-    let question = Question::of(&nonzero(vec![even_odd])[0], [128; 2]);
+    let question = Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
     for judged in [
         question.answer(&Strategy::RAYCAST_MASK),
         by_compute(&question).0,
     ] {
         let marked = judged.comparison.odd_parity_px;
         assert!(marked > 20, "{marked} pixels are marked");
-        assert_eq!(super::table::marked_fault(&judged), None);
+        let entrant = Entrant::from(Strategy::RAYCAST_MASK);
+        let asked = hard_cases::Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
+        let fault = Expected::Marked.fault(&asked, &judged, &entrant);
+        assert_eq!(fault, None);
     }
 }
 

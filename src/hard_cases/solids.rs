@@ -1,11 +1,12 @@
 //! Scenes of the table whose mesh, plane or camera is what is hard.
 
-use cutaway::scene::{Camera, ClipSurface, Projection, Scene, Viewpoint};
+use crate::scene::{Camera, ClipSurface, Projection, Scene, Viewpoint};
 use glam::DVec3;
 
-use crate::common::{meshes, scenes};
+use super::{meshes, scenes};
 
-pub(crate) fn each(shape: &str, sections: &[&str]) -> Vec<Scene> {
+/// A shape cut by each of some sections.
+pub fn each(shape: &str, sections: &[&str]) -> Vec<Scene> {
     let named = |s: &&str| {
         let mut scene = scenes::sectioned(shape, &[s]);
         scene.name = format!("{shape} cut by {s}");
@@ -14,14 +15,16 @@ pub(crate) fn each(shape: &str, sections: &[&str]) -> Vec<Scene> {
     sections.iter().map(named).collect()
 }
 
-pub(crate) fn planes_in_faces(_: u32) -> Vec<Scene> {
+/// Case 2: planes in faces of a cube.
+pub fn planes_in_faces(_: u32) -> Vec<Scene> {
     each(
         "cube",
         &["z=0.5", "-z=0.5", "z=-0.5", "-z=-0.5", "x=0.5", "-y=0.5"],
     )
 }
 
-pub(crate) fn through_edges(_: u32) -> Vec<Scene> {
+/// Case 3: planes through edges, vertices and diagonals of a cube.
+pub fn through_edges(_: u32) -> Vec<Scene> {
     let planes = [
         "1,0,1@0.5,0,0.5",
         "-1,0,-1@0.5,0,0.5",
@@ -36,7 +39,7 @@ pub(crate) fn through_edges(_: u32) -> Vec<Scene> {
 }
 
 /// Parallel rays down z through vertices: a pixel is 1/32 or 1/128 and its centre on a multiple of it.
-pub(crate) fn aligned(shape: &str, px: u32) -> Vec<Scene> {
+pub fn aligned(shape: &str, px: u32) -> Vec<Scene> {
     let mut all = each(
         shape,
         &["-z=0.1", "z=-10", "-1,0,-1@0,0,0.1", "-1,-0.3,-2@0,0,0"],
@@ -48,7 +51,7 @@ pub(crate) fn aligned(shape: &str, px: u32) -> Vec<Scene> {
 }
 
 /// Parallel rays against a direction, 2 units of picture, the origin at a pixel centre.
-pub(crate) fn centred(towards: DVec3, px: u32) -> Camera {
+pub fn centred(towards: DVec3, px: u32) -> Camera {
     let half_pixel = 1.0 / f64::from(px);
     let right = (-towards)
         .cross(DVec3::Y)
@@ -67,7 +70,8 @@ pub(crate) fn centred(towards: DVec3, px: u32) -> Camera {
     }
 }
 
-pub(crate) fn degenerate(_: u32) -> Vec<Scene> {
+/// Case 6: triangles without area, and needles.
+pub fn degenerate(_: u32) -> Vec<Scene> {
     let plane = || {
         vec![ClipSurface::plane(
             DVec3::ZERO,
@@ -89,13 +93,15 @@ pub(crate) fn degenerate(_: u32) -> Vec<Scene> {
     ]
 }
 
-pub(crate) fn through(mut scene: Scene, name: &str, camera: Camera) -> Scene {
+/// A scene by another name, through another camera.
+pub fn through(mut scene: Scene, name: &str, camera: Camera) -> Scene {
     scene.name = name.to_owned();
     scene.camera = camera;
     scene
 }
 
-pub(crate) fn eye_inside(_: u32) -> Vec<Scene> {
+/// Case 10: eyes in the solid.
+pub fn eye_inside(_: u32) -> Vec<Scene> {
     let cube = || scenes::sectioned("cube", &["-z=0.3"]);
     let at = |from: DVec3, to: DVec3| Camera {
         near: Some(0.02),
@@ -119,7 +125,8 @@ pub(crate) fn eye_inside(_: u32) -> Vec<Scene> {
     ]
 }
 
-pub(crate) fn eye_in_void(_: u32) -> Vec<Scene> {
+/// Case 11: eyes in a void in the solid.
+pub fn eye_in_void(_: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for flip in [0, 1] {
         let shape = format!("shells?subdivisions=3&flip_inner={flip}");
@@ -141,7 +148,8 @@ pub(crate) fn eye_in_void(_: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn near_plane(_: u32) -> Vec<Scene> {
+/// Case 12: near planes that cut the solid.
+pub fn near_plane(_: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for shape in ["cube", "knot?segments=160&sides=12", "earth?subdivisions=3"] {
         for orthographic in [false, true] {
@@ -162,12 +170,13 @@ pub(crate) fn near_plane(_: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn torus_cut() -> Scene {
+/// A torus cut by an oblique plane.
+pub fn torus_cut() -> Scene {
     scenes::sectioned("torus?segments=40&sides=20", &["-0.3,-1,-0.2@50%,50%,50%"])
 }
 
 /// A scene moved and scaled, with its clip-surfaces.
-pub(crate) fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
+pub fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
     let mut placed = scene.clone();
     let map =
         glam::DAffine3::from_translation(offset) * glam::DAffine3::from_scale(DVec3::splat(scale));
@@ -183,7 +192,8 @@ pub(crate) fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
     placed
 }
 
-pub(crate) fn far_tiny_huge(_: u32) -> Vec<Scene> {
+/// Case 14: a scene far from the origin, tiny, huge.
+pub fn far_tiny_huge(_: u32) -> Vec<Scene> {
     let scene = torus_cut();
     [(1.0, 1e6), (1e-6, 0.0), (1e6, 0.0)]
         .map(|(scale, offset)| {
@@ -195,7 +205,7 @@ pub(crate) fn far_tiny_huge(_: u32) -> Vec<Scene> {
 }
 
 /// A bolt head before the eye and a tower behind it.
-pub(crate) fn near_and_far(_: u32) -> Vec<Scene> {
+pub fn near_and_far(_: u32) -> Vec<Scene> {
     let small = meshes::block(
         DVec3::new(-0.004, -0.003, -0.012),
         DVec3::new(0.001, 0.003, -0.006),
@@ -217,7 +227,8 @@ pub(crate) fn near_and_far(_: u32) -> Vec<Scene> {
     vec![scene]
 }
 
-pub(crate) fn hollow(_: u32) -> Vec<Scene> {
+/// Case 16: a hollow ball, its inner sphere either way round.
+pub fn hollow(_: u32) -> Vec<Scene> {
     let mut all = each(
         "shells?subdivisions=3&flip_inner=0",
         &["-z=0.05", "-1,-1,-1@0,0,0.1"],
@@ -229,22 +240,23 @@ pub(crate) fn hollow(_: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn overlapping(_: u32) -> Vec<Scene> {
+/// Case 17: two balls in one mesh.
+pub fn overlapping(_: u32) -> Vec<Scene> {
     let ball = meshes::shape("sphere?subdivisions=3");
     let moved = |x: f64| meshes::moved(&ball, glam::DAffine3::from_translation(DVec3::X * x));
     let both = meshes::joined(&[moved(-0.2), moved(0.2)]);
     ["-z=0.05", "-0.2,-1,-0.3@0,0.1,0"]
         .map(|section| {
             let mut scene = scenes::scene(section, both.clone(), Vec::new());
-            let plane = cutaway::scene::section_surface(section, &scene.bounds()).expect(section);
-            scene.cuts = vec![cutaway::scene::Cut::of("cut", vec![plane])];
+            let plane = crate::scene::section_surface(section, &scene.bounds()).expect(section);
+            scene.cuts = vec![crate::scene::Cut::of("cut", vec![plane])];
             scene
         })
         .to_vec()
 }
 
 /// A torus with every face twice.
-pub(crate) fn doubled() -> Scene {
+pub fn doubled() -> Scene {
     let mut scene = torus_cut();
     let mut mesh = meshes::shape("torus?segments=40&sides=20");
     mesh.triangles.extend(mesh.triangles.clone());
@@ -253,7 +265,7 @@ pub(crate) fn doubled() -> Scene {
 }
 
 /// A ball that lacks one triangle in front, or one at the back.
-pub(crate) fn open(_: u32) -> Vec<Scene> {
+pub fn open(_: u32) -> Vec<Scene> {
     let ball = meshes::shape("sphere?subdivisions=2");
     let toward = DVec3::new(0.45, 0.35, 0.75);
     let facing = |sign: f64| {

@@ -1,15 +1,15 @@
 //! The error that theory gives the depth sprite: a point is tested up to half a texel diagonally beside where it is, so a
 //! cap pixel can be wrong only where a mesh is that near to its point.
 
-use cutaway::layers::Kind;
-use cutaway::scene::Prepared;
+use crate::layers::Kind;
+use crate::scene::Prepared;
 use glam::{DVec2, DVec3};
 
-use crate::common::{Judged, Question, tolerances};
+use super::{Judged, Question, tolerances};
 
 /// Half a texel's diagonal in scene space, for the largest part, with the two texels of margin that the sprite leaves on
 /// either side.
-pub(crate) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
+pub(super) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
     let extent = prepared
         .parts
         .iter()
@@ -20,7 +20,7 @@ pub(crate) fn reach(prepared: &Prepared, resolution: u32) -> f64 {
 }
 
 /// The first decided wrong pixel that the sprite's reach does not explain.
-pub(crate) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Option<String> {
+pub(super) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Option<String> {
     let allowed = reach(&question.model.prepared, resolution) + tolerances::ROUNDING_OF_POINTS;
     judged.decided_wrong().find_map(|pixel| {
         let width = question.view.size_px[0] as usize;
@@ -43,7 +43,7 @@ pub(crate) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Op
 
 /// Distance from a point to the nearest triangle of any part.
 fn distance(prepared: &Prepared, point: DVec3) -> f64 {
-    let squared = |p: &cutaway::scene::PreparedPart| {
+    let squared = |p: &crate::scene::PreparedPart| {
         p.triangles
             .iter()
             .map(|t| to_triangle(point, t.map(|i| p.positions[i as usize].as_dvec3())))
@@ -77,16 +77,21 @@ fn to_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-#[test]
-fn distances_are_those_of_a_triangle() {
-    let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
-    for (point, expected) in [
-        (DVec3::new(0.2, 0.2, -3.0), 3.0),
-        (DVec3::new(0.5, -2.0, 0.0), 2.0),
-        (DVec3::new(1.0, 1.0, 0.0), 0.5_f64.sqrt()),
-        (DVec3::new(4.0, 0.0, 4.0), 5.0),
-    ] {
-        let found = to_triangle(point, triangle);
-        assert!((found - expected).abs() < 1e-12, "{point} is {found} away");
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_those_of_a_triangle() {
+        let triangle = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        for (point, expected) in [
+            (DVec3::new(0.2, 0.2, -3.0), 3.0),
+            (DVec3::new(0.5, -2.0, 0.0), 2.0),
+            (DVec3::new(1.0, 1.0, 0.0), 0.5_f64.sqrt()),
+            (DVec3::new(4.0, 0.0, 4.0), 5.0),
+        ] {
+            let found = to_triangle(point, triangle);
+            assert!((found - expected).abs() < 1e-12, "{point} is {found} away");
+        }
     }
 }

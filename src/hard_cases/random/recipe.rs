@@ -1,15 +1,15 @@
 //! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
 //! numbered regression as they print.
 
-use cutaway::scene::{Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Viewpoint, Wrap};
+use crate::scene::{Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Viewpoint, Wrap};
 use glam::{DAffine3, DVec3};
 
-use crate::common::numbers::Numbers;
-use crate::common::{meshes, scenes};
+use crate::hard_cases::numbers::Numbers;
+use crate::hard_cases::{meshes, scenes};
 
 /// A solid.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Solid {
+pub enum Solid {
     /// Cells of a lattice of quarters.
     Cells(Vec<[i32; 3]>),
     /// A ball with lumps.
@@ -25,54 +25,54 @@ pub(crate) enum Solid {
 
 /// A clip-surface.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Surface {
+pub struct Surface {
     /// Toward the kept side.
-    pub(crate) normal: [f64; 3],
+    pub normal: [f64; 3],
     /// A point of the plane.
-    pub(crate) at: [f64; 3],
+    pub at: [f64; 3],
     /// Noise on it.
-    pub(crate) bumps: Option<Bumps>,
+    pub bumps: Option<Bumps>,
 }
 
 /// A map of noise.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Bumps {
+pub struct Bumps {
     /// In texels.
-    pub(crate) size: [u32; 2],
+    pub size: [u32; 2],
     /// Which noise.
-    pub(crate) seed: u64,
+    pub seed: u64,
     /// From the lowest possible texel to the highest.
-    pub(crate) height: f64,
+    pub height: f64,
     /// Length of one repeat.
-    pub(crate) period: f64,
+    pub period: f64,
     /// How the map goes on.
-    pub(crate) wrap: Wrap,
+    pub wrap: Wrap,
 }
 
 /// A scene and a camera.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Recipe {
+pub struct Recipe {
     /// Parts, each moved.
-    pub(crate) solids: Vec<(Solid, [f64; 3])>,
+    pub solids: Vec<(Solid, [f64; 3])>,
     /// The first part is never cut.
-    pub(crate) spared: bool,
+    pub spared: bool,
     /// The last part wins where parts share a point, whatever its size.
-    pub(crate) preferred: bool,
+    pub preferred: bool,
     /// Clip-surfaces of each cut.
-    pub(crate) cuts: Vec<Vec<Surface>>,
+    pub cuts: Vec<Vec<Surface>>,
     /// The eye.
-    pub(crate) from: [f64; 3],
+    pub from: [f64; 3],
     /// What it looks at.
-    pub(crate) to: [f64; 3],
+    pub to: [f64; 3],
     /// Field of view in degrees, or parallel rays.
-    pub(crate) fov_deg: Option<f64>,
+    pub fov_deg: Option<f64>,
     /// Distance of the near plane; `None` picks one.
-    pub(crate) near: Option<f64>,
+    pub near: Option<f64>,
 }
 
 impl Recipe {
     /// A recipe without a pattern.
-    pub(crate) fn random(n: &mut Numbers) -> Self {
+    pub fn random(n: &mut Numbers) -> Self {
         let solids = (0..1 + n.below(2))
             .map(|_| (solid(n), point(n, 0.2)))
             .collect();
@@ -98,7 +98,7 @@ impl Recipe {
     }
 
     /// The scene.
-    pub(crate) fn scene(&self) -> Scene {
+    pub fn scene(&self) -> Scene {
         let parts = self.solids.iter().enumerate().map(|(i, (solid, at))| {
             let mesh = match solid {
                 Solid::Cells(cells) => meshes::cells(cells, 0.25),
@@ -146,7 +146,7 @@ impl Recipe {
     }
 
     /// Recipes that are a little simpler.
-    pub(crate) fn simpler(&self) -> Vec<Self> {
+    pub fn simpler(&self) -> Vec<Self> {
         let mut all = Vec::new();
         let mut with = |change: &dyn Fn(&mut Self)| {
             let mut other = self.clone();

@@ -1,20 +1,22 @@
 //! Scenes of the table whose relief is what is hard.
 
-use cutaway::scene::{ClipSurface, Cut, Scene, Wrap};
+use crate::scene::{ClipSurface, Cut, Scene, Wrap};
 use glam::{DVec2, DVec3};
 
+use super::numbers::Numbers;
 use super::solids;
-use crate::common::numbers::Numbers;
-use crate::common::{meshes, scenes};
+use super::{meshes, scenes};
 
-pub(crate) fn ball() -> cutaway::scene::Mesh {
+/// The solid of most of them.
+pub fn ball() -> crate::scene::Mesh {
     meshes::shape("sphere?subdivisions=3")
 }
 
 /// Toward the kept side: the cap shows to the usual camera.
-pub(crate) const TILTED: DVec3 = DVec3::new(-0.3, -0.5, -1.0);
+pub const TILTED: DVec3 = DVec3::new(-0.3, -0.5, -1.0);
 
-pub(crate) fn flat(_: u32) -> Vec<Scene> {
+/// Case 22: maps of one height.
+pub fn flat(_: u32) -> Vec<Scene> {
     [(0.0, 0.5), (0.25, 0.5), (1.0, -0.125), (-0.5, 0.25)]
         .map(|(height, scale)| {
             let map = scenes::map([3, 5], |_, _| height);
@@ -28,7 +30,8 @@ pub(crate) fn flat(_: u32) -> Vec<Scene> {
         .to_vec()
 }
 
-pub(crate) fn ramp_and_saddle(_: u32) -> Vec<Scene> {
+/// Case 23: also seen edge-on.
+pub fn ramp_and_saddle(_: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for (name, texels) in [
         ("ramp", [0.0, 1.0, 0.0, 1.0]),
@@ -53,7 +56,8 @@ pub(crate) fn ramp_and_saddle(_: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn noise(size: [u32; 2], seed: u64) -> cutaway::scene::OffsetMap {
+/// Heights without a pattern, between -1/2 and 1/2.
+pub fn noise(size: [u32; 2], seed: u64) -> crate::scene::OffsetMap {
     let mut numbers = Numbers(seed);
     let texels: Vec<f32> = (0..size[0] * size[1])
         .map(|_| (numbers.unit() - 0.5) as f32)
@@ -62,7 +66,7 @@ pub(crate) fn noise(size: [u32; 2], seed: u64) -> cutaway::scene::OffsetMap {
 }
 
 /// A relief that lies flat on `z = 0`, with its texel centres on multiples of 1/8.
-pub(crate) fn bumpy_floor(size: [u32; 2]) -> ClipSurface {
+pub fn bumpy_floor(size: [u32; 2]) -> ClipSurface {
     let mut surface = scenes::mapped(
         DVec3::ZERO,
         DVec3::Z,
@@ -76,7 +80,8 @@ pub(crate) fn bumpy_floor(size: [u32; 2]) -> ClipSurface {
     surface
 }
 
-pub(crate) fn along_axes(px: u32) -> Vec<Scene> {
+/// Case 24: rays along N, along U and V, along the plane.
+pub fn along_axes(px: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for normal in [DVec3::Z, -DVec3::Z] {
         let surface = scenes::mapped(
@@ -112,7 +117,8 @@ pub(crate) fn along_axes(px: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn along_texels(px: u32) -> Vec<Scene> {
+/// Case 25: rays along rows and diagonals of texels.
+pub fn along_texels(px: u32) -> Vec<Scene> {
     let scene = scenes::scene("texels", ball(), vec![bumpy_floor([8, 8])]);
     [
         DVec3::X,
@@ -132,7 +138,7 @@ pub(crate) fn along_texels(px: u32) -> Vec<Scene> {
 }
 
 /// Ridges whose crests are exactly at the height of a row of samples.
-pub(crate) fn grazing(px: u32) -> Vec<Scene> {
+pub fn grazing(px: u32) -> Vec<Scene> {
     let mut all = Vec::new();
     for height in [0.25, 0.25 + 1e-7, 0.25 - 1e-7] {
         let ridges = scenes::map([8, 4], |x, y| {
@@ -163,7 +169,8 @@ pub(crate) fn grazing(px: u32) -> Vec<Scene> {
     all
 }
 
-pub(crate) fn plateaus(_: u32) -> Vec<Scene> {
+/// Case 28: steps one texel wide.
+pub fn plateaus(_: u32) -> Vec<Scene> {
     [0.2, 2.0]
         .map(|height| {
             let checker = scenes::map([16, 16], |x, y| f32::from((x / 4 + y / 4) as u8 % 2) - 0.5);
@@ -173,7 +180,8 @@ pub(crate) fn plateaus(_: u32) -> Vec<Scene> {
         .to_vec()
 }
 
-pub(crate) fn wraps(_: u32) -> Vec<Scene> {
+/// Case 29: each way for a map to go on.
+pub fn wraps(_: u32) -> Vec<Scene> {
     [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp]
         .map(|wrap| {
             let surface = scenes::mapped(DVec3::ZERO, TILTED, noise([6, 6], 11), (0.6, 0.2), wrap);
@@ -182,7 +190,8 @@ pub(crate) fn wraps(_: u32) -> Vec<Scene> {
         .to_vec()
 }
 
-pub(crate) fn odd_sizes(_: u32) -> Vec<Scene> {
+/// Case 31: maps of few rows, and of no power of two.
+pub fn odd_sizes(_: u32) -> Vec<Scene> {
     [[1, 1], [1, 9], [9, 1], [13, 7], [2, 2], [255, 3]]
         .map(|size| {
             let surface = scenes::mapped(
@@ -198,7 +207,7 @@ pub(crate) fn odd_sizes(_: u32) -> Vec<Scene> {
 }
 
 /// A cut that leaves the top of a slab at an angle of a tenth, or a hundredth, of a degree, with a relief as low.
-pub(crate) fn tangent(_: u32) -> Vec<Scene> {
+pub fn tangent(_: u32) -> Vec<Scene> {
     [0.1_f64, 0.01]
         .map(|angle_deg| {
             let slope = angle_deg.to_radians().tan();
@@ -216,7 +225,8 @@ pub(crate) fn tangent(_: u32) -> Vec<Scene> {
         .to_vec()
 }
 
-pub(crate) fn opposite(_: u32) -> Vec<Scene> {
+/// Case 37: a relief, and the same with its sides exchanged.
+pub fn opposite(_: u32) -> Vec<Scene> {
     let surface = scenes::mapped(
         DVec3::ZERO,
         TILTED,
@@ -232,7 +242,7 @@ pub(crate) fn opposite(_: u32) -> Vec<Scene> {
 }
 
 /// A relief and a plane that cross in the picture.
-pub(crate) fn crossing(_: u32) -> Vec<Scene> {
+pub fn crossing(_: u32) -> Vec<Scene> {
     let rough = scenes::mapped(
         DVec3::ZERO,
         TILTED,
@@ -248,7 +258,8 @@ pub(crate) fn crossing(_: u32) -> Vec<Scene> {
     vec![both, either]
 }
 
-pub(crate) fn anisotropic(_: u32) -> Vec<Scene> {
+/// Case 48: directions of different lengths and scales.
+pub fn anisotropic(_: u32) -> Vec<Scene> {
     [(1.0, 1.0), (2.5, -0.7)]
         .map(|(sx, sy)| {
             let mut surface = scenes::mapped(

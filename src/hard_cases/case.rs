@@ -1,0 +1,120 @@
+//! A case: scenes with a known answer, and what each strategy is expected to make of them.
+//!
+//! A case says what exact strategies and the paper's own make of it, and how its cuts are made; what the others make follows from what
+//! they are. Where one does not do as its kind does, the case names it.
+
+use super::expected::Expected::{self, Band, Exact, Fails, Listed, Marked, Refuses, Share};
+use super::{Entrant, Judged};
+use crate::scene::{Scene, glob_matches};
+use crate::strategies::{CapSurface, InsideTest};
+
+/// What makes the cuts of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// One plane, of one cut.
+    Plane,
+    /// Several planes.
+    Planes,
+    /// At least one relief.
+    Reliefs,
+}
+
+/// A row of the table.
+#[derive(Clone, Copy)]
+pub struct Case {
+    /// Its number in the list of hard cases, or its letter and number where users of other projects met it.
+    pub id: &'static str,
+    /// What it is.
+    pub name: &'static str,
+    /// Its scenes at so many pixels along a side; some put vertices at pixel centres.
+    pub scenes: fn(u32) -> Vec<Scene>,
+    /// What makes its cuts.
+    pub form: Form,
+    /// What exact strategies make of it.
+    pub exact: Expected,
+    /// What the paper's own strategy makes of it.
+    pub paper: Expected,
+    /// Who makes something else of it than its kind does, by a glob over names.
+    pub apart: &'static [(&'static str, Expected)],
+    /// What exact strategies keep to besides.
+    pub keeps: Keeps,
+}
+
+/// What an exact picture keeps to besides showing the right things.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Keeps {
+    /// Largest angle between normals of caps and those of exact, in degrees.
+    pub normal_deg: f64,
+    /// Largest error of depth, in edge lengths of a pixel.
+    pub depth_px: f64,
+}
+
+impl Keeps {
+    /// Nothing in particular.
+    pub const NOTHING: Self = Self {
+        normal_deg: f64::INFINITY,
+        depth_px: f64::INFINITY,
+    };
+
+    /// What a picture does not keep to.
+    pub fn fault(&self, judged: &Judged) -> Option<String> {
+        let found = &judged.comparison;
+        let (normal, depth) = (found.normal_error_deg_max, found.depth_error_px_max);
+        if normal > self.normal_deg {
+            return Some(format!("normals of caps are {normal} degrees off"));
+        }
+        (depth > self.depth_px).then(|| format!("depths are {depth} px off"))
+    }
+}
+
+impl Case {
+    /// What a strategy is expected to make of it.
+    pub fn expected(&self, entrant: &Entrant) -> Expected {
+        let name = entrant.to_string();
+        let apart = self
+            .apart
+            .iter()
+            .find(|(glob, _)| glob_matches(glob, &name));
+        if let Some((_, expected)) = apart {
+            return *expected;
+        }
+        let strategy = &entrant.strategy;
+        if matches!(self.paper, Refuses(_)) && !strategy.counts_winding() {
+            return self.paper;
+        }
+        match (strategy.surface, strategy.inside) {
+            (CapSurface::Alone, _) if self.form == Form::Planes => Refuses("by one plane"),
+            (CapSurface::Alone | CapSurface::Planar, _) if self.form == Form::Reliefs => {
+                Refuses("has a relief")
+            }
+            (CapSurface::Raycast, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
+                match self.exact {
+                    Exact => Band,
+                    Marked => Fails("depth images cannot tell that a mesh is open"),
+                    other => other,
+                }
+            }
+            _ if strategy.is_by_the_papers_rule() => self.paper,
+            (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, _) => match self.paper {
+                Share(most) if self.form == Form::Reliefs => Listed(most),
+                _ => self.exact,
+            },
+            _ => self.exact,
+        }
+    }
+
+    /// What is wrong with one picture of a strategy.
+    pub fn fault(
+        &self,
+        question: &super::Question,
+        judged: &Judged,
+        entrant: &Entrant,
+    ) -> Option<String> {
+        let expected = self.expected(entrant);
+        let fault = expected.fault(question, judged, entrant);
+        fault.or_else(|| match expected {
+            Exact => self.keeps.fault(judged),
+            _ => None,
+        })
+    }
+}

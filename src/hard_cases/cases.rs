@@ -1,0 +1,322 @@
+//! The table: what is hard, and who is expected to manage it. Here are the cases of the list; `user_cases` has those that users met.
+
+use super::case::Form::{self, Plane, Reliefs};
+use super::case::{Case, Keeps};
+use super::expected::Expected::{self, Band, Exact, Fails, Marked, Refuses, Share};
+use super::user_cases::OF_USERS;
+use super::{bumps, scenes, solids, tolerances, users, windings};
+use crate::scene::Scene;
+
+const MILD: Expected = Share(tolerances::PAPER_MILD);
+const ROUGH: Expected = Share(tolerances::PAPER_ROUGH);
+
+/// Why sprites draw open meshes wrong.
+pub(super) const UNTOLD: Expected = Fails("a sprite cannot tell that a mesh is open");
+
+/// Why the paper's rule is wrong where a face lies in the plane.
+pub(super) const IN_FACE: Expected =
+    Fails("chi of an interpolated point is rounding where the face lies in the plane");
+
+/// All cases that are judged by their pictures.
+pub fn cases() -> impl Iterator<Item = &'static Case> {
+    NUMBERED.iter().chain(OF_USERS)
+}
+
+const NUMBERED: &[Case] = &[
+    case(
+        "1",
+        "cube through its middle",
+        |_| vec![scenes::sectioned("cube", &["-z=0"])],
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "2",
+        "plane in a face",
+        solids::planes_in_faces,
+        Plane,
+        Exact,
+        IN_FACE,
+    ),
+    case(
+        "3",
+        "plane through an edge, a vertex, a diagonal",
+        solids::through_edges,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "4",
+        "rays through vertices and edges",
+        |px| solids::aligned("cube?divisions=8", px),
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "5",
+        "1000 needles meet at a pixel centre",
+        |px| solids::aligned("slivers", px),
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "6",
+        "needles and triangles without area",
+        solids::degenerate,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "10",
+        "eye inside, kept side",
+        solids::eye_inside,
+        Plane,
+        Exact,
+        Fails("it has no cap at the near plane"),
+    ),
+    case(
+        "11",
+        "eye in a void",
+        solids::eye_in_void,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "12",
+        "near plane in the solid",
+        solids::near_plane,
+        Plane,
+        Exact,
+        Fails("it has no cap at the near plane"),
+    ),
+    case(
+        "13",
+        "a solid that goes on behind every far plane",
+        users::far_plane,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "14",
+        "far away, tiny, huge",
+        solids::far_tiny_huge,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "15",
+        "near to far as 1 to 100000",
+        solids::near_and_far,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "16",
+        "hollow ball, inner sphere either way round",
+        solids::hollow,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "16",
+        "hollow ball, nonzero",
+        |px| windings::nonzero(solids::hollow(px)),
+        Plane,
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        "17",
+        "two balls overlap in one mesh: by parity the lens is void",
+        solids::overlapping,
+        Plane,
+        Exact,
+        Band,
+    ),
+    case(
+        "17",
+        "overlapping balls, nonzero",
+        |px| windings::nonzero(solids::overlapping(px)),
+        Plane,
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        "18",
+        "solids that cross themselves",
+        windings::self_crossing,
+        Plane,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        "18",
+        "solids that cross themselves, nonzero",
+        |px| windings::nonzero(windings::self_crossing(px)),
+        Plane,
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        "19",
+        "every face twice",
+        |_| vec![solids::doubled()],
+        Plane,
+        Exact,
+        Fails("peeling loses the second of two faces"),
+    ),
+    case(
+        "19",
+        "every face twice, nonzero",
+        |_| windings::nonzero(vec![solids::doubled()]),
+        Plane,
+        Exact,
+        Refuses("nonzero"),
+    ),
+    case(
+        "20",
+        "one triangle missing, nonzero",
+        |px| windings::nonzero(solids::open(px)),
+        Plane,
+        Marked,
+        Refuses("nonzero"),
+    ),
+    case(
+        "20",
+        "one triangle missing",
+        solids::open,
+        Plane,
+        Marked,
+        Fails("a sprite cannot tell that it is open"),
+    ),
+    case(
+        "21",
+        "edges split on one side",
+        users::t_junctions,
+        Plane,
+        Marked,
+        UNTOLD,
+    ),
+    case("22", "flat map", bumps::flat, Plane, Exact, Band),
+    case(
+        "23",
+        "ramp and saddle",
+        bumps::ramp_and_saddle,
+        Reliefs,
+        Exact,
+        MILD,
+    ),
+    case(
+        "24",
+        "rays along N, along U, along the plane",
+        bumps::along_axes,
+        Reliefs,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        "25",
+        "rays along texel borders",
+        bumps::along_texels,
+        Reliefs,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        "26",
+        "rays graze crests",
+        bumps::grazing,
+        Reliefs,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        "28",
+        "steps one texel wide, very high",
+        bumps::plateaus,
+        Reliefs,
+        Exact,
+        ROUGH,
+    ),
+    case("29", "wrap modes", bumps::wraps, Reliefs, Exact, MILD),
+    case(
+        "31",
+        "maps of odd sizes",
+        bumps::odd_sizes,
+        Reliefs,
+        Exact,
+        ROUGH,
+    ),
+    case(
+        "32",
+        "cut almost along a face",
+        bumps::tangent,
+        Reliefs,
+        Exact,
+        MILD,
+    ),
+    case(
+        "37",
+        "opposite signs",
+        bumps::opposite,
+        Reliefs,
+        Exact,
+        MILD,
+    ),
+    case(
+        "38",
+        "two crossing surfaces, and, or",
+        bumps::crossing,
+        Reliefs,
+        Exact,
+        MILD,
+    ),
+    case(
+        "48",
+        "U and V of different lengths",
+        bumps::anisotropic,
+        Reliefs,
+        Exact,
+        MILD,
+    ),
+];
+
+pub(super) const fn case(
+    id: &'static str,
+    name: &'static str,
+    scenes: fn(u32) -> Vec<Scene>,
+    form: Form,
+    exact: Expected,
+    paper: Expected,
+) -> Case {
+    Case {
+        id,
+        name,
+        scenes,
+        form,
+        exact,
+        paper,
+        apart: &[],
+        keeps: Keeps::NOTHING,
+    }
+}
+
+impl Case {
+    pub(super) const fn keeping(self, keeps: Keeps) -> Self {
+        Self { keeps, ..self }
+    }
+
+    pub(super) const fn but(self, apart: &'static [(&'static str, Expected)]) -> Self {
+        Self { apart, ..self }
+    }
+}

@@ -1,0 +1,218 @@
+//! What a strategy is expected to make of a case, and whether it did.
+//!
+//! An expectation is of all pictures of a case: each picture is judged by itself, and some must be wrong where a failure is declared, or
+//! refused where a refusal is. What was declared to fail and passes is a fault too: then the table is wrong, and misleads its reader.
+
+use std::fmt;
+
+use super::{Entrant, Judged, Question, band};
+use crate::session::Outcome;
+
+/// What a strategy is to make of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Expected {
+    /// No decided pixel wrong, none cracked, none odd.
+    Exact,
+    /// The mesh is open: odd pixels are marked, exactly those, and no other pixel is wrong.
+    Marked,
+    /// The mesh is open: whatever is wrong is marked, and so may other pixels be.
+    Doubted,
+    /// A buffer is too small in some picture and the reason holds these words; whatever is wrong is marked. The other pictures are exact.
+    Overflows(&'static str),
+    /// Each wrong cap pixel is within the depth image's reach of a mesh: what theory allows where the cap surface is exact.
+    Band,
+    /// Decided wrong pixels per pixel on a boundary are at most this many.
+    Share(f64),
+    /// As `Share`, and no decided pixel shows a back face, none is cracked and none odd: a tessellation that decides by one list.
+    Listed(f64),
+    /// Known to be wrong, for this reason, in at least one of its pictures.
+    Fails(&'static str),
+    /// Not drawn, for a reason that holds these words.
+    Refuses(&'static str),
+    /// Some pictures are refused, for a reason that holds these words, and the others are exact.
+    RefusesSome(&'static str),
+}
+
+impl Expected {
+    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    pub fn why(&self) -> Option<String> {
+        let why = match self {
+            Self::Exact | Self::Marked => return None,
+            Self::Doubted => "it cannot tell which of the odd pixels it may trust",
+            Self::Overflows(_) => "its buffer is bounded",
+            Self::Band => "a point is tested up to half a texel diagonally beside where it is",
+            Self::Share(_) => "texels and the chord of its grid move what they draw",
+            Self::Listed(_) => "the chord of its triangles moves what they draw",
+            Self::Fails(why) => why,
+            Self::Refuses(words) | Self::RefusesSome(words) => words,
+        };
+        Some(why.to_owned())
+    }
+
+    /// What is wrong with one picture.
+    pub fn fault(&self, question: &Question, judged: &Judged, entrant: &Entrant) -> Option<String> {
+        if let Self::Refuses(words) | Self::RefusesSome(words) = self {
+            let told = judged.outcome.reason().unwrap_or_default();
+            let is_refused = matches!(judged.outcome, Outcome::Refused(_));
+            if is_refused && told.contains(words) {
+                return None;
+            }
+            return match self {
+                Self::RefusesSome(_) => judged.fault_of_exact(),
+                _ => Some(format!("outcome {:?}", judged.outcome)),
+            };
+        }
+        if let (Self::Overflows(words), Outcome::Overflowed(reason)) = (self, &judged.outcome) {
+            return match reason.contains(words) {
+                true => unmarked_fault(judged),
+                false => Some(format!("overflowed: {reason}")),
+            };
+        }
+        if judged.outcome != Outcome::Complete {
+            return Some(format!("outcome {:?}", judged.outcome));
+        }
+        match self {
+            Self::Exact | Self::Overflows(_) => judged.fault_of_exact(),
+            Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
+            Self::Doubted => unmarked_fault(judged),
+            Self::Band => band::fault(question, judged, entrant.resolution()?),
+            Self::Share(most) => share_fault(question, judged, *most),
+            Self::Listed(most) => {
+                list_fault(judged).or_else(|| share_fault(question, judged, *most))
+            }
+            // Counted over all pictures of the case.
+            Self::Fails(_) | Self::Refuses(_) | Self::RefusesSome(_) => None,
+        }
+    }
+}
+
+impl fmt::Display for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exact => f.write_str("0 decided wrong, no crack, none odd"),
+            Self::Marked => f.write_str("odd pixels marked, exactly those, and no other wrong"),
+            Self::Doubted => f.write_str("whatever is wrong is marked"),
+            Self::Overflows(_) => f.write_str("overflow told, whatever is wrong is marked"),
+            Self::Band => f.write_str("wrong within reach of a texel alone"),
+            Self::Share(most) => write!(f, "at most {most} wrong per boundary pixel"),
+            Self::Listed(most) => write!(
+                f,
+                "no back face, no crack, at most {most} wrong per boundary pixel"
+            ),
+            Self::Fails(_) => f.write_str("fails"),
+            Self::Refuses(_) => f.write_str("refuses"),
+            Self::RefusesSome(_) => f.write_str("refuses some pictures, the others exact"),
+        }
+    }
+}
+
+/// Odd pixels are to be marked, and no others.
+fn mismarked_fault(judged: &Judged) -> Option<String> {
+    let pixels = judged.layers.pixels.iter().zip(&judged.exact.odd_parity);
+    let mismarked = pixels
+        .zip(&judged.exact.undecided)
+        .filter(|((pixel, odd), undecided)| pixel.unreliable != **odd && !**undecided)
+        .count();
+    (mismarked > 0)
+        .then(|| format!("{mismarked} pixels are marked that should not be, or the reverse"))
+}
+
+/// Nothing wrong is to go unmarked.
+pub(super) fn unmarked_fault(judged: &Judged) -> Option<String> {
+    let first = judged.first_unmarked_wrong()?;
+    Some(format!("wrong and not marked: {}", judged.told(first)))
+}
+
+fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String> {
+    let (wrong, boundary) = (judged.comparison.decided_wrong_px, question.boundary_px());
+    (wrong as f64 > most * boundary as f64 + 1.0)
+        .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
+}
+
+/// What one list of crossings rules out at any tessellation.
+pub(super) fn list_fault(judged: &Judged) -> Option<String> {
+    let comparison = &judged.comparison;
+    let counts = [
+        (judged.back_faces(), "back faces"),
+        (comparison.crack_px, "cracks"),
+        (comparison.odd_parity_px, "odd pixels"),
+    ];
+    let found = counts.iter().find(|(count, _)| *count > 0)?;
+    Some(format!("{} {}", found.0, found.1))
+}
+
+/// What the pictures of a case came to.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// How many there were.
+    pub pictures: usize,
+    /// Decided wrong pixels in all of them.
+    pub wrong_px: usize,
+    /// How many were refused.
+    pub refused: usize,
+    /// How many overflowed.
+    pub overflowed: usize,
+    /// What was not as expected, picture by picture.
+    pub faults: Vec<String>,
+}
+
+impl Tally {
+    /// Adds a picture.
+    pub fn add(&mut self, judged: &Judged, name: &str, fault: Option<String>) {
+        self.pictures += 1;
+        self.wrong_px += judged.comparison.decided_wrong_px;
+        self.refused += usize::from(matches!(judged.outcome, Outcome::Refused(_)));
+        self.overflowed += usize::from(matches!(judged.outcome, Outcome::Overflowed(_)));
+        self.faults.extend(fault.map(|f| format!("{name}: {f}")));
+    }
+
+    /// Adds the pictures of another size.
+    pub fn join(&mut self, other: Self) {
+        self.pictures += other.pictures;
+        self.wrong_px += other.wrong_px;
+        self.refused += other.refused;
+        self.overflowed += other.overflowed;
+        self.faults.extend(other.faults);
+    }
+
+    /// What was not as expected over all pictures: those of each, and what was declared and did not come.
+    pub fn faults_of(&self, expected: &Expected) -> Vec<String> {
+        let mut faults = self.faults.clone();
+        let stale = match expected {
+            Expected::Fails(_) if self.wrong_px == 0 => "is declared to fail and passes",
+            Expected::Overflows(_) if self.overflowed == 0 => {
+                "is declared to overflow and does not"
+            }
+            Expected::RefusesSome(_) if self.refused == 0 => "is declared to refuse and draws all",
+            Expected::RefusesSome(_) if self.refused == self.pictures => {
+                "is declared to draw some and refuses all"
+            }
+            _ => return faults,
+        };
+        faults.push(stale.to_owned());
+        faults
+    }
+
+    /// In words.
+    pub fn told(&self, expected: &Expected) -> String {
+        let mut told = match self.refused == self.pictures {
+            true => "refused".to_owned(),
+            false => format!(
+                "{} decided wrong in {} pictures",
+                self.wrong_px,
+                self.pictures - self.refused
+            ),
+        };
+        if self.refused > 0 && self.refused < self.pictures {
+            told += &format!(", {} refused", self.refused);
+        }
+        if self.overflowed > 0 {
+            told += &format!(", {} overflowed", self.overflowed);
+        }
+        let faults = self.faults_of(expected);
+        if let Some(first) = faults.first() {
+            told += &format!("; {} not as expected, the first: {first}", faults.len());
+        }
+        told
+    }
+}

@@ -1,0 +1,148 @@
+//! The table asked of a session.
+
+use super::{Case, Entrant, LIST, Question, Tally, cases};
+use crate::layers::Kind;
+use crate::scene::glob_matches;
+use crate::session::Session;
+use crate::{Error, Result};
+
+/// A case, and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CaseFound {
+    /// Its number in the list, or its letter and number.
+    pub id: String,
+    /// What it is.
+    pub name: String,
+    /// The tests that hold what is more than its pictures, as one would type them after `cargo test`.
+    pub held_by: Option<String>,
+    /// What each strategy was expected to reach, and did; empty where the case has no pictures.
+    pub reached: Vec<Reached>,
+}
+
+/// What was expected of a strategy, and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reached {
+    /// Of whom.
+    pub strategy: String,
+    /// What was expected.
+    pub expected: String,
+    /// Why it cannot be better, where it is a failure or a bound that is declared.
+    pub why: Option<String>,
+    /// What was found.
+    pub found: String,
+    /// Whether that is what was expected. A declared failure that passes is not.
+    pub holds: bool,
+}
+
+/// Asks the cases whose ids fit one of the globs of all entrants, at each size; tells each case before it is asked. Who is asked depends on
+/// the size of the picture (see [`Entrant::all`]); `is_quick` leaves all but the smallest size out, and no entrant.
+pub fn found(
+    session: &mut Session,
+    ids: &[String],
+    sizes_px: &[u32],
+    is_quick: bool,
+    step: &mut dyn FnMut(String),
+) -> Result<Vec<CaseFound>> {
+    for glob in ids {
+        if !cases()
+            .map(|c| c.id)
+            .chain(LIST.iter().map(|l| l.id))
+            .any(|id| glob_matches(glob, id))
+        {
+            return Err(Error::input(
+                format!("hard case `{glob}`"),
+                "no case has such a number",
+                "write a number from 1 to 50, B1 to B14, U1 to U6, or a glob such as B*",
+            ));
+        }
+    }
+    let is_asked = |id: &str| ids.iter().any(|glob| glob_matches(glob, id));
+    let mut sizes_px = sizes_px.to_vec();
+    sizes_px.sort_unstable();
+    sizes_px.truncate(if is_quick { 1 } else { usize::MAX });
+    let mut all = Vec::new();
+    for listed in LIST.iter().filter(|l| is_asked(l.id)) {
+        let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
+        if of_it.peek().is_none() {
+            all.push(CaseFound {
+                id: listed.id.to_owned(),
+                name: listed.name.to_owned(),
+                held_by: listed.held_by(),
+                reached: Vec::new(),
+            });
+        }
+        for case in of_it {
+            all.push(CaseFound {
+                id: case.id.to_owned(),
+                name: case.name.to_owned(),
+                held_by: listed.held_by(),
+                reached: reached(session, case, &sizes_px, step)?,
+            });
+        }
+    }
+    Ok(all)
+}
+
+/// The pictures of a case, each with the name of its scene.
+pub fn pictures(case: &Case, size_px: u32) -> Vec<(String, Question)> {
+    let scenes = (case.scenes)(size_px);
+    let of = |s: &crate::scene::Scene| (s.name.clone(), Question::of(s, [size_px; 2]));
+    scenes.iter().map(of).collect()
+}
+
+/// What an entrant makes of the pictures of a case.
+pub fn tallied(
+    session: &mut Session,
+    case: &Case,
+    entrant: &Entrant,
+    pictures: &[(String, Question)],
+) -> Result<Tally> {
+    let mut tally = Tally::default();
+    for (name, question) in pictures {
+        let judged = question.answer(session, entrant)?;
+        let fault = case.fault(question, &judged, entrant);
+        tally.add(&judged, name, fault);
+    }
+    Ok(tally)
+}
+
+/// Whether a case shows a cap at all: what shows none proves nothing about caps.
+pub fn caps_px(pictures: &[(String, Question)]) -> usize {
+    let caps = pictures
+        .iter()
+        .map(|(_, q)| q.exact.layers.count(Kind::Cap));
+    caps.sum()
+}
+
+fn reached(
+    session: &mut Session,
+    case: &Case,
+    sizes_px: &[u32],
+    step: &mut dyn FnMut(String),
+) -> Result<Vec<Reached>> {
+    let mut tallies: Vec<(Entrant, Tally)> = Vec::new();
+    for size_px in sizes_px {
+        step(format!("case {} at {size_px} px", case.id));
+        let pictures = pictures(case, *size_px);
+        for entrant in Entrant::all(*size_px) {
+            let tally = tallied(session, case, &entrant, &pictures)?;
+            match tallies.iter_mut().find(|(e, _)| *e == entrant) {
+                Some((_, so_far)) => so_far.join(tally),
+                None => tallies.push((entrant, tally)),
+            }
+        }
+        // Nothing of these scenes is asked for again.
+        session.forget();
+    }
+    let told = |(entrant, tally): (Entrant, Tally)| {
+        let expected = case.expected(&entrant);
+        Reached {
+            strategy: entrant.to_string(),
+            expected: expected.to_string(),
+            why: expected.why(),
+            found: tally.told(&expected),
+            holds: tally.faults_of(&expected).is_empty(),
+        }
+    };
+    Ok(tallies.into_iter().map(told).collect())
+}

@@ -1,0 +1,196 @@
+//! One frame of one scene with the truth about it, and what a strategy made of it.
+//!
+//! Exact is worked out once per [`Question`] and shared by all strategies that answer it. Which pixels are wrong is told by a definition
+//! of its own, [`is_wrong`], so that the counts of [`crate::compare`] can be held against it.
+
+use std::sync::Arc;
+
+use super::Entrant;
+use crate::Result;
+use crate::compare::{Comparison, compare};
+use crate::exact::{Exact, evaluate};
+use crate::layers::{Kind, Layer, Layers};
+use crate::passes::Model;
+use crate::scene::{Camera, Scene, View};
+use crate::session::{Outcome, Session};
+use crate::strategies::FrameOptions;
+
+/// One frame of one scene, and the truth about it.
+#[derive(Clone)]
+pub struct Question {
+    /// The scene as strategies take it.
+    pub model: Model,
+    /// The view.
+    pub view: View,
+    /// The reference.
+    pub exact: Arc<Exact>,
+}
+
+/// What a strategy made of a question.
+pub struct Judged {
+    /// Error against exact; all zero where the strategy refused.
+    pub comparison: Comparison,
+    /// The reference.
+    pub exact: Arc<Exact>,
+    /// What the strategy drew; background where it refused.
+    pub layers: Layers,
+    /// How the frame ended.
+    pub outcome: Outcome,
+}
+
+impl Question {
+    /// The scene through its own camera.
+    pub fn of(scene: &Scene, size_px: [u32; 2]) -> Self {
+        Self::through(scene, &scene.camera, size_px)
+    }
+
+    /// The scene through another camera.
+    pub fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
+        let model = Model::of(scene);
+        let view = model.prepared.view_of(camera, size_px);
+        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        Self { model, view, exact }
+    }
+
+    /// The answer of a strategy, judged. Fails where the device does; a refusal is an outcome.
+    pub fn answer(&self, session: &mut Session, entrant: &Entrant) -> Result<Judged> {
+        let usual = session.options();
+        session.set_options(FrameOptions {
+            rasteriser: entrant.rasteriser.unwrap_or(usual.rasteriser),
+            ..usual
+        });
+        let drawn = self.drawn(session, entrant);
+        session.set_options(usual);
+        let (outcome, layers) = drawn?;
+        let comparison = layers.as_ref().map(|l| self.compare(l));
+        Ok(Judged {
+            comparison: comparison.unwrap_or_default(),
+            exact: self.exact.clone(),
+            layers: layers.unwrap_or_else(|| Layers::background(self.view.size_px)),
+            outcome,
+        })
+    }
+
+    fn drawn(&self, session: &mut Session, entrant: &Entrant) -> Result<(Outcome, Option<Layers>)> {
+        let strategy = &entrant.strategy;
+        let outcome = session.draw(&self.model, &self.view, strategy)?.outcome;
+        let is_drawn = !matches!(outcome, Outcome::Refused(_));
+        let layers = is_drawn.then(|| session.layers(strategy)).transpose()?;
+        Ok((outcome, layers))
+    }
+
+    /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.
+    pub fn boundary_px(&self) -> usize {
+        let layers = &self.exact.layers;
+        let [width, height] = layers.size_px;
+        let differ = |x: u32, y: u32, i: u32, j: u32| {
+            let (a, b) = (layers.at(x, y), layers.at(i, j));
+            let step = self.view.pixel_size(a.depth.min(b.depth));
+            class_of(a) != class_of(b) || (a.depth - b.depth).abs() > 8.0 * step
+        };
+        (0..width * height)
+            .filter(|p| {
+                let (x, y) = (p % width, p / width);
+                (x + 1 < width && differ(x, y, x + 1, y))
+                    || (y + 1 < height && differ(x, y, x, y + 1))
+            })
+            .count()
+    }
+
+    /// Judges layers from anywhere.
+    pub fn compare(&self, layers: &Layers) -> Comparison {
+        compare(&self.exact, layers, &self.view, self.model.prepared.scale)
+    }
+}
+
+impl Judged {
+    /// What keeps this from being the frame of an exact strategy, if anything does.
+    pub fn fault_of_exact(&self) -> Option<String> {
+        let c = &self.comparison;
+        let faults = [
+            (c.decided_wrong_px, "decided wrong"),
+            (c.crack_px, "crack"),
+            (c.odd_parity_px, "odd"),
+        ];
+        let mut told: Vec<String> = faults
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!("{count} {what}"))
+            .collect();
+        if self.outcome != Outcome::Complete {
+            told.push(format!("outcome {:?}", self.outcome));
+        }
+        if told.is_empty() {
+            return None;
+        }
+        told.extend(self.first_decided_wrong().map(|i| self.told(i)));
+        Some(told.join(", "))
+    }
+
+    /// Numbers of the decided pixels that are wrong.
+    pub fn decided_wrong(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.layers.pixels.len()).filter(|i| {
+            !self.exact.undecided[*i]
+                && is_wrong(&self.exact.layers.pixels[*i], &self.layers.pixels[*i])
+        })
+    }
+
+    /// The first of them.
+    pub fn first_decided_wrong(&self) -> Option<usize> {
+        self.decided_wrong().next()
+    }
+
+    /// The first decided pixel that is wrong and that the strategy vouches for.
+    pub fn first_unmarked_wrong(&self) -> Option<usize> {
+        self.decided_wrong()
+            .find(|i| !self.layers.pixels[*i].unreliable)
+    }
+
+    /// Decided pixels that show a back face where exact shows none.
+    pub fn back_faces(&self) -> usize {
+        let pairs = self.layers.pixels.iter().zip(&self.exact.layers.pixels);
+        pairs
+            .zip(&self.exact.undecided)
+            .filter(|((found, truth), undecided)| {
+                found.back_face && !truth.back_face && !**undecided
+            })
+            .count()
+    }
+
+    /// A pixel in words.
+    pub fn told(&self, pixel: usize) -> String {
+        let width = self.layers.size_px[0] as usize;
+        format!(
+            "pixel ({}, {}): exact {}, found {}",
+            pixel % width,
+            pixel / width,
+            words(&self.exact.layers.pixels[pixel]),
+            words(&self.layers.pixels[pixel])
+        )
+    }
+}
+
+/// Whether two pixels show different things.
+pub fn is_wrong(truth: &Layer, found: &Layer) -> bool {
+    let class = class_of(truth) != class_of(found);
+    let turned = truth.kind == Kind::Surface && !truth.back_face && found.back_face;
+    class || turned
+}
+
+/// What a pixel shows, without depth and normal.
+pub fn class_of(layer: &Layer) -> (Kind, u16, u8) {
+    match layer.kind {
+        Kind::Background => (Kind::Background, 0, 0),
+        Kind::Surface => (Kind::Surface, layer.part, 0),
+        Kind::Cap => (Kind::Cap, layer.part, layer.clip_surface),
+    }
+}
+
+fn words(l: &Layer) -> String {
+    let back = if l.back_face { " back" } else { "" };
+    match l.kind {
+        Kind::Background => "background".to_owned(),
+        Kind::Surface => format!("surface{back} of {} at {}", l.part, l.depth),
+        Kind::Cap => format!("cap of {} by {} at {}", l.part, l.clip_surface, l.depth),
+    }
+}

@@ -1,0 +1,137 @@
+//! Scenes without a pattern: unions of boxes and lumpy balls, one or two cuts of one or two planes or reliefs, eyes outside and inside.
+//!
+//! Scene after scene is drawn by each entrant and held against exact: exact strategies to no decided wrong pixel, depth images to their
+//! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and told as code,
+//! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels and a frame for each entrant; shrinking one, some
+//! hundred of both.
+
+mod recipe;
+
+pub use recipe::{Bumps, Recipe, Solid, Surface};
+
+use super::expected::{list_fault, unmarked_fault};
+use super::numbers::Numbers;
+use super::{Entrant, Judged, Question, band};
+use crate::Result;
+use crate::session::{Outcome, Session};
+use crate::strategies::CapSurface;
+
+/// Pixels of a random picture.
+pub const PICTURE_PX: [u32; 2] = [64, 48];
+
+/// More findings of one entrant say nothing new.
+const MOST_FINDINGS: usize = 5;
+
+/// A scene that came out wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// By whom.
+    pub strategy: String,
+    /// Number of the scene in the search.
+    pub scene: u64,
+    /// What is wrong with the simplest scene that was reached.
+    pub told: String,
+    /// That scene.
+    pub recipe: Recipe,
+}
+
+/// What a search came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Searched {
+    /// What came out wrong.
+    pub findings: Vec<Finding>,
+    /// By each entrant, in order: how many scenes it drew to the end; the others it refused, or told an overflow.
+    pub drawn: Vec<usize>,
+    /// Pixels that show a cap in exact.
+    pub caps_px: usize,
+    /// Pixels that exact covers.
+    pub covered_px: usize,
+    /// Pixels that exact leaves undecided.
+    pub undecided_px: usize,
+}
+
+/// Recipe of a scene by the seed of the search and its number in it.
+pub fn recipe(seed: u64, scene: u64) -> Recipe {
+    Recipe::random(&mut Numbers(seed ^ (scene << 32)))
+}
+
+/// Draws so many scenes by each entrant, and tells which came out wrong. Each scene is told before it is drawn.
+pub fn search(
+    session: &mut Session,
+    scenes: u64,
+    seed: u64,
+    entrants: &[Entrant],
+    step: &mut dyn FnMut(String),
+) -> Result<Searched> {
+    let mut searched = Searched {
+        drawn: vec![0; entrants.len()],
+        ..Searched::default()
+    };
+    for scene in 0..scenes {
+        step(format!("random scene {} of {scenes}", scene + 1));
+        let recipe = recipe(seed, scene);
+        let question = Question::of(&recipe.scene(), PICTURE_PX);
+        searched.covered_px += question.exact.covered_px();
+        searched.undecided_px += question.exact.undecided_px();
+        searched.caps_px += question.exact.layers.count(crate::layers::Kind::Cap);
+        for (entrant, drawn) in entrants.iter().zip(&mut searched.drawn) {
+            let strategy = entrant.to_string();
+            let by_it = searched.findings.iter().filter(|f| f.strategy == strategy);
+            if by_it.count() == MOST_FINDINGS {
+                continue;
+            }
+            let judged = question.answer(session, entrant)?;
+            *drawn += usize::from(judged.outcome == Outcome::Complete);
+            let Some(told) = fault(&question, &judged, entrant) else {
+                continue;
+            };
+            let (recipe, told) = shrunk(recipe.clone(), told, &mut |recipe| {
+                let question = Question::of(&recipe.scene(), PICTURE_PX);
+                let judged = question.answer(session, entrant)?;
+                Ok(fault(&question, &judged, entrant))
+            })?;
+            searched.findings.push(Finding {
+                strategy,
+                scene,
+                told,
+                recipe,
+            });
+        }
+    }
+    Ok(searched)
+}
+
+/// What is wrong with an answer. A refusal is none, nor is an overflow that is told, as long as what is wrong is marked.
+pub fn fault(question: &Question, judged: &Judged, entrant: &Entrant) -> Option<String> {
+    let strategy = &entrant.strategy;
+    let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
+    match &judged.outcome {
+        Outcome::Refused(_) => None,
+        _ if strategy.is_by_the_papers_rule() => {
+            (!is_whole(judged)).then(|| "a depth that is no number".to_owned())
+        }
+        Outcome::Overflowed(_) => unmarked_fault(judged),
+        Outcome::Complete => match (strategy.surface, entrant.resolution()) {
+            (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, _) => list_fault(judged),
+            (_, Some(resolution)) => band::fault(question, judged, resolution),
+            (_, None) => judged.fault_of_exact(),
+        },
+    }
+}
+
+/// The simplest recipe that can be reached without mending the fault, and its fault.
+pub fn shrunk(
+    mut recipe: Recipe,
+    mut told: String,
+    fault: &mut dyn FnMut(&Recipe) -> Result<Option<String>>,
+) -> Result<(Recipe, String)> {
+    'again: loop {
+        for simpler in recipe.simpler() {
+            if let Some(fault) = fault(&simpler)? {
+                (recipe, told) = (simpler, fault);
+                continue 'again;
+            }
+        }
+        return Ok((recipe, told));
+    }
+}

@@ -1,0 +1,17 @@
+//! Every number that a hard case forgives by, with its reason. Raising one asks for a look at its negative control.
+
+/// Decided wrong pixels of `grid:256+vds:512` per boundary pixel on a mild relief: as on the corpus.
+pub const PAPER_MILD: f64 = 1.0 / 8.0;
+
+/// The same where every texel is a step or a ridge: the grid has no vertex there, and its chord cuts the corner.
+pub const PAPER_ROUGH: f64 = 1.0 / 2.0;
+
+/// How far a point of a frame may be beside where it is, in scene units: rounding of depth and of the sprite's rows in f32,
+/// some ulp of 1 each.
+pub const ROUNDING_OF_POINTS: f64 = 1e-5;
+
+/// Angle between a cap's normal and that of exact, in degrees: two words of 16 bits hold it to a hundredth.
+pub const CAP_NORMAL_DEG: f64 = 0.1;
+
+/// Error of a cap's depth in edge lengths of a pixel: rounding in f32, a hundred times as much along a plane seen at half a degree.
+pub const CAP_DEPTH_PX: f64 = 0.01;

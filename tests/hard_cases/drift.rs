@@ -1,0 +1,127 @@
+//! Cases 7 and 40: what many triangles and many frames ask beyond their outcome.
+
+use cutaway::hard_cases::{Entrant, Question, class_of, scenes};
+use cutaway::layers::Layers;
+use cutaway::scene::{Camera, Scene, Viewpoint};
+use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::{Exact, Model};
+use glam::DVec2;
+
+use crate::common::session;
+
+const SIDE_PX: u32 = 40;
+const FRAMES: u32 = 256;
+
+/// A flip of a decided pixel from one frame to the next is one of exact: otherwise it is in excess.
+#[derive(Default)]
+struct Flicker {
+    flips: usize,
+    excess: usize,
+    /// Flips of exact that a picture which does not change would miss.
+    lagging: usize,
+}
+
+fn drifting(scene: &Scene, entrant: &Entrant) -> Flicker {
+    let model = Model::of(scene);
+    let truth = model.truth(scene);
+    let whole = model.prepared.view([SIDE_PX; 2]);
+    let mut flicker = Flicker::default();
+    let mut before: Option<(Layers, Exact)> = None;
+    for frame in 0..FRAMES {
+        let drift = DVec2::new(f64::from(frame) / 64.0, 0.0);
+        let view = whole.sampled_at(DVec2::splat(0.5) + drift);
+        let exact = cutaway::exact::evaluate(&truth, &view);
+        let question = Question {
+            model: model.clone(),
+            view,
+            exact: std::sync::Arc::new(exact.clone()),
+        };
+        let judged = question.answer(&mut session(), entrant).expect("a frame");
+        assert_eq!(judged.outcome.reason(), None, "{entrant}: frame {frame}");
+        if let Some((layers_before, exact_before)) = &before {
+            for p in 0..exact.undecided.len() {
+                if exact.undecided[p] || exact_before.undecided[p] {
+                    continue;
+                }
+                let flips =
+                    |a: &Layers, b: &Layers| class_of(&a.pixels[p]) != class_of(&b.pixels[p]);
+                let of_exact = flips(&exact_before.layers, &exact.layers);
+                flicker.flips += usize::from(of_exact);
+                flicker.excess += usize::from(flips(layers_before, &judged.layers) != of_exact);
+                flicker.lagging += usize::from(of_exact);
+            }
+        }
+        before = Some((judged.layers, exact));
+    }
+    flicker
+}
+
+#[test]
+fn case_40_a_drifting_camera_flips_what_exact_flips() {
+    let mut scene = scenes::of_parts(
+        "ring",
+        cutaway::hard_cases::meshes::parts("torus?segments=24&sides=12"),
+        vec![],
+    );
+    let rough = scenes::relief(
+        &scene,
+        "-0.2,-0.3,-1@50%,50%,50%",
+        "fractal:size=32,amplitude=6%",
+    );
+    scene.cuts = vec![cutaway::scene::Cut::of("cut", vec![rough])];
+    let entrant = |name: &str| Entrant::named(name).expect(name);
+    for name in ["raycast+mask", "raycast+mask@compute"] {
+        let flicker = drifting(&scene, &entrant(name));
+        assert!(flicker.flips > 300, "only {} pixels changed", flicker.flips);
+        assert_eq!(flicker.excess, 0, "{name}");
+    }
+    // The control: what is off by a texel flips where exact does not.
+    let coarse = drifting(&scene, &entrant("grid:32+vds:64"));
+    println!(
+        "a coarse sprite flips {} pixels in excess of {}",
+        coarse.excess, coarse.flips
+    );
+    assert!(coarse.excess > 50, "a coarse sprite is not noticed");
+}
+
+#[test]
+fn case_07_a_million_triangles_leave_no_odd_pixel() {
+    let mut scene = scenes::sectioned(
+        "torus?segments=1000&sides=500",
+        &["-0.3,-1,-0.2@50%,50%,50%"],
+    );
+    scene.camera = Camera {
+        viewpoint: Viewpoint::Orbit {
+            azimuth_deg: 30.0,
+            elevation_deg: 40.0,
+        },
+        ..Camera::default()
+    };
+    let model = Model::of(&scene);
+    assert_eq!(model.prepared.triangle_count(), 1_000_000);
+    let view = model.prepared.view([64; 2]);
+    let mut session = session();
+    let strategy = Strategy::RAYCAST_MASK;
+    let mut drawn = Vec::new();
+    for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
+        session.set_options(FrameOptions::by(rasteriser));
+        let outcome = session
+            .draw(&model, &view, &strategy)
+            .expect("a frame")
+            .outcome;
+        assert_eq!(outcome.reason(), None, "{rasteriser}");
+        let layers = session.layers(&strategy).expect("layers");
+        let odd = layers.pixels.iter().filter(|p| p.unreliable).count();
+        assert_eq!(odd, 0, "{rasteriser}: odd pixels");
+        drawn.push(layers);
+    }
+    session.set_options(FrameOptions::default());
+    session.forget();
+    let differing = (drawn[0].pixels.iter().zip(&drawn[1].pixels))
+        .filter(|(a, b)| class_of(a) != class_of(b))
+        .count();
+    assert!(
+        differing <= 2,
+        "the rasterisers differ in {differing} pixels"
+    );
+}

@@ -1,0 +1,116 @@
+//! The list of hard cases: every number is on it, has pictures or tests, and the tests that it names are there.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use cutaway::hard_cases::{LIST, cases};
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder of tests");
+    let mut found = Vec::new();
+    for entry in entries {
+        let path = entry.expect("a file").path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+/// Tests by binary and name, as the list writes them: functions right after a line that makes them tests.
+fn tests() -> BTreeSet<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let mut found = BTreeSet::new();
+    for path in sources(&root) {
+        let below = path.strip_prefix(&root).expect("below the folder");
+        let first = below.iter().next().expect("a name").to_string_lossy();
+        let binary = first.trim_end_matches(".rs");
+        let text = std::fs::read_to_string(&path).expect("a source");
+        found.extend(
+            names(&text)
+                .into_iter()
+                .map(|name| format!("{binary} {name}")),
+        );
+    }
+    found
+}
+
+fn names(text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    let tests = lines.windows(2).filter(|pair| pair[0] == "#[test]");
+    let name = |line: &str| {
+        line.strip_prefix("fn ")?
+            .split('(')
+            .next()
+            .map(str::to_owned)
+    };
+    tests.filter_map(|pair| name(pair[1])).collect()
+}
+
+fn missing<'a>(named: impl Iterator<Item = &'a str>, there: &BTreeSet<String>) -> Vec<String> {
+    let gone = named.filter(|name| !there.contains(*name));
+    gone.map(str::to_owned).collect()
+}
+
+#[test]
+fn every_test_that_is_named_is_there() {
+    let there = tests();
+    assert!(there.len() > 500, "only {} tests were found", there.len());
+    let named = LIST.iter().flat_map(|l| l.tests.iter().copied());
+    assert_eq!(missing(named, &there), [""; 0], "tests that are not there");
+    let planted = [
+        "hard_cases case_99_of_nothing",
+        "nowhere case_38_and_or_differ_and_have_both_caps",
+    ];
+    assert_eq!(missing(planted.into_iter(), &there).len(), 2, "planted");
+    assert_eq!(names("#[test]\nfn a() {}\nfn b() {}\n"), ["a"], "planted");
+}
+
+/// Numbers that the list lacks, or has twice.
+fn unlisted(ids: &[&str]) -> Vec<String> {
+    let expected = (1..=50).map(|n| n.to_string());
+    let all = expected.chain((1..=14).map(|n| format!("B{n}")));
+    all.filter(|id| ids.iter().filter(|i| *i == id).count() != 1)
+        .collect()
+}
+
+#[test]
+fn every_number_is_listed_once_and_has_a_keeper() {
+    let ids: Vec<&str> = LIST.iter().map(|l| l.id).collect();
+    assert_eq!(unlisted(&ids), [""; 0]);
+    assert_eq!(unlisted(&ids[1..]), ["1"], "planted");
+    for listed in LIST {
+        let has_pictures = cases().any(|c| c.id == listed.id);
+        assert!(
+            has_pictures || !listed.tests.is_empty(),
+            "{} is held by nobody",
+            listed.id
+        );
+    }
+    for case in cases() {
+        assert!(
+            ids.contains(&case.id),
+            "case {} is not on the list",
+            case.id
+        );
+    }
+    // A case that a test is named after is on the line of that case.
+    for test in tests() {
+        let Some(number) = test
+            .split(" case_")
+            .nth(1)
+            .map(|rest| rest.split('_').next())
+        else {
+            continue;
+        };
+        let number = number.unwrap_or_default();
+        let id = match number.strip_prefix('b') {
+            Some(number) => format!("B{}", number.trim_start_matches('0')),
+            None => number.trim_start_matches('0').to_owned(),
+        };
+        let line = LIST.iter().find(|l| l.id == id);
+        assert!(line.is_some(), "{test} is of no case on the list");
+    }
+}
