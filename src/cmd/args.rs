@@ -6,7 +6,9 @@ use glam::{DVec3, Vec3};
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
-use crate::scene::{Bounds, Camera, Cut, Fill, Projection, Up, Viewpoint, parse_color};
+use crate::scene::{
+    Bounds, Camera, Cut, Fill, HeightFilter, Projection, Up, Viewpoint, parse_color,
+};
 use crate::session::Session;
 use crate::strategies::{FrameOptions, Rasteriser};
 
@@ -253,7 +255,7 @@ pub(super) struct DeviceArgs {
     #[arg(long, value_name = "NAME", help_heading = "Device")]
     adapter: Option<String>,
     #[command(flatten)]
-    pub(super) rasteriser: RasteriserArgs,
+    pub(super) means: MeansArgs,
 }
 
 impl DeviceArgs {
@@ -263,13 +265,13 @@ impl DeviceArgs {
             adapter: self.adapter.clone(),
             prefer_software: false,
         })?;
-        Ok(Session::with_options(gpu, self.rasteriser.options()))
+        Ok(Session::with_options(gpu, self.means.options()))
     }
 }
 
-/// Who rasterises the mesh.
+/// By which means frames are drawn.
 #[derive(Args)]
-pub(super) struct RasteriserArgs {
+pub(super) struct MeansArgs {
     /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi)
     #[arg(
         long,
@@ -279,12 +281,19 @@ pub(super) struct RasteriserArgs {
         help_heading = "Device"
     )]
     rasteriser: Rasteriser,
+    /// Who interpolates the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
+    /// the error that it makes) [default: that of the scene, or exact]
+    #[arg(long, value_name = "WHO", value_parser = parse_height_filter, help_heading = "Device")]
+    height_filter: Option<HeightFilter>,
 }
 
-impl RasteriserArgs {
+impl MeansArgs {
     /// As options of frames.
     pub(super) fn options(&self) -> FrameOptions {
-        FrameOptions::by(self.rasteriser)
+        FrameOptions {
+            height_filter: self.height_filter,
+            ..FrameOptions::by(self.rasteriser)
+        }
     }
 }
 
@@ -309,6 +318,12 @@ pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
     text.parse().map_err(|_: crate::Error| {
         "there is no such rasteriser\n  mend: say hardware or compute".to_owned()
+    })
+}
+
+fn parse_height_filter(text: &str) -> Result<HeightFilter, String> {
+    text.parse().map_err(|_: crate::Error| {
+        "there is no such filter\n  mend: say exact or hardware".to_owned()
     })
 }
 

@@ -7,6 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::passes::{Rasteriser, ReliefWalk};
+use crate::scene::HeightFilter;
 use crate::strategies::{FrameOptions, Strategy};
 use crate::{Error, Result};
 
@@ -19,6 +20,8 @@ pub struct Contender {
     pub rasteriser: Option<Rasteriser>,
     /// How rays are followed through reliefs, where it is not left to choose.
     pub relief_walk: Option<ReliefWalk>,
+    /// Who interpolates heights, where it is not who does for all.
+    pub height_filter: Option<HeightFilter>,
     /// Does without atomics of 64 bits, as core WebGPU has to.
     pub is_narrow: bool,
 }
@@ -27,12 +30,15 @@ pub struct Contender {
 type Means = (&'static str, fn(&mut Contender));
 
 /// What may follow the `@`.
-const MEANS: [Means; 5] = [
+const MEANS: [Means; 6] = [
     ("hardware", |c| c.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |c| c.rasteriser = Some(Rasteriser::Compute)),
     ("32-bit", |c| c.is_narrow = true),
     ("cells", |c| c.relief_walk = Some(ReliefWalk::Cells)),
     ("pyramid", |c| c.relief_walk = Some(ReliefWalk::Pyramid)),
+    ("hardware-filter", |c| {
+        c.height_filter = Some(HeightFilter::Hardware);
+    }),
 ];
 
 impl Contender {
@@ -46,6 +52,7 @@ impl Contender {
         FrameOptions {
             rasteriser: self.rasteriser.unwrap_or(usual.rasteriser),
             relief_walk: self.relief_walk.or(usual.relief_walk),
+            height_filter: self.height_filter.or(usual.height_filter),
             wide_atomics: if self.is_narrow {
                 Some(false)
             } else {
@@ -62,6 +69,7 @@ impl From<Strategy> for Contender {
             strategy,
             rasteriser: None,
             relief_walk: None,
+            height_filter: None,
             is_narrow: false,
         }
     }
@@ -123,6 +131,7 @@ mod tests {
             "raycast+mask@compute,32-bit",
             "raycast+mask@cells",
             "raycast+mask@hardware",
+            "grid:64+vds:512@hardware-filter",
         ] {
             let contender: Contender = text.parse().unwrap();
             assert_eq!(contender.to_string(), text);
