@@ -5,12 +5,14 @@
 
 use std::sync::LazyLock;
 
-use cutaway::gpu::{Gpu, GpuOptions, POISON, run_words};
+use cutaway::gpu::{Gpu, GpuOptions, POISON, run_words, run_words_with};
 
 #[path = "words/depths.rs"]
 mod depths;
 #[path = "words/fixed_point.rs"]
 mod fixed_point;
+#[path = "words/height_filter.rs"]
+mod height_filter;
 #[path = "words/lists.rs"]
 mod lists;
 #[path = "words/normals.rs"]
@@ -46,8 +48,19 @@ fn answers(
     cases: usize,
     per_case: usize,
 ) -> Vec<Vec<u32>> {
-    let words =
-        run_words(&GPU, wgsl, inputs, cases * per_case).unwrap_or_else(|e| panic!("{e}\n{wgsl}"));
+    answers_with(wgsl, &[], inputs, cases, per_case)
+}
+
+/// As [`answers`], with files that fill open modules.
+fn answers_with(
+    wgsl: &str,
+    with: &[&str],
+    inputs: &[(&str, Vec<u32>)],
+    cases: usize,
+    per_case: usize,
+) -> Vec<Vec<u32>> {
+    let words = run_words_with(&GPU, wgsl, with, inputs, &[], cases * per_case)
+        .unwrap_or_else(|e| panic!("{e}\n{wgsl}"));
     if let Some(at) = words.iter().position(|w| *w == POISON) {
         panic!(
             "nobody wrote word {} of case {}",

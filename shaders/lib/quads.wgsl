@@ -3,7 +3,7 @@
 #define_import_path cutaway::quads
 
 #import cutaway::cuts::{NO_RELIEF, cut_table}
-#import cutaway::relief::height_at
+#import cutaway::height_filter::filtered_height
 
 struct Quad {
     // Corner of the quad and its steps per cell, in scene space.
@@ -31,5 +31,5 @@ fn relief_over(surface: u32, point: vec3<f32>) -> f32 {
         dot(cut_table.surfaces[surface].texel_x_row, p),
         dot(cut_table.surfaces[surface].texel_y_row, p),
     );
-    return height_at(surface, texel) * cut_table.surfaces[surface].scale.z;
+    return filtered_height(surface, texel) * cut_table.surfaces[surface].scale.z;
 }

@@ -79,17 +79,6 @@ fn height_at(surface: u32, texel: vec2<f32>) -> f32 {
     return height_in(cell_at(surface, vec2<i32>(corner)), texel - corner);
 }
 
-// By how much a point is on the kept side: height over the plane plus the relief's; negative where removed.
-fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
-    let p = vec4<f32>(point, 1.0);
-    let over_plane = dot(cut_table.surfaces[surface].height_row, p);
-    if cut_table.surfaces[surface].first_texel == NO_RELIEF {
-        return over_plane;
-    }
-    let texel = vec2<f32>(dot(cut_table.surfaces[surface].texel_x_row, p), dot(cut_table.surfaces[surface].texel_y_row, p));
-    return over_plane + height_at(surface, texel) * cut_table.surfaces[surface].scale.z;
-}
-
 // Unit normal of the clip-surface at a point on it, toward the removed side: the outside of a cap.
 fn cap_normal(surface: u32, point: vec3<f32>) -> vec3<f32> {
     let normal = cut_table.surfaces[surface].normal.xyz;
@@ -104,15 +93,4 @@ fn cap_normal(surface: u32, point: vec3<f32>) -> vec3<f32> {
     let scale = cut_table.surfaces[surface].scale;
     let slope = vec2<f32>(cell.along.x + cell.twist * at.y, cell.along.y + cell.twist * at.x) * scale.xy * scale.z;
     return -normalize(normal + slope.x * cut_table.surfaces[surface].u_hat.xyz + slope.y * cut_table.surfaces[surface].v_hat.xyz);
-}
-
-// Sides of a point with respect to all clip-surfaces.
-fn sides_of(point: vec3<f32>) -> u32 {
-    var sides = 0u;
-    for (var s = 0u; s < cut_table.surface_count; s++) {
-        if kept_height(s, point) < 0.0 {
-            sides |= 1u << s;
-        }
-    }
-    return sides;
 }

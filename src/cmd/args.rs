@@ -7,7 +7,9 @@ use super::defects::DefectArgs;
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
-use crate::scene::{Bounds, Camera, Cut, Fill, Projection, Up, Viewpoint, parse_color};
+use crate::scene::{
+    Bounds, Camera, Cut, Fill, HeightFilter, Projection, Up, Viewpoint, parse_color,
+};
 use crate::session::Session;
 use crate::strategies::{FrameOptions, Rasteriser};
 
@@ -255,14 +257,14 @@ pub(super) struct DeviceArgs {
     #[command(flatten)]
     adapter: AdapterArgs,
     #[command(flatten)]
-    pub(super) rasteriser: RasteriserArgs,
+    pub(super) means: MeansArgs,
 }
 
 impl DeviceArgs {
     /// A session on the device.
     pub(super) fn open(&self) -> Result<Session> {
         let gpu = self.adapter.open()?;
-        Ok(Session::with_options(gpu, self.rasteriser.options()))
+        Ok(Session::with_options(gpu, self.means.options()))
     }
 }
 
@@ -284,9 +286,9 @@ impl AdapterArgs {
     }
 }
 
-/// Who rasterises the mesh.
+/// By which means frames are drawn.
 #[derive(Args)]
-pub(super) struct RasteriserArgs {
+pub(super) struct MeansArgs {
     /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi)
     #[arg(
         long,
@@ -296,12 +298,19 @@ pub(super) struct RasteriserArgs {
         help_heading = "Device"
     )]
     rasteriser: Rasteriser,
+    /// Who interpolates the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for
+    /// the error that it makes) [default: that of the scene, or exact]
+    #[arg(long, value_name = "WHO", value_parser = parse_height_filter, help_heading = "Device")]
+    height_filter: Option<HeightFilter>,
 }
 
-impl RasteriserArgs {
+impl MeansArgs {
     /// As options of frames.
     pub(super) fn options(&self) -> FrameOptions {
-        FrameOptions::by(self.rasteriser)
+        FrameOptions {
+            height_filter: self.height_filter,
+            ..FrameOptions::by(self.rasteriser)
+        }
     }
 }
 
@@ -326,6 +335,12 @@ pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
     text.parse().map_err(|_: crate::Error| {
         "there is no such rasteriser\n  mend: say hardware or compute".to_owned()
+    })
+}
+
+fn parse_height_filter(text: &str) -> Result<HeightFilter, String> {
+    text.parse().map_err(|_: crate::Error| {
+        "there is no such filter\n  mend: say exact or hardware".to_owned()
     })
 }
 

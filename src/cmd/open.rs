@@ -13,8 +13,8 @@ use super::when::TimeArgs;
 use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Cut, Fill, Material, OpenedMesh, Part, Prepared, Scene, Timeline, Topology, View,
-    load_mesh_file, load_scene_file,
+    Camera, Cut, Fill, HeightFilter, Material, OpenedMesh, Part, Prepared, Scene, Timeline,
+    Topology, View, load_mesh_file, load_scene_file,
 };
 use crate::strategies::FrameOptions;
 use crate::{Error, Result};
@@ -36,6 +36,8 @@ pub(super) struct Opened {
     pub(super) background: Option<Vec3>,
     /// Colour of caps that several solids share, where they are to be shown.
     pub(super) interference: Option<[u8; 3]>,
+    /// Who interpolates heights, where the scene file says it.
+    height_filter: Option<HeightFilter>,
     /// The rule that the options fill all parts by, if they say one.
     fill: Option<Fill>,
     /// What the options break, the same at all times.
@@ -52,6 +54,7 @@ impl Opened {
     pub(super) fn options(&self, options: FrameOptions) -> FrameOptions {
         FrameOptions {
             interference: self.interference,
+            height_filter: options.height_filter.or(self.height_filter),
             ..options
         }
     }
@@ -128,6 +131,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
             .unwrap_or(USUAL_SIZE_PX),
         background: inputs.background,
         interference: args.interference.or(inputs.interference),
+        height_filter: inputs.height_filter,
         fill: args.fill,
         defects: args.defects.clone(),
         cuts,
@@ -146,6 +150,7 @@ pub(super) struct Inputs {
     resolution: Option<[u32; 2]>,
     background: Option<Vec3>,
     interference: Option<[u8; 3]>,
+    height_filter: Option<HeightFilter>,
 }
 
 impl Inputs {
@@ -178,6 +183,7 @@ impl Inputs {
             resolution: file.resolution,
             background: file.background,
             interference: file.interference.map(bytes_of),
+            height_filter: file.height_filter,
         })
     }
 
@@ -209,6 +215,7 @@ impl Inputs {
             resolution: None,
             background: None,
             interference: None,
+            height_filter: None,
         })
     }
 

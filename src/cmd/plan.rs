@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::Verdict;
-use super::args::{RasteriserArgs, SceneArgs};
+use super::args::{MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::open::open;
 use super::output::{Output, write_stdout};
@@ -38,7 +38,7 @@ pub(super) struct PlanArgs {
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
-    rasteriser: RasteriserArgs,
+    means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -65,7 +65,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         &model,
         &view,
         &strategy,
-        &opened.options(args.rasteriser.options()),
+        &opened.options(args.means.options()),
         &Capacities::UNKNOWN,
     )
     .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;

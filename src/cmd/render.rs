@@ -239,6 +239,7 @@ impl Facts {
             "adapter": session.gpu().report(),
             "strategy": drawer.to_string(),
             "rasteriser": session.options().rasteriser.to_string(),
+            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
             "outcome": self.outcome.name(),
             "reason": self.outcome.reason(),
             "cap_px": count(Kind::Cap),

@@ -9,6 +9,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::passes::{Rasteriser, ReliefWalk};
+use crate::scene::HeightFilter;
 use crate::strategies::{FrameOptions, Strategy};
 use crate::{Error, Result};
 
@@ -30,6 +31,8 @@ pub struct Drawn {
     pub rasteriser: Option<Rasteriser>,
     /// How rays are followed through reliefs, where it is not left to choose.
     pub relief_walk: Option<ReliefWalk>,
+    /// Who interpolates heights, where it is not who does for all.
+    pub height_filter: Option<HeightFilter>,
     /// Does without atomics of 64 bits, as core WebGPU has to.
     pub is_narrow: bool,
 }
@@ -38,12 +41,15 @@ pub struct Drawn {
 type Means = (&'static str, fn(&mut Drawn));
 
 /// What may follow the `@`.
-const MEANS: [Means; 5] = [
+const MEANS: [Means; 6] = [
     ("hardware", |c| c.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |c| c.rasteriser = Some(Rasteriser::Compute)),
     ("32-bit", |c| c.is_narrow = true),
     ("cells", |c| c.relief_walk = Some(ReliefWalk::Cells)),
     ("pyramid", |c| c.relief_walk = Some(ReliefWalk::Pyramid)),
+    ("hardware-filter", |c| {
+        c.height_filter = Some(HeightFilter::Hardware);
+    }),
 ];
 
 /// The name of the contender that is no strategy.
@@ -77,6 +83,7 @@ impl Drawn {
         FrameOptions {
             rasteriser: self.rasteriser.unwrap_or(usual.rasteriser),
             relief_walk: self.relief_walk.or(usual.relief_walk),
+            height_filter: self.height_filter.or(usual.height_filter),
             wide_atomics: if self.is_narrow {
                 Some(false)
             } else {
@@ -93,6 +100,7 @@ impl From<Strategy> for Drawn {
             strategy,
             rasteriser: None,
             relief_walk: None,
+            height_filter: None,
             is_narrow: false,
         }
     }
@@ -180,6 +188,7 @@ mod tests {
             "raycast+mask@cells",
             "raycast+mask@hardware",
             "winding",
+            "grid:64+vds:512@hardware-filter",
         ] {
             let contender: Contender = text.parse().unwrap();
             assert_eq!(contender.to_string(), text);

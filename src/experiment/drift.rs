@@ -69,7 +69,7 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     }
 }
 
-/// Lets the camera of a scene drift; the figures of each contender, none of one that refuses. Ends early with `None` as soon as
+/// Lets the camera of a scene drift; the figures of each contender, none of one that refuses or is no strategy. Ends early with `None` as soon as
 /// `goes_on` says no.
 pub fn flicker(
     session: &mut Session,
@@ -93,11 +93,15 @@ pub fn flicker(
         let exact = evaluate(truth, &view);
         let mut drawn = Vec::with_capacity(contenders.len());
         for contender in contenders {
+            let Some(strategy) = contender.strategy() else {
+                drawn.push(None);
+                continue;
+            };
             session.set_options(contender.options(usual));
-            let outcome = session.draw(&staged.shown.model, &view, &contender.strategy);
+            let outcome = session.draw(&staged.shown.model, &view, &strategy);
             let layers = match outcome.map(|d| d.outcome) {
                 Ok(Outcome::Refused(_)) => Ok(None),
-                Ok(_) => session.layers(&contender.strategy).map(Some),
+                Ok(_) => session.layers(&strategy).map(Some),
                 Err(e) => Err(e),
             };
             session.set_options(usual);

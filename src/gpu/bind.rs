@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::Gpu;
 use super::pipelines::Pipeline;
-use super::program::Real;
+use super::real::Real;
 use crate::plan::{Pass, Plan, ResourceId, Shape};
 use crate::shader::{BindingKind, ShaderBinding};
 use crate::{Error, Result};
@@ -28,9 +28,7 @@ pub(super) fn bind_groups(
             Pipeline::Compute(p) => p.get_bind_group_layout(group),
             Pipeline::Render(p) => p.get_bind_group_layout(group),
         };
-        // Views must outlive the entries that borrow them.
-        let mut views: Vec<(u32, wgpu::TextureView)> = Vec::new();
-        let mut buffers: Vec<(u32, &wgpu::Buffer)> = Vec::new();
+        let mut bound = Vec::new();
         for w in wanted.iter().filter(|w| w.group == group) {
             let Some(b) = pass.bindings.iter().find(|b| b.name == w.name) else {
                 return Err(Error::Plan(format!(
@@ -38,42 +36,52 @@ pub(super) fn bind_groups(
                     pass.name, w.name
                 )));
             };
-            match real.get(&plan.resource(b.resource).name) {
-                Some((_, Real::Buffer(buffer))) => buffers.push((w.binding, buffer)),
-                Some((_, Real::Texture(texture))) => {
-                    let view = match w.kind {
-                        BindingKind::TextureArray => array_view(texture),
-                        kind => aspect_view(texture, kind, b.layer.unwrap_or(0)),
-                    };
-                    views.push((w.binding, view));
-                }
-                _ => {
-                    return Err(Error::Plan(format!(
-                        "{}: `{}` has no resource",
-                        pass.name, w.name
-                    )));
-                }
-            }
+            let Some((_, real)) = real.get(&plan.resource(b.resource).name) else {
+                return Err(Error::Plan(format!(
+                    "{}: `{}` has no resource",
+                    pass.name, w.name
+                )));
+            };
+            bound.push((w, real, b.layer.unwrap_or(0)));
         }
-        let textures = views.iter().map(|(binding, view)| wgpu::BindGroupEntry {
-            binding: *binding,
-            resource: wgpu::BindingResource::TextureView(view),
-        });
-        let entries: Vec<wgpu::BindGroupEntry<'_>> = buffers
-            .iter()
-            .map(|(binding, buffer)| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: buffer.as_entire_binding(),
-            })
-            .chain(textures)
-            .collect();
-        made.push(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some(&pass.name),
-            layout: &layout,
-            entries: &entries,
-        }));
+        made.push(bind_group(gpu, &pass.name, &layout, &bound));
     }
     Ok(made)
+}
+
+/// A group of resources, each with the layer that is bound of a texture without layers in the shader.
+pub(super) fn bind_group(
+    gpu: &Gpu,
+    label: &str,
+    layout: &wgpu::BindGroupLayout,
+    bound: &[(&ShaderBinding, &Real, u32)],
+) -> wgpu::BindGroup {
+    // Views must outlive the entries that borrow them.
+    let views: Vec<Option<wgpu::TextureView>> = (bound.iter())
+        .map(|(w, real, layer)| match (real, w.kind) {
+            (Real::Texture(texture), BindingKind::TextureArray) => Some(array_view(texture)),
+            (Real::Texture(texture), kind) => Some(aspect_view(texture, kind, *layer)),
+            _ => None,
+        })
+        .collect();
+    let entries: Vec<wgpu::BindGroupEntry<'_>> = (bound.iter().zip(&views))
+        .filter_map(|((w, real, _), view)| {
+            let resource = match (real, view) {
+                (Real::Buffer(buffer), _) => buffer.as_entire_binding(),
+                (Real::Sampler(sampler), _) => wgpu::BindingResource::Sampler(sampler),
+                (Real::Texture(_), view) => wgpu::BindingResource::TextureView(view.as_ref()?),
+            };
+            Some(wgpu::BindGroupEntry {
+                binding: w.binding,
+                resource,
+            })
+        })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(label),
+        layout,
+        entries: &entries,
+    })
 }
 
 pub(super) fn texture<'a>(

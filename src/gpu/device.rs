@@ -91,7 +91,9 @@ impl Gpu {
         let info = adapter.get_info();
         let software = info.device_type == wgpu::DeviceType::Cpu;
         let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let wanted = WIDE_ATOMICS | wgpu::Features::DEPTH32FLOAT_STENCIL8;
+        let wanted = WIDE_ATOMICS
+            | wgpu::Features::DEPTH32FLOAT_STENCIL8
+            | wgpu::Features::FLOAT32_FILTERABLE;
         let mut features = adapter.features() & wanted;
         let wide_atomics = features.contains(WIDE_ATOMICS);
         features.set(WIDE_ATOMICS, wide_atomics);
@@ -134,6 +136,7 @@ impl Gpu {
                 texture_size: have.max_texture_dimension_2d,
                 wide_atomics,
                 depth32_stencil8: features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8),
+                filters_f32: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
                 ..Limits::CORE
             },
             device,

@@ -6,6 +6,7 @@ mod draw;
 mod pipelines;
 mod program;
 mod readback;
+mod real;
 mod timing;
 mod words;
 
@@ -13,4 +14,4 @@ pub use device::{AdapterReport, Gpu, GpuOptions};
 pub use program::Program;
 pub(crate) use program::words_from_layers;
 pub use timing::{ClockSet, PassTime, RunTimes};
-pub use words::{POISON, run_words};
+pub use words::{POISON, run_words, run_words_with};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Gpu;
-use super::program::texel_format;
+use super::real::texel_format;
 use crate::Result;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,
@@ -174,7 +174,7 @@ fn render_pipeline(
 fn format_of(plan: &Plan, id: ResourceId) -> Format {
     match plan.resource(id).shape {
         Shape::Texture { format, .. } => format,
-        Shape::Buffer { .. } => Format::Rg32Uint,
+        Shape::Buffer { .. } | Shape::Sampler { .. } => Format::Rg32Uint,
     }
 }
 

@@ -10,19 +10,12 @@ use super::Gpu;
 use super::device::is_shared;
 use super::draw::Step;
 use super::pipelines::Pipelines;
+use super::real::{Real, make};
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, CpuWork, Due, Format, Pass, Plan, Resource, ResourceId, Role, Shape};
+use crate::plan::{Clock, CpuWork, Due, Pass, Plan, Resource, ResourceId, Shape};
 use crate::{Error, Result};
-
-/// A resource on the device.
-pub(super) enum Real {
-    /// A buffer.
-    Buffer(wgpu::Buffer),
-    /// A texture.
-    Texture(wgpu::Texture),
-}
 
 /// A loaded plan.
 #[derive(Default)]
@@ -106,15 +99,7 @@ impl Program {
         let resources = self.plan.resources.iter().filter(wanted);
         resources
             .filter_map(|r| self.real.get(&r.name))
-            .map(|(_, real)| match real {
-                Real::Buffer(buffer) => buffer.size(),
-                Real::Texture(texture) => {
-                    let size = texture.size();
-                    let texels = u64::from(size.width) * u64::from(size.height);
-                    let texel_bytes = texel_bytes(texture.format());
-                    texels * u64::from(size.depth_or_array_layers) * u64::from(texel_bytes)
-                }
-            })
+            .map(|(_, real)| real.bytes())
             .sum()
     }
 
@@ -265,16 +250,6 @@ impl Program {
     }
 }
 
-/// Bytes of a texel, without padding; a combined format has those of each aspect.
-fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
-    let of = |aspect| format.block_copy_size(aspect).unwrap_or(0);
-    match format {
-        // The format has no bytes as a whole, and its depth cannot be copied out: 32 bits of depth and 8 of stencil.
-        wgpu::TextureFormat::Depth32FloatStencil8 => 4 + of(Some(wgpu::TextureAspect::StencilOnly)),
-        _ => of(None),
-    }
-}
-
 fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
     let descriptor = wgpu::CommandEncoderDescriptor {
         label: Some("frame"),
@@ -334,65 +309,4 @@ pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
         ]
     });
     words.flatten().collect()
-}
-
-fn make(gpu: &Gpu, resource: &Resource) -> Real {
-    let usage = |role| match role {
-        Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        Role::Uniform => wgpu::BufferUsages::UNIFORM,
-        // The compute rasteriser reads the mesh from the same buffers as the GPU's own.
-        Role::Vertex => {
-            wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
-        }
-        Role::Index => {
-            wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC
-        }
-        Role::Arguments => {
-            wgpu::BufferUsages::INDIRECT
-                | wgpu::BufferUsages::STORAGE
-                | wgpu::BufferUsages::COPY_SRC
-        }
-    };
-    match (resource.shape, &resource.contents) {
-        (Shape::Buffer { role, .. }, Some(contents)) => {
-            Real::Buffer(gpu.buffer_with(&resource.name, contents, usage(role)))
-        }
-        (Shape::Buffer { bytes, role }, None) => {
-            Real::Buffer(gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(&resource.name),
-                size: bytes,
-                usage: usage(role) | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            }))
-        }
-        (
-            Shape::Texture {
-                size,
-                layers,
-                format,
-            },
-            _,
-        ) => Real::Texture(gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some(&resource.name),
-            size: wgpu::Extent3d {
-                width: size[0],
-                height: size[1],
-                depth_or_array_layers: layers,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: texel_format(format),
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        })),
-    }
-}
-
-pub(super) fn texel_format(format: Format) -> wgpu::TextureFormat {
-    match format {
-        Format::Rg32Uint => wgpu::TextureFormat::Rg32Uint,
-        Format::Depth32Float => wgpu::TextureFormat::Depth32Float,
-        Format::Depth32FloatStencil8 => wgpu::TextureFormat::Depth32FloatStencil8,
-    }
 }

@@ -5,6 +5,9 @@
 //! poisoned before the run: a word that nobody wrote differs from every word that somebody meant to be zero.
 
 use super::Gpu;
+use super::bind::bind_group;
+use super::real::{Real, make};
+use crate::plan::Resource;
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
 
@@ -27,7 +30,20 @@ pub fn run_words(
     inputs: &[(&str, Vec<u32>)],
     output_words: usize,
 ) -> Result<Vec<u32>> {
-    let composed = shader::compose_text("words", wgsl)?;
+    run_words_with(gpu, wgsl, &[], inputs, &[], output_words)
+}
+
+/// As [`run_words`], with files that fill open modules, and with resources of a plan such as textures and samplers, by the names of
+/// their variables.
+pub fn run_words_with(
+    gpu: &Gpu,
+    wgsl: &str,
+    with: &[&str],
+    inputs: &[(&str, Vec<u32>)],
+    resources: &[(&str, &Resource)],
+    output_words: usize,
+) -> Result<Vec<u32>> {
+    let composed = shader::compose_text_with("words", wgsl, with)?;
     let wanted = shader::bindings(&composed);
     let module = gpu
         .device
@@ -48,8 +64,12 @@ pub fn run_words(
     gpu.complaint()?;
 
     let poisoned = vec![POISON; output_words];
-    let mut buffers = Vec::with_capacity(wanted.len());
+    let mut reals = Vec::with_capacity(wanted.len());
     for w in &wanted {
+        if let Some((_, resource)) = resources.iter().find(|(name, _)| *name == w.name) {
+            reals.push(make(gpu, resource));
+            continue;
+        }
         let words = match inputs.iter().find(|(name, _)| *name == w.name) {
             _ if w.name == OUTPUT => &poisoned,
             Some((_, words)) => words,
@@ -58,7 +78,10 @@ pub fn run_words(
         let usage = match w.kind {
             BindingKind::Uniform => wgpu::BufferUsages::UNIFORM,
             BindingKind::StorageRead | BindingKind::StorageReadWrite => wgpu::BufferUsages::STORAGE,
-            BindingKind::Texture | BindingKind::DepthTexture | BindingKind::TextureArray => {
+            BindingKind::Texture
+            | BindingKind::DepthTexture
+            | BindingKind::TextureArray
+            | BindingKind::Sampler => {
                 return Err(Error::Plan(format!("`{}` is no buffer", w.name)));
             }
         };
@@ -70,7 +93,7 @@ pub fn run_words(
         });
         gpu.queue
             .write_buffer(&buffer, 0, bytemuck::cast_slice(words));
-        buffers.push(buffer);
+        reals.push(Real::Buffer(buffer));
     }
     let Some(output) = wanted.iter().position(|w| w.name == OUTPUT) else {
         return Err(Error::Plan(format!("the shader writes no `{OUTPUT}`")));
@@ -90,25 +113,18 @@ pub fn run_words(
         pass.set_pipeline(&pipeline);
         let groups = wanted.iter().map(|w| w.group + 1).max().unwrap_or(0);
         for group in 0..groups {
-            let entries: Vec<wgpu::BindGroupEntry<'_>> = wanted
-                .iter()
-                .zip(&buffers)
-                .filter(|(w, _)| w.group == group)
-                .map(|(w, buffer)| wgpu::BindGroupEntry {
-                    binding: w.binding,
-                    resource: buffer.as_entire_binding(),
-                })
-                .collect();
-            let bound = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("words"),
-                layout: &pipeline.get_bind_group_layout(group),
-                entries: &entries,
-            });
+            let layout = pipeline.get_bind_group_layout(group);
+            let of_group = wanted.iter().zip(&reals).filter(|(w, _)| w.group == group);
+            let bound: Vec<_> = of_group.map(|(w, real)| (w, real, 0)).collect();
+            let bound = bind_group(gpu, "words", &layout, &bound);
             pass.set_bind_group(group, &bound, &[]);
         }
         pass.dispatch_workgroups(output_words.div_ceil(INVOCATIONS) as u32, 1, 1);
     }
     gpu.queue.submit([encoder.finish()]);
     gpu.complaint()?;
-    gpu.read(&buffers[output])
+    match &reals[output] {
+        Real::Buffer(buffer) => gpu.read(buffer),
+        _ => Err(Error::Plan(format!("`{OUTPUT}` is no buffer"))),
+    }
 }

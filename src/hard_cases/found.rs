@@ -34,13 +34,13 @@ pub struct Reached {
     pub holds: bool,
 }
 
-/// Asks the cases whose ids fit one of the globs of all entrants, at each size; tells each case before it is asked. Who is asked depends on
-/// the size of the picture (see [`Entrant::all`]); `is_quick` leaves all but the smallest size out, and no entrant.
+/// Asks the cases whose ids fit one of the globs, at each size, of those of [`Entrant::all`] that are in `entrants`, where that is given;
+/// tells each case before it is asked.
 pub fn found(
     session: &mut Session,
     ids: &[String],
     sizes_px: &[u32],
-    is_quick: bool,
+    entrants: Option<&[Entrant]>,
     step: &mut dyn FnMut(String),
 ) -> Result<Vec<CaseFound>> {
     for glob in ids {
@@ -57,9 +57,6 @@ pub fn found(
         }
     }
     let is_asked = |id: &str| ids.iter().any(|glob| glob_matches(glob, id));
-    let mut sizes_px = sizes_px.to_vec();
-    sizes_px.sort_unstable();
-    sizes_px.truncate(if is_quick { 1 } else { usize::MAX });
     let mut all = Vec::new();
     for listed in LIST.iter().filter(|l| is_asked(l.id)) {
         let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
@@ -76,7 +73,7 @@ pub fn found(
                 id: case.id.to_owned(),
                 name: case.name.to_owned(),
                 held_by: listed.held_by(),
-                reached: reached(session, case, &sizes_px, step)?,
+                reached: reached(session, case, sizes_px, entrants, step)?,
             });
         }
     }
@@ -118,13 +115,15 @@ fn reached(
     session: &mut Session,
     case: &Case,
     sizes_px: &[u32],
+    entrants: Option<&[Entrant]>,
     step: &mut dyn FnMut(String),
 ) -> Result<Vec<Reached>> {
     let mut tallies: Vec<(Entrant, Tally)> = Vec::new();
     for size_px in sizes_px {
         step(format!("case {} at {size_px} px", case.id));
         let pictures = pictures(case, *size_px);
-        for entrant in Entrant::all(*size_px) {
+        let asked = Entrant::all(*size_px).into_iter();
+        for entrant in asked.filter(|e| entrants.is_none_or(|all| all.contains(e))) {
             let tally = tallied(session, case, &entrant, &pictures)?;
             match tallies.iter_mut().find(|(e, _)| *e == entrant) {
                 Some((_, so_far)) => so_far.join(tally),

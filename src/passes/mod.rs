@@ -5,6 +5,7 @@
 mod crossings;
 mod cutters;
 mod fragments;
+mod height_filter;
 mod heights;
 mod lanes;
 mod mask;

@@ -7,7 +7,7 @@ use crate::plan::{
     Binding, Clock, ColorTarget, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Plan,
     Resource, ResourceId, Role, Stencil, Vertices, Work, groups_over,
 };
-use crate::scene::View;
+use crate::scene::{HeightFilter, View};
 use crate::shader::Shader;
 
 /// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
@@ -53,6 +53,8 @@ pub struct Recorder<'a> {
     pub winding_words: u32,
     /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
     pub relief_walk: Option<ReliefWalk>,
+    /// Who interpolates heights at points.
+    pub height_filter: HeightFilter,
     /// Frames before had pyramids, and a camera that moves is not to build them again and again.
     pub keeps_pyramids: bool,
     /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
@@ -75,6 +77,7 @@ impl<'a> Recorder<'a> {
             wide_atomics: false,
             winding_words: 0,
             relief_walk: None,
+            height_filter: HeightFilter::Exact,
             keeps_pyramids: false,
             interference: None,
             drawn: false,
@@ -163,13 +166,6 @@ impl<'a> Recorder<'a> {
     pub fn has_cutters(&self) -> bool {
         let surfaces = &self.relevance.surfaces;
         surfaces.iter().any(|s| self.model.is_cutter(*s))
-    }
-
-    /// The heights of all reliefs.
-    pub fn heights(&mut self) -> Binding {
-        self.uploaded("heights", Role::Storage, Clock::Cut, |r| {
-            r.model.heights.clone()
-        })
     }
 
     /// The clip-surfaces as rays see them.

@@ -53,8 +53,8 @@ pub struct Sheets {
     pub keeps_inside: u32,
     /// Of these, those that the near plane does not meet: an odd number of fragments marks the pixel.
     pub closed: u32,
-    /// File that fills `cutaway::sheet_side`: asked on which side of a sheet with facing a ray begins and ends.
-    pub side: &'static str,
+    /// File that fills `cutaway::sheet_side`, asked on which side of a sheet with facing a ray begins and ends, and what it needs.
+    pub side: Vec<&'static str>,
     /// By how much its answer may be off, in scene units: nearer to a sheet the facings of its crossings say it.
     pub beside: f64,
     /// What that binds.
@@ -69,7 +69,7 @@ impl Default for Sheets {
             by_parity: 0,
             keeps_inside: 0,
             closed: 0,
-            side: "lib/sheet_side/none.wgsl",
+            side: vec!["lib/sheet_side/none.wgsl"],
             beside: 0.0,
             side_bindings: Vec::new(),
         }
@@ -131,7 +131,7 @@ impl Recorder<'_> {
             "merge",
             Clock::Frame,
             "crossings with sheets go into the one list of depths per pixel",
-            Shader::from("passes/sheet/merge.wgsl").with(sheets.side),
+            Shader::from("passes/sheet/merge.wgsl").with_all(&sheets.side),
             bindings,
             vec![
                 ("capacity", f64::from(capacity)),

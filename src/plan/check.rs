@@ -34,6 +34,8 @@ pub struct Limits {
     pub wide_atomics: bool,
     /// Whether there are textures of 32-bit depth with a stencil.
     pub depth32_stencil8: bool,
+    /// Whether samplers filter textures of 32-bit floats.
+    pub filters_f32: bool,
 }
 
 impl Limits {
@@ -48,6 +50,7 @@ impl Limits {
         texture_layers: 256,
         wide_atomics: false,
         depth32_stencil8: false,
+        filters_f32: false,
     };
 
     /// The limits by name; what is there or not is 1 or 0.
@@ -163,6 +166,17 @@ impl Plan {
                     r.name
                 )));
             }
+            if let Shape::Texture {
+                format: Format::R32Float,
+                ..
+            } = r.shape
+                && !limits.filters_f32
+            {
+                return Err(Error::Limit(format!(
+                    "{} needs a sampler that filters 32-bit floats, which the device does not have (float32-filterable)",
+                    r.name
+                )));
+            }
             let (have, most, what) = match r.shape {
                 Shape::Buffer {
                     bytes,
@@ -186,6 +200,7 @@ impl Plan {
                     u64::from(limits.texture_size),
                     "texels along a texture",
                 ),
+                Shape::Sampler { .. } => continue,
                 Shape::Texture { layers, .. } => (
                     u64::from(layers),
                     u64::from(limits.texture_layers),
@@ -217,7 +232,7 @@ impl Plan {
         let mut written: Vec<bool> = self
             .resources
             .iter()
-            .map(|r| r.contents.is_some())
+            .map(|r| r.contents.is_some() || matches!(r.shape, Shape::Sampler { .. }))
             .collect();
         let mut read = vec![false; self.resources.len()];
         for pass in &self.passes {

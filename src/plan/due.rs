@@ -88,9 +88,14 @@ impl<'a> Old<'a> {
         };
         let before = (self.resources.get(resource.name.as_str()))
             .and_then(|id| self.plan.resources[*id].contents.as_ref());
-        match before {
+        let renewed: Vec<Range<u64>> = match before {
             Some(before) => contents.not_in(before).map(|p| p.range()).collect(),
             None => contents.pieces().iter().map(|p| p.range()).collect(),
+        };
+        match resource.shape {
+            // Stretches of a texture are layers, and it is uploaded as a whole.
+            Shape::Texture { .. } if !renewed.is_empty() => vec![whole(resource)],
+            _ => renewed,
         }
     }
 
@@ -303,6 +308,7 @@ fn whole(resource: &Resource) -> Range<u64> {
     match resource.shape {
         Shape::Buffer { bytes, .. } => 0..bytes,
         Shape::Texture { layers, .. } => 0..u64::from(layers),
+        Shape::Sampler { .. } => 0..1,
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::Clock;
+use crate::scene::Wrap;
 
 /// Handle of a resource in its plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -14,6 +15,8 @@ pub struct ResourceId(pub usize);
 pub enum Format {
     /// Two words: what a surface is, and its normal.
     Rg32Uint,
+    /// A height, filtered by a sampler; not on every device ([`Limits::filters_f32`](super::Limits)).
+    R32Float,
     /// Depth.
     Depth32Float,
     /// Depth and a stencil of 8 bits; not on every device ([`Limits::depth32_stencil8`](super::Limits)).
@@ -25,7 +28,7 @@ impl Format {
     pub fn texel_bytes(self) -> u64 {
         match self {
             Self::Rg32Uint => 8,
-            Self::Depth32Float => 4,
+            Self::R32Float | Self::Depth32Float => 4,
             Self::Depth32FloatStencil8 => 5,
         }
     }
@@ -65,6 +68,11 @@ pub enum Shape {
         /// Format of a texel.
         format: Format,
     },
+    /// What reads textures between their texels, bilinear.
+    Sampler {
+        /// How addresses outside the texture are read, along both axes.
+        wrap: Wrap,
+    },
 }
 
 impl Shape {
@@ -77,6 +85,7 @@ impl Shape {
                 layers,
                 format,
             } => u64::from(size[0]) * u64::from(size[1]) * u64::from(layers) * format.texel_bytes(),
+            Self::Sampler { .. } => 0,
         }
     }
 }
@@ -280,6 +289,32 @@ impl Resource {
         Self {
             name: name.into(),
             shape,
+            clock,
+            contents: None,
+            is_scene: false,
+        }
+    }
+
+    /// A texture with contents, layer after layer and row after row, that a strategy brings with it: they count as its cost.
+    pub fn uploaded_texture(
+        name: impl Into<String>,
+        size: [u32; 2],
+        layers: u32,
+        format: Format,
+        contents: Contents,
+        clock: Clock,
+    ) -> Self {
+        Self {
+            contents: Some(contents),
+            ..Self::texture(name, size, layers, format, clock)
+        }
+    }
+
+    /// A bilinear sampler.
+    pub fn sampler(name: impl Into<String>, wrap: Wrap, clock: Clock) -> Self {
+        Self {
+            name: name.into(),
+            shape: Shape::Sampler { wrap },
             clock,
             contents: None,
             is_scene: false,

@@ -2,7 +2,9 @@
 //!
 //! `f` is bilinear between texel centres, `(i + 0.5) / width`, from four texels; addresses outside 0..width follow the
 //! wrap mode. Nothing else interpolates heights, on either side: a hardware sampler keeps only about eight bits of the
-//! weight, which would tear a cap from the mesh it closes.
+//! weight, which would tear a cap from the mesh it closes. Who asks for one to see what it costs gets it ([`HeightFilter`]).
+//!
+//! [`HeightFilter`]: super::HeightFilter
 
 use glam::DVec2;
 

@@ -34,6 +34,12 @@ impl Shader {
         self.with.dedup();
         self
     }
+
+    /// Fills some more open modules.
+    #[must_use]
+    pub fn with_all(self, files: &[&'static str]) -> Self {
+        files.iter().fold(self, |shader, file| shader.with(file))
+    }
 }
 
 impl From<&'static str> for Shader {

@@ -15,8 +15,10 @@ pub enum BindingKind {
     Texture,
     /// A texture of depths to load from.
     DepthTexture,
-    /// A texture with layers to load from.
+    /// A texture with layers to load from or to sample.
     TextureArray,
+    /// A sampler.
+    Sampler,
 }
 
 /// One `@group @binding` variable that an entry point uses.
@@ -53,6 +55,7 @@ pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
                 }
                 AddressSpace::Storage { .. } => BindingKind::StorageRead,
                 _ => match module.types[variable.ty].inner {
+                    TypeInner::Sampler { .. } => BindingKind::Sampler,
                     TypeInner::Image { arrayed: true, .. } => BindingKind::TextureArray,
                     TypeInner::Image {
                         class: naga::ImageClass::Depth { .. },

@@ -15,7 +15,7 @@ pub use options::FrameOptions;
 
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};
-use crate::scene::View;
+use crate::scene::{HeightFilter, View};
 
 /// Why a strategy does not draw a scene: data, which an experiment can expect.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -69,6 +69,7 @@ pub fn record_with(
     recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
     recorder.interference = options.interference;
     recorder.relief_walk = options.relief_walk;
+    recorder.height_filter = options.height_filter.unwrap_or_default();
     recorder.keeps_pyramids = capacities.pyramids;
     if let Some(reason) = beyond(&recorder, strategy) {
         return Err(refuse(reason));
@@ -165,5 +166,23 @@ fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
              or kbuffer, or raycast with vds or ldi"
         ));
     }
-    None
+    unfiltered(recorder, strategy.surface)
+}
+
+/// Why the reliefs of the scene are not read as the options say.
+fn unfiltered(recorder: &Recorder<'_>, surface: CapSurface) -> Option<String> {
+    if recorder.height_filter == HeightFilter::Exact || !recorder.has_reliefs() {
+        return None;
+    }
+    let why = match surface {
+        CapSurface::Raycast => "solves for where a ray meets what four texels span",
+        CapSurface::Adaptive { .. } => "measures its triangles against four texels",
+        // What cuts by planes alone says so itself.
+        CapSurface::Grid { .. } | CapSurface::Planar | CapSurface::Alone => {
+            return recorder.unfiltered();
+        }
+    };
+    Some(format!(
+        "{surface} {why} and asks no sampler for heights: height_filter = \"hardware\" is for grid"
+    ))
 }

@@ -1,6 +1,7 @@
 //! What of a frame is neither scene nor strategy.
 
 use crate::passes::{Rasteriser, ReliefWalk};
+use crate::scene::HeightFilter;
 
 /// What of a frame is neither scene nor strategy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,6 +13,9 @@ pub struct FrameOptions {
     pub wide_atomics: Option<bool>,
     /// How rays are followed through reliefs: the crossings are the same. `None` chooses by the cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
+    /// Who interpolates the heights of reliefs between texels. `None` is exact; planes hear nothing of it, and strategies that do not
+    /// ask for heights at points refuse any other.
+    pub height_filter: Option<HeightFilter>,
     /// Shows caps that several solids share in this colour, sRGB.
     pub interference: Option<[u8; 3]>,
 }
@@ -23,6 +27,7 @@ impl FrameOptions {
             rasteriser,
             wide_atomics: None,
             relief_walk: None,
+            height_filter: None,
             interference: None,
         }
     }

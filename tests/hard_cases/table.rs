@@ -170,9 +170,7 @@ fn turned_normals_and_shifted_depths_are_noticed() {
 fn what_is_asked_is_found_by_number_and_told() {
     let mut steps = Vec::new();
     let ids = ["1".to_owned(), "35".to_owned(), "B1?".to_owned()];
-    let cases = found(&mut session(), &ids, &[256, 32], true, &mut |s| {
-        steps.push(s)
-    });
+    let cases = found(&mut session(), &ids, &[32], None, &mut |s| steps.push(s));
     let cases = cases.expect("frames");
     let told: Vec<&str> = cases.iter().map(|c| c.id.as_str()).collect();
     assert_eq!(told, ["1", "35", "B10", "B11", "B12", "B13", "B14"]);
@@ -186,7 +184,7 @@ fn what_is_asked_is_found_by_number_and_told() {
     assert_eq!(cases[1].reached.len(), 0, "35 has no pictures");
     let held_by = cases[1].held_by.clone().unwrap_or_default();
     assert!(held_by.contains("case_35"), "{held_by}");
-    let unknown = found(&mut session(), &["99".to_owned()], &[32], true, &mut |_| ());
+    let unknown = found(&mut session(), &["99".to_owned()], &[32], None, &mut |_| ());
     let told = unknown.expect_err("no such case").to_string();
     assert!(told.contains("99") && told.contains("B14"), "{told}");
 }

@@ -6,7 +6,7 @@ use cutaway::plan::pack::{self, CutTable, NO_RELIEF};
 use cutaway::scene::{ClipSurface, Cut, OffsetMap, Prepared, PreparedSurface, Scene, Wrap, shapes};
 use glam::{DVec2, DVec3, Vec2Swizzles as _};
 
-use crate::{Random, U, answers, words_of};
+use crate::{Random, U, answers, answers_with, words_of};
 
 const SEED: u64 = 0x5eaf;
 const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
@@ -228,8 +228,14 @@ fn faults_at_points(functions: &str, surface: &PreparedSurface, is_relief: bool)
         .map(|_| [random.signed(), random.signed(), random.signed()])
         .collect();
     let (table, heights) = tables(surface, is_relief);
-    let given = answers(
+    let filter: &[&str] = if functions.contains("cutaway::sides") {
+        &["lib/height_filter/exact.wgsl"]
+    } else {
+        &[]
+    };
+    let given = answers_with(
         &format!("{functions}{AT_POINTS}"),
+        filter,
         &[
             ("cut_table", words_of(&[table])),
             ("heights", words_of(&heights)),
@@ -291,7 +297,8 @@ fn faults_at_points(functions: &str, surface: &PreparedSurface, is_relief: bool)
     faults
 }
 
-const LIBRARY: &str = "#import cutaway::relief::{cap_normal, kept_height}";
+const LIBRARY: &str = "#import cutaway::relief::cap_normal
+#import cutaway::sides::kept_height";
 
 #[test]
 fn the_clip_surface_is_where_its_definition_says() {
@@ -327,7 +334,8 @@ fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
 
     // A normal that leaves out the twist of the cell.
     let planted = "#import cutaway::cuts::cut_table
-#import cutaway::relief::{cell_at, kept_height}
+#import cutaway::relief::cell_at
+#import cutaway::sides::kept_height
 fn cap_normal(surface: u32, point: vec3<f32>) -> vec3<f32> {
     let p = vec4<f32>(point, 1.0);
     let texel = vec2<f32>(dot(cut_table.surfaces[surface].texel_x_row, p), dot(cut_table.surfaces[surface].texel_y_row, p));

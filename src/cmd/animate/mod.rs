@@ -328,6 +328,7 @@ impl Film<'_> {
             "adapter": session.gpu().report(),
             "strategy": self.drawer.to_string(),
             "rasteriser": session.options().rasteriser.to_string(),
+            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
             "median_drawn_ms": report::median_ms(frames),
             "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
         })

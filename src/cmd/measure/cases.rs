@@ -1,24 +1,106 @@
-//! Runs of hard cases and of the property search: the one place where they are asked.
+//! Runs of hard cases and of the property search: the library's answers as records.
 
-use crate::Result;
-use crate::experiment::CaseRecord;
 use crate::experiment::definition::{AskedCases, AskedSearch};
+use crate::experiment::{CaseRecord, Contender, Expectation, Reached};
+use crate::hard_cases::random::search as search_for;
+use crate::hard_cases::{Entrant, found};
 use crate::session::Session;
+use crate::{Error, Result};
 
-/// What came of the hard cases that are asked for; none where they are not built into this program.
+/// Sides of the pictures where the experiment names none.
+const USUAL_SIZES_PX: [u32; 2] = [64, 256];
+
+/// What came of the hard cases that are asked for.
 pub(super) fn cases(
-    _session: &mut Session,
-    _asked: &AskedCases,
-    _step: &mut dyn FnMut(String),
-) -> Result<Option<Vec<CaseRecord>>> {
-    Ok(None)
+    session: &mut Session,
+    asked: &AskedCases,
+    step: &mut dyn FnMut(String),
+) -> Result<Vec<CaseRecord>> {
+    let sizes_px = sizes_px(asked);
+    let entrants = asked.contenders.as_deref().map(entrants).transpose()?;
+    let cases = found(session, &asked.cases, &sizes_px, entrants.as_deref(), step)?;
+    let record = |case: crate::hard_cases::CaseFound| CaseRecord {
+        id: case.id,
+        name: case.name,
+        held_by: case.held_by,
+        expectations: (case.reached.into_iter())
+            .map(|r| Reached {
+                strategy: r.strategy,
+                expected: Expectation {
+                    what: r.expected,
+                    why: r.why,
+                },
+                found: r.found,
+                holds: r.holds,
+            })
+            .collect(),
+    };
+    Ok(cases.into_iter().map(record).collect())
 }
 
-/// What a search found, as one case; none where the search is not built into this program.
+/// The sides of the pictures of a run of hard cases.
+pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
+    match asked.sizes_px.as_slice() {
+        [] => USUAL_SIZES_PX.to_vec(),
+        named => named.to_vec(),
+    }
+}
+
+/// What a search found, as one case: an expectation for each strategy.
 pub(super) fn search(
-    _session: &mut Session,
-    _asked: &AskedSearch,
-    _step: &mut dyn FnMut(String),
-) -> Result<Option<Vec<CaseRecord>>> {
-    Ok(None)
+    session: &mut Session,
+    asked: &AskedSearch,
+    step: &mut dyn FnMut(String),
+) -> Result<Vec<CaseRecord>> {
+    let entrants = match &asked.contenders {
+        Some(named) => entrants(named)?,
+        None => Entrant::all(0),
+    };
+    let searched = search_for(session, asked.scenes as u64, asked.seed, &entrants, step)?;
+    let reached = entrants
+        .iter()
+        .zip(&searched.drawn)
+        .map(|(entrant, drawn)| {
+            let strategy = entrant.to_string();
+            let of_it: Vec<String> = (searched.findings.iter())
+                .filter(|f| f.strategy == strategy)
+                .map(|f| format!("scene {}: {}, {:?}", f.scene, f.told, f.recipe))
+                .collect();
+            let mut found = format!("{drawn} of {} scenes drawn", asked.scenes);
+            if !of_it.is_empty() {
+                found = format!("{found}; {}", of_it.join("; "));
+            }
+            Reached {
+                holds: of_it.is_empty(),
+                expected: Expectation {
+                    what: "no scene comes out wrong".to_owned(),
+                    why: None,
+                },
+                strategy,
+                found,
+            }
+        });
+    Ok(vec![CaseRecord {
+        id: "random".to_owned(),
+        name: format!(
+            "{} scenes without a pattern, from seed {}",
+            asked.scenes, asked.seed
+        ),
+        expectations: reached.collect(),
+        held_by: Some("agree".to_owned()),
+    }])
+}
+
+fn entrants(contenders: &[Contender]) -> Result<Vec<Entrant>> {
+    let entrant = |c: &Contender| {
+        let name = c.to_string();
+        Entrant::named(&name).ok_or_else(|| {
+            Error::input(
+                name,
+                "hard cases are not asked of it",
+                "name strategies, with @compute where the compute rasteriser is to draw",
+            )
+        })
+    };
+    contenders.iter().map(entrant).collect()
 }

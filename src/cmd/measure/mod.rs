@@ -260,22 +260,15 @@ impl Sitting<'_> {
         let (cases, sizes_px) = match job.task {
             Task::Cases(asked) => {
                 let cases = cases::cases(&mut self.session, asked, &mut step)?;
-                (cases, asked.sizes_px.clone())
+                (cases, cases::sizes_px(asked))
             }
             Task::Search(asked) => (
                 cases::search(&mut self.session, asked, &mut step)?,
                 Vec::new(),
             ),
-            Task::Point(..) => (None, Vec::new()),
+            Task::Point(..) => return Ok(None),
         };
         self.session.forget();
-        let Some(cases) = cases else {
-            self.console.warn(format!(
-                "{}: hard cases and searches are not built into this program, and are left out",
-                job.place()
-            ));
-            return Ok(None);
-        };
         let record = CaseRecords {
             format: Record::FORMAT,
             experiment: job.definition.name.clone(),

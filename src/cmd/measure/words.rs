@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Parser;
 
-use crate::cmd::args::{RasteriserArgs, SceneArgs};
+use crate::cmd::args::{MeansArgs, SceneArgs};
 use crate::cmd::console::Console;
 use crate::cmd::open::open;
 use crate::cmd::when::TimeArgs;
@@ -21,7 +21,7 @@ struct PointWords {
     #[command(flatten)]
     when: TimeArgs,
     #[command(flatten)]
-    rasteriser: RasteriserArgs,
+    means: MeansArgs,
 }
 
 fn parsed(words: &[String]) -> Result<PointWords> {
@@ -65,7 +65,7 @@ impl Opener for OpensWords<'_> {
         Ok(Staged {
             name: opened.scene.name.clone(),
             view: opened.view(&shown.model.prepared),
-            options: opened.options(words.rasteriser.options()),
+            options: opened.options(words.means.options()),
             shown,
         })
     }

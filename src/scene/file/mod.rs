@@ -43,6 +43,11 @@
 //! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
 //! cut. Where several globs fit a part, its own name has to be there and counts.
 //!
+//! # How heights are read
+//!
+//! `height_filter = "hardware"`, before all tables, reads reliefs through the sampler of the GPU where a strategy asks for heights at
+//! points; `"exact"`, which is usual, from four texels.
+//!
 //! # What moves
 //!
 //! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
@@ -107,7 +112,7 @@ use reader::{Entry, Source, Table};
 pub(super) use script::Script;
 
 use super::motion::Outwards;
-use super::{Bounds, Camera, Part, Scene, Timeline};
+use super::{Bounds, Camera, HeightFilter, Part, Scene, Timeline};
 use crate::error::{Error, Result};
 
 const KEYS: &[&str] = &[
@@ -120,6 +125,7 @@ const KEYS: &[&str] = &[
     "resolution",
     "background",
     "interference",
+    "height_filter",
 ];
 
 /// Everything a scene file says.
@@ -137,6 +143,8 @@ pub struct SceneFile {
     pub background: Option<Vec3>,
     /// Colour of caps that several solids share, as sRGB in 0..=1, where they are to be shown.
     pub interference: Option<Vec3>,
+    /// Who interpolates the heights of reliefs.
+    pub height_filter: Option<HeightFilter>,
     /// Numbers of the scene over time.
     pub keys: Vec<Key>,
     /// What the user should know: what was mended in a mesh, and what was read without effect.
@@ -210,6 +218,13 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
         interference: root
             .get("interference")
             .map(|e| parts::color(&e))
+            .transpose()?,
+        height_filter: root
+            .get("height_filter")
+            .map(|e| {
+                let [exact, hardware] = [HeightFilter::Exact, HeightFilter::Hardware];
+                e.choice(&[("exact", exact), ("hardware", hardware)])
+            })
             .transpose()?,
         keys: script.keys().cloned().collect(),
         notes,

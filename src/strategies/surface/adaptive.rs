@@ -66,9 +66,10 @@ pub fn tessellation(
         facets.extend(refine(recorder, &rows, &reliefs, capacity, &side_bindings));
     }
     Ok(Tessellation {
-        file: "lib/tessellation/adaptive.wgsl",
+        files: vec!["lib/tessellation/adaptive.wgsl"],
+        heights: vec![recorder.heights()],
         bindings: vec![domains],
-        side: "lib/sheet_side/adaptive.wgsl",
+        side: vec!["lib/sheet_side/adaptive.wgsl"],
         side_bindings,
         beside: rounding(recorder),
         facets,

@@ -27,10 +27,12 @@ pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
     };
     let count = recorder.relevance.surfaces.len() as u32;
     let quads = quads(recorder, cells);
+    let filter = recorder.height_filter_file();
     Tessellation {
-        file: "lib/tessellation/grid.wgsl",
+        files: vec!["lib/tessellation/grid.wgsl", filter],
+        heights: recorder.filtered_heights(),
         bindings: vec![quads.clone()],
-        side: "lib/sheet_side/grid.wgsl",
+        side: vec!["lib/sheet_side/grid.wgsl", filter],
         side_bindings: vec![quads],
         beside: rounding(recorder),
         facets: (0..count).map(facets).collect(),

@@ -34,19 +34,16 @@ pub fn record(
     };
 
     let (vertices, indices) = recorder.mesh();
-    let bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
-        recorder.heights(),
-    ];
+    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
+    bindings.extend(recorder.filtered_heights());
+    let filter = recorder.height_filter_file();
     recorder.draw(DrawPass {
         name: "clip".to_owned(),
         reason: format!(
             "{}: chi decides at every fragment",
             counted(ranks.len(), "cut part")
         ),
-        shader: "strategies/surface/paper/clip.wgsl".into(),
+        shader: Shader::from("strategies/surface/paper/clip.wgsl").with(filter),
         bindings,
         constants: Vec::new(),
         vertices,
@@ -86,8 +83,11 @@ fn caps(
             recorder.frame(),
             recorder.cut_table(),
             recorder.parts(),
+            // For the normals.
             recorder.heights(),
         ];
+        let filtered = recorder.filtered_heights().into_iter();
+        bindings.extend(filtered.filter(|b| b.name != "heights"));
         bindings.extend(tessellation.bindings.iter().cloned());
         bindings.extend(volume.bindings.iter().cloned());
         let name = match i {
@@ -102,7 +102,8 @@ fn caps(
             ),
             shader: Shader::from("strategies/surface/paper/cap.wgsl")
                 .with(volume.file)
-                .with(tessellation.file),
+                .with(recorder.height_filter_file())
+                .with_all(&tessellation.files),
             bindings,
             constants: batch.constants,
             vertices: Vertices::None,

@@ -37,12 +37,14 @@ pub(super) fn rounding(recorder: &Recorder<'_>) -> f64 {
 /// Clip-surfaces as triangles.
 #[derive(Clone, Debug)]
 pub struct Tessellation {
-    /// File that fills `cutaway::tessellation`.
-    pub file: &'static str,
+    /// File that fills `cutaway::tessellation`, and what it needs.
+    pub files: Vec<&'static str>,
+    /// What it reads heights from.
+    pub heights: Vec<Binding>,
     /// What it binds beside frame, table of cuts and heights.
     pub bindings: Vec<Binding>,
-    /// File that fills `cutaway::sheet_side`.
-    pub side: &'static str,
+    /// File that fills `cutaway::sheet_side`, and what it needs.
+    pub side: Vec<&'static str>,
     /// What that binds beside frame, table of cuts and heights.
     pub side_bindings: Vec<Binding>,
     /// By how much the answer of that file may be off, in scene units.
@@ -121,7 +123,8 @@ impl Tessellation {
 
     /// What every use of the triangles binds.
     pub fn bindings(&self, recorder: &mut Recorder<'_>) -> Vec<Binding> {
-        let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.heights()];
+        let mut bindings = vec![recorder.frame(), recorder.cut_table()];
+        bindings.extend(self.heights.iter().cloned());
         bindings.extend(self.bindings.iter().cloned());
         bindings
     }
@@ -154,15 +157,15 @@ pub fn list(
     let bindings = tessellation.bindings(recorder);
     let draws = batches.map(|(i, batch)| SheetDraw {
         name: format!("sheet {i}"),
-        shader: Shader::from("passes/sheet/draw.wgsl").with(tessellation.file),
+        shader: Shader::from("passes/sheet/draw.wgsl").with_all(&tessellation.files),
         bindings: bindings.clone(),
         constants: batch.constants,
         vertices: Vertices::None,
         indices: batch.indices,
         draws: batch.draws,
     });
-    let mut side_bindings = vec![recorder.heights()];
-    side_bindings.extend(tessellation.side_bindings.iter().cloned());
+    let mut side_bindings = tessellation.heights;
+    side_bindings.extend(tessellation.side_bindings);
     let mut sheets = Sheets {
         draws: draws.collect(),
         by_facing,

@@ -5,7 +5,8 @@
 #import cutaway::facets::place_of
 #import cutaway::layers::{CAP, UNRELIABLE, layer_word, pack_normal}
 #import cutaway::mesh::clip_position
-#import cutaway::relief::{cap_normal, sides_of}
+#import cutaway::relief::cap_normal
+#import cutaway::sides::sides_of
 #import cutaway::tessellation::cap_vertex
 #import cutaway::volume::probe
 

@@ -3,7 +3,7 @@
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::{Vertex, clip_position, facing}
-#import cutaway::relief::sides_of
+#import cutaway::sides::sides_of
 
 struct Corner {
     @builtin(position) @invariant position: vec4<f32>,

@@ -1,0 +1,19 @@
+// Heights between texels as the sampler of the GPU makes them: one fetch. Bound as @group(0) @binding(10) and (11).
+//
+// A sampler keeps the place within a cell in few bits, 8 on nearly all devices: along an axis the height is off by up to a 512th of
+// what it changes in a cell, and it goes in steps. All maps are layers of one texture and have the same size, so the layer follows
+// from where the map begins among the heights; how addresses go on is the sampler's, the same for all.
+
+#define_import_path cutaway::height_filter
+
+#import cutaway::cuts::cut_table
+
+@group(0) @binding(10) var relief_maps: texture_2d_array<f32>;
+@group(0) @binding(11) var relief_sampler: sampler;
+
+// Height of the map at texel coordinates.
+fn filtered_height(surface: u32, texel: vec2<f32>) -> f32 {
+    let size = cut_table.surfaces[surface].map_size;
+    let layer = cut_table.surfaces[surface].first_texel / (size.x * size.y);
+    return textureSampleLevel(relief_maps, relief_sampler, (texel + 0.5) / vec2<f32>(size), layer, 0.0).x;
+}
