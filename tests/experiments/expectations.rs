@@ -75,7 +75,8 @@ fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
         .iter()
         .map(|e| e.contender.to_string())
         .collect();
-    assert_eq!(names, found.iter().map(|f| f.0).collect::<Vec<_>>());
+    let expected: Vec<&str> = found.iter().map(|f| f.0).collect();
+    assert_eq!(names, expected, "figures are in the order of contenders");
     let measurement = measurement(found);
     let figures = vec![BTreeMap::new(); found.len()];
     let found = Findings {
