@@ -88,12 +88,15 @@ pub fn file_stem(run: &str, point: &Point) -> String {
     }
 }
 
+/// Pictures by the names of their files.
+pub type Images = Vec<(String, RgbaImage)>;
+
 /// A point that was measured.
 pub struct Measured {
     /// Its record.
     pub record: Record,
     /// Its pictures, by the names that the record gives them.
-    pub pictures: Vec<(String, RgbaImage)>,
+    pub pictures: Images,
 }
 
 /// Measures a point; none if it was ended early. Nothing stays in the session.
@@ -230,7 +233,7 @@ fn pictures(
     staged: &Staged,
     judgement: &Judgement,
     stem: &str,
-) -> Result<(Vec<Picture>, Vec<(String, RgbaImage)>)> {
+) -> Result<(Vec<Picture>, Images)> {
     let [width, height] = staged.view.size_px;
     let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
     let exact = session.shade(&staged.shown.model, &staged.view, &judgement.exact.layers)?;

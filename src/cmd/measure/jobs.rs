@@ -194,9 +194,8 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
     }
     for job in &jobs {
         if let Task::Point(_, point, _) = job.task {
-            let all = std::iter::once(&point.scene).chain(&point.truth);
-            all.map(|w| words::check(w))
-                .collect::<Result<()>>()
+            let mut all = std::iter::once(&point.scene).chain(&point.truth);
+            all.try_for_each(|w| words::check(w))
                 .map_err(|e| job.place_error(e))?;
         }
     }

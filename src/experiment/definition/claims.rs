@@ -12,7 +12,7 @@ use crate::scene::glob_matches;
 use crate::scene::reader::{Entry, Table};
 
 /// Keys beside the names of figures.
-const KEYS: [&str; 5] = ["strategies", "where", "why", "outcome", "reason"];
+const BESIDE_FIGURES: [&str; 5] = ["strategies", "where", "why", "outcome", "reason"];
 
 /// What somebody is expected to reach.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +73,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     if run.drift.is_some() {
         names.extend(OF_DRIFT.map(str::to_owned));
     }
-    let known: Vec<&str> = KEYS
+    let known: Vec<&str> = BESIDE_FIGURES
         .into_iter()
         .chain(names.iter().map(String::as_str))
         .collect();

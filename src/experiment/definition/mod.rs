@@ -26,7 +26,7 @@ use crate::scene::reader::{Entry, Source, Table, with_table};
 use crate::{Error, Result};
 
 /// Keys of the file.
-const KEYS: &[&str] = &["question", "analysis", "run", "chart"];
+const FILE_KEYS: &[&str] = &["question", "analysis", "run", "chart"];
 
 /// An experiment.
 #[derive(Clone, Debug)]
@@ -100,7 +100,7 @@ impl Definition {
             ));
         }
         let source = Source { path, text };
-        with_table(&source, KEYS, |root| {
+        with_table(&source, FILE_KEYS, |root| {
             let question = question(root)?;
             let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
             let analysis = analysis.text()?.trim().to_owned();

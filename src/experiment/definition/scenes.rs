@@ -8,7 +8,7 @@ use crate::experiment::drift::Drift;
 use crate::experiment::sweep::{Axes, Axis, Point, Templates, Value, expand};
 use crate::scene::reader::{Entry, Table};
 
-const KEYS: &[&str] = &[
+const RUN_KEYS: &[&str] = &[
     "name",
     "about",
     "scene",
@@ -59,7 +59,7 @@ struct Draft {
 
 /// Reads a run, in full and quick.
 pub(super) fn read(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
-    let table = entry.table(KEYS)?;
+    let table = entry.table(RUN_KEYS)?;
     let words = |key: &str| table.get(key).map(|e| some_texts(&e)).transpose();
     let mut draft = Draft {
         templates: Templates {

@@ -1,0 +1,266 @@
+//! Files of experiments: what they say is read and expanded, and what makes no sense is refused by file, line, run and mend.
+
+use cutaway::experiment::definition::{Asked, Wanted};
+
+use super::{read, scenes};
+
+const GOOD: &str = r#"
+question = "What does it cost?"
+analysis = """Look."""
+
+[[run]]
+name = "cube"
+scene = ["shape:cube", "--section=-z=50%", "--relief=waves:amplitude={amplitude}"]
+resolution = "{size}"
+strategies = ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
+rounds = 5
+
+[run.sweep]
+amplitude = ["1%", "2%"]
+cells = [8, 16, 32]
+size = [{ is = "small", size_px = 1 }]
+
+[run.quick]
+resolution = "32,24"
+rounds = 1
+strategies = ["raycast+mask", "grid:{cells}+vds:64"]
+sweep = { amplitude = ["2%"], cells = [8] }
+
+[[run.expect]]
+strategies = ["raycast+*"]
+decided_wrong_px = 0
+
+[[run.expect]]
+strategies = ["grid:*+vds:*"]
+where = { amplitude = "1%", cells = 8 }
+why = "two approximations"
+decided_wrong_px = { least = 1, most = 900 }
+
+[[run.expect]]
+strategies = ["grid:*"]
+crack_px = { falls_along = "cells" }
+
+[[chart]]
+title = "It falls"
+x = "cells"
+y = "crack_px"
+log = ["x"]
+"#;
+
+#[test]
+fn a_file_is_read_and_expanded() {
+    let text = GOOD.replace("{size}", "64,{size_px}");
+    let definition = read(&text).unwrap();
+    assert_eq!(definition.name, "01-test");
+    assert_eq!(definition.json["name"], "01-test");
+    assert_eq!(definition.json["run"][0]["sweep"]["cells"][2], 32);
+    let full = scenes(&definition, false);
+    let stems: Vec<&str> = full.points.iter().map(|p| p.stem.as_str()).collect();
+    assert_eq!(stems, ["1__small", "2__small"]);
+    let first = &full.points[0];
+    assert_eq!(first.scene[2], "--relief=waves:amplitude=1%");
+    assert_eq!(first.scene[3], "--resolution=64,1");
+    assert_eq!(first.parameters["size_px"], "1");
+    assert!(
+        !first.parameters.contains_key("cells"),
+        "it makes contenders"
+    );
+    let names: Vec<String> = first
+        .entrants
+        .iter()
+        .map(|e| e.contender.to_string())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "raycast+mask",
+            "grid:8+vds:64",
+            "grid:16+vds:64",
+            "grid:32+vds:64",
+            "grid:8+mask",
+            "grid:16+mask",
+            "grid:32+mask"
+        ]
+    );
+    assert_eq!(first.entrants[2].parameters["cells"], "16");
+    assert_eq!(full.rounds, 5);
+    assert_eq!(
+        full.claims[2].figures[0].1,
+        Wanted::FallsAlong("cells".to_owned())
+    );
+
+    let quick = scenes(&definition, true);
+    assert_eq!(quick.points.len(), 1, "one amplitude, and no size any more");
+    assert_eq!(quick.points[0].scene[2], "--relief=waves:amplitude=2%");
+    assert_eq!(quick.points[0].scene[3], "--resolution=32,24");
+    assert_eq!(quick.points[0].entrants.len(), 2);
+    assert_eq!(quick.rounds, 1);
+}
+
+#[test]
+fn all_names_every_strategy_once() {
+    let text = GOOD.replace("{size}", "64,{size_px}");
+    let text = text.replace(
+        r#"["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]"#,
+        r#"["all", "raycast+mask", "grid:{cells}+vds:64"]"#,
+    );
+    let run = scenes(&read(&text).unwrap(), false);
+    assert_eq!(
+        run.points[0].entrants.len(),
+        cutaway::Strategy::ALL.len() + 3
+    );
+}
+
+#[test]
+fn other_runs_are_read() {
+    let text = r#"
+question = "Does it hold?"
+analysis = ""
+[[run]]
+name = "cases"
+cases = ["4*", "B8"]
+sizes = [64, 256]
+quick = { sizes = [64] }
+[[run]]
+name = "random"
+random = { scenes = 200, seed = 3 }
+strategies = ["raycast+mask"]
+quick = { random = { scenes = 20 } }
+"#;
+    let definition = read(text).unwrap();
+    let [cases, quick] = [false, true].map(|q| match definition.runs[0].asked(q) {
+        Asked::Cases(cases) => cases.clone(),
+        other => panic!("{other:?}"),
+    });
+    assert_eq!((cases.cases.len(), cases.sizes_px), (2, vec![64, 256]));
+    assert_eq!(quick.sizes_px, [64]);
+    let [search, quick] = [false, true].map(|q| match definition.runs[1].asked(q) {
+        Asked::Search(search) => search.clone(),
+        other => panic!("{other:?}"),
+    });
+    assert_eq!((search.scenes, search.seed), (200, 3));
+    assert_eq!((quick.scenes, quick.seed), (20, 3));
+    for (from, to, told) in [
+        ("[64, 256]", "[]", "sizes"),
+        ("scenes = 200", "scenes = 0", "at least 1"),
+        ("sizes = [64, 256]", "resolution = \"1,1\"", "resolution"),
+        (r#"["raycast+mask"]"#, r#"["raycats+mask"]"#, "did you mean"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let message = read(&text.replacen(from, to, 1)).unwrap_err().to_string();
+        assert!(message.contains(told), "{message}");
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_by_name() {
+    let good = GOOD.replace("{size}", "64,{size_px}");
+    read(&good).expect("the control");
+    for (from, to, told) in [
+        ("cost?", "cost", "question mark"),
+        ("analysis", "analisis", "did you mean `analysis`"),
+        ("rounds = 5", "round = 5", "did you mean `rounds`"),
+        ("rounds = 5", "rounds = 0", "rounds"),
+        ("rounds = 5", "scenes = 5", "no such key"),
+        ("name = \"cube\"", "name = \"Cube 1\"", "cannot be a name"),
+        (
+            "strategies = [\"raycast+mask\", \"grid:{cells}+vds:64\", \"grid:{cells}+mask\"]",
+            "strategies = []",
+            "empty",
+        ),
+        (
+            "\"raycast+mask\", \"grid:{cells}+vds",
+            "\"raycats+mask\", \"grid:{cells}+vds",
+            "did you mean",
+        ),
+        (
+            "\"raycast+mask\", \"grid:{cells}+vds",
+            "\"exact\", \"grid:{cells}+vds",
+            "leave it out",
+        ),
+        ("{amplitude}", "{amplitud}", "did you mean `amplitude`"),
+        ("{amplitude}", "{amplitude", "brace"),
+        ("{amplitude}", "2%", "nobody uses"),
+        ("[\"1%\", \"2%\"]", "[]", "no values"),
+        ("[\"1%\", \"2%\"]", "[\"1%\", \"1%\"]", "twice"),
+        (
+            "[\"1%\", \"2%\"]",
+            "[{ is = \"1%\", cells = 2 }]",
+            "placeholder {cells}",
+        ),
+        (
+            "[{ is = \"small\", size_px = 1 }]",
+            "[{ is = \"small\", size_px = 1 }, \"1\"]",
+            "different keys",
+        ),
+        (
+            "[{ is = \"small\", size_px = 1 }]",
+            "[{ size_px = 1 }]",
+            "no `is`",
+        ),
+        (
+            "sweep = { amplitude",
+            "sweep = { amplitud",
+            "did you mean `amplitude`",
+        ),
+        (
+            "decided_wrong_px = 0",
+            "decided_wrong = 0",
+            "did you mean `decided_wrong_px`",
+        ),
+        ("decided_wrong_px = 0", "ratio = 2", "time"),
+        ("decided_wrong_px = 0", "", "nothing is expected"),
+        ("decided_wrong_px = 0", "flicker_px = 0", "no such key"),
+        (
+            "decided_wrong_px = 0",
+            "outcome = \"refused\"",
+            "does not say why",
+        ),
+        ("why = \"two approximations\"\n", "", "does not say why"),
+        ("least = 1, most = 900", "least = 1, most = 0", "no number"),
+        (
+            "amplitude = \"1%\", cells",
+            "amplitude = \"3%\", cells",
+            "never `3%`",
+        ),
+        (
+            "where = { amplitude",
+            "where = { amplitud",
+            "did you mean `amplitude`",
+        ),
+        ("[\"raycast+*\"]", "[\"raycats+*\"]", "nobody is called"),
+        (
+            "[\"grid:*+vds:*\"]\nwhere",
+            "[\"raycast+*\"]\nwhere",
+            "means nobody",
+        ),
+        (
+            "falls_along = \"cells\"",
+            "falls_along = \"amplitude\"",
+            "no axis that only strategies have",
+        ),
+        (
+            "y = \"crack_px\"",
+            "y = \"crack\"",
+            "did you mean `crack_px`",
+        ),
+        ("x = \"cells\"", "x = \"cell\"", "did you mean `cells`"),
+        ("log = [\"x\"]", "log = [\"z\"]", "no axis"),
+        ("log = [\"x\"]", "runs = [\"cub\"]", "did you mean `cube`"),
+        ("question = ", "question ", "mend"),
+    ] {
+        assert!(good.contains(from), "{from} is in the text");
+        let message = read(&good.replacen(from, to, 1))
+            .expect_err(&format!("{from} -> {to}"))
+            .to_string();
+        assert!(message.contains(told), "{to}: {message}");
+        for always in ["here/01-test.toml:", "mend: "] {
+            assert!(message.contains(always), "{to}: {message}");
+        }
+    }
+    let twice = format!(
+        "{good}\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\nstrategies = [\"all\"]\n"
+    );
+    let message = read(&twice).unwrap_err().to_string();
+    assert!(message.contains("the name is taken"), "{message}");
+}

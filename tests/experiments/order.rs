@@ -1,0 +1,157 @@
+//! What happens in which order, seen by a watcher: expectations are told before any time is taken, and whoever says stop is heard.
+
+use std::cell::RefCell;
+
+use cutaway::Result;
+use cutaway::experiment::run::{Assignment, Measured, measure};
+use cutaway::experiment::{Machine, Opener, Reached, Shown, Staged, Watcher};
+use cutaway::scene::Scene;
+use cutaway::strategies::FrameOptions;
+
+use super::common::scenes::sectioned;
+use super::{common, read, scenes};
+
+/// Knows a few words.
+struct Opens;
+
+impl Opener for Opens {
+    fn open(&self, words: &[String]) -> Result<Staged> {
+        let scene: Scene = sectioned(&words[0], &["-z=50%"]);
+        let shown = Shown::of(&scene);
+        Ok(Staged {
+            name: words[0].clone(),
+            view: shown.model.prepared.view([32, 24]),
+            options: FrameOptions::default(),
+            shown,
+        })
+    }
+}
+
+/// Writes down what it is told, and says stop after so many steps.
+struct Writes {
+    told: RefCell<Vec<String>>,
+    stops_after: usize,
+}
+
+impl Watcher for Writes {
+    fn step(&self, what: String) {
+        self.told.borrow_mut().push(what);
+    }
+
+    fn reached(&self, reached: &Reached) {
+        let told = format!("{} holds: {}", reached.strategy, reached.holds);
+        self.told.borrow_mut().push(told);
+    }
+
+    fn goes_on(&self) -> bool {
+        self.told.borrow().len() < self.stops_after
+    }
+}
+
+fn measured(
+    scene: &str,
+    truth: &str,
+    more: &str,
+    stops_after: usize,
+) -> (Result<Option<Measured>>, Vec<String>) {
+    let text = format!(
+        "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene = [\"{scene}\"]\n{truth}\n\
+         strategies = [\"raycast+mask\", \"planar\"]\nrounds = 2\n{more}\n\
+         [[run.expect]]\nstrategies = [\"raycast+mask\"]\ndecided_wrong_px = 7\n"
+    );
+    let run = scenes(&read(&text).unwrap(), false);
+    let watcher = Writes {
+        told: RefCell::default(),
+        stops_after,
+    };
+    let assignment = Assignment {
+        experiment: "01-test",
+        run_name: "cube",
+        run: &run,
+        point: &run.points[0],
+        rounds: run.rounds,
+        is_quick: false,
+        keeps_pictures: run.keeps_pictures,
+        identity: "me".to_owned(),
+        command: "cutaway".to_owned(),
+        machine: &Machine::default(),
+    };
+    let measured = measure(&mut common::session(), &assignment, &Opens, &watcher);
+    (measured, watcher.told.into_inner())
+}
+
+#[test]
+fn expectations_are_told_before_any_time_is_taken() {
+    let (found, told) = measured("cube", "", "", usize::MAX);
+    let found = found.unwrap().unwrap();
+    assert_eq!(
+        told[1..],
+        [
+            "exact",
+            "raycast+mask",
+            "planar",
+            "raycast+mask holds: false",
+            "warm-up",
+            "round 1 of 2",
+            "round 2 of 2"
+        ]
+    );
+    let record = found.record;
+    assert_eq!(
+        (record.run.as_str(), record.identity.as_str()),
+        ("cube", "me")
+    );
+    assert_eq!(record.measurement.rounds, 2);
+    assert_eq!(
+        record.measurement.strategies[0].time_ms.frame.samples.len(),
+        2
+    );
+    assert_eq!(record.expectations[0].found, "decided_wrong_px 0");
+    let files: Vec<&str> = found
+        .pictures
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let [exact, drawn] = [&record.pictures[0], &record.pictures[1]];
+    assert_eq!(files[..2], [exact.file.as_str(), drawn.file.as_str()]);
+    assert_eq!(drawn.heatmap.as_deref(), Some(files[2]));
+    assert_eq!(found.pictures[0].1.dimensions(), (32, 24));
+}
+
+#[test]
+fn whoever_says_stop_is_heard_between_rounds() {
+    // After the seventh word, the first round.
+    let (found, told) = measured("cube", "", "", 7);
+    assert!(found.unwrap().is_none(), "what is not complete is not kept");
+    assert_eq!(told.last().unwrap(), "round 1 of 2");
+}
+
+#[test]
+fn the_truth_must_be_framed_as_the_scene_is() {
+    let (found, _) = measured("cube", "truth = [\"cube\"]", "pictures = false", usize::MAX);
+    assert!(found.unwrap().unwrap().pictures.is_empty());
+    let (found, _) = measured("cube", "truth = [\"crank\"]", "", usize::MAX);
+    let message = found.err().unwrap().to_string();
+    assert!(message.contains("bounds"), "{message}");
+}
+
+#[test]
+fn a_drift_adds_its_figures_and_changes_no_error() {
+    let of = |drift| {
+        measured("cube", "", drift, usize::MAX)
+            .0
+            .unwrap()
+            .unwrap()
+            .record
+    };
+    let (still, drifted) = (of(""), of("drift = { frames = 5, px = 0.25 }"));
+    assert!(still.figures[0].is_empty(), "{:?}", still.figures);
+    let figures = &drifted.figures[0];
+    assert_eq!(
+        figures["flicker_excess_px"], 0.0,
+        "it is exact: {figures:?}"
+    );
+    assert!(figures["flicker_px"] > 0.0, "a whole pixel: {figures:?}");
+    let errors = |r: &cutaway::experiment::Record| r.measurement.strategies[0].comparison;
+    assert_eq!(errors(&still), errors(&drifted));
+}
