@@ -110,6 +110,10 @@ fn gallery(point: &Point<'_>, options: &PictureOptions, share: u64) -> (Gallery,
             Err(why) => gallery.left_out.push(format!("{name} ({why})")),
         }
     }
+    let has_heatmaps = (point.record.pictures.iter()).any(|p| p.heatmap.is_some());
+    if has_heatmaps && !gallery.shots.is_empty() {
+        gallery.legend = colors();
+    }
     (gallery, used)
 }
 
@@ -172,17 +176,22 @@ fn relative(from: &Path, to: &Path) -> String {
 }
 
 /// What the colours of heat maps mean.
-pub(super) fn key_of_colors() -> String {
-    let words: Vec<String> = legend()
+fn colors() -> Vec<(String, String)> {
+    legend()
         .iter()
         .map(|e| {
-            format!(
-                "{} `#{:02x}{:02x}{:02x}`",
-                e.name, e.rgb[0], e.rgb[1], e.rgb[2]
-            )
+            let [r, g, b] = e.rgb;
+            (format!("#{r:02x}{g:02x}{b:02x}"), e.name.to_owned())
         })
-        .collect();
-    words.join(", ")
+        .collect()
+}
+
+/// The same in a sentence.
+pub(super) fn key_of_colors() -> String {
+    let words = colors()
+        .into_iter()
+        .map(|(color, name)| format!("{name} `{color}`"));
+    words.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
