@@ -44,7 +44,7 @@ pub(crate) fn drawn(name: &str, wrong_px: usize, ratio: f64) -> StrategyMeasurem
         time_ms: PerClock {
             solid: Samples::of(vec![12.0, 14.0]),
             cut: Samples::default(),
-            frame: Samples::of([1.9, 2.0, 2.1].map(|t| t * ratio).into()),
+            frame: Samples::of([1.75, 2.0, 2.25].map(|t| t * ratio).into()),
         },
         frame_over_draw_only: Some(ratio),
         frame_over_draw_only_mad: Some(0.01),
