@@ -25,6 +25,13 @@ const FAULTS = [
   ["<script>document.querySelectorAll('thead button').forEach((b) => b.remove())</script>", "sort"],
 ];
 
+// What to take screenshots of.
+const SIGHTS = [
+  ["top", "h1"], ["answers", "#s-what-should-i-use"], ["matrix", "#s-strategies-by-scenes"], ["chart", ".chart:has(.front)"],
+  ["point", "details"], ["time", "details:has(> .scroll > .bars)"], ["pictures", ".gallery"], ["cases", "#s-hard-cases"],
+  ["outside", "#s-outside-baselines"], ["made", "#s-how-it-was-made"],
+];
+
 /** Speaks the protocol of the browser's page. */
 class Page {
   constructor(socket) {
@@ -213,9 +220,10 @@ async function look(page, view, url) {
   page.heard.length = 0;
   await page.ask("Page.navigate", { url });
   await page.until("Page.loadEventFired");
-  for (const [name, selector] of [["top", "h1"], ["answers", "h2:nth-of-type(2)"], ["chart", ".chart"], ["pictures", ".gallery"], ["point", "details"]]) {
+  for (const [name, selector] of SIGHTS) {
     const isThere = await page.evaluate(`(() => {
       const target = document.querySelector(${JSON.stringify(selector)});
+      if (target?.matches("details")) target.open = true;
       target?.scrollIntoView({ behavior: "instant" });
       return Boolean(target);
     })()`);

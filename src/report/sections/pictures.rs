@@ -165,7 +165,6 @@ fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u6
 
 /// A path as it is seen from a folder.
 fn relative(from: &Path, to: &Path) -> String {
-    let whole = |p: &Path| fs::canonicalize(p).unwrap_or_else(|_| p.to_owned());
     let (from, to) = (whole(from), whole(to));
     let common = from.components().zip(to.components());
     let common = common.take_while(|(a, b)| a == b).count();
@@ -173,6 +172,18 @@ fn relative(from: &Path, to: &Path) -> String {
     let down = to.components().skip(common);
     let down = down.map(|c| c.as_os_str().to_string_lossy().into_owned());
     up.chain(down).collect::<Vec<_>>().join("/")
+}
+
+/// A path from the root without links, of which the end need not be there yet.
+fn whole(path: &Path) -> PathBuf {
+    match (fs::canonicalize(path), path.parent(), path.file_name()) {
+        (Ok(whole), ..) => whole,
+        (Err(_), Some(parent), Some(name)) => {
+            let is_here = parent.as_os_str().is_empty();
+            whole(if is_here { Path::new(".") } else { parent }).join(name)
+        }
+        _ => path.to_owned(),
+    }
 }
 
 /// What the colours of heat maps mean.
