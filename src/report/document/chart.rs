@@ -74,7 +74,12 @@ impl Chart {
         let [left, right, top, bottom] = FRAME;
         let scale = |i: usize, axis: &Axis, px: [f64; 2]| {
             let values: Vec<f64> = if axis.categories.is_empty() {
-                marks().map(|m| m.at[i]).collect()
+                // Ends of spreads too, but none that would squeeze the rest.
+                let ends = |m: &Mark| {
+                    let (at, spread) = (m.at[i], m.spread[i].min(m.at[i] * 0.5));
+                    [at, at - spread, at + spread]
+                };
+                marks().flat_map(ends).collect()
             } else {
                 (0..axis.categories.len()).map(|c| c as f64).collect()
             };

@@ -9,6 +9,8 @@ pub(crate) struct Gallery {
     pub label: String,
     /// The pictures, exact first.
     pub shots: Vec<Shot>,
+    /// What the colours of heat maps mean: `#rrggbb` and a name.
+    pub(crate) legend: Vec<(String, String)>,
     /// Names of pictures that did not fit into the page.
     pub left_out: Vec<String>,
 }
@@ -62,8 +64,22 @@ impl Gallery {
     /// The pictures under each other; the script makes a slider of them.
     pub(super) fn html(&self) -> String {
         let shots: String = self.shots.iter().map(figure).collect();
+        let colors: String = (self.legend.iter())
+            .map(|(color, name)| {
+                format!(
+                    "<li><i style=\"background:{}\"></i>{}</li>\n",
+                    escape(color),
+                    escape(name)
+                )
+            })
+            .collect();
+        let legend = if self.legend.is_empty() {
+            String::new()
+        } else {
+            format!("<ul class=\"legend\" aria-label=\"colours of heat maps\">\n{colors}</ul>\n")
+        };
         format!(
-            "<div class=\"gallery\" role=\"group\" aria-label=\"{}\">\n<div class=\"shots\">\n{shots}</div>\n</div>\n",
+            "<div class=\"gallery\" role=\"group\" aria-label=\"{}\">\n{legend}<div class=\"shots\">\n{shots}</div>\n</div>\n",
             escape(&self.label)
         )
     }

@@ -134,10 +134,17 @@ fn inline(text: &str) -> String {
 }
 
 fn grid(grid: &Grid) -> String {
-    let headings: String = (grid.heading.iter())
-        .map(|cell| {
+    // A column of numbers is aligned as such, heading and gaps included.
+    let is_number = |column: usize| grid.rows.iter().any(|row| row[column].key.is_some());
+    let headings: String = (grid.heading.iter().enumerate())
+        .map(|(column, cell)| {
+            let class = if is_number(column) {
+                " class=\"number\""
+            } else {
+                ""
+            };
             format!(
-                "<th scope=\"col\"{}>{}</th>",
+                "<th scope=\"col\"{class}{}>{}</th>",
                 title(cell),
                 inline(&cell.text)
             )
@@ -160,10 +167,10 @@ fn row(cells: &[Cell]) -> String {
     let cells = cells.iter().enumerate().map(|(i, cell)| {
         let key = cell.key.filter(|k| k.is_finite());
         let key = key.map_or_else(String::new, |k| format!(" data-key=\"{k}\""));
-        let words = if cell.text.chars().count() > LONG_CELL {
-            " words"
-        } else {
-            ""
+        let words = match cell.key {
+            Some(_) => " number",
+            None if cell.text.chars().count() > LONG_CELL => " words",
+            None => "",
         };
         let tag = if i == 0 { "th scope=\"row\"" } else { "td" };
         format!(

@@ -5,7 +5,7 @@ use super::expectations::missed_notice;
 use crate::experiment::{CaseRecord, CaseRecords, Reached};
 use crate::report::derived::natural;
 use crate::report::document::{Block, Cell, Grid, Tone};
-use crate::report::recorded::Recorded;
+use crate::report::recorded::{Experiment, Recorded};
 
 pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -27,11 +27,24 @@ pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
                     4,
                     format!("{}, run {}{place}", cases.experiment, cases.run),
                 ));
+                blocks.extend(asked(experiment));
                 blocks.extend(one(cases));
             }
         }
     }
     blocks
+}
+
+/// What an experiment asks that has no other section to say it.
+fn asked(experiment: &Experiment) -> Vec<Block> {
+    let definition = &experiment.definition;
+    if !experiment.records.is_empty() {
+        return Vec::new();
+    }
+    vec![
+        Block::Heading(5, definition.question.clone()),
+        Block::Prose(definition.analysis.clone()),
+    ]
 }
 
 fn one(cases: &CaseRecords) -> Vec<Block> {

@@ -110,6 +110,10 @@ fn gallery(point: &Point<'_>, options: &PictureOptions, share: u64) -> (Gallery,
             Err(why) => gallery.left_out.push(format!("{name} ({why})")),
         }
     }
+    let has_heatmaps = (point.record.pictures.iter()).any(|p| p.heatmap.is_some());
+    if has_heatmaps && !gallery.shots.is_empty() {
+        gallery.legend = colors();
+    }
     (gallery, used)
 }
 
@@ -161,7 +165,6 @@ fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u6
 
 /// A path as it is seen from a folder.
 fn relative(from: &Path, to: &Path) -> String {
-    let whole = |p: &Path| fs::canonicalize(p).unwrap_or_else(|_| p.to_owned());
     let (from, to) = (whole(from), whole(to));
     let common = from.components().zip(to.components());
     let common = common.take_while(|(a, b)| a == b).count();
@@ -171,18 +174,35 @@ fn relative(from: &Path, to: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
+/// A path from the root without links, of which the end need not be there yet.
+fn whole(path: &Path) -> PathBuf {
+    match (fs::canonicalize(path), path.parent(), path.file_name()) {
+        (Ok(whole), ..) => whole,
+        (Err(_), Some(parent), Some(name)) => {
+            let is_here = parent.as_os_str().is_empty();
+            whole(if is_here { Path::new(".") } else { parent }).join(name)
+        }
+        _ => path.to_owned(),
+    }
+}
+
 /// What the colours of heat maps mean.
-pub(super) fn key_of_colors() -> String {
-    let words: Vec<String> = legend()
+fn colors() -> Vec<(String, String)> {
+    legend()
         .iter()
         .map(|e| {
-            format!(
-                "{} `#{:02x}{:02x}{:02x}`",
-                e.name, e.rgb[0], e.rgb[1], e.rgb[2]
-            )
+            let [r, g, b] = e.rgb;
+            (format!("#{r:02x}{g:02x}{b:02x}"), e.name.to_owned())
         })
-        .collect();
-    words.join(", ")
+        .collect()
+}
+
+/// The same in a sentence.
+pub(super) fn key_of_colors() -> String {
+    let words = colors()
+        .into_iter()
+        .map(|(color, name)| format!("{name} `{color}`"));
+    words.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
