@@ -87,6 +87,12 @@ impl Case {
             (CapSurface::Alone | CapSurface::Planar, _) if self.form == Form::Reliefs => {
                 Refuses("has a relief")
             }
+            (CapSurface::Alone, _) if self.exact == Marked => {
+                Fails("it cannot tell an open mesh, and draws streaks of it unmarked")
+            }
+            (CapSurface::Planar, _) if self.exact == Marked => {
+                Fails("an outline that does not close gets no cap")
+            }
             (CapSurface::Raycast, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
                 match self.exact {
                     Exact => Band,

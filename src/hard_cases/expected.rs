@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use super::tolerances::RIM_SHARE;
 use super::{Entrant, Judged, Question, band};
 use crate::session::Outcome;
 
@@ -23,6 +24,8 @@ pub enum Expected {
     Band,
     /// Decided wrong pixels per pixel on a boundary are at most this many.
     Share(f64),
+    /// As `Share`, for this reason.
+    Within(f64, &'static str),
     /// As `Share`, and no decided pixel shows a back face, none is cracked and none odd: a tessellation that decides by one list.
     Listed(f64),
     /// Known to be wrong, for this reason, in at least one of its pictures.
@@ -43,7 +46,7 @@ impl Expected {
             Self::Band => "a point is tested up to half a texel diagonally beside where it is",
             Self::Share(_) => "texels and the chord of its grid move what they draw",
             Self::Listed(_) => "the chord of its triangles moves what they draw",
-            Self::Fails(why) => why,
+            Self::Fails(why) | Self::Within(_, why) => why,
             Self::Refuses(words) | Self::RefusesSome(words) => words,
         };
         Some(why.to_owned())
@@ -76,7 +79,7 @@ impl Expected {
             Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
             Self::Doubted => unmarked_fault(judged),
             Self::Band => band::fault(question, judged, entrant.resolution()?),
-            Self::Share(most) => share_fault(question, judged, *most),
+            Self::Share(most) | Self::Within(most, _) => share_fault(question, judged, *most),
             Self::Listed(most) => {
                 list_fault(judged).or_else(|| share_fault(question, judged, *most))
             }
@@ -94,7 +97,9 @@ impl fmt::Display for Expected {
             Self::Doubted => f.write_str("whatever is wrong is marked"),
             Self::Overflows(_) => f.write_str("overflow told, whatever is wrong is marked"),
             Self::Band => f.write_str("wrong within reach of a texel alone"),
-            Self::Share(most) => write!(f, "at most {most} wrong per boundary pixel"),
+            Self::Share(most) | Self::Within(most, _) => {
+                write!(f, "at most {most} wrong per boundary pixel")
+            }
             Self::Listed(most) => write!(
                 f,
                 "no back face, no crack, at most {most} wrong per boundary pixel"
@@ -106,15 +111,26 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Odd pixels are to be marked, and no others.
+/// Odd pixels are to be marked, and no others. A sample beside the rim of a hole may count either way, hidden as the rim may be: a few
+/// pixels that have a neighbour of the other kind are let pass.
 fn mismarked_fault(judged: &Judged) -> Option<String> {
-    let pixels = judged.layers.pixels.iter().zip(&judged.exact.odd_parity);
-    let mismarked = pixels
-        .zip(&judged.exact.undecided)
-        .filter(|((pixel, odd), undecided)| pixel.unreliable != **odd && !**undecided)
-        .count();
-    (mismarked > 0)
-        .then(|| format!("{mismarked} pixels are marked that should not be, or the reverse"))
+    let [width, height] = judged.layers.size_px.map(|s| s as usize);
+    let odd = &judged.exact.odd_parity;
+    let is_rim = |i: usize| {
+        let (x, y) = (i % width, i / width);
+        (y.saturating_sub(1)..(y + 2).min(height)).any(|v| {
+            (x.saturating_sub(1)..(x + 2).min(width)).any(|u| odd[v * width + u] != odd[i])
+        })
+    };
+    let differs =
+        |i: &usize| judged.layers.pixels[*i].unreliable != odd[*i] && !judged.exact.undecided[*i];
+    let (rim, away): (Vec<usize>, Vec<usize>) =
+        (0..odd.len()).filter(differs).partition(|i| is_rim(*i));
+    let allowed = (0..odd.len()).filter(|i| is_rim(*i)).count() as f64 * RIM_SHARE;
+    (!away.is_empty() || rim.len() as f64 > allowed).then(|| {
+        let (away, rim) = (away.len(), rim.len());
+        format!("{away} pixels are marked that should not be, or the reverse, and {rim} along rims")
+    })
 }
 
 /// Nothing wrong is to go unmarked.

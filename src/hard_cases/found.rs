@@ -1,6 +1,6 @@
 //! The table asked of a session.
 
-use super::{Case, Entrant, LIST, Question, Tally, cases};
+use super::{Case, Entrant, Question, Tally, cases, list};
 use crate::layers::Kind;
 use crate::scene::glob_matches;
 use crate::session::Session;
@@ -46,19 +46,19 @@ pub fn found(
     for glob in ids {
         if !cases()
             .map(|c| c.id)
-            .chain(LIST.iter().map(|l| l.id))
+            .chain(list().map(|l| l.id))
             .any(|id| glob_matches(glob, id))
         {
             return Err(Error::input(
                 format!("hard case `{glob}`"),
                 "no case has such a number",
-                "write a number from 1 to 50, B1 to B14, U1 to U6, or a glob such as B*",
+                "write a number from 1 to 50, B1 to B14, U1 to U7, or a glob such as B*",
             ));
         }
     }
     let is_asked = |id: &str| ids.iter().any(|glob| glob_matches(glob, id));
     let mut all = Vec::new();
-    for listed in LIST.iter().filter(|l| is_asked(l.id)) {
+    for listed in list().filter(|l| is_asked(l.id)) {
         let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
         if of_it.peek().is_none() {
             all.push(CaseFound {

@@ -2,7 +2,7 @@
 //!
 //! A [`Case`] is scenes and, for each [`Entrant`], what is [`Expected`] of it: nothing wrong, wrong within what theory allows, a refusal,
 //! or a failure with its reason. [`cases`] is the table, [`found`] asks it of a session, and `cargo test --test hard_cases` holds it.
-//! What of a case is more than a picture is held by tests that [`LIST`] names, so that each of the fifty numbers has its keeper.
+//! What of a case is more than a picture is held by tests that [`list`] names, so that each of the fifty numbers has its keeper.
 //!
 //! [`random`] makes scenes without a pattern, and the simplest of those that come out wrong.
 //!
@@ -33,5 +33,5 @@ pub use cases::cases;
 pub use entrant::Entrant;
 pub use expected::{Expected, Tally};
 pub use found::{CaseFound, Reached, caps_px, found, pictures, tallied};
-pub use listed::{LIST, Listed};
+pub use listed::{Listed, list};
 pub use question::{Judged, Question, class_of, is_wrong};

@@ -15,3 +15,10 @@ pub const CAP_NORMAL_DEG: f64 = 0.1;
 
 /// Error of a cap's depth in edge lengths of a pixel: rounding in f32, a hundred times as much along a plane seen at half a degree.
 pub const CAP_DEPTH_PX: f64 = 0.01;
+
+/// Pixels along the rims of holes that may be marked or not: a rim leaves a band of 2/256 px open, so of the pixels on its two sides
+/// about 1 in 256.
+pub const RIM_SHARE: f64 = 1.0 / 64.0;
+
+/// Decided wrong pixels per boundary pixel where a face lies in the plane, or where faces are wound against each other: single pixels.
+pub const TIE_SHARE: f64 = 1.0 / 256.0;

@@ -84,7 +84,7 @@ fn copies(mesh: &Arc<Mesh>) -> Vec<Part> {
         DAffine3::from_rotation_x(0.7),
         DAffine3::from_translation(DVec3::new(0.7, 0.1, 0.0))
             * DAffine3::from_scale(DVec3::new(-1.0, 0.6, 1.3)),
-        DAffine3::from_translation(DVec3::new(0.1, 0.75, 0.0))
+        DAffine3::from_translation(DVec3::new(0.1, 0.75, -0.2))
             * DAffine3::from_scale(DVec3::splat(0.4)),
     ];
     let part = |(i, at): (usize, &DAffine3)| {
@@ -219,23 +219,31 @@ pub fn touching(_: u32) -> Vec<Scene> {
     all
 }
 
-/// Two products, part against part: cut across both, along the face between them, and with a gap that is hardly one.
+/// Two products, part against part, with a gap or none.
+fn products(gap: f64) -> Vec<Part> {
+    let lower = block(DVec3::new(-0.4, -0.4, -0.5), DVec3::new(0.4, 0.4, 0.0));
+    let upper = block(DVec3::new(-0.3, -0.3, gap), DVec3::new(0.3, 0.3, 0.5));
+    vec![Part::new("lower", lower), Part::new("upper", upper)]
+}
+
+/// Two products cut across, without a gap and with one that is hardly one.
 pub fn face_to_face(_: u32) -> Vec<Scene> {
-    let pair = |gap: f64| {
-        let lower = block(DVec3::new(-0.4, -0.4, -0.5), DVec3::new(0.4, 0.4, 0.0));
-        let upper = block(DVec3::new(-0.3, -0.3, gap), DVec3::new(0.3, 0.3, 0.5));
-        vec![Part::new("lower", lower), Part::new("upper", upper)]
-    };
-    [
-        ("across", 0.0, DVec3::new(-1.0, -0.2, 0.0)),
-        ("along", 0.0, -DVec3::Z),
-        ("a gap of a thousandth", 1e-3, DVec3::new(-1.0, -0.2, 0.0)),
-    ]
-    .map(|(name, gap, normal)| {
-        let plane = ClipSurface::plane(DVec3::ZERO, normal);
-        scenes::of_parts(name, pair(gap), vec![plane])
-    })
-    .to_vec()
+    [("no gap", 0.0), ("a gap of a thousandth", 1e-3)]
+        .map(|(name, gap)| {
+            let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(-1.0, -0.2, 0.0));
+            scenes::of_parts(name, products(gap), vec![plane])
+        })
+        .to_vec()
+}
+
+/// The plane between them, with the one or the other kept.
+pub fn between(_: u32) -> Vec<Scene> {
+    [("the lower", -1.0), ("the upper", 1.0)]
+        .map(|(name, side)| {
+            let plane = ClipSurface::plane(DVec3::ZERO, DVec3::Z * side);
+            scenes::of_parts(name, products(0.0), vec![plane])
+        })
+        .to_vec()
 }
 
 /// A corner bitten off by three planes, and the same planes each by itself.

@@ -10,7 +10,7 @@ use crate::common::{session, strategy};
 
 const SCENES: u64 = 400;
 /// For each of the others.
-const SCENES_OF_OTHERS: u64 = 40;
+const SCENES_OF_OTHERS: u64 = 60;
 /// Asks for more scenes than the usual ones: a search for the next regression.
 const MORE: &str = "CUTAWAY_RANDOM_SCENES";
 /// Where the numbers begin; another seed asks other questions.

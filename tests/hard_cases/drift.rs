@@ -59,8 +59,8 @@ fn drifting(scene: &Scene, entrant: &Entrant) -> Flicker {
 #[test]
 fn case_40_a_drifting_camera_flips_what_exact_flips() {
     let mut scene = scenes::of_parts(
-        "ring",
-        cutaway::hard_cases::meshes::parts("torus?segments=24&sides=12"),
+        "comb",
+        cutaway::hard_cases::meshes::parts("comb?teeth=8"),
         vec![],
     );
     let rough = scenes::relief(

@@ -10,7 +10,6 @@ use cutaway::session::Outcome;
 
 use crate::common::session;
 
-/// Runs the cases whose number has this remainder: a part of the table for each of several tests.
 fn run(size_px: u32) -> Vec<String> {
     let mut faults = Vec::new();
     for case in cases() {
