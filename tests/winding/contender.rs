@@ -52,7 +52,8 @@ fn judged(scene: &Scene, truth: Option<&Scene>, contenders: &[&str]) -> Vec<[usi
     let mut session = session();
     let quiet = &mut |_: String| ();
     let mut judgement = errors(&mut session, &question, &contenders, quiet).unwrap();
-    assert!(times(&mut session, &question, &mut judgement, 1, quiet, &|| true).unwrap());
+    let is_timed = times(&mut session, &question, &mut judgement, 1, quiet, &|| true);
+    assert!(is_timed.unwrap(), "times are taken");
     let found = judgement.measurement.strategies.iter();
     found
         .map(|s| {
