@@ -55,6 +55,8 @@ pub struct Comparison {
     pub edge_wrong_px: usize,
     /// Wrong pixels that exact is sure of. An exact strategy has none.
     pub decided_wrong_px: usize,
+    /// Those of them that the strategy vouches for: it is wrong there, and nobody is told. Who cannot know must mark.
+    pub unmarked_wrong_px: usize,
     /// Pixels the strategy does not vouch for: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
     /// Pixels where the strategy says that several solids share the cap; it is told to look by
@@ -111,6 +113,7 @@ pub fn compare(exact: &Exact, layers: &Layers, view: &View, scale: f64) -> Compa
             result.edge_wrong_px += usize::from(edge);
             result.interior_wrong_px += usize::from(!edge);
             result.decided_wrong_px += usize::from(decided);
+            result.unmarked_wrong_px += usize::from(decided && !found.unreliable);
         } else if decided && !exact.depth_open[index] && truth.kind != Kind::Background {
             let off = (found.depth - truth.depth).abs();
             depth.add(off / scale);

@@ -157,7 +157,7 @@ pub fn errors(
         frames,
         usual,
         model: model.clone(),
-        view: question.view.clone(),
+        view: question.view,
     })
 }
 

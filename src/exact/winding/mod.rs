@@ -10,8 +10,8 @@
 //! inside it, there is a cap; where the mesh is crossed and not removed, its surface shows, front or back: a hole in the mesh stays a
 //! hole in the picture, but caps have none. On a closed mesh all decided pixels are those of [`super::evaluate`].
 //!
-//! A pixel is marked where the number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side,
-//! which no closed mesh does.
+//! A pixel is marked where a number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side to
+//! an eye that is, by the number before it, inside of the solid: no closed mesh does.
 //!
 //! Cost: a tree over the faces, once per mesh ([`Windings::of`]); per pixel, the crossings, and one walk down the tree per candidate:
 //! some hundred faces and balls. Limit: the tree answers to about a hundredth, which only a point whose number is as near as that to
@@ -136,7 +136,11 @@ impl Windings {
         };
         if let Some(sight) = ask.walk(lines, bench) {
             lines.show(&ray, &sight, bench, layer);
-            layer.unreliable = layer.back_face;
+            // The wall of a void shows its inner side too; but before that is no solid.
+            layer.unreliable = layer.back_face
+                && sight.event.is_some()
+                && (prepared.parts[usize::from(sight.rank)].fill)
+                    .holds(ask.at(sight.rank, sight.depth));
         }
         layer.unreliable |= !ask.is_sure;
     }
