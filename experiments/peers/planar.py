@@ -8,7 +8,7 @@ import numpy as np
 import ours
 import sections
 from meshes import all_meshes
-from record import Contender, check, row_of, take_turns
+from record import Contender, Refused, check, row_of, take_turns
 
 # Of the area; summation and the rounding of cut points stay far below.
 RELATIVE = 1e-6
@@ -121,6 +121,8 @@ def one(cutaway, work, mesh, cut, plane, options):
     )
     contenders = [section, *peers(mesh, theirs)]
     take_turns(contenders, options.rounds)
+    if section.outcome != "done":
+        raise Refused(section.reason)
     rows = [row_of(mesh, cut, c) for c in contenders]
 
     u, v = sections.frame(normal)

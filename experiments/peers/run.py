@@ -65,4 +65,9 @@ def told(what, rows, checks):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except record.Refused as refusal:
+        # Of peers these are findings; of ours, there is nothing to compare with.
+        print(f"error: cutaway does not do it: {refusal}", file=sys.stderr)
+        sys.exit(2)
