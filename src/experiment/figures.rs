@@ -7,23 +7,32 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::Measurement;
+use super::{Measurement, Samples};
 use crate::compare::Comparison;
 
 /// Figures of a camera that drifts, see [`super::drift`].
 pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_excess_px"];
 
 /// What a strategy takes, other than time, and what it is given.
-pub const OF_SIZE: [&str; 5] = [
+pub const OF_SIZE: [&str; 6] = [
     "bytes",
     "bytes.solid",
     "bytes.cut",
     "bytes.frame",
     "triangles",
+    "pixels",
 ];
 
 /// What takes time. No expectation is about it: it is another on each machine.
-pub const OF_TIME: [&str; 4] = ["ratio", "time_ms.solid", "time_ms.cut", "time_ms.frame"];
+pub const OF_TIME: [&str; 7] = [
+    "ratio",
+    "ratio.cut_moves",
+    "ratio.mesh_moves",
+    "time_ms",
+    "time_ms.solid",
+    "time_ms.cut",
+    "time_ms.frame",
+];
 
 /// Names of the errors of a frame.
 pub fn of_error() -> Vec<String> {
@@ -34,33 +43,68 @@ pub fn of_error() -> Vec<String> {
     fields.chain(more).collect()
 }
 
-/// A figure of the strategy with this number in the measurement; none where there is none: a frame was refused, a clock never ran,
-/// nothing drifted. `more` are the figures that one frame does not have.
+/// All figures of the strategy with this number in the measurement, by name. What was not measured is not there: a frame was refused, a
+/// clock never ran. `more` are the figures that one frame does not have. Times have their spread beside them, as `.mad`.
+pub fn figures(
+    measurement: &Measurement,
+    strategy: usize,
+    more: &BTreeMap<String, f64>,
+) -> BTreeMap<String, f64> {
+    let mut figures = BTreeMap::new();
+    let Some(found) = measurement.strategies.get(strategy) else {
+        return figures;
+    };
+    let mut add = |name: &str, value: Option<f64>| {
+        if let Some(value) = value {
+            figures.insert(name.to_owned(), value);
+        }
+    };
+    let median = |s: &Samples| (!s.samples.is_empty()).then_some(s.median);
+    let mad = |s: &Samples| (!s.samples.is_empty()).then_some(s.mad);
+    let [width, height] = measurement.resolution.map(f64::from);
+    add("pixels", Some(width * height));
+    add("triangles", Some(measurement.triangles as f64));
+    add("draw_only_ms", median(&measurement.draw_only_ms));
+    let Some(comparison) = &found.comparison else {
+        return figures;
+    };
+    for (name, value) in fields(comparison) {
+        add(&name, value);
+    }
+    add("wrong_px", Some(comparison.wrong_px() as f64));
+    add("marked", Some(comparison.odd_parity_px as f64));
+    add("ratio", found.frame_over_draw_only);
+    add("ratio.mad", found.frame_over_draw_only_mad);
+    let (times, bytes) = (&found.time_ms, &found.bytes);
+    let clocks = [
+        ("solid", &times.solid, bytes.solid),
+        ("cut", &times.cut, bytes.cut),
+        ("frame", &times.frame, bytes.frame),
+    ];
+    for (clock, samples, bytes) in clocks {
+        add(&format!("bytes.{clock}"), Some(bytes as f64));
+        add(&format!("time_ms.{clock}"), median(samples));
+        add(&format!("time_ms.{clock}.mad"), mad(samples));
+    }
+    add(
+        "bytes",
+        Some((bytes.solid + bytes.cut + bytes.frame) as f64),
+    );
+    // The frame is always paid; of the other clocks, those that ever run.
+    let all = |frame| frame + times.cut.median + times.solid.median;
+    add("time_ms", median(&times.frame).map(all));
+    figures.extend(more.iter().map(|(name, value)| (name.clone(), *value)));
+    figures
+}
+
+/// One of the [`figures`].
 pub fn figure(
     measurement: &Measurement,
     strategy: usize,
     more: &BTreeMap<String, f64>,
     name: &str,
 ) -> Option<f64> {
-    let found = measurement.strategies.get(strategy)?;
-    let comparison = found.comparison.as_ref()?;
-    let (bytes, times) = (&found.bytes, &found.time_ms);
-    let median = |s: &super::Samples| (!s.samples.is_empty()).then_some(s.median);
-    match name {
-        "wrong_px" => Some(comparison.wrong_px() as f64),
-        "marked" => Some(comparison.odd_parity_px as f64),
-        "bytes" => Some((bytes.solid + bytes.cut + bytes.frame) as f64),
-        "bytes.solid" => Some(bytes.solid as f64),
-        "bytes.cut" => Some(bytes.cut as f64),
-        "bytes.frame" => Some(bytes.frame as f64),
-        "triangles" => Some(measurement.triangles as f64),
-        "ratio" => found.frame_over_draw_only,
-        "time_ms.solid" => median(&times.solid),
-        "time_ms.cut" => median(&times.cut),
-        "time_ms.frame" => median(&times.frame),
-        name => (more.get(name).copied())
-            .or_else(|| fields(comparison).into_iter().find(|(n, _)| n == name)?.1),
-    }
+    figures(measurement, strategy, more).get(name).copied()
 }
 
 /// The numbers of a comparison by their names in JSON.
@@ -90,6 +134,7 @@ mod tests {
             ("bytes", Some(2048.0 + f64::from(1 << 20))),
             ("time_ms.frame", Some(3.0)),
             ("time_ms.cut", None),
+            ("time_ms", Some(3.0)),
             ("ratio", Some(1.5)),
             ("triangles", Some(12.0)),
             ("flicker_px", Some(7.0)),

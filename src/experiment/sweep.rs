@@ -3,9 +3,10 @@
 //! A text may hold placeholders, `{amplitude}`. An axis whose placeholder is in the words of the scene makes *points*: one frame and
 //! one record for each value, and for each combination where there are several such axes. An axis whose placeholder is only in the
 //! names of strategies makes more *contenders* within each point, so that they are measured in turns. An axis may have tables for
-//! values, each with several placeholders that go together: `{faces}` is its `is`, and `{segments}` and `{sides}` are its others.
+//! values, each with several placeholders that go together: `{faces}` is its `is`, and `{segments}` and `{sides}` are its others. One of
+//! these may be a list of words: it takes the place of a word of the scene that is the placeholder and nothing else.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Contender, Parameters};
 use crate::error::did_you_mean;
@@ -22,6 +23,8 @@ pub struct Value {
     pub is: String,
     /// Its placeholders; that of the axis is what it is called.
     pub with: Parameters,
+    /// Those of them that are lists of words, for a word of the scene that is nothing but the placeholder.
+    pub lists: BTreeMap<String, Vec<String>>,
 }
 
 /// What is varied.
@@ -196,7 +199,12 @@ pub fn expand(axes: &Axes, templates: &Templates) -> Result<Vec<Point>> {
     for values in combinations(&of_points) {
         let parameters: Parameters = joined(&values);
         let words = |texts: &[String]| {
-            let mut words: Vec<String> = texts.iter().map(|t| filled(t, &parameters)).collect();
+            let mut words: Vec<String> = (texts.iter())
+                .flat_map(|text| match list(text, &values) {
+                    Some(list) => list.clone(),
+                    None => vec![filled(text, &parameters)],
+                })
+                .collect();
             let size = templates.resolution.as_ref();
             words.extend(size.map(|r| format!("--resolution={}", filled(r, &parameters))));
             words
@@ -286,6 +294,12 @@ fn joined(values: &[&Value]) -> Parameters {
     let all = values.iter().flat_map(|v| &v.with);
     all.map(|(name, value)| (name.clone(), value.clone()))
         .collect()
+}
+
+/// The words that take the place of a word that is nothing but the placeholder of a list.
+fn list<'a>(text: &str, values: &[&'a Value]) -> Option<&'a Vec<String>> {
+    let name = text.strip_prefix('{')?.strip_suffix('}')?;
+    values.iter().find_map(|v| v.lists.get(name))
 }
 
 /// A name that files of the point can have, unlike those of the others.

@@ -1,5 +1,7 @@
 //! `[[run]]` with a `scene`: words of the command line with placeholders, and the values that take their place.
 
+use std::collections::BTreeMap;
+
 use super::Asked;
 use super::claims::{self, Claim};
 use crate::Result;
@@ -186,16 +188,27 @@ fn value(axis: &str, entry: &Entry<'_>, full: Option<&Axis>) -> Result<Value> {
         let known = full.and_then(|a| a.values.iter().find(|v| v.is == is));
         return Ok(known.cloned().unwrap_or_else(|| Value {
             with: Parameters::from([(axis.to_owned(), is.clone())]),
+            lists: BTreeMap::new(),
             is,
         }));
     }
     let table = entry.open_table()?;
     let is = table.need("is", "\"2 k\"")?.word()?;
     let mut with = Parameters::from([(axis.to_owned(), is.clone())]);
+    let mut lists = BTreeMap::new();
     for (key, entry) in table.all().filter(|(key, _)| *key != "is") {
-        if with.insert(key.to_owned(), entry.word()?).is_some() {
+        let text = if entry.is_list() {
+            let words: Vec<String> =
+                (entry.list()?.iter().map(Entry::word)).collect::<Result<_>>()?;
+            let text = words.join(" ");
+            lists.insert(key.to_owned(), words);
+            text
+        } else {
+            entry.word()?
+        };
+        if with.insert(key.to_owned(), text).is_some() {
             return Err(entry.fault("it is the name of the axis", "give it another name"));
         }
     }
-    Ok(Value { is, with })
+    Ok(Value { is, with, lists })
 }

@@ -1,13 +1,13 @@
 //! A strategy at a point: all that was found of it, by name.
 //!
-//! Names of figures are those of charts and of the columns of the CSV: the fields of a comparison, `ratio` (frame time over that of
-//! drawing the uncut scene), `wrong_px` (all wrong pixels), `marked` (those that the strategy does not vouch for), `time_ms.CLOCK` with `.mad`, `bytes.CLOCK` and `bytes` (their sum), `draw_only_ms`, `triangles`, `pixels`, and
-//! whatever else the record has figures for. What was not measured is not there.
+//! Names of figures are those of charts and of the columns of the CSV: those of [`crate::experiment::figures`], and for each situation the
+//! time over that of drawing the uncut scene. What was not measured is not there.
 
 use std::collections::BTreeMap;
 
 use super::{Situation, number_of};
-use crate::experiment::{Record, Samples, StrategyMeasurement};
+use crate::experiment::figures::figures;
+use crate::experiment::{Record, StrategyMeasurement};
 
 /// A strategy at a point.
 #[derive(Clone, Debug)]
@@ -29,52 +29,12 @@ pub(crate) fn rows(record: &Record) -> Vec<Row<'_>> {
 
 impl<'a> Row<'a> {
     fn of(record: &'a Record, index: usize) -> Self {
-        let found = &record.measurement.strategies[index];
-        let mut figures: BTreeMap<String, f64> = BTreeMap::new();
-        let fields = found.comparison.map(serde_json::to_value);
-        if let Some(Ok(serde_json::Value::Object(fields))) = fields {
-            let numbers = fields
-                .into_iter()
-                .filter_map(|(name, v)| Some((name, v.as_f64()?)));
-            figures.extend(numbers);
-        }
-        figures.extend(
-            record.figures[index]
-                .iter()
-                .map(|(name, v)| (name.clone(), *v)),
-        );
-        let mut add = |name: &str, value: Option<f64>| {
-            if let Some(value) = value {
-                figures.insert(name.to_owned(), value);
-            }
-        };
-        add("triangles", Some(record.measurement.triangles as f64));
-        let [width, height] = record.measurement.resolution.map(f64::from);
-        add("pixels", Some(width * height));
-        add("draw_only_ms", median(&record.measurement.draw_only_ms));
-        add("ratio", found.frame_over_draw_only);
-        add("ratio.mad", found.frame_over_draw_only_mad);
-        if found.was_drawn() {
-            let (time, bytes) = (&found.time_ms, &found.bytes);
-            let clocks = [
-                ("solid", &time.solid, bytes.solid),
-                ("cut", &time.cut, bytes.cut),
-                ("frame", &time.frame, bytes.frame),
-            ];
-            for (clock, samples, bytes) in clocks {
-                add(&format!("bytes.{clock}"), Some(bytes as f64));
-                if !samples.samples.is_empty() {
-                    add(&format!("time_ms.{clock}"), Some(samples.median));
-                    add(&format!("time_ms.{clock}.mad"), Some(samples.mad));
-                }
-            }
-            let comparison = found.comparison;
-            add("wrong_px", comparison.map(|c| c.wrong_px() as f64));
-            add("marked", comparison.map(|c| c.odd_parity_px as f64));
-            let sum = bytes.solid + bytes.cut + bytes.frame;
-            add("bytes", Some(sum as f64));
-            for situation in Situation::ALL {
-                add(situation.figure(), situation.ratio(record, found));
+        let measurement = &record.measurement;
+        let mut figures = figures(measurement, index, &record.figures[index]);
+        let found = &measurement.strategies[index];
+        for situation in Situation::ALL {
+            if let Some(ratio) = situation.ratio(record, found) {
+                figures.insert(situation.figure().to_owned(), ratio);
             }
         }
         Self {
@@ -124,10 +84,6 @@ fn with_name_for_value(name: &str, parameter: &str, value: &str) -> String {
         told.push_str(&word[bare.len()..]);
     }
     told
-}
-
-fn median(samples: &Samples) -> Option<f64> {
-    (!samples.samples.is_empty()).then_some(samples.median)
 }
 
 #[cfg(test)]

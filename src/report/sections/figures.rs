@@ -25,6 +25,7 @@ pub(super) fn label(name: &str) -> String {
         "ratio.view_moves" => "time when the view moves, × draw only",
         "ratio.cut_moves" => "time when the cut moves, × draw only",
         "ratio.mesh_moves" => "time when the mesh moves, × draw only",
+        "time_ms" => "time of all clocks, ms",
         "time_ms.frame" => "time of a frame, ms",
         "time_ms.cut" => "time when a cut changed, ms",
         "time_ms.solid" => "time when the mesh changed, ms",
