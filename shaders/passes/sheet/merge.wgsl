@@ -26,28 +26,58 @@ override closed: u32 = 0u;
 override beside: f32 = 0.0;
 
 struct Fragment {
-    found: bool,
     index: u32,
     z: f32,
 }
 
-fn is_within(fragment: u32, surface: u32, interval: vec2<f32>) -> bool {
-    let depth = depth_from_buffer(depth_of(fragment));
-    return sheet_of(owner_of(fragment)) == surface && depth > interval.x && depth < interval.y;
+// What a run holds of a sheet.
+struct Share {
+    // All fragments, those beyond the begin of the interval, and those within it.
+    all: u32,
+    ahead: u32,
+    within: u32,
+    // Of those within: by how many more show their front than their back, and the nearest.
+    fronts: i32,
+    nearest: Fragment,
 }
 
-// The nearest fragment of a sheet behind another one, inside the interval. A run is in no order and hardly ever long: it is looked
-// through again for each.
-fn next_after(before: Fragment, run: Run, surface: u32, interval: vec2<f32>) -> Fragment {
-    var next = Fragment();
+fn share_of(run: Run, surface: u32, interval: vec2<f32>) -> Share {
+    var share = Share();
     for (var i = run.first; i < run.end; i++) {
-        if !is_within(i, surface, interval) {
+        let word = owner_of(i);
+        if sheet_of(word) != surface {
             continue;
         }
         let z = depth_of(i);
+        let depth = depth_from_buffer(z);
+        share.all++;
+        share.ahead += select(0u, 1u, depth > interval.x);
+        if depth > interval.x && depth < interval.y {
+            if share.within == 0u || is_behind(share.nearest.z, z) {
+                share.nearest = Fragment(i, z);
+            }
+            share.within++;
+            share.fronts += select(-1, 1, shows_front(word));
+        }
+    }
+    return share;
+}
+
+// The nearest fragment of a sheet behind another one, inside the interval, if there is one. A run is in no order and hardly ever
+// long: it is looked through again for each but the first.
+fn next_after(before: Fragment, run: Run, surface: u32, interval: vec2<f32>) -> Fragment {
+    var next = before;
+    var found = false;
+    for (var i = run.first; i < run.end; i++) {
+        let z = depth_of(i);
         let is_later = is_behind(z, before.z) || (!is_behind(before.z, z) && i > before.index);
-        if (is_later || !before.found) && (!next.found || is_behind(next.z, z)) {
-            next = Fragment(true, i, z);
+        if !is_later || (found && !is_behind(next.z, z)) || sheet_of(owner_of(i)) != surface {
+            continue;
+        }
+        // Later is deeper: beyond the begin of the interval already.
+        if depth_from_buffer(z) < interval.y {
+            next = Fragment(i, z);
+            found = true;
         }
     }
     return next;
@@ -59,69 +89,46 @@ fn word_of(fragment: u32, surface: u32) -> u32 {
 }
 
 // Adds all crossings with a sheet; sides alternate.
-fn cross(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>, begins_kept: bool) {
+fn cross(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>, share: Share, begins_kept: bool) {
     if !begins_kept {
         (*list).sides |= 1u << surface;
     }
     var kept = begins_kept;
-    var crossing = next_after(Fragment(), run, surface, interval);
-    for (var n = run.first; n < run.end && crossing.found; n++) {
+    var crossing = share.nearest;
+    for (var n = 0u; n < share.within; n++) {
+        if n > 0u {
+            crossing = next_after(crossing, run, surface, interval);
+        }
         kept = !kept;
         add(list, crossing.z, word_of(crossing.index, surface), kept);
-        crossing = next_after(crossing, run, surface, interval);
     }
-}
-
-// Whether crossings say that the ray begins on the kept side: those that show their front leave it.
-fn begins_kept_by_facing(run: Run, surface: u32, interval: vec2<f32>) -> bool {
-    var fronts = 0;
-    for (var i = run.first; i < run.end; i++) {
-        if is_within(i, surface, interval) {
-            fronts += select(-1, 1, shows_front(owner_of(i)));
-        }
-    }
-    if fronts == 0 {
-        return shows_front(owner_of(next_after(Fragment(), run, surface, interval).index));
-    }
-    return fronts > 0;
 }
 
 fn cross_by_facing(list: ptr<function, List>, run: Run, surface: u32, ray: Ray, interval: vec2<f32>) {
-    var count = 0u;
-    for (var i = run.first; i < run.end; i++) {
-        count += select(0u, 1u, is_within(i, surface, interval));
-    }
-    let is_odd = count % 2u == 1u;
+    let share = share_of(run, surface, interval);
+    let is_odd = share.within % 2u == 1u;
     let start = height_over_sheet(surface, ray.origin + interval.x * ray.direction);
     let end = height_over_sheet(surface, ray.origin + interval.y * ray.direction);
     let start_is_farther = abs(start) >= abs(end);
     var begins_kept = select((end >= 0.0) != is_odd, start >= 0.0, start_is_farther);
-    if count > 0u && max(abs(start), abs(end)) < beside {
-        begins_kept = begins_kept_by_facing(run, surface, interval);
+    if share.within > 0u && max(abs(start), abs(end)) < beside {
+        // Crossings that show their front leave the kept side.
+        begins_kept = share.fronts > 0 || (share.fronts == 0 && shows_front(owner_of(share.nearest.index)));
     }
     let agree = ((start >= 0.0) == (end >= 0.0)) != is_odd;
     if !agree && min(abs(start), abs(end)) > 10.0 * beside {
         (*list).cut_short = true;
     }
-    cross(list, run, surface, interval, begins_kept);
+    cross(list, run, surface, interval, share, begins_kept);
 }
 
 fn cross_by_parity(list: ptr<function, List>, run: Run, surface: u32, interval: vec2<f32>) {
-    var begins_kept = ((keeps_inside >> surface) & 1u) == 0u;
-    var is_odd = false;
-    for (var i = run.first; i < run.end; i++) {
-        if sheet_of(owner_of(i)) != surface {
-            continue;
-        }
-        is_odd = !is_odd;
-        if depth_from_buffer(depth_of(i)) > interval.x {
-            begins_kept = !begins_kept;
-        }
-    }
-    if is_odd && ((closed >> surface) & 1u) != 0u {
+    let share = share_of(run, surface, interval);
+    let keeps_outside = ((keeps_inside >> surface) & 1u) == 0u;
+    if share.all % 2u == 1u && ((closed >> surface) & 1u) != 0u {
         (*list).cut_short = true;
     }
-    cross(list, run, surface, interval, begins_kept);
+    cross(list, run, surface, interval, share, keeps_outside != (share.ahead % 2u == 1u));
 }
 
 @compute @workgroup_size(16, 16)
