@@ -133,7 +133,7 @@ pub(super) const OF_USERS: &[Case] = &[
         users::between,
         Plane,
         TIED,
-        Share(tolerances::PAPER_MILD),
+        IN_FACE,
     ),
     case(
         "U2",
