@@ -81,6 +81,7 @@ fn each_class_counts_its_own() {
     let one = Comparison {
         interior_wrong_px: 1,
         decided_wrong_px: 1,
+        unmarked_wrong_px: 1,
         ..Comparison::default()
     };
     let cases: [(&str, Layers, Comparison); 9] = [
@@ -318,8 +319,12 @@ fn unreliable_pixels_are_counted_and_excuse_nothing() {
     });
     let found = compared(&layers);
     assert_eq!(
-        (found.odd_parity_px, found.decided_wrong_px),
-        (1, 1),
+        (
+            found.odd_parity_px,
+            found.decided_wrong_px,
+            found.unmarked_wrong_px
+        ),
+        (1, 1, 0),
         "{found:?}"
     );
 }
@@ -336,6 +341,7 @@ fn json_has_the_fields_of_the_command() {
         "interior_wrong_px",
         "edge_wrong_px",
         "decided_wrong_px",
+        "unmarked_wrong_px",
         "odd_parity_px",
         "depth_error_max",
         "depth_error_mean",
