@@ -6,7 +6,7 @@
 const ZERO_STRIP: f64 = 26.0;
 
 /// Least room on either side of the values, as a share of the axis.
-const MARGIN: f64 = 0.05;
+const AXIS_MARGIN: f64 = 0.05;
 
 /// An axis of a chart, laid out.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +45,8 @@ impl Scale {
         } else {
             0.1 * most.abs().max(1e-9)
         };
-        let room = ((most - least) * MARGIN).max(if most - least < short { short } else { 0.0 });
+        let room =
+            ((most - least) * AXIS_MARGIN).max(if most - least < short { short } else { 0.0 });
         let range = [if starts_at_zero { 0.0 } else { least - room }, most + room];
         let toward = (px[1] - px[0]).signum();
         let zero_px = has_zero.then_some(px[0]);
