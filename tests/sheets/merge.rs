@@ -143,7 +143,9 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         name: "merge".to_owned(),
         clock: Clock::Frame,
         reason: "the pass that is tested".to_owned(),
-        shader: Shader::from("passes/sheet/merge.wgsl").with("lib/sheet_side/grid.wgsl"),
+        shader: Shader::from("passes/sheet/merge.wgsl")
+            .with("lib/sheet_side/grid.wgsl")
+            .with("lib/height_filter/exact.wgsl"),
         bindings: vec![
             Binding::read("frame", frame),
             Binding::read("cut_table", table),
