@@ -16,9 +16,10 @@ const SUFFIXES: [(&str, f64); 8] = [
 
 /// The number that a value stands for; a pair, as of pixels, stands for its product.
 pub(crate) fn number_of(text: &str) -> Option<f64> {
-    if let Some((a, b)) = text.split_once([',', 'x']) {
-        let side = |t: &str| t.trim().parse::<u32>().ok().map(f64::from);
-        return Some(side(a)? * side(b)?);
+    let side = |t: &str| t.trim().parse::<u32>().ok().map(f64::from);
+    let pair = text.split_once([',', 'x']);
+    if let Some((Some(a), Some(b))) = pair.map(|(a, b)| (side(a), side(b))) {
+        return Some(a * b);
     }
     let text = text.trim();
     let end = text
