@@ -1,6 +1,6 @@
 //! Figures of a strategy by name: what expectations are about, and what charts have on their axes.
 //!
-//! Errors are the fields of [`Comparison`](crate::compare::Comparison), whichever it has, with `wrong_px`, all wrong pixels, and
+//! Errors are the fields of [`Comparison`], whichever it has, with `wrong_px`, all wrong pixels, and
 //! `marked`, another name of `odd_parity_px`: the pixels that the strategy does not vouch for.
 
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 //!
 //! An experiment is data: a file that holds a question, scenes, what is varied, who is asked, and what is expected. Running one gives
 //! a [`Record`] for each point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs
-//! nothing else. Errors are found before any time is taken, and time is taken in turns (see [`judge`]).
+//! nothing else. Errors are found before any time is taken, and time is taken in turns (see [`times`]).
 
 mod contender;
 pub mod definition;

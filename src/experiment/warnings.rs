@@ -67,6 +67,14 @@ impl Warning {
         all
     }
 
+    /// Whose figures it concerns; none where it concerns all of a point.
+    pub fn concerns(&self) -> Option<&str> {
+        match self {
+            Self::Noisy { strategy, .. } | Self::Overflowed { strategy, .. } => Some(strategy),
+            _ => None,
+        }
+    }
+
     /// What is the matter.
     pub fn text(&self) -> String {
         match self {

@@ -12,11 +12,9 @@ mod order;
 mod row;
 mod situation;
 mod standing;
-mod warned;
 
 pub(super) use front::{Offer, front, steps};
 pub(super) use order::{natural, number_of};
 pub(super) use row::{Row, rows};
 pub(super) use situation::{Kind, Situation, is_exact, winner};
 pub(super) use standing::{Spread, Standing, standings};
-pub(super) use warned::{concerns, remedy, told};

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use super::figures::{self, label, mebibytes, timed, wrong_px};
 use crate::experiment::{Ending, PassTime, Record, Samples, StrategyMeasurement, Warning};
 use crate::plan::Clock;
-use crate::report::derived::{concerns, told};
 use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone, word_of};
 use crate::report::text::milliseconds;
 
@@ -103,8 +102,10 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
 
 /// A figure that a warning concerns says so.
 fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell {
-    let of_it = warnings.iter().filter(|w| concerns(w) == Some(&found.name));
-    let words: Vec<String> = of_it.map(told).collect();
+    let of_it = warnings
+        .iter()
+        .filter(|w| w.concerns() == Some(&found.name));
+    let words: Vec<String> = of_it.map(Warning::text).collect();
     if words.is_empty() {
         return cell;
     }

@@ -3,7 +3,6 @@
 use super::point::{Point, Points};
 use super::{charts, costs, counted, expectations, pictures};
 use crate::experiment::Record;
-use crate::report::derived::{concerns, remedy, told};
 use crate::report::document::{Block, Tone};
 
 pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
@@ -68,8 +67,8 @@ fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> V
     let mut blocks = vec![Block::Text(facts(record))];
     let common = points.common(point.folder);
     for warning in record.warnings.iter().filter(|w| !common.contains(w)) {
-        let text = format!("{}. Mend: {}.", told(warning), remedy(warning));
-        let tone = match concerns(warning) {
+        let text = format!("{}. Mend: {}.", warning.text(), warning.remedy());
+        let tone = match warning.concerns() {
             Some(_) => Tone::Plain,
             None => Tone::Fair,
         };

@@ -2,7 +2,6 @@
 
 use super::counted;
 use super::point::Points;
-use crate::report::derived::{remedy, told};
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Folder, Recorded};
 
@@ -37,8 +36,8 @@ pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
             };
             let text = format!(
                 "All points{place}: {}. Mend: {}.",
-                told(warning),
-                remedy(warning)
+                warning.text(),
+                warning.remedy()
             );
             blocks.push(Block::Notice(Tone::Fair, text));
         }

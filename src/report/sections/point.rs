@@ -129,9 +129,7 @@ fn common_warnings(points: &[Point<'_>]) -> Vec<Warning> {
         return Vec::new();
     };
     let mut warnings = first.record.warnings.clone();
-    warnings.retain(|w| {
-        crate::report::derived::concerns(w).is_none()
-            && others.iter().all(|p| p.record.warnings.contains(w))
-    });
+    warnings
+        .retain(|w| w.concerns().is_none() && others.iter().all(|p| p.record.warnings.contains(w)));
     warnings
 }
