@@ -2,7 +2,8 @@
 //!
 //! Every number is a measurement: medians come with their samples, and what was not measured is `null`, never 0.
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use super::Samples;
@@ -126,7 +127,11 @@ pub struct StrategyMeasurement {
     /// Why, where it is not complete.
     pub reason: Option<String>,
     /// Error against exact; every field `null` where there was no frame to compare.
-    #[serde(flatten, serialize_with = "or_nulls")]
+    #[serde(
+        flatten,
+        serialize_with = "or_nulls",
+        deserialize_with = "all_or_nulls"
+    )]
     pub comparison: Option<Comparison>,
     /// Bytes of what each clock produces.
     pub bytes: PerClock<u64>,
@@ -190,6 +195,21 @@ fn or_nulls<S: Serializer>(
             names.collect::<Map<_, _>>().serialize(serializer)
         }
     }
+}
+
+/// A comparison, or none where each of its fields is `null`. A field that is missing, or no number, is a fault of the record: what was
+/// measured must not turn into what was not.
+fn all_or_nulls<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Option<Comparison>, D::Error> {
+    let fields = Map::<String, Value>::deserialize(deserializer)?;
+    let of_comparison = serde_json::to_value(Comparison::default()).map_err(D::Error::custom)?;
+    let mut names = of_comparison.as_object().into_iter().flat_map(Map::keys);
+    if names.all(|name| fields.get(name) == Some(&Value::Null)) {
+        return Ok(None);
+    }
+    let comparison = serde_json::from_value(Value::Object(fields)).map_err(D::Error::custom)?;
+    Ok(Some(comparison))
 }
 
 #[cfg(test)]
@@ -287,5 +307,23 @@ pub(crate) mod tests {
             serde_json::from_str::<Measurement>(&text).unwrap(),
             example()
         );
+    }
+
+    #[test]
+    fn a_field_that_is_broken_is_not_taken_for_a_frame_that_was_refused() {
+        let whole = serde_json::to_value(example()).unwrap();
+        let field = "crack_px";
+        for fault in ["null", "missing"] {
+            let mut broken = whole.clone();
+            let drawn = broken["strategies"][0].as_object_mut().unwrap();
+            match fault {
+                "null" => drawn[field] = Value::Null,
+                _ => drop(drawn.remove(field)),
+            }
+            let told = serde_json::from_value::<Measurement>(broken).map(|m| m.strategies);
+            assert!(told.is_err(), "{fault}: {told:?}");
+        }
+        let read: Measurement = serde_json::from_value(whole).unwrap();
+        assert_eq!(read.strategies[1].comparison, None, "refused");
     }
 }
