@@ -54,3 +54,17 @@ fn nonsense_is_refused_with_a_mend() {
         .unwrap_err();
     assert!(told.to_string().contains("no face"), "{told}");
 }
+
+#[test]
+fn a_defect_that_makes_too_many_faces_is_refused_before_it_makes_them() {
+    let mesh = &cutaway::scene::shapes::shape("sphere?subdivisions=5").unwrap()[0].mesh;
+    let broken = |copies: u32| {
+        let defect: Defect = format!("overlap:amount=1%,copies={copies}")
+            .parse()
+            .unwrap();
+        defect.apply(mesh)
+    };
+    assert!(broken(2).is_ok(), "a few copies are made");
+    let told = broken(100_000).unwrap_err().to_string();
+    assert!(told.contains("fewer copies"), "{told}");
+}

@@ -105,6 +105,21 @@ impl Defect {
             return Ok(None);
         }
         let mut edit = Edit::of(mesh);
+        if let DefectKind::Overlap { copies } = self.kind {
+            let copies = edit.faces.len().min(copies as usize);
+            let faces = edit.faces.len().saturating_mul(copies + 1);
+            if faces > MOST_FACES {
+                return Err(Error::input(
+                    format!("defect `{self}`"),
+                    format!(
+                        "it makes {} faces of {}",
+                        thousands(faces),
+                        thousands(edit.faces.len())
+                    ),
+                    "take fewer copies, or a coarser mesh",
+                ));
+            }
+        }
         let did = match self.kind {
             DefectKind::Holes { patch } => faces::holes(&mut edit, amount, patch, self.seed),
             DefectKind::Flipped { patch } => faces::flip(&mut edit, amount, patch, self.seed),
@@ -172,6 +187,9 @@ impl Broken {
         Ok(broken)
     }
 }
+
+/// More faces than this are a slip of a defect that multiplies them.
+const MOST_FACES: usize = 50_000_000;
 
 /// Puts defects into the meshes of parts, in their order, and says what each did. Parts that share a mesh share the broken one.
 pub fn break_parts(parts: &mut [Part], defects: &[Defect]) -> Result<Vec<String>> {
