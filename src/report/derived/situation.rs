@@ -78,7 +78,7 @@ pub(crate) fn winner(record: &Record, situation: Situation) -> Option<usize> {
         .map(|(i, _)| i)
 }
 
-/// By what a scene is cut, as far as its command tells.
+/// By what a scene is cut, as far as its words tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// At least one relief.
@@ -95,10 +95,16 @@ impl Kind {
 
     /// Of the scene of a point.
     pub(crate) fn of(record: &Record) -> Self {
-        let command = &record.measurement.command;
-        if command.contains("--relief") {
+        // The command is of older records; where nothing shorter repeats a point it names the experiment's file, which says nothing.
+        let command = record.measurement.command.split_whitespace();
+        let words: Vec<&str> = match record.words.is_empty() {
+            true => command.collect(),
+            false => record.words.iter().map(String::as_str).collect(),
+        };
+        let is_file = |w: &&str| w.ends_with(".toml") && !w.starts_with("--");
+        if words.iter().any(|w| w.starts_with("--relief")) {
             Self::Relief
-        } else if command.contains(".toml") {
+        } else if words.iter().any(is_file) {
             Self::SceneFile
         } else {
             Self::Planes
@@ -154,6 +160,21 @@ mod tests {
         let ratios = Situation::ALL.map(|s| s.ratio(&record, &record.measurement.strategies[1]));
         // Drawing the uncut scene takes 2 ms.
         assert_eq!(ratios, [Some(2.0), Some(3.5), Some(28.5)]);
+    }
+
+    #[test]
+    fn words_say_by_what_a_scene_is_cut() {
+        let mut record = record();
+        record.measurement.command = "cutaway measure experiments/a.toml --only=b".to_owned();
+        assert_eq!(Kind::of(&record), Kind::SceneFile, "no words: a guess");
+        for (words, kind) in [
+            (["shape:crank", "--section=x=1"], Kind::Planes),
+            (["shape:crank", "--relief=waves"], Kind::Relief),
+            (["a/scene.toml", "--time=1"], Kind::SceneFile),
+        ] {
+            record.words = words.map(str::to_owned).to_vec();
+            assert_eq!(Kind::of(&record), kind, "{words:?}");
+        }
     }
 
     #[test]
