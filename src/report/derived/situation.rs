@@ -4,6 +4,7 @@
 //! clock of the cut comes on top; when the mesh moves, all three. Medians are added, which is what one pays in the middle of a long
 //! run; their spreads are not.
 
+use crate::experiment::definition::Moves;
 use crate::experiment::{Ending, Record, StrategyMeasurement};
 
 /// What moves.
@@ -15,6 +16,16 @@ pub(crate) enum Situation {
     Cut,
     /// The mesh, and maybe the rest.
     Mesh,
+}
+
+impl From<Moves> for Situation {
+    fn from(moves: Moves) -> Self {
+        match moves {
+            Moves::View => Self::View,
+            Moves::Cut => Self::Cut,
+            Moves::Mesh => Self::Mesh,
+        }
+    }
 }
 
 impl Situation {
