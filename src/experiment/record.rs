@@ -30,8 +30,17 @@ pub struct Record {
     pub is_quick: bool,
     /// Says what was measured and by what: a point is not measured again if this is what it would be.
     pub identity: String,
+    /// Words of the scene, as after `cutaway compare`, with its resolution; records that are older than this field have none.
+    #[serde(default)]
+    pub words: Vec<String>,
+    /// Words of the scene whose exact image is the truth, where that is another.
+    #[serde(default)]
+    pub truth: Option<Vec<String>>,
     /// What was found.
     pub measurement: Measurement,
+    /// What the experiment calls each strategy, `grid:256+vds:{texels}`, in the order of the measurement. Like `words`, older records have none.
+    #[serde(default)]
+    pub families: Vec<String>,
     /// Values that make each strategy, in the order of the measurement.
     pub of_strategies: Vec<Parameters>,
     /// More figures of each strategy than one frame has, by name, in the order of the measurement.

@@ -193,6 +193,9 @@ fn measure_with(
         parameters: point.parameters.clone(),
         is_quick: assignment.is_quick,
         identity: assignment.identity.clone(),
+        words: point.scene.clone(),
+        truth: point.truth.clone(),
+        families: point.entrants.iter().map(|e| e.family.clone()).collect(),
         of_strategies: point
             .entrants
             .iter()

@@ -178,6 +178,8 @@ pub struct Entrant {
     pub contender: Contender,
     /// The number of the text that names it: those of one text differ by their parameters alone.
     pub template: usize,
+    /// That text where it has placeholders, else who is asked.
+    pub family: String,
     /// Values that make its name.
     pub parameters: Parameters,
 }
@@ -336,6 +338,10 @@ fn entrants(texts: &[String], axes: &[&Axis], of_point: &Parameters) -> Result<V
                     entrants.push(Entrant {
                         contender,
                         template,
+                        family: match text.contains('{') {
+                            true => text.clone(),
+                            false => contender.to_string(),
+                        },
                         parameters: parameters.clone(),
                     });
                 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::derived::{Row, Situation, Standing, rows, standings, winner};
+use super::derived::{Row, Situation, Standing, has_other_truth, rows, standings, winner};
 use super::recorded::{Definition, PeerRecord, Recorded};
 use crate::experiment::{CaseRecords, Record, Run};
 
@@ -120,7 +120,7 @@ struct DerivedPoint<'a> {
     fastest_exact: [Option<&'a str>; 3],
 }
 
-/// A strategy over all points of one adapter.
+/// A strategy over all points of one adapter that are judged by their own exact image.
 #[derive(Serialize)]
 struct DerivedStanding {
     adapter: String,
@@ -182,7 +182,7 @@ fn all_standings(records: &[&Record]) -> Vec<DerivedStanding> {
     let on = |adapter: &str| -> Vec<Standing> {
         let of_it = records
             .iter()
-            .filter(|r| r.measurement.adapter.name == adapter);
+            .filter(|r| r.measurement.adapter.name == adapter && !has_other_truth(r));
         standings(&of_it.copied().collect::<Vec<_>>())
     };
     let all = adapters

@@ -1,6 +1,6 @@
 //! Files of experiments: what they say is read and expanded, and what makes no sense is refused by file, line, run and mend.
 
-use cutaway::experiment::definition::{Asked, Wanted};
+use cutaway::experiment::definition::{Asked, Moves, Wanted};
 
 use super::{read, scenes};
 
@@ -10,6 +10,8 @@ analysis = """Look."""
 
 [[run]]
 name = "cube"
+input = "relief cuts"
+moves = "cut"
 scene = ["shape:cube", "--section=-z=50%", "--relief=waves:amplitude={amplitude}"]
 resolution = "{size}"
 strategies = ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
@@ -83,6 +85,16 @@ fn a_file_is_read_and_expanded() {
         ]
     );
     assert_eq!(first.entrants[2].parameters["cells"], "16");
+    let families = [0, 2, 4].map(|e: usize| first.entrants[e].family.as_str());
+    assert_eq!(
+        families,
+        ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
+    );
+    let run = &definition.runs[0];
+    assert_eq!(
+        (run.input.as_deref(), run.moves),
+        (Some("relief cuts"), Moves::Cut)
+    );
     assert_eq!(full.rounds, 5);
     assert_eq!(
         full.claims[2].figures[0].1,
@@ -158,6 +170,10 @@ fn what_makes_no_sense_is_refused_by_name() {
     read(&good).expect("the control");
     for (from, to, told) in [
         ("cost?", "cost", "question mark"),
+        ("\"cut\"", "\"cuts\"", "did you mean `cut`"),
+        ("\"cut\"", "\"wind\"", "use one of: view, cut, mesh"),
+        ("\"relief cuts\"", "\" \"", "what a user would call it"),
+        ("input = ", "imput = ", "did you mean `input`"),
         ("analysis", "analisis", "did you mean `analysis`"),
         ("rounds = 5", "round = 5", "did you mean `rounds`"),
         ("rounds = 5", "rounds = 0", "rounds"),

@@ -58,6 +58,20 @@ fn records_are_left_kept_and_measured_again() {
     let record = json(&folder, "out/01-cube/cube.2_.json");
     assert_eq!(record["parameters"]["amplitude"], "2%");
     assert_eq!(
+        record["words"],
+        serde_json::json!([
+            "shape:cube",
+            "--section=-z=50%",
+            "--relief=waves:amplitude=2%",
+            "--resolution=32,24"
+        ])
+    );
+    assert_eq!(record["truth"], Value::Null);
+    assert_eq!(
+        record["families"],
+        serde_json::json!(["raycast+mask", "grid:8+vds:64"])
+    );
+    assert_eq!(
         record["measurement"]["resolution"],
         serde_json::json!([32, 24])
     );

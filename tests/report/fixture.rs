@@ -79,6 +79,9 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
         parameters: BTreeMap::from([("size".to_owned(), size.to_owned())]),
         is_quick: false,
         identity: size.to_owned(),
+        words: Vec::new(),
+        truth: None,
+        families: Vec::new(),
         measurement: Measurement {
             scene: "crank".to_owned(),
             command: format!("cutaway compare shape:crank --section x=50% # {size}"),

@@ -9,6 +9,7 @@
 
 mod charts;
 mod claims;
+mod moves;
 mod others;
 mod scenes;
 
@@ -19,6 +20,7 @@ use serde_json::{Value, json};
 
 pub use charts::Chart;
 pub use claims::{Claim, Wanted};
+pub use moves::Moves;
 pub use others::{AskedCases, AskedSearch};
 pub use scenes::SceneRun;
 
@@ -54,6 +56,10 @@ pub struct DefinedRun {
     pub name: String,
     /// What it is, in a line.
     pub about: Option<String>,
+    /// What a user would call the input that it stands for, if it stands for one: `plane cuts`.
+    pub input: Option<String>,
+    /// What moves where that input is used.
+    pub moves: Moves,
     /// What is asked.
     pub full: Asked,
     /// What is asked by `--quick`.
@@ -167,6 +173,8 @@ fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
     }
     let about = table.get("about");
     let about = about.map(|e| e.text().map(str::to_owned)).transpose()?;
+    let moves = table.get("moves").map(|e| moves::read(&e)).transpose()?;
+    let input = table.get("input").map(|e| input(&e)).transpose()?;
     let (full, quick) = if is_cases {
         others::read_cases(entry)?
     } else if is_search {
@@ -177,9 +185,21 @@ fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
     Ok(DefinedRun {
         name: name.text()?.to_owned(),
         about,
+        input,
+        moves: moves.unwrap_or_default(),
         full,
         quick,
     })
+}
+
+fn input(entry: &Entry<'_>) -> Result<String> {
+    match entry.text()?.trim() {
+        "" => Err(entry.fault(
+            "it is empty",
+            "say what a user would call it: \"plane cuts\"",
+        )),
+        text => Ok(text.to_owned()),
+    }
 }
 
 fn as_json(name: &str, path: &Path, text: &str) -> Result<Value> {

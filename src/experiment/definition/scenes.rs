@@ -13,6 +13,8 @@ use crate::scene::reader::{Entry, Table};
 const RUN_KEYS: &[&str] = &[
     "name",
     "about",
+    "input",
+    "moves",
     "scene",
     "truth",
     "resolution",

@@ -57,8 +57,12 @@ impl<'a> Row<'a> {
             .map(String::as_str)
     }
 
-    /// The name of the strategy with its parameters' names for their values: `grid:{cells}+mask`.
+    /// What the experiment calls the strategy: its name, with placeholders where it is swept, `grid:{cells}+mask`. A record that does
+    /// not say is read by the values that stand in the name, and errs where two parameters have one value.
     pub(crate) fn family(&self) -> String {
+        if let Some(family) = self.record.families.get(self.index) {
+            return family.clone();
+        }
         let mut name = self.found().name.clone();
         for (parameter, value) in &self.record.of_strategies[self.index] {
             name = with_name_for_value(&name, parameter, value);
@@ -89,6 +93,19 @@ fn with_name_for_value(name: &str, parameter: &str, value: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::experiment::example;
+    use crate::report::derived::standing::tests::record_of;
+
+    #[test]
+    fn families_are_those_of_the_experiment() {
+        let mut record = record_of(example());
+        record.measurement.strategies[0].name = "grid:256+vds:256".to_owned();
+        record.of_strategies[0].insert("texels".to_owned(), "256".to_owned());
+        let family = |record: &Record| rows(record)[0].family();
+        assert_eq!(family(&record), "grid:{texels}+vds:{texels}", "a guess");
+        record.families = vec!["grid:256+vds:{texels}".to_owned(), String::new()];
+        assert_eq!(family(&record), "grid:256+vds:{texels}");
+    }
 
     #[test]
     fn values_in_names_are_told_by_their_parameter() {

@@ -4,6 +4,7 @@
 //! clock of the cut comes on top; when the mesh moves, all three. Medians are added, which is what one pays in the middle of a long
 //! run; their spreads are not.
 
+use crate::experiment::definition::Moves;
 use crate::experiment::{Ending, Record, StrategyMeasurement};
 
 /// What moves.
@@ -15,6 +16,16 @@ pub(crate) enum Situation {
     Cut,
     /// The mesh, and maybe the rest.
     Mesh,
+}
+
+impl From<Moves> for Situation {
+    fn from(moves: Moves) -> Self {
+        match moves {
+            Moves::View => Self::View,
+            Moves::Cut => Self::Cut,
+            Moves::Mesh => Self::Mesh,
+        }
+    }
 }
 
 impl Situation {
@@ -78,7 +89,7 @@ pub(crate) fn winner(record: &Record, situation: Situation) -> Option<usize> {
         .map(|(i, _)| i)
 }
 
-/// By what a scene is cut, as far as its command tells.
+/// By what a scene is cut, as far as its words tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// At least one relief.
@@ -95,10 +106,16 @@ impl Kind {
 
     /// Of the scene of a point.
     pub(crate) fn of(record: &Record) -> Self {
-        let command = &record.measurement.command;
-        if command.contains("--relief") {
+        // The command is of older records; where nothing shorter repeats a point it names the experiment's file, which says nothing.
+        let command = record.measurement.command.split_whitespace();
+        let words: Vec<&str> = match record.words.is_empty() {
+            true => command.collect(),
+            false => record.words.iter().map(String::as_str).collect(),
+        };
+        let is_file = |w: &&str| w.ends_with(".toml") && !w.starts_with("--");
+        if words.iter().any(|w| w.starts_with("--relief")) {
             Self::Relief
-        } else if command.contains(".toml") {
+        } else if words.iter().any(is_file) {
             Self::SceneFile
         } else {
             Self::Planes
@@ -154,6 +171,21 @@ mod tests {
         let ratios = Situation::ALL.map(|s| s.ratio(&record, &record.measurement.strategies[1]));
         // Drawing the uncut scene takes 2 ms.
         assert_eq!(ratios, [Some(2.0), Some(3.5), Some(28.5)]);
+    }
+
+    #[test]
+    fn words_say_by_what_a_scene_is_cut() {
+        let mut record = record();
+        record.measurement.command = "cutaway measure experiments/a.toml --only=b".to_owned();
+        assert_eq!(Kind::of(&record), Kind::SceneFile, "no words: a guess");
+        for (words, kind) in [
+            (["shape:crank", "--section=x=1"], Kind::Planes),
+            (["shape:crank", "--relief=waves"], Kind::Relief),
+            (["a/scene.toml", "--time=1"], Kind::SceneFile),
+        ] {
+            record.words = words.map(str::to_owned).to_vec();
+            assert_eq!(Kind::of(&record), kind, "{words:?}");
+        }
     }
 
     #[test]

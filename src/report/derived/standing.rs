@@ -54,16 +54,23 @@ pub(crate) struct Standing {
 impl Standing {
     /// Of a strategy over the points where it was asked.
     pub(crate) fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
+        let all = records.into_iter().flat_map(|r| &r.measurement.strategies);
+        Self::over(name, all.filter(|found| found.name == name))
+    }
+
+    /// Of several strategies as one, each counted where it was asked.
+    pub(crate) fn over<'a>(
+        name: &str,
+        all: impl IntoIterator<Item = &'a StrategyMeasurement>,
+    ) -> Self {
         let mut standing = Self {
             name: name.to_owned(),
             ..Self::default()
         };
         let mut ratios = Vec::new();
-        for found in records.into_iter().flat_map(|r| &r.measurement.strategies) {
-            if found.name == name {
-                standing.count(found);
-                ratios.extend(found.frame_over_draw_only);
-            }
+        for found in all {
+            standing.count(found);
+            ratios.extend(found.frame_over_draw_only);
         }
         standing.ratio = Spread::of(ratios);
         standing
@@ -97,7 +104,7 @@ impl Standing {
 }
 
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
-/// parameters. The exact ones come first, then the most drawn, then the least wrong, then the cheapest.
+/// parameters. The exact ones come first, then the least wrong, then the cheapest; those that never drew are last.
 pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
@@ -120,7 +127,6 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
     found.sort_by(|a, b| {
         (b.is_exact().cmp(&a.is_exact()))
             .then((a.drawn == 0).cmp(&(b.drawn == 0)))
-            .then((b.drawn * a.asked).cmp(&(a.drawn * b.asked)))
             .then(a.worst_px.cmp(&b.worst_px))
             .then(cost(a).total_cmp(&cost(b)))
     });
@@ -141,6 +147,9 @@ pub(super) mod tests {
             parameters: BTreeMap::new(),
             is_quick: false,
             identity: String::new(),
+            words: Vec::new(),
+            truth: None,
+            families: Vec::new(),
             measurement,
             of_strategies: vec![BTreeMap::new(); count],
             figures: vec![BTreeMap::new(); count],

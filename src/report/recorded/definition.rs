@@ -4,6 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::experiment::definition::Moves;
+
 /// An experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Definition {
@@ -31,6 +33,12 @@ pub struct RunDefinition {
     /// One line.
     #[serde(default)]
     pub about: Option<String>,
+    /// What a user would call the input that it stands for.
+    #[serde(default)]
+    pub input: Option<String>,
+    /// What moves where that is used.
+    #[serde(default)]
+    pub moves: Moves,
 }
 
 /// A chart of an experiment.

@@ -2,9 +2,11 @@
 
 use super::figures::{ranged, times};
 use super::point::{Point, Points};
-use super::{counted, figures};
+use super::{broken, counted, figures, inputs};
 use crate::experiment::Record;
-use crate::report::derived::{Kind, Situation, Spread, Standing, is_exact, standings, winner};
+use crate::report::derived::{
+    Kind, Situation, Spread, Standing, has_other_truth, is_exact, papers, standings, winner,
+};
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::strategies::Strategy;
 
@@ -12,15 +14,33 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
     if points.all.is_empty() {
         return Vec::new();
     }
-    let mut blocks = vec![heading("Which strategy is exact, and what does it cost?")];
+    let mut blocks = Vec::new();
+    for adapter in points.adapters() {
+        let answers = inputs::blocks(points, adapter);
+        if !answers.is_empty() {
+            blocks.push(heading("What should I use for what I have?"));
+            blocks.extend(whose(points, adapter));
+            blocks.extend(answers);
+        }
+    }
+    blocks.push(heading("Which strategy is exact, and what does it cost?"));
     blocks.push(Block::Text(
         "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
          The ratio is the time of a frame over that of drawing the same scene with nothing cut: median, and on pointing at it the range. \
          Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
             .to_owned(),
     ));
+    let others = points.all.iter().filter(|p| has_other_truth(p.record));
+    let others = others.count();
+    if others > 0 {
+        blocks.push(Block::Text(format!(
+            "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
+             by that of the whole one. They have a table of their own below.",
+            counted(others, "point")
+        )));
+    }
     for adapter in points.adapters() {
-        let on_it = points.on(adapter);
+        let on_it = sound(points.on(adapter));
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
         blocks.extend(whose(points, adapter));
         blocks.push(Block::Grid(exactness(&standings(&records))));
@@ -29,7 +49,9 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
         "What does the paper's path cost, and what does it miss?",
     ));
     blocks.extend(points.adapters().map(|adapter| {
-        let records: Vec<&Record> = points.on(adapter).iter().map(|p| p.record).collect();
+        let records: Vec<&Record> = (sound(points.on(adapter)).iter())
+            .map(|p| p.record)
+            .collect();
         Block::Text(papers_path(&points.label(adapter), &records))
     }));
     blocks.push(heading("Which one for what moves?"));
@@ -40,7 +62,21 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
     ));
     for adapter in points.adapters() {
         blocks.extend(whose(points, adapter));
-        blocks.push(Block::Grid(by_situation(&points.on(adapter))));
+        blocks.push(Block::Grid(by_situation(&sound(points.on(adapter)))));
+    }
+    if others > 0 {
+        blocks.push(heading("Who copes with broken meshes, and who says so?"));
+        blocks.push(Block::Text(
+            "A row for each defect and strategy: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
+             something is broken, and how many of them a strategy vouches for."
+                .to_owned(),
+        ));
+    }
+    for adapter in points.adapters() {
+        if let Some(grid) = broken::grid(&points.on(adapter)) {
+            blocks.extend(whose(points, adapter));
+            blocks.push(Block::Grid(grid));
+        }
     }
     blocks.push(heading("Answers by question"));
     for adapter in points.adapters() {
@@ -57,6 +93,12 @@ fn heading(text: &str) -> Block {
 /// Whose figures follow, where there are several adapters.
 fn whose(points: &Points<'_>, adapter: &crate::gpu::AdapterReport) -> Option<Block> {
     (points.adapters().count() > 1).then(|| Block::Heading(5, points.label(adapter)))
+}
+
+/// Points that are judged by their own exact image.
+fn sound(mut points: Vec<Point<'_>>) -> Vec<Point<'_>> {
+    points.retain(|p| !has_other_truth(p.record));
+    points
 }
 
 fn exactness(standings: &[Standing]) -> Grid {
@@ -99,24 +141,54 @@ fn exactness(standings: &[Standing]) -> Grid {
                 Tone::Plain
             }),
             count(s.refused()),
-            Cell::from(reasons.join("; ")),
+            told_reasons(&reasons),
         ]);
     }
     grid
 }
 
-/// The paper's strategy over all points, in a sentence or two.
+/// Reasons of refusals, so short that a table stays flat; whole on pointing at it.
+fn told_reasons(reasons: &[String]) -> Cell {
+    const MOST: usize = 48;
+    let Some(first) = reasons.first() else {
+        return Cell::default();
+    };
+    let sentence = first
+        .split(['.', ';', ',', '('])
+        .next()
+        .unwrap_or(first)
+        .trim_end();
+    let mut text: String = sentence.chars().take(MOST).collect();
+    if text.len() < first.len() {
+        text.push('…');
+    }
+    if reasons.len() > 1 {
+        text.push_str(&format!(" (and {} more)", reasons.len() - 1));
+    }
+    Cell::from(text).titled(reasons.join("; "))
+}
+
+/// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
+fn papers_standing(records: &[&Record]) -> Standing {
+    let all = records.iter().flat_map(|r| {
+        let own = papers(r).into_iter();
+        own.map(|index| &r.measurement.strategies[index])
+    });
+    Standing::over(&Strategy::PAPER.to_string(), all)
+}
+
+/// The paper's path over all points, in a sentence or two.
 fn papers_path(adapter: &str, records: &[&Record]) -> String {
     let name = Strategy::PAPER.to_string();
-    let paper = Standing::of(&name, records.iter().copied());
+    let paper = papers_standing(records);
     let Some(ratio) = paper.ratio else {
         return format!("On {adapter}: `{name}` was not timed on any point.");
     };
-    let all = records.iter().flat_map(|r| &r.measurement.strategies);
-    let drawn: Vec<_> = all
-        .filter(|s| s.name == name)
-        .filter_map(|s| s.comparison)
-        .collect();
+    let own = records.iter().flat_map(|r| {
+        let all = &r.measurement.strategies;
+        papers(r).into_iter().map(|index| &all[index])
+    });
+    let drawn: Vec<_> = own.filter_map(|s| s.comparison).collect();
     let over = |of: fn(&crate::Comparison) -> usize| -> String {
         let spread = Spread::of(drawn.iter().map(|c| of(c) as f64).collect());
         spread.map_or_else(String::new, |s| {
@@ -124,12 +196,12 @@ fn papers_path(adapter: &str, records: &[&Record]) -> String {
         })
     };
     format!(
-        "On {adapter}: `{name}` costs {} draw only in the median ({} to {}) over {}, and is exact at {} of them. \
+        "On {adapter}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
          Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
         times(ratio.median),
         times(ratio.least),
         times(ratio.most),
-        counted(paper.drawn, "point"),
+        counted(paper.drawn, "frame"),
         paper.exact,
         over(|c| c.decided_wrong_px),
         over(|c| c.missed_cap_px),
@@ -203,7 +275,6 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
 }
 
 fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
-    let paper = Strategy::PAPER.to_string();
     let mut grid = Grid::new(
         "answers by question",
         [
@@ -231,7 +302,7 @@ fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
             .iter()
             .filter(|r| r.measurement.strategies.iter().any(is_exact));
         let exact = exact.count();
-        let standing = Standing::of(&paper, records.iter().copied());
+        let standing = papers_standing(&records);
         let wins = wins(&records, Situation::View);
         let worst = match standing.drawn {
             0 => Cell::default(),

@@ -96,6 +96,32 @@ pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     })
 }
 
+/// The median and the most of some shares, in percent.
+pub(super) fn shares(spread: Option<Spread>) -> Cell {
+    spread.map_or_else(Cell::default, |s| {
+        let text = format!("{} (up to {})", percent(s.median), percent(s.most));
+        Cell::number(text, s.median)
+    })
+}
+
+/// A share in percent, with as many digits as tell it from none.
+pub(super) fn percent(share: f64) -> String {
+    match share * 100.0 {
+        0.0 => "0 %".to_owned(),
+        p if p < 0.01 => "< 0.01 %".to_owned(),
+        p if p < 10.0 => format!("{p:.2} %"),
+        p => format!("{p:.0} %"),
+    }
+}
+
+/// The median and the most of some counts.
+pub(super) fn counts(spread: Option<Spread>) -> Cell {
+    spread.map_or_else(Cell::default, |s| {
+        let text = format!("{:.0} (up to {:.0})", s.median, s.most);
+        Cell::number(text, s.median)
+    })
+}
+
 /// Bytes in one unit, so that a column can be read down.
 pub(super) fn mebibytes(bytes: u64) -> Cell {
     let mib = bytes as f64 / 1_048_576.0;

@@ -1,6 +1,7 @@
 //! What a report says, one file for each section; how it looks is the business of [`super::document`].
 
 mod answers;
+mod broken;
 mod cases;
 mod charts;
 mod costs;
@@ -8,6 +9,7 @@ mod expectations;
 mod experiments;
 mod figures;
 mod head;
+mod inputs;
 mod made;
 mod matrix;
 mod outside;

@@ -2,7 +2,7 @@
 
 use crate::experiment::{Record, Warning};
 use crate::gpu::AdapterReport;
-use crate::report::recorded::{Experiment, Folder, Recorded};
+use crate::report::recorded::{Experiment, Folder, Recorded, RunDefinition};
 
 /// A point of an experiment.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,12 @@ impl Point<'_> {
             .map(|(name, value)| format!("{name} = {value}"))
             .collect();
         words.join(", ")
+    }
+
+    /// The run that it is of, as it was asked.
+    pub(super) fn run(&self) -> Option<&RunDefinition> {
+        let mut runs = self.experiment.definition.runs.iter();
+        runs.find(|r| r.name == self.record.run)
     }
 
     /// Run and parameters.

@@ -1,0 +1,204 @@
+//! The answers of a report: what to use for which input, the paper's path wherever it is swept, broken meshes apart from the sound ones,
+//! and reasons that fit in a table.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::fs;
+
+use cutaway::experiment::Record;
+use cutaway::report::{PictureOptions, Recorded, pages};
+use serde_json::{Value, json};
+
+#[path = "common/command.rs"]
+mod command;
+#[allow(dead_code, reason = "the fixture has more than these tests need of it")]
+#[path = "report/fixture.rs"]
+mod fixture;
+
+use command::Scratch;
+use fixture::{NAME, drawn, record, records, refused, write};
+
+/// The report of some points as Markdown, where the run says more of itself.
+fn told(folder: &Scratch, records: &[Record], of_run: &Value) -> String {
+    write(&folder.path("run"), records, None);
+    let file = folder.path(&format!("run/{NAME}/experiment.json"));
+    let mut definition: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    let run = definition["run"][0].as_object_mut().unwrap();
+    run.extend(of_run.as_object().unwrap().clone());
+    fs::write(&file, definition.to_string()).unwrap();
+    let path = folder.path("run");
+    let options = PictureOptions {
+        out: path.clone(),
+        link: false,
+        most_bytes: PictureOptions::MOST_BYTES,
+    };
+    pages(&Recorded::read(&[path]).unwrap(), &options).markdown
+}
+
+/// Rows of a table that begin with a text.
+fn rows<'a>(page: &'a str, start: &str) -> Vec<&'a str> {
+    page.lines()
+        .filter(|l| l.starts_with(&format!("| {start} |")))
+        .collect()
+}
+
+#[test]
+fn each_input_has_an_answer() {
+    let folder = Scratch::new("answers-inputs");
+    let mut all = records();
+    for record in &mut all {
+        let mut compute = drawn("raycast+mask@compute", 0, 3.0);
+        compute.time_ms.solid.median = 40.0;
+        record.measurement.strategies[3] = compute;
+    }
+    let silent = told(&folder, &all, &json!({}));
+    assert!(!silent.contains("What should I use for what I have?"));
+    let view = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    assert_eq!(
+        rows(&view, "sawn wood"),
+        [
+            "| sawn wood | only the view moves | 2 | raycast+mask@compute | ×3.00 | raycast+mask ×4.00 | ×2.00 | 550 (up to 1000) |"
+        ]
+    );
+    let heading = view.find("What should I use for what I have?").unwrap();
+    assert!(
+        heading < view.find("Which strategy is exact").unwrap(),
+        "it is the first table"
+    );
+    // The mesh moves: what stands on its clock is paid too.
+    let mesh = told(
+        &folder,
+        &all,
+        &json!({ "input": "sawn wood", "moves": "mesh" }),
+    );
+    assert_eq!(
+        rows(&mesh, "sawn wood"),
+        [
+            "| sawn wood | the mesh moves | 2 | raycast+mask | ×10.5 | raycast+mask@compute ×23.0 | ×8.50 | 550 (up to 1000) |"
+        ]
+    );
+    // One wrong pixel at one point, and a strategy is out.
+    all[1].measurement.strategies[3]
+        .comparison
+        .as_mut()
+        .unwrap()
+        .decided_wrong_px = 1;
+    let wrong = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    assert!(rows(&wrong, "sawn wood")[0].contains("| raycast+mask | ×4.00 |  |"));
+}
+
+#[test]
+fn broken_meshes_are_told_apart() {
+    let folder = Scratch::new("answers-broken");
+    let mut all = records();
+    let mut whole = record(
+        "5%",
+        vec![drawn("raycast+mask", 4, 4.0), drawn("winding", 2, 90.0)],
+    );
+    whole.measurement.exact.cap_px = 200;
+    for (index, unmarked) in [(0, 0), (1, 2)] {
+        let found = &mut whole.measurement.strategies[index];
+        found.comparison.as_mut().unwrap().unmarked_wrong_px = unmarked;
+    }
+    whole.words = vec!["--defect=holes:amount=5%".to_owned()];
+    all.push(whole);
+    let control = told(&folder, &all, &json!({}));
+    let exact = |page: &str| rows(page, "raycast+mask")[0].to_owned();
+    assert!(exact(&control).starts_with("| raycast+mask | 3 | 3 | 2 | 4 |"));
+    assert!(!control.contains("Who copes with broken meshes"));
+
+    all[2].truth = Some(vec!["shape:crank".to_owned()]);
+    let page = told(&folder, &all, &json!({}));
+    assert!(exact(&page).starts_with("| raycast+mask | 2 | 2 | 2 | 0 |"));
+    assert!(page.contains("1 point judged by the exact image of another scene"));
+    let broken = rows(&page, "crank");
+    assert_eq!(
+        broken,
+        [
+            "| crank | winding | 1 | 1 | 1.00 % (up to 1.00 %) | 2 (up to 2) | ×90.0 | least wrong |",
+            "| crank | raycast+mask | 1 | 1 | 2.00 % (up to 2.00 %) | 0 (up to 0) | ×4.00 | least unmarked |",
+        ]
+    );
+    // As an input: nothing is exact, and both are named.
+    let input = told(&folder, &all[2..], &json!({ "input": "what was scanned" }));
+    let row = rows(&input, "what was scanned")[0].to_owned();
+    assert!(
+        row.contains("| winding: 1.00 % wrong | ×90.0 | raycast+mask: 0 % wrong unmarked |"),
+        "{row}"
+    );
+    // With nothing broken there is nothing to cope with.
+    all[2].words = vec!["--defect=holes:amount=0%".to_owned()];
+    let unbroken = told(&folder, &all, &json!({}));
+    assert!(rows(&unbroken, "crank").is_empty());
+}
+
+#[test]
+fn the_papers_path_is_told_where_it_is_swept() {
+    let folder = Scratch::new("answers-paper");
+    let swept = |names: [&str; 2]| {
+        let all = vec![drawn(names[0], 3, 2.0), drawn(names[1], 9, 5.0)];
+        told(&folder, &[record("2%", all)], &json!({}))
+    };
+    let none = swept(["grid:64+mask", "raycast+vds:512"]);
+    assert!(none.contains("was not timed on any point"), "the control");
+    let page = swept(["grid:32+vds:1024", "grid:64+vds:512"]);
+    assert!(
+        page.contains("in the median (×2.00 to ×5.00) over 2 frames, and is exact in 0 of them")
+    );
+    // Its own parameters are enough, where they are asked.
+    let page = swept(["grid:256+vds:1024", "grid:64+vds:512"]);
+    assert!(
+        page.contains("in the median (×2.00 to ×2.00) over 1 frame, and is exact in 0 of them")
+    );
+}
+
+#[test]
+fn long_reasons_are_short_and_whole() {
+    let folder = Scratch::new("answers-reasons");
+    let long = "it knows planes, and the clip-surface has a relief";
+    let mut all = vec![
+        record("2%", vec![refused("planar", long)]),
+        record("5%", vec![refused("planar", "another")]),
+    ];
+    write(&folder.path("run"), &all, None);
+    folder.run("report run").exits(0);
+    let page = fs::read_to_string(folder.path("run/report.html")).unwrap();
+    assert!(page.contains(&format!(
+        "title=\"another; {long}\">another (and 1 more)</td>"
+    )));
+    all.truncate(1);
+    fs::remove_dir_all(folder.path("run")).unwrap();
+    write(&folder.path("run"), &all, None);
+    folder.run("report run").exits(0);
+    let page = fs::read_to_string(folder.path("run/report.html")).unwrap();
+    assert!(page.contains(&format!("title=\"{long}\">it knows planes…</td>")));
+}
+
+#[test]
+fn series_are_called_as_the_experiment_calls_them() {
+    let folder = Scratch::new("answers-families");
+    let mut all = records();
+    for record in &mut all {
+        record.measurement.strategies[1].name = "grid:256+vds:256".to_owned();
+        record.of_strategies[1].insert("texels".to_owned(), "256".to_owned());
+    }
+    let html = |all: &[Record]| {
+        write(&folder.path("run"), all, None);
+        folder.run("report run").exits(0);
+        fs::read_to_string(folder.path("run/report.html")).unwrap()
+    };
+    assert!(html(&all).contains("grid:{texels}+vds:{texels}"), "a guess");
+    for record in &mut all {
+        record.families = ["raycast+mask", "grid:256+vds:{texels}", "grid:{cells}+mask"]
+            .map(str::to_owned)
+            .to_vec();
+        record.families.push("planar".to_owned());
+    }
+    let page = html(&all);
+    assert!(page.contains("grid:256+vds:{texels}"));
+    assert!(!page.contains("grid:{texels}+vds:{texels}"));
+    all[0].families.pop();
+    write(&folder.path("run"), &all, None);
+    let told = folder.run("report run").exits(2).stderr;
+    assert!(told.contains("`families` has 3 entries for 4"), "{told}");
+}
