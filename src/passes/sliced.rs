@@ -21,7 +21,7 @@ use crate::slice::{Section, SlicePlane, Slicer};
 const MOST_KNOWN: usize = MAX_SURFACES;
 
 /// How far beyond its box doubt about a part reaches, as a share of the radius of the box.
-const MARGIN: f64 = 1e-3;
+const DOUBT_MARGIN: f64 = 1e-3;
 
 /// The section of a part by a plane, packed for upload.
 #[derive(Clone)]
@@ -173,7 +173,7 @@ impl PackedSection {
 
 /// A box that also holds what rounding moves out of it.
 fn with_margin(bounds: &Bounds) -> Bounds {
-    let margin = DVec3::splat(bounds.radius() * MARGIN);
+    let margin = DVec3::splat(bounds.radius() * DOUBT_MARGIN);
     Bounds {
         min: bounds.min - margin,
         max: bounds.max + margin,
