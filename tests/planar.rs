@@ -6,6 +6,8 @@ mod agree;
 #[path = "planar/clocks.rs"]
 mod clocks;
 mod common;
+#[path = "planar/marks.rs"]
+mod marks;
 #[path = "planar/outlines.rs"]
 mod outlines;
 #[path = "planar/plans.rs"]

@@ -3,7 +3,9 @@
 //! A case says what exact strategies and the paper's own make of it, and how its cuts are made; what the others make follows from what
 //! they are. Where one does not do as its kind does, the case names it.
 
-use super::expected::Expected::{self, Band, Exact, Fails, Listed, Marked, Refuses, Share};
+use super::expected::Expected::{
+    self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, Share,
+};
 use super::{Entrant, Judged};
 use crate::scene::{Scene, glob_matches};
 use crate::strategies::{CapSurface, InsideTest};
@@ -90,9 +92,7 @@ impl Case {
             (CapSurface::Alone, _) if self.exact == Marked => {
                 Fails("it cannot tell an open mesh, and draws streaks of it unmarked")
             }
-            (CapSurface::Planar, _) if self.exact == Marked => {
-                Fails("an outline that does not close gets no cap")
-            }
+            (CapSurface::Planar, _) if self.exact == Marked => Doubted,
             (CapSurface::Raycast, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
                 match self.exact {
                     Exact => Band,

@@ -41,7 +41,7 @@ impl Expected {
     pub fn why(&self) -> Option<String> {
         let why = match self {
             Self::Exact | Self::Marked => return None,
-            Self::Doubted => "it cannot tell which of the odd pixels it may trust",
+            Self::Doubted => "it cannot tell which of the pixels it marks it may trust",
             Self::Overflows(_) => "its buffer is bounded",
             Self::Band => "a point is tested up to half a texel diagonally beside where it is",
             Self::Share(_) => "texels and the chord of its grid move what they draw",

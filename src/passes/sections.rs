@@ -17,7 +17,7 @@ use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Resource, ResourceId, R
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
 
-/// The sections of a frame that have an inside.
+/// The sections of a frame that have an inside, or may have one.
 pub struct Sections {
     /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
     pub vertices: ResourceId,
@@ -25,6 +25,8 @@ pub struct Sections {
     pub indices: ResourceId,
     /// A draw for each section; the instance is the part's place in the table times [`MAX_SURFACES`], and the clip-surface's place.
     pub draws: Vec<Draw>,
+    /// As `draws`, of all that a plane can meet of a part whose section by it is not whole.
+    pub doubts: Vec<Draw>,
 }
 
 /// A part that is to be sliced, and by which plane.
@@ -49,9 +51,8 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wan
 }
 
 impl Recorder<'_> {
-    /// The sections of the cut parts by the planes that cut them; none where all planes pass by, and whether some part may have
-    /// too little of a section, as an open mesh has. All clip-surfaces must be planes.
-    pub fn sections(&mut self) -> (Option<Sections>, bool) {
+    /// The sections of the cut parts by the planes that cut them; none where all planes pass by. All clip-surfaces must be planes.
+    pub fn sections(&mut self) -> Option<Sections> {
         let wanted = self.wanted();
         let known: Vec<_> =
             (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
@@ -67,24 +68,25 @@ impl Recorder<'_> {
                 w.sliced.keep(w.plane, w.part.fill, section.clone());
             }
         }
-        let is_doubtful = all.iter().any(|s| s.is_doubtful);
         let met: Vec<_> = (wanted.iter().zip(&all))
-            .filter(|(_, s)| s.index_count > 0)
+            .filter(|(_, s)| s.index_count + s.doubt_count > 0)
             .collect();
-        let found = met.len();
-        let sections = (found > 0).then(|| {
+        let found = met.iter().filter(|(_, s)| s.index_count > 0).count();
+        let sections = (!met.is_empty()).then(|| {
             let [vertices, indices] = self.upload(&met);
+            let (draws, doubts) = draws(&met);
             Sections {
                 vertices,
                 indices,
-                draws: draws(&met),
+                draws,
+                doubts,
             }
         });
         if !wanted.is_empty() {
             let makes = (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect();
             self.add_work(wanted, found, makes, [slicers_ms, took_ms]);
         }
-        (sections, is_doubtful)
+        sections
     }
 
     /// Tells of the slicers and of the sections, and of how long each took, if it was not known from before.
@@ -195,21 +197,29 @@ fn make_slicers(wanted: &[Wanted], known: &[Option<Arc<PackedSection>>]) -> Opti
     (!missing.is_empty()).then(|| started.elapsed().as_secs_f64() * 1e3)
 }
 
-fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> Vec<Draw> {
+/// Draws of the sections that have an inside, and of those that are not whole.
+fn draws(met: &[(&Wanted, &Arc<PackedSection>)]) -> (Vec<Draw>, Vec<Draw>) {
+    let (mut draws, mut doubts) = (Vec::new(), Vec::new());
     let (mut first_vertex, mut first_index) = (0_u32, 0_u32);
-    let draws = met.iter().map(|(wanted, section)| {
-        let draw = Draw {
-            indices: first_index..first_index + section.index_count,
-            base_vertex: first_vertex.cast_signed(),
-            vertex_count: section.vertex_count,
-            instance: wanted.instance,
-            arguments: None,
-        };
+    for (wanted, section) in met {
+        for (all, count) in [
+            (&mut draws, section.index_count),
+            (&mut doubts, section.doubt_count),
+        ] {
+            if count > 0 {
+                all.push(Draw {
+                    indices: first_index..first_index + count,
+                    base_vertex: first_vertex.cast_signed(),
+                    vertex_count: section.vertex_count,
+                    instance: wanted.instance,
+                    arguments: None,
+                });
+            }
+            first_index += count;
+        }
         first_vertex += section.vertex_count;
-        first_index += section.index_count;
-        draw
-    });
-    draws.collect()
+    }
+    (draws, doubts)
 }
 
 #[allow(

@@ -14,11 +14,14 @@ use rayon::prelude::*;
 use super::model::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
-use crate::scene::{Fill, Part, PreparedPart, SceneSpace};
+use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
 use crate::slice::{Section, SlicePlane, Slicer};
 
 /// Sections that are kept: as many as one frame can ask for.
 const MOST_KNOWN: usize = MAX_SURFACES;
+
+/// How far beyond its box doubt about a part reaches, as a share of the radius of the box.
+const DOUBT_MARGIN: f64 = 1e-3;
 
 /// The section of a part by a plane, packed for upload.
 #[derive(Clone)]
@@ -26,11 +29,13 @@ pub(super) struct PackedSection {
     /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh) has them, in scene space; nobody reads their normals.
     pub(super) vertices: Arc<[u8]>,
     pub(super) vertex_count: u32,
-    /// Three to a triangle.
+    /// Three to a triangle: those of the section, and after them those of all that its plane can meet of the part.
     pub(super) indices: Arc<[u8]>,
+    /// Indices of the section.
     pub(super) index_count: u32,
-    /// Some of what the plane meets may have no cap, or one where there should be none.
-    pub(super) is_doubtful: bool,
+    /// Indices of all that the plane can meet of the part; none unless some of that may have no cap, or one where there should be
+    /// none.
+    pub(super) doubt_count: u32,
 }
 
 /// A section, and what it was made by.
@@ -127,7 +132,7 @@ impl Sliced {
     /// Slices the part, and fills the section by its rule.
     pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
         let slicer = self.slicer.get_or_init(|| self.new_slicer(part));
-        PackedSection::of(&slicer.section_by(plane, part.fill), plane)
+        PackedSection::of(&slicer.section_by(plane, part.fill), plane, &part.bounds)
     }
 }
 
@@ -140,19 +145,37 @@ fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
 }
 
 impl PackedSection {
-    fn of(section: &Section, plane: &SlicePlane) -> Self {
+    fn of(section: &Section, plane: &SlicePlane, bounds: &Bounds) -> Self {
+        let doubted = match section.is_whole() {
+            true => Vec::new(),
+            false => plane.across(&with_margin(bounds)),
+        };
+        let first = section.points.len() as u32;
+        let fan = (first + 2..first + doubted.len() as u32).map(|i| [first, i - 1, i]);
+        let triangles: Vec<[u32; 3]> = section.triangles.iter().copied().chain(fan).collect();
         let lifted = |p: &DVec2| Vertex {
             position: plane.point(*p).as_vec3().to_array(),
             normal: 0,
         };
-        let vertices: Vec<Vertex> = section.points.iter().map(lifted).collect();
-        let indices = section.triangles.as_flattened();
+        let points = section.points.iter().chain(&doubted);
+        let vertices: Vec<Vertex> = points.map(lifted).collect();
+        let indices = triangles.as_flattened();
+        let index_count = section.triangles.as_flattened().len() as u32;
         Self {
             vertex_count: vertices.len() as u32,
-            index_count: indices.len() as u32,
+            index_count,
+            doubt_count: indices.len() as u32 - index_count,
             vertices: Piece::of(0, &vertices).bytes,
             indices: Piece::of(0, indices).bytes,
-            is_doubtful: !section.is_whole(),
         }
+    }
+}
+
+/// A box that also holds what rounding moves out of it.
+fn with_margin(bounds: &Bounds) -> Bounds {
+    let margin = DVec3::splat(bounds.radius() * DOUBT_MARGIN);
+    Bounds {
+        min: bounds.min - margin,
+        max: bounds.max + margin,
     }
 }

@@ -144,6 +144,7 @@ pub const SHADERS: &[(&str, &str)] = files![
     "strategies/surface/adaptive/end.wgsl",
     "strategies/surface/paper/clip.wgsl",
     "strategies/surface/paper/cap.wgsl",
+    "strategies/surface/planar/doubt.wgsl",
     "strategies/surface/planar/section.wgsl",
     "strategies/inside/abuffer/reduce.wgsl",
     "strategies/inside/kbuffer/reduce.wgsl",

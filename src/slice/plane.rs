@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::exact_sum::sum_of_products;
+use super::slicer::share;
 use crate::scene::{Bounds, ClipSurface, PreparedSurface, SurfaceFrame};
 
 /// Coordinates up to this are computed with: differences and products with directions stay finite.
@@ -117,6 +118,30 @@ impl SlicePlane {
         distance > extent + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
     }
 
+    /// The convex polygon in which the plane meets a box, by its corners in order: no section of what is in the box reaches beyond
+    /// it. Empty where the plane passes the box by.
+    pub fn across(&self, bounds: &Bounds) -> Vec<DVec2> {
+        let corners = bounds.corners();
+        let heights = corners.map(|c| self.height(c));
+        let mut met = Vec::new();
+        for (i, a) in corners.iter().enumerate() {
+            for (j, b) in corners.iter().enumerate().skip(i + 1) {
+                let is_edge = a.cmpeq(*b).bitmask().count_ones() == 2;
+                if is_edge && (heights[i] < 0.0) != (heights[j] < 0.0) {
+                    let way = share(heights[i].abs(), heights[j].abs());
+                    met.push(self.coordinates(a.lerp(*b, way)));
+                }
+            }
+        }
+        let middle = met.iter().sum::<DVec2>() / met.len().max(1) as f64;
+        met.sort_by(|p, q| {
+            (*p - middle)
+                .to_angle()
+                .total_cmp(&(*q - middle).to_angle())
+        });
+        met
+    }
+
     /// Whether it can be computed with.
     pub(super) fn is_usable(&self) -> bool {
         let SurfaceFrame {
@@ -188,6 +213,27 @@ mod tests {
             (-1e300, 1e300, false),
         ] {
             assert_eq!(plane.misses(&between(low, high)), misses, "{low}..{high}");
+        }
+    }
+
+    #[test]
+    fn a_box_is_met_in_a_polygon() {
+        let bounds = Bounds {
+            min: DVec3::splat(-1.0),
+            max: DVec3::splat(1.0),
+        };
+        for (origin, normal, corners, area) in [
+            (DVec3::ZERO, DVec3::Z, 4, 4.0),
+            (DVec3::ZERO, DVec3::ONE, 6, 27.0_f64.sqrt()),
+            (DVec3::splat(0.5), DVec3::ONE, 3, 9.0 / 8.0 * 3.0_f64.sqrt()),
+            (DVec3::Z * 1.5, DVec3::Z, 0, 0.0),
+        ] {
+            let plane = plane(origin, normal.normalize());
+            let met = plane.across(&bounds);
+            let next = met.iter().cycle().skip(1);
+            let twice: f64 = met.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
+            assert_eq!(met.len(), corners, "{origin}, {normal}");
+            assert!((0.5 * twice - area).abs() < 1e-12, "{origin}, {normal}");
         }
     }
 

@@ -14,8 +14,14 @@
 //!
 //! Cannot: cut by reliefs; cap at the near plane; follow a large mesh that moves as fast as others do, for it is posed on the CPU and
 //! its slicer made anew in each step. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that
-//! is cut, though nothing of that be seen. Open meshes are capped as far as their sections close; where one does not, pixels with an odd
-//! total of a part's fragments are marked, as `mask` marks them.
+//! is cut, though nothing of that be seen.
+//!
+//! Open meshes are capped as far as their sections close, for what is closed says by itself what it encloses. Where a section does not
+//! close, nothing says how far it would have reached but the box of the part: pixels whose ray enters the part's half of space through
+//! the plane within that box are marked. So are those with an odd total of a part's fragments, as `mask` marks them. A ray that enters
+//! beyond the box has all fragments behind its crossing, so that parity caps nothing there that the total does not tell. Marked are
+//! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
+//! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
 
 use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Sections, Store, counted};
 use crate::plan::{
@@ -33,10 +39,14 @@ pub fn record(
     if let Some(reason) = refusal(recorder) {
         return Err(reason);
     }
-    let (sections, is_doubtful) = recorder.sections();
+    let sections = recorder.sections();
+    let is_doubtful = sections.as_ref().is_some_and(|s| !s.doubts.is_empty());
     let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
-    let mask = recorder.mask();
+    let mask = match is_doubtful {
+        true => recorder.reduced_mask(),
+        false => recorder.mask(),
+    };
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = surface::list(
         recorder,
@@ -55,7 +65,7 @@ pub fn record(
     };
     recorder.over_mesh(rasteriser, &store, &crossings)?;
     if let Some(sections) = sections {
-        draw(recorder, rasteriser, sections, mask, &crossings);
+        draw(recorder, rasteriser, &sections, mask, &crossings);
     }
     recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
     Ok(())
@@ -64,7 +74,7 @@ pub fn record(
 fn draw(
     recorder: &mut Recorder<'_>,
     rasteriser: Rasteriser,
-    sections: Sections,
+    sections: &Sections,
     mask: ResourceId,
     crossings: &Crossings,
 ) {
@@ -87,31 +97,50 @@ fn draw(
         Binding::read("crossing_heads", crossings.heads),
         Binding::read("crossing_surface", crossings.surfaces),
     ];
-    let pass = Pass {
-        name: "sections".to_owned(),
-        clock: Clock::Frame,
-        reason: format!(
-            "{}: where one is, the crossing of its plane is inside its part",
-            counted(sections.draws.len(), "section")
+    let found = counted(sections.draws.len(), "section");
+    let open = counted(sections.doubts.len(), "section");
+    let passes = [
+        (
+            "sections",
+            format!("{found}: where one is, the crossing of its plane is inside its part"),
+            "strategies/surface/planar/section.wgsl",
+            &sections.draws,
         ),
-        shader: "strategies/surface/planar/section.wgsl".into(),
-        bindings,
-        constants: Vec::new(),
-        work: Work::Draw {
-            color: None,
-            depth: DepthTarget {
-                resource: depth,
-                layer: 0,
-                clear,
-                compare: DepthCompare::Always,
-                stencil: None,
+        (
+            "doubts",
+            format!(
+                "{open} not whole: whether a crossing of the plane is inside the part cannot be told"
+            ),
+            "strategies/surface/planar/doubt.wgsl",
+            &sections.doubts,
+        ),
+    ];
+    for (name, reason, shader, draws) in passes {
+        if draws.is_empty() {
+            continue;
+        }
+        recorder.plan.add_pass(Pass {
+            name: name.to_owned(),
+            clock: Clock::Frame,
+            reason,
+            shader: shader.into(),
+            bindings: bindings.clone(),
+            constants: Vec::new(),
+            work: Work::Draw {
+                color: None,
+                depth: DepthTarget {
+                    resource: depth,
+                    layer: 0,
+                    clear,
+                    compare: DepthCompare::Always,
+                    stencil: None,
+                },
+                vertices: Vertices::Mesh(sections.vertices),
+                indices: sections.indices,
+                draws: draws.clone(),
             },
-            vertices: Vertices::Mesh(sections.vertices),
-            indices: sections.indices,
-            draws: sections.draws,
-        },
-    };
-    recorder.plan.add_pass(pass);
+        });
+    }
 }
 
 /// What of the scene is beyond sections by planes.

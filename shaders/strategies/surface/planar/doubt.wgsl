@@ -1,0 +1,44 @@
+// Marks what planes can meet of parts whose sections by them are not whole: a ray that goes from removed to kept there may have a
+// cap that nobody knows of. One fragment owns one pixel of one triangle; it costs a walk through the list of its pixel.
+//
+// The mark is set and not flipped, in the plane of words behind the lanes: triangles may share pixels, and parts may.
+
+#import cutaway::crossings::{crossing_heads, listed, surface_at}
+#import cutaway::cuts::{MAX_SURFACES, is_removed, parts}
+#import cutaway::frame::{pixel_count, pixel_index}
+#import cutaway::mask::mask
+#import cutaway::mesh::clip_position
+
+struct Corner {
+    @builtin(position) position: vec4<f32>,
+    // Bits of the cuts that apply to the part, and the plane's place among the clip-surfaces.
+    @location(0) @interpolate(flat) cuts: u32,
+    @location(1) @interpolate(flat) surface: u32,
+}
+
+// The instance is the part's place in the table times MAX_SURFACES, and the clip-surface's.
+@vertex
+fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
+    return Corner(clip_position(position), parts[instance / MAX_SURFACES].cuts, instance % MAX_SURFACES);
+}
+
+@fragment
+fn fragment(corner: Corner) {
+    let pixel = pixel_index(vec2<u32>(corner.position.xy));
+    let head = crossing_heads[pixel];
+    let count = listed(head.x);
+    var sides = head.y;
+    for (var i = 0u; i < count; i++) {
+        let surface = surface_at(i, pixel);
+        let after = sides ^ (1u << surface);
+        if surface == corner.surface {
+            // A ray crosses a plane once.
+            if is_removed(sides, corner.cuts) && !is_removed(after, corner.cuts) {
+                let doubt_plane = arrayLength(&mask) / pixel_count() - 1u;
+                atomicOr(&mask[doubt_plane * pixel_count() + pixel], 1u);
+            }
+            return;
+        }
+        sides = after;
+    }
+}
