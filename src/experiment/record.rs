@@ -42,11 +42,25 @@ pub struct Record {
     pub warnings: Vec<Warning>,
     /// Pictures beside the record.
     pub pictures: Vec<Picture>,
+    /// The command that measured it; none in records that are older than this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sitting: Option<Sitting>,
 }
 
 impl Record {
     /// The version that is written.
     pub const FORMAT: u32 = 1;
+}
+
+/// One command that measured points: a run may take several.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sitting {
+    /// When it began: RFC 3339, UTC.
+    pub began: String,
+    /// Processes that wanted to run before it began, in the mean over the last minute, where it is known.
+    pub load: Option<f64>,
+    /// The command line.
+    pub command: String,
 }
 
 /// A number as it is expected.

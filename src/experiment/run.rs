@@ -14,7 +14,7 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Contender, Machine, Picture, Reached, Record, Shown, Warning};
+use super::{Contender, Machine, Picture, Reached, Record, Shown, Sitting, Warning};
 use crate::scene::View;
 use crate::session::Session;
 use crate::strategies::FrameOptions;
@@ -70,6 +70,8 @@ pub struct Assignment<'a> {
     pub command: String,
     /// Where it is measured.
     pub machine: &'a Machine,
+    /// By which command.
+    pub sitting: &'a Sitting,
 }
 
 impl SceneRun {
@@ -202,6 +204,7 @@ fn measure_with(
         expectations,
         warnings: Warning::all_of(&measurement, assignment.machine),
         pictures,
+        sitting: Some(assignment.sitting.clone()),
         measurement,
     };
     Ok(Some(Measured {

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use cutaway::Result;
 use cutaway::experiment::run::{Assignment, Measured, measure};
-use cutaway::experiment::{Machine, Opener, Reached, Shown, Staged, Watcher};
+use cutaway::experiment::{Machine, Opener, Reached, Shown, Sitting, Staged, Watcher};
 use cutaway::scene::Scene;
 use cutaway::strategies::FrameOptions;
 
@@ -75,6 +75,7 @@ fn measured(
         identity: "me".to_owned(),
         command: "cutaway".to_owned(),
         machine: &Machine::default(),
+        sitting: &Sitting::default(),
     };
     let measured = measure(&mut common::session(), &assignment, &Opens, &watcher);
     (measured, watcher.told.into_inner())
