@@ -158,8 +158,20 @@ pub enum Warning {
     Noisy {
         /// Whose.
         strategy: String,
-        /// Median absolute deviation over median, of the ratio to plain drawing.
+        /// Median absolute deviation over median, of the frame's time.
         spread: f64,
+    },
+    /// Times of the plain drawing scatter, and every ratio with them.
+    NoisyDrawOnly {
+        /// Median absolute deviation over median.
+        spread: f64,
+    },
+    /// Something was said when the scene was opened: a section misses the model, a mesh was mended.
+    Opening {
+        /// What.
+        text: String,
+        /// What to do about it; empty where nothing was said of that.
+        mend: String,
     },
     /// The machine slowed down from round to round.
     Throttled {
@@ -182,6 +194,9 @@ pub enum Warning {
     FewRounds {
         /// How many.
         rounds: usize,
+        /// Whether there are so few because of `--quick`.
+        #[serde(default)]
+        is_quick: bool,
     },
 }
 

@@ -11,6 +11,7 @@ mod machine;
 mod tally;
 mod words;
 
+use std::cell::Cell;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -22,7 +23,7 @@ use super::judge::command_line;
 use super::output::write_stdout;
 use crate::Result;
 use crate::experiment::expect::judge_again;
-use crate::experiment::run::{Assignment, measure};
+use crate::experiment::run::{Assignment, Remark, measure};
 use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Sitting, Stopwatch, Watcher};
 use crate::gpu::Gpu;
 use crate::session::Session;
@@ -62,8 +63,8 @@ pub(super) struct MeasureArgs {
     /// List what would be measured; needs no graphics adapter
     #[arg(long)]
     dry_run: bool,
-    /// Only the runs that are called so; * stands for anything
-    #[arg(long, value_name = "RUN")]
+    /// Only the runs that are called so, and after a colon only the points, as in names of their files; * stands for anything
+    #[arg(long, value_name = "RUN[:POINT]")]
     only: Option<String>,
     /// Measured rounds, after one to warm up [default: as the experiments say]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -106,7 +107,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         console,
     };
     let took_before_s = work.run.took_s;
-    let mut tally = Tally::default();
+    let mut tally = Tally::of(&jobs);
     let mut began: Vec<&str> = Vec::new();
     for job in &jobs {
         if !began.contains(&job.definition.name.as_str()) {
@@ -217,15 +218,28 @@ impl Work<'_> {
             return Ok(true);
         }
         let reached = match job.task {
-            Task::Point(..) => self.point(job, identity)?,
+            Task::Point(..) => self.point(job, identity, tally)?,
             Task::Cases(_) | Task::Search(_) => self.cases(job, identity)?,
         };
         match reached {
-            Some(reached) => tally.add(job, false, &reached),
+            Some(reached) => {
+                tally.add(job, false, &reached);
+                self.say_how_far(job, tally);
+            }
             None if self.interrupt.is_wanted() => tally.interrupted = true,
             None => tally.missing(job),
         }
         Ok(!tally.interrupted)
+    }
+
+    /// A line for each point, for whoever reads the output of a run that nobody looks at.
+    fn say_how_far(&self, job: &Job<'_>, tally: &Tally) {
+        let (name, run) = (&job.definition.name, &job.run.name);
+        let [complete, asked] = tally.of_run(job);
+        let s = self.watch.ms() / 1e3;
+        self.console.milestone(format!(
+            "{name}, {run}: {complete} of {asked} points, {s:.0} s"
+        ));
     }
 
     /// What came of the expectations of a job that need not be measured: its record is held against those that are written by now.
@@ -245,8 +259,13 @@ impl Work<'_> {
         Ok(Some(record.expectations))
     }
 
-    fn point(&mut self, job: &Job<'_>, identity: String) -> Result<Option<Vec<Reached>>> {
-        let Task::Point(run, point, is_first) = job.task else {
+    fn point(
+        &mut self,
+        job: &Job<'_>,
+        identity: String,
+        tally: &mut Tally,
+    ) -> Result<Option<Vec<Reached>>> {
+        let Task::Point(run, point, keeps_pictures) = job.task else {
             return Ok(None);
         };
         let assignment = Assignment {
@@ -256,7 +275,7 @@ impl Work<'_> {
             point,
             rounds: job.rounds(self.args),
             is_quick: self.args.quick,
-            keeps_pictures: run.keeps_pictures && is_first,
+            keeps_pictures,
             identity,
             command: job.command(self.args),
             machine: &self.machine,
@@ -264,8 +283,14 @@ impl Work<'_> {
         };
         self.console.detail(job.place());
         let watching = Watching::of(job, &self.console, &self.interrupt);
-        let opener = words::OpensWords(&self.console);
-        let Some(measured) = measure(&mut self.session, &assignment, &opener, &watching)? else {
+        let measured = measure(
+            &mut self.session,
+            &assignment,
+            &words::OpensWords,
+            &watching,
+        )?;
+        let Some(measured) = measured else {
+            tally.lost = Some(watching.lost(steps(job, self.args), assignment.rounds));
             return Ok(None);
         };
         self.folder.write(&job.stem(), &measured)?;
@@ -313,6 +338,7 @@ struct Watching<'a> {
     place: String,
     console: &'a Console,
     interrupt: &'a Interrupt,
+    told: Cell<usize>,
 }
 
 impl<'a> Watching<'a> {
@@ -321,12 +347,26 @@ impl<'a> Watching<'a> {
             place: job.place(),
             console,
             interrupt,
+            told: Cell::new(0),
         }
+    }
+
+    /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
+    fn lost(&self, steps: usize, rounds: usize) -> String {
+        let before = steps - rounds;
+        // The last round that was told of is not complete.
+        let complete = self.told.get().saturating_sub(before + 1);
+        format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }
 }
 
 impl Watcher for Watching<'_> {
+    fn opened(&self, remark: &Remark) {
+        self.console.remark(&self.place, remark);
+    }
+
     fn step(&self, what: String) {
+        self.told.set(self.told.get() + 1);
         self.console.step(format!("{}: {what}", self.place));
     }
 

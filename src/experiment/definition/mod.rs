@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 pub use charts::Chart;
 pub use claims::{Claim, Wanted};
 pub use others::{AskedCases, AskedSearch};
-pub use scenes::SceneRun;
+pub use scenes::{Pictures, SceneRun};
 
 use crate::scene::reader::{Entry, Source, Table, with_table};
 use crate::{Error, Result};
