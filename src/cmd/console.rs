@@ -2,10 +2,14 @@
 //!
 //! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
 
+use std::cell::RefCell;
+use std::io::IsTerminal;
 use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::experiment::run::Remark;
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -25,6 +29,8 @@ pub(super) struct ConsoleArgs {
 pub(super) struct Console {
     args: ConsoleArgs,
     bar: ProgressBar,
+    /// Where remarks go in the place of standard error, if they are to be said later.
+    heard: Option<RefCell<Vec<Remark>>>,
 }
 
 impl Console {
@@ -46,7 +52,54 @@ impl Console {
                 }
             });
         }
-        Self { args, bar }
+        Self {
+            args,
+            bar,
+            heard: None,
+        }
+    }
+
+    /// A console that shows nothing, and keeps notes and warnings for whoever says them later, with the place that they are about.
+    pub(super) fn hearing() -> Self {
+        Self {
+            args: ConsoleArgs::default(),
+            bar: ProgressBar::hidden(),
+            heard: Some(RefCell::default()),
+        }
+    }
+
+    /// What it was told since it was asked last.
+    pub(super) fn heard(&self) -> Vec<Remark> {
+        let heard = self.heard.as_ref();
+        heard.map(RefCell::take).unwrap_or_default()
+    }
+
+    /// Says something that was heard, after the place that it is about.
+    pub(super) fn remark(&self, place: &str, remark: &Remark) {
+        let text = format!("{place}: {}", remark.text);
+        if remark.is_warning {
+            self.warn(text);
+        } else {
+            self.note(text);
+        }
+    }
+
+    /// What whoever has no progress to look at may want to know: on a terminal it is left out.
+    pub(super) fn milestone(&self, text: impl AsRef<str>) {
+        if !self.args.quiet && !std::io::stderr().is_terminal() {
+            self.say(text.as_ref());
+        }
+    }
+
+    fn keeps(&self, is_warning: bool, text: &str) -> bool {
+        let Some(heard) = &self.heard else {
+            return false;
+        };
+        heard.borrow_mut().push(Remark {
+            is_warning,
+            text: text.to_owned(),
+        });
+        true
     }
 
     /// A step begins.
@@ -97,14 +150,16 @@ impl Console {
 
     /// What may interest: left out by `--quiet`.
     pub(super) fn note(&self, text: impl AsRef<str>) {
-        if !self.args.quiet {
+        if !self.keeps(false, text.as_ref()) && !self.args.quiet {
             self.say(&format!("note: {}", text.as_ref()));
         }
     }
 
     /// What was done and to no purpose, or is not as it should be.
     pub(super) fn warn(&self, text: impl AsRef<str>) {
-        self.say(&format!("warning: {}", text.as_ref()));
+        if !self.keeps(true, text.as_ref()) {
+            self.say(&format!("warning: {}", text.as_ref()));
+        }
     }
 
     /// What only `--verbose` says.

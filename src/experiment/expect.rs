@@ -5,7 +5,19 @@ use std::collections::BTreeMap;
 use super::definition::{Claim, SceneRun, Wanted};
 use super::figures::figure;
 use super::sweep::Point;
-use super::{Bound, Ending, Expectation, Measurement, Reached, StrategyMeasurement};
+use super::{Bound, Ending, Expectation, Measurement, Reached, Record, StrategyMeasurement};
+
+/// Holds a record that is kept against what its run expects by now. Whether anything came out otherwise than when it was written.
+pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
+    let found = Findings {
+        measurement: &record.measurement,
+        figures: &record.figures,
+    };
+    let expectations = reached(run, point, &found);
+    let is_other = expectations != record.expectations;
+    record.expectations = expectations;
+    is_other
+}
 
 /// What was found at a point.
 pub struct Findings<'a> {

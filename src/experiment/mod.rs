@@ -29,7 +29,7 @@ pub use measurement::{
 };
 pub use record::{
     Bound, CaseRecord, CaseRecords, Expectation, Machine, Parameters, Picture, Reached, Record,
-    Run, Warning,
+    Run, Sitting, Warning,
 };
 pub use run::{Opener, Staged, Watcher};
 pub use samples::Samples;

@@ -51,11 +51,25 @@ pub struct Record {
     pub warnings: Vec<Warning>,
     /// Pictures beside the record.
     pub pictures: Vec<Picture>,
+    /// The command that measured it; none in records that are older than this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sitting: Option<Sitting>,
 }
 
 impl Record {
     /// The version that is written.
     pub const FORMAT: u32 = 1;
+}
+
+/// One command that measured points: a run may take several.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sitting {
+    /// When it began: RFC 3339, UTC.
+    pub began: String,
+    /// Processes that wanted to run before it began, in the mean over the last minute, where it is known.
+    pub load: Option<f64>,
+    /// The command line.
+    pub command: String,
 }
 
 /// A number as it is expected.
@@ -153,8 +167,20 @@ pub enum Warning {
     Noisy {
         /// Whose.
         strategy: String,
-        /// Median absolute deviation over median, of the ratio to plain drawing.
+        /// Median absolute deviation over median, of the frame's time.
         spread: f64,
+    },
+    /// Times of the plain drawing scatter, and every ratio with them.
+    NoisyDrawOnly {
+        /// Median absolute deviation over median.
+        spread: f64,
+    },
+    /// Something was said when the scene was opened: a section misses the model, a mesh was mended.
+    Opening {
+        /// What.
+        text: String,
+        /// What to do about it; empty where nothing was said of that.
+        mend: String,
     },
     /// The machine slowed down from round to round.
     Throttled {
@@ -177,6 +203,9 @@ pub enum Warning {
     FewRounds {
         /// How many.
         rounds: usize,
+        /// Whether there are so few because of `--quick`.
+        #[serde(default)]
+        is_quick: bool,
     },
 }
 

@@ -14,7 +14,7 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Contender, Machine, Picture, Reached, Record, Shown, Warning};
+use super::{Contender, Machine, Picture, Reached, Record, Shown, Sitting, Warning};
 use crate::scene::View;
 use crate::session::Session;
 use crate::strategies::FrameOptions;
@@ -30,6 +30,17 @@ pub struct Staged {
     pub view: View,
     /// Options of all frames that name no others.
     pub options: FrameOptions,
+    /// What is to be said about it.
+    pub remarks: Vec<Remark>,
+}
+
+/// What is said of a scene when it is opened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// Whether it is nearly always a slip.
+    pub is_warning: bool,
+    /// What is said: a line, more lines that are indented, and last a `mend: ` if there is one.
+    pub text: String,
 }
 
 /// Whoever knows what words stand for.
@@ -42,6 +53,8 @@ pub trait Opener {
 pub trait Watcher {
     /// A step begins.
     fn step(&self, what: String);
+    /// The scene was opened, and something is to be said of it: once, also where the truth has the same fault.
+    fn opened(&self, remark: &Remark);
     /// An expectation was held against what was found.
     fn reached(&self, reached: &Reached);
     /// Whether to go on: a point that is not complete is not kept.
@@ -70,6 +83,8 @@ pub struct Assignment<'a> {
     pub command: String,
     /// Where it is measured.
     pub machine: &'a Machine,
+    /// By which command.
+    pub sitting: &'a Sitting,
 }
 
 impl SceneRun {
@@ -122,8 +137,20 @@ fn measure_with(
     let point = assignment.point;
     watcher.step(format!("opening {}", point.scene.join(" ")));
     let staged = opener.open(&point.scene)?;
-    let truth = (point.truth.as_ref()).map(|words| opener.open(words).map(|s| s.shown));
-    let truth = truth.transpose()?;
+    let mut remarks = staged.remarks.clone();
+    let mut truth = None;
+    if let Some(words) = &point.truth {
+        let staged = opener.open(words)?;
+        remarks.extend(staged.remarks);
+        truth = Some(staged.shown);
+    }
+    let mut said: Vec<Remark> = Vec::new();
+    for remark in remarks {
+        if !said.contains(&remark) {
+            watcher.opened(&remark);
+            said.push(remark);
+        }
+    }
     must_be_framed_alike(&staged.shown, truth.as_ref())?;
     session.set_options(staged.options);
     let contenders: Vec<Contender> = point.entrants.iter().map(|e| e.contender).collect();
@@ -186,6 +213,8 @@ fn measure_with(
         Default::default()
     };
     let measurement = judgement.measurement;
+    let mut warnings = Warning::all_of(&measurement, assignment.machine, assignment.is_quick);
+    warnings.extend(said.iter().map(|r| Warning::of_opening(&r.text)));
     let record = Record {
         format: Record::FORMAT,
         experiment: assignment.experiment.to_owned(),
@@ -203,8 +232,9 @@ fn measure_with(
             .collect(),
         figures,
         expectations,
-        warnings: Warning::all_of(&measurement, assignment.machine),
+        warnings,
         pictures,
+        sitting: Some(assignment.sitting.clone()),
         measurement,
     };
     Ok(Some(Measured {

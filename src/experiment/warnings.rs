@@ -5,8 +5,11 @@
 use super::measurement::Timing;
 use super::{Ending, Machine, Measurement, Samples, Warning};
 
-/// A ratio scatters if its median absolute deviation is this share of it.
+/// Times scatter if their median absolute deviation is this share of their median.
 const NOISY: f64 = 0.10;
+
+/// The same where there are too few rounds to tell a spread: what is as wide as this is told all the same.
+const NOISY_OF_FEW: f64 = 0.25;
 
 /// The machine slowed down if the last third of the rounds took so much longer than the first.
 const THROTTLED: f64 = 1.15;
@@ -24,8 +27,8 @@ const UNDECIDED: f64 = 0.02;
 const BUSY: f64 = 0.5;
 
 impl Warning {
-    /// What is to be said of a measurement that was taken on this machine.
-    pub fn all_of(measurement: &Measurement, machine: &Machine) -> Vec<Self> {
+    /// What is to be said of a measurement that was taken on this machine, with fewer rounds because of `--quick` or not.
+    pub fn all_of(measurement: &Measurement, machine: &Machine, is_quick: bool) -> Vec<Self> {
         let mut all = Vec::new();
         if measurement.adapter.software {
             let adapter = measurement.adapter.name.clone();
@@ -40,9 +43,12 @@ impl Warning {
         }
         let rounds = measurement.rounds;
         if rounds < ROUNDS_OF_A_SPREAD {
-            all.push(Self::FewRounds { rounds });
+            all.push(Self::FewRounds { rounds, is_quick });
         }
         all.extend(slowdown(&measurement.draw_only_ms));
+        if let Some(spread) = spread(&measurement.draw_only_ms) {
+            all.push(Self::NoisyDrawOnly { spread });
+        }
         let exact = &measurement.exact;
         let share = exact.undecided_px as f64 / (exact.cap_px + exact.surface_px).max(1) as f64;
         if share > UNDECIDED {
@@ -55,16 +61,24 @@ impl Warning {
                 let strategy = name();
                 all.push(Self::Overflowed { strategy, reason });
             }
-            let ratio = strategy.frame_over_draw_only;
-            let spread = ratio
-                .zip(strategy.frame_over_draw_only_mad)
-                .map(|(r, mad)| mad / r);
-            if let Some(spread) = spread.filter(|s| *s > NOISY && rounds >= ROUNDS_OF_A_SPREAD) {
+            // Not of the ratio: where the plain drawing scatters, that of every strategy does.
+            if let Some(spread) = spread(&strategy.time_ms.frame) {
                 let strategy = name();
                 all.push(Self::Noisy { strategy, spread });
             }
         }
         all
+    }
+
+    /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may be its mend.
+    pub fn of_opening(said: &str) -> Self {
+        let (text, mend) = said.split_once("\n  mend: ").unwrap_or((said, ""));
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        let words: Vec<&str> = mend.split_whitespace().collect();
+        Self::Opening {
+            text: lines.join("; "),
+            mend: words.join(" "),
+        }
     }
 
     /// Whose figures it concerns; none where it concerns all of a point.
@@ -95,6 +109,13 @@ impl Warning {
                     spread * 100.0
                 )
             }
+            Self::NoisyDrawOnly { spread } => {
+                format!(
+                    "the plain drawing scatters: {:.0} % around the median; no ratio of this point is worth much",
+                    spread * 100.0
+                )
+            }
+            Self::Opening { text, .. } => text.clone(),
             Self::Throttled { slowdown } => {
                 format!(
                     "the machine slowed down: the last third of the rounds took {slowdown:.2} times the first"
@@ -107,21 +128,22 @@ impl Warning {
                     share * 100.0
                 )
             }
-            Self::FewRounds { rounds } => {
+            Self::FewRounds { rounds: 1, .. } => "of 1 round there is no spread".to_owned(),
+            Self::FewRounds { rounds, .. } => {
                 format!("{rounds} rounds are too few for a spread to mean anything")
             }
         }
     }
 
     /// What to do about it.
-    pub fn remedy(&self) -> &'static str {
+    pub fn remedy(&self) -> &str {
         match self {
             Self::SoftwareAdapter { .. } => {
                 "measure on a graphics card before you choose by time; errors hold as they are"
             }
             Self::WallTimes => "compare ratios, and frames that take more than a few milliseconds",
             Self::Busy { .. } => "end the other work and measure again with --force",
-            Self::Noisy { .. } => {
+            Self::Noisy { .. } | Self::NoisyDrawOnly { .. } => {
                 "measure again with more --rounds, on a machine that does nothing else"
             }
             Self::Throttled { .. } => {
@@ -133,9 +155,25 @@ impl Warning {
             Self::Undecided { .. } => {
                 "look from elsewhere, or closer: nobody can be called wrong at these pixels"
             }
-            Self::FewRounds { .. } => "leave --quick out, or measure more --rounds",
+            Self::FewRounds { is_quick: true, .. } => "leave --quick out, or measure more --rounds",
+            Self::FewRounds { .. } => "measure more --rounds",
+            Self::Opening { mend, .. } if mend.is_empty() => {
+                "look at the scene by `cutaway render` before you believe its figures"
+            }
+            Self::Opening { mend, .. } => mend,
         }
     }
+}
+
+/// How far times scatter, if that is worth a word.
+fn spread(times_ms: &Samples) -> Option<f64> {
+    let most = if times_ms.samples.len() < ROUNDS_OF_A_SPREAD {
+        NOISY_OF_FEW
+    } else {
+        NOISY
+    };
+    let spread = times_ms.mad / times_ms.median;
+    (spread > most).then_some(spread)
 }
 
 /// The same frame drawn again and again takes as long, unless the machine changes.
@@ -161,7 +199,7 @@ mod tests {
             load: Some(load),
             ..Machine::default()
         };
-        let warnings = Warning::all_of(measurement, &machine);
+        let warnings = Warning::all_of(measurement, &machine, false);
         assert!(
             warnings
                 .iter()
@@ -182,7 +220,7 @@ mod tests {
         calm.rounds = 9;
         calm.exact.undecided_px = 0;
         calm.draw_only_ms = Samples::of(vec![2.0; 9]);
-        calm.strategies[0].frame_over_draw_only_mad = Some(0.01);
+        calm.strategies[0].time_ms.frame = Samples::of(vec![3.0; 9]);
         calm
     }
 
@@ -190,7 +228,7 @@ mod tests {
     fn each_fault_has_its_warning_and_none_without() {
         assert_eq!(kinds(&calm(), 0.1), Vec::<String>::new(), "the control");
         type Fault = (&'static str, fn(&mut Measurement));
-        let faults: [Fault; 7] = [
+        let faults: [Fault; 8] = [
             ("software-adapter", |m| m.adapter.software = true),
             ("wall-times", |m| m.timing = Timing::Wall),
             ("few-rounds", |m| m.rounds = 3),
@@ -198,7 +236,12 @@ mod tests {
                 m.draw_only_ms = Samples::of([[2.0; 6].as_slice(), &[2.4; 3]].concat());
             }),
             ("noisy", |m| {
-                m.strategies[0].frame_over_draw_only_mad = Some(0.2)
+                m.strategies[0].time_ms.frame = scattered(0.2, 9)
+            }),
+            // One bad denominator is one warning, not one for each strategy that is divided by it.
+            ("noisy-draw-only", |m| {
+                m.draw_only_ms = scattered(0.2, 9);
+                m.strategies[0].frame_over_draw_only_mad = Some(0.2);
             }),
             ("overflowed", |m| {
                 m.strategies[0].outcome = Ending::Overflowed
@@ -211,6 +254,47 @@ mod tests {
             assert_eq!(kinds(&planted, 0.1), [kind]);
         }
         assert_eq!(kinds(&calm(), 1.5), ["busy"]);
+    }
+
+    /// Samples whose median absolute deviation is about this share of their median, without a trend.
+    fn scattered(share: f64, rounds: usize) -> Samples {
+        let sample = |i| 2.0 * (1.0 + share * f64::from([-1, 0, 1][i % 3]));
+        Samples::of((0..rounds).map(sample).collect())
+    }
+
+    #[test]
+    fn few_rounds_are_heard_where_they_are_far_apart() {
+        for (share, told) in [
+            (0.2, &["few-rounds"][..]),
+            (0.3, &["few-rounds", "noisy-draw-only", "noisy"]),
+        ] {
+            let mut few = calm();
+            few.rounds = 3;
+            few.draw_only_ms = scattered(share, 3);
+            few.strategies[0].time_ms.frame = scattered(share, 3);
+            assert_eq!(kinds(&few, 0.1), told, "{share}");
+        }
+        let few = |is_quick| Warning::FewRounds {
+            rounds: 3,
+            is_quick,
+        };
+        assert!(few(true).remedy().contains("--quick"));
+        assert!(!few(false).remedy().contains("--quick"));
+    }
+
+    #[test]
+    fn what_was_said_of_opening_keeps_its_mend() {
+        let of = Warning::of_opening(
+            "section z misses the model: all of it\n  bounds: 0 to 1\n  mend: give\n   a position",
+        );
+        assert_eq!(
+            of.text(),
+            "section z misses the model: all of it; bounds: 0 to 1"
+        );
+        assert_eq!(of.remedy(), "give a position");
+        let bare = Warning::of_opening("nothing moves");
+        assert_eq!(bare.text(), "nothing moves");
+        assert!(bare.remedy().contains("cutaway render"));
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 
 use cutaway::Result;
-use cutaway::experiment::run::{Assignment, Measured, measure};
-use cutaway::experiment::{Machine, Opener, Reached, Shown, Staged, Watcher};
+use cutaway::experiment::run::{Assignment, Measured, Remark, measure};
+use cutaway::experiment::{Machine, Opener, Reached, Shown, Sitting, Staged, Warning, Watcher};
 use cutaway::scene::Scene;
 use cutaway::strategies::FrameOptions;
 
@@ -23,6 +23,10 @@ impl Opener for Opens {
             view: shown.model.prepared.view([32, 24]),
             options: FrameOptions::default(),
             shown,
+            remarks: vec![Remark {
+                is_warning: true,
+                text: format!("about {}\n  mend: none", words[0]),
+            }],
         })
     }
 }
@@ -30,12 +34,17 @@ impl Opener for Opens {
 /// Writes down what it is told, and says stop after so many steps.
 struct Writes {
     told: RefCell<Vec<String>>,
+    remarks: RefCell<Vec<Remark>>,
     stops_after: usize,
 }
 
 impl Watcher for Writes {
     fn step(&self, what: String) {
         self.told.borrow_mut().push(what);
+    }
+
+    fn opened(&self, remark: &Remark) {
+        self.remarks.borrow_mut().push(remark.clone());
     }
 
     fn reached(&self, reached: &Reached) {
@@ -62,6 +71,7 @@ fn measured(
     let run = scenes(&read(&text).unwrap(), false);
     let watcher = Writes {
         told: RefCell::default(),
+        remarks: RefCell::default(),
         stops_after,
     };
     let assignment = Assignment {
@@ -71,12 +81,20 @@ fn measured(
         point: &run.points[0],
         rounds: run.rounds,
         is_quick: false,
-        keeps_pictures: run.keeps_pictures,
+        keeps_pictures: run.pictures.are_kept(0, run.points.len()),
         identity: "me".to_owned(),
         command: "cutaway".to_owned(),
         machine: &Machine::default(),
+        sitting: &Sitting::default(),
     };
     let measured = measure(&mut common::session(), &assignment, &Opens, &watcher);
+    let texts: Vec<String> = (watcher.remarks.borrow().iter())
+        .map(|r| r.text.clone())
+        .collect();
+    let mut once = texts.clone();
+    once.dedup();
+    assert_eq!(texts, once, "scene and truth say the same but once");
+    assert!(!texts.is_empty());
     (measured, watcher.told.into_inner())
 }
 
@@ -129,7 +147,14 @@ fn whoever_says_stop_is_heard_between_rounds() {
 #[test]
 fn the_truth_must_be_framed_as_the_scene_is() {
     let (found, _) = measured("cube", "truth = [\"cube\"]", "pictures = false", usize::MAX);
-    assert!(found.unwrap().unwrap().pictures.is_empty());
+    let found = found.unwrap().unwrap();
+    assert!(found.pictures.is_empty());
+    let opening = Warning::Opening {
+        text: "about cube".to_owned(),
+        mend: "none".to_owned(),
+    };
+    let openings = found.record.warnings.iter().filter(|w| **w == opening);
+    assert_eq!(openings.count(), 1, "{:?}", found.record.warnings);
     let (found, _) = measured("cube", "truth = [\"crank\"]", "", usize::MAX);
     let message = found.err().unwrap().to_string();
     assert!(message.contains("bounds"), "{message}");

@@ -117,10 +117,26 @@ fn records_are_left_kept_and_measured_again() {
     );
     let ran = measure("").exits(0);
     assert_eq!(counts(&ran), [1, 1], "one is another");
-    assert!(ran.stderr.contains("removed 1 records"), "{}", ran.stderr);
+    let left = "1 record of a point that it no longer has is left";
+    assert!(ran.stderr.contains(left), "{}", ran.stderr);
+    let others = ["cube.5_.json", "mine.json"].map(|f| folder.path(&format!("out/01-cube/{f}")));
+    fs::write(&others[1], "{}").unwrap();
+    assert!(others[0].exists(), "what was measured is not thrown away");
+    assert_eq!(
+        json(&folder, "out/01-cube/experiment.json")["points"],
+        serde_json::json!(["cube.2_", "cube.6_"])
+    );
+    let ran = measure("--prune").exits(0);
+    assert_eq!(counts(&ran), [0, 2]);
     assert!(
-        !folder.path("out/01-cube/cube.5_.json").exists(),
-        "nobody asks for it"
+        ran.stderr.contains("removed 1 record of a point"),
+        "{}",
+        ran.stderr
+    );
+    assert_eq!(
+        others.map(|o| o.exists()),
+        [false, true],
+        "only what nobody asks for, and no file of others"
     );
     let ran = measure("--quick").exits(2);
     assert!(
@@ -128,6 +144,40 @@ fn records_are_left_kept_and_measured_again() {
         "full and quick do not mix: {}",
         ran.stderr
     );
+}
+
+#[test]
+fn another_expectation_is_held_against_what_was_measured() {
+    let folder = Scratch::new("judged");
+    let measure = |expected: &str, code| {
+        let text = CUBE.replace("decided_wrong_px = 0", expected);
+        folder.write("01-cube.toml", &text);
+        folder.run("measure 01-cube.toml --out out").exits(code)
+    };
+    let record = || json(&folder, "out/01-cube/cube.2_.json");
+    assert_eq!(counts(&measure("decided_wrong_px = 0", 0)), [2, 0]);
+    let first = record();
+    let sitting = &first["sitting"];
+    assert!(
+        sitting["began"].as_str().unwrap().ends_with('Z'),
+        "{sitting}"
+    );
+    assert!(
+        sitting["command"].as_str().unwrap().contains("--out out"),
+        "{sitting}"
+    );
+    let ran = measure("decided_wrong_px = 3", 1);
+    assert_eq!(counts(&ran), [0, 2]);
+    assert!(ran.text().contains("0 of 2 expectations"), "{}", ran.text());
+    let second = record();
+    assert_eq!(second["expectations"][0]["holds"], false);
+    assert_eq!(
+        second["measurement"], first["measurement"],
+        "to the last bit"
+    );
+    assert_eq!(second["sitting"], first["sitting"]);
+    measure("decided_wrong_px = 0", 0);
+    assert_eq!(record(), first, "and back");
 }
 
 #[test]

@@ -108,6 +108,7 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
         warnings: vec![Warning::SoftwareAdapter {
             adapter: "one".to_owned(),
         }],
+        sitting: None,
         pictures: vec![Picture {
             drawer: "exact".to_owned(),
             file: "exact.png".to_owned(),

@@ -70,12 +70,16 @@ impl Folder {
         write_json(&self.0.join("run.json"), run)
     }
 
-    /// Writes what was asked.
-    pub(super) fn write_definition(&self, definition: &Definition) -> Result<()> {
-        write_json(
-            &self.of(&definition.name).join("experiment.json"),
-            &definition.json,
-        )
+    /// Writes what was asked, with the names of all records that it makes as `points`: who reads the folder can tell what is missing,
+    /// and what is left from before.
+    pub(super) fn write_definition(
+        &self,
+        definition: &Definition,
+        stems: &BTreeSet<String>,
+    ) -> Result<()> {
+        let mut json = definition.json.clone();
+        json["points"] = serde_json::json!(stems);
+        write_json(&self.of(&definition.name).join("experiment.json"), &json)
     }
 
     /// The record of these files, if it is of this identity and its pictures are there.
@@ -97,7 +101,13 @@ impl Folder {
         for (file, image) in &measured.pictures {
             write_file(&folder.join(file), &picture::png(image)?)?;
         }
-        write_json(&folder.join(format!("{stem}.json")), &measured.record)
+        self.write_record(stem, &measured.record)
+    }
+
+    /// Writes the record of a point whose pictures are there.
+    pub(super) fn write_record(&self, stem: &str, record: &Record) -> Result<()> {
+        let path = self.of(&record.experiment).join(format!("{stem}.json"));
+        write_json(&path, record)
     }
 
     /// The record of hard cases, if it is of this identity.
@@ -114,16 +124,12 @@ impl Folder {
         write_json(&path, record)
     }
 
-    /// Removes records of this experiment that it no longer asks for: a report would show them as if they were asked for. Files that
-    /// are no records stay. Returns how many were removed.
-    pub(super) fn remove_others(
-        &self,
-        experiment: &str,
-        stems: &BTreeSet<String>,
-    ) -> Result<usize> {
+    /// Records of this experiment that it no longer asks for, each as its file and those of its pictures. Files that are no records
+    /// are none.
+    pub(super) fn others(&self, experiment: &str, stems: &BTreeSet<String>) -> Vec<Vec<PathBuf>> {
         let folder = self.of(experiment);
         let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
-        let mut removed = 0;
+        let mut others = Vec::new();
         for path in entries.map(|e| e.path()) {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let Some(stem) = name.strip_suffix(".json") else {
@@ -138,27 +144,29 @@ impl Folder {
                 (None, None) => continue,
             };
             let files = pictures.into_iter().flat_map(|p| [Some(p.file), p.heatmap]);
-            for file in files
-                .flatten()
-                .map(|f| folder.join(f))
-                .chain([path.clone()])
-            {
-                match std::fs::remove_file(&file) {
-                    Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-                        let mend = "check the folder's permissions";
-                        return Err(Error::file(&file, format!("cannot be removed: {e}"), mend));
-                    }
-                    _ => {}
-                }
-            }
-            removed += 1;
+            let files = files.flatten().map(|f| folder.join(f));
+            others.push(files.chain([path.clone()]).collect());
         }
-        Ok(removed)
+        others
     }
 
     fn of(&self, experiment: &str) -> PathBuf {
         self.0.join(experiment)
     }
+}
+
+/// Removes files; one that is not there is removed already.
+pub(super) fn remove(files: &[PathBuf]) -> Result<()> {
+    for file in files {
+        match std::fs::remove_file(file) {
+            Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                let mend = "check the folder's permissions";
+                return Err(Error::file(file, format!("cannot be removed: {e}"), mend));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// What a file holds, if it holds such a thing.

@@ -11,6 +11,7 @@ mod machine;
 mod tally;
 mod words;
 
+use std::cell::Cell;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -21,8 +22,9 @@ use super::console::{Console, ConsoleArgs};
 use super::judge::command_line;
 use super::output::write_stdout;
 use crate::Result;
-use crate::experiment::run::{Assignment, measure};
-use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Stopwatch, Watcher};
+use crate::experiment::expect::judge_again;
+use crate::experiment::run::{Assignment, Remark, measure};
+use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Sitting, Stopwatch, Watcher};
 use crate::gpu::Gpu;
 use crate::session::Session;
 use folder::Folder;
@@ -55,11 +57,14 @@ pub(super) struct MeasureArgs {
     /// Measure again what has been measured
     #[arg(long)]
     force: bool,
+    /// Remove records of points that the experiments no longer have
+    #[arg(long)]
+    prune: bool,
     /// List what would be measured; needs no graphics adapter
     #[arg(long)]
     dry_run: bool,
-    /// Only the runs that are called so; * stands for anything
-    #[arg(long, value_name = "RUN")]
+    /// Only the runs that are called so, and after a colon only the points, as in names of their files; * stands for anything
+    #[arg(long, value_name = "RUN[:POINT]")]
     only: Option<String>,
     /// Measured rounds, after one to warm up [default: as the experiments say]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -85,7 +90,12 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
     let steps: usize = jobs.iter().map(|j| steps(j, args)).sum();
     let console = Console::new(args.console, steps);
     console.show_what_is_left();
-    let mut sitting = Sitting {
+    let mut work = Work {
+        sitting: Sitting {
+            began: machine::now(),
+            load: machine.load,
+            command: command_line(),
+        },
         args,
         folder,
         run: described(&gpu, earlier, machine.clone(), args.quick),
@@ -96,24 +106,24 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         session: Session::new(gpu),
         console,
     };
-    let took_before_s = sitting.run.took_s;
-    let mut tally = Tally::default();
+    let took_before_s = work.run.took_s;
+    let mut tally = Tally::of(&jobs);
     let mut began: Vec<&str> = Vec::new();
     for job in &jobs {
         if !began.contains(&job.definition.name.as_str()) {
             began.push(&job.definition.name);
-            sitting.begin(job)?;
+            work.begin(job)?;
         }
-        let is_complete = sitting
-            .work(job, &mut tally)
+        let is_complete = work
+            .do_job(job, &mut tally)
             .map_err(|e| job.place_error(e))?;
-        sitting.run.took_s = took_before_s + sitting.watch.ms() / 1e3;
-        sitting.folder.write_run(&sitting.run)?;
+        work.run.took_s = took_before_s + work.watch.ms() / 1e3;
+        work.folder.write_run(&work.run)?;
         if !is_complete {
             break;
         }
     }
-    drop(sitting.console);
+    drop(work.console);
     write_stdout(tally.text(&jobs, args).as_bytes())?;
     Ok(tally.verdict(jobs.len()))
 }
@@ -147,7 +157,8 @@ fn described(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) 
 }
 
 /// One sitting of a run.
-struct Sitting<'a> {
+struct Work<'a> {
+    sitting: Sitting,
     args: &'a MeasureArgs,
     folder: Folder,
     run: Run,
@@ -159,25 +170,36 @@ struct Sitting<'a> {
     console: Console,
 }
 
-impl Sitting<'_> {
+impl Work<'_> {
     /// An experiment begins.
     fn begin(&self, job: &Job<'_>) -> Result<()> {
         let definition = job.definition;
         self.folder.write_run(&self.run)?;
-        self.folder.write_definition(definition)?;
         let stems = jobs::stems(definition, self.args.quick);
-        let removed = self.folder.remove_others(&definition.name, &stems)?;
-        if removed > 0 {
+        self.folder.write_definition(definition, &stems)?;
+        let others = self.folder.others(&definition.name, &stems);
+        if others.is_empty() {
+            return Ok(());
+        }
+        let (what, are) = match others.len() {
+            1 => ("1 record of a point".to_owned(), "is"),
+            n => (format!("{n} records of points"), "are"),
+        };
+        let name = &definition.name;
+        if self.args.prune {
+            others.iter().try_for_each(|files| folder::remove(files))?;
+            let text = format!("{name}: removed {what} that it no longer has");
+            self.console.note(text);
+        } else {
             self.console.note(format!(
-                "{}: removed {removed} records of points that it no longer has",
-                definition.name
+                "{name}: {what} that it no longer has {are} left as before\n  mend: --prune removes what no experiment asks for"
             ));
         }
         Ok(())
     }
 
     /// Measures a job, or keeps what is there. Whether to go on.
-    fn work(&mut self, job: &Job<'_>, tally: &mut Tally) -> Result<bool> {
+    fn do_job(&mut self, job: &Job<'_>, tally: &mut Tally) -> Result<bool> {
         if self.interrupt.is_wanted() {
             tally.interrupted = true;
             return Ok(false);
@@ -185,6 +207,7 @@ impl Sitting<'_> {
         let identity = job.identity(&self.program, self.session.gpu().report(), self.args);
         let kept = (!self.args.force)
             .then(|| self.kept(job, &identity))
+            .transpose()?
             .flatten();
         if let Some(reached) = kept {
             self.console.skip(steps(job, self.args));
@@ -195,40 +218,54 @@ impl Sitting<'_> {
             return Ok(true);
         }
         let reached = match job.task {
-            Task::Point(..) => self.point(job, identity)?,
+            Task::Point(..) => self.point(job, identity, tally)?,
             Task::Cases(_) | Task::Search(_) => self.cases(job, identity)?,
         };
         match reached {
-            Some(reached) => tally.add(job, false, &reached),
+            Some(reached) => {
+                tally.add(job, false, &reached);
+                self.say_how_far(job, tally);
+            }
             None if self.interrupt.is_wanted() => tally.interrupted = true,
             None => tally.missing(job),
         }
         Ok(!tally.interrupted)
     }
 
-    /// What came of the expectations of a job that need not be measured.
-    fn kept(&self, job: &Job<'_>, identity: &str) -> Option<Vec<Reached>> {
-        let experiment = &job.definition.name;
-        match job.task {
-            Task::Point(..) => {
-                let record = self.folder.record(experiment, &job.stem(), identity)?;
-                Some(record.expectations)
-            }
-            Task::Cases(_) | Task::Search(_) => {
-                let record = self.folder.cases(experiment, &job.run.name, identity)?;
-                Some(
-                    record
-                        .cases
-                        .into_iter()
-                        .flat_map(|c| c.expectations)
-                        .collect(),
-                )
-            }
-        }
+    /// A line for each point, for whoever reads the output of a run that nobody looks at.
+    fn say_how_far(&self, job: &Job<'_>, tally: &Tally) {
+        let (name, run) = (&job.definition.name, &job.run.name);
+        let [complete, asked] = tally.of_run(job);
+        let s = self.watch.ms() / 1e3;
+        self.console.milestone(format!(
+            "{name}, {run}: {complete} of {asked} points, {s:.0} s"
+        ));
     }
 
-    fn point(&mut self, job: &Job<'_>, identity: String) -> Result<Option<Vec<Reached>>> {
-        let Task::Point(run, point, is_first) = job.task else {
+    /// What came of the expectations of a job that need not be measured: its record is held against those that are written by now.
+    fn kept(&self, job: &Job<'_>, identity: &str) -> Result<Option<Vec<Reached>>> {
+        let experiment = &job.definition.name;
+        let Task::Point(run, point, _) = job.task else {
+            let record = self.folder.cases(experiment, &job.run.name, identity);
+            let reached = |r: CaseRecords| r.cases.into_iter().flat_map(|c| c.expectations);
+            return Ok(record.map(|r| reached(r).collect()));
+        };
+        let Some(mut record) = self.folder.record(experiment, &job.stem(), identity) else {
+            return Ok(None);
+        };
+        if judge_again(run, point, &mut record) {
+            self.folder.write_record(&job.stem(), &record)?;
+        }
+        Ok(Some(record.expectations))
+    }
+
+    fn point(
+        &mut self,
+        job: &Job<'_>,
+        identity: String,
+        tally: &mut Tally,
+    ) -> Result<Option<Vec<Reached>>> {
+        let Task::Point(run, point, keeps_pictures) = job.task else {
             return Ok(None);
         };
         let assignment = Assignment {
@@ -238,15 +275,22 @@ impl Sitting<'_> {
             point,
             rounds: job.rounds(self.args),
             is_quick: self.args.quick,
-            keeps_pictures: run.keeps_pictures && is_first,
+            keeps_pictures,
             identity,
             command: job.command(self.args),
             machine: &self.machine,
+            sitting: &self.sitting,
         };
         self.console.detail(job.place());
         let watching = Watching::of(job, &self.console, &self.interrupt);
-        let opener = words::OpensWords(&self.console);
-        let Some(measured) = measure(&mut self.session, &assignment, &opener, &watching)? else {
+        let measured = measure(
+            &mut self.session,
+            &assignment,
+            &words::OpensWords,
+            &watching,
+        )?;
+        let Some(measured) = measured else {
+            tally.lost = Some(watching.lost(steps(job, self.args), assignment.rounds));
             return Ok(None);
         };
         self.folder.write(&job.stem(), &measured)?;
@@ -294,6 +338,7 @@ struct Watching<'a> {
     place: String,
     console: &'a Console,
     interrupt: &'a Interrupt,
+    told: Cell<usize>,
 }
 
 impl<'a> Watching<'a> {
@@ -302,12 +347,26 @@ impl<'a> Watching<'a> {
             place: job.place(),
             console,
             interrupt,
+            told: Cell::new(0),
         }
+    }
+
+    /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
+    fn lost(&self, steps: usize, rounds: usize) -> String {
+        let before = steps - rounds;
+        // The last round that was told of is not complete.
+        let complete = self.told.get().saturating_sub(before + 1);
+        format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }
 }
 
 impl Watcher for Watching<'_> {
+    fn opened(&self, remark: &Remark) {
+        self.console.remark(&self.place, remark);
+    }
+
     fn step(&self, what: String) {
+        self.told.set(self.told.get() + 1);
         self.console.step(format!("{}: {what}", self.place));
     }
 

@@ -1,5 +1,7 @@
 //! What a sitting came to: a line for each experiment, and the verdict.
 
+use std::collections::BTreeMap;
+
 use super::MeasureArgs;
 use super::jobs::Job;
 use crate::cmd::Verdict;
@@ -17,17 +19,40 @@ struct Line {
     reached: usize,
 }
 
+fn key(job: &Job<'_>) -> [String; 2] {
+    [job.definition.name.clone(), job.run.name.clone()]
+}
+
 /// What was done of all.
 #[derive(Default)]
 pub(super) struct Tally {
     lines: Vec<Line>,
+    /// By experiment and run: how many jobs are complete, out of how many.
+    runs: BTreeMap<[String; 2], [usize; 2]>,
+    /// What was begun and has to begin again.
+    pub(super) lost: Option<String>,
     /// Whether somebody ended it.
     pub(super) interrupted: bool,
 }
 
 impl Tally {
+    /// Nothing is done of some jobs.
+    pub(super) fn of(jobs: &[Job<'_>]) -> Self {
+        let mut tally = Self::default();
+        for job in jobs {
+            tally.runs.entry(key(job)).or_default()[1] += 1;
+        }
+        tally
+    }
+
+    /// How many jobs of the run of this one are complete, and how many were asked for.
+    pub(super) fn of_run(&self, job: &Job<'_>) -> [usize; 2] {
+        self.runs.get(&key(job)).copied().unwrap_or_default()
+    }
+
     /// A job is complete.
     pub(super) fn add(&mut self, job: &Job<'_>, is_kept: bool, reached: &[Reached]) {
+        self.runs.entry(key(job)).or_default()[0] += 1;
         let line = self.line(job);
         line.kept += usize::from(is_kept);
         line.measured += usize::from(!is_kept);
@@ -89,6 +114,8 @@ impl Tally {
             text.push('\n');
         }
         if self.verdict(jobs.len()) == Verdict::Interrupted {
+            let lost = self.lost.iter().map(|l| format!("lost: {l}\n"));
+            text.extend(lost);
             text.push_str(&format!(
                 "interrupted: {} of {} are complete; go on with\n  {}\n",
                 self.complete(),

@@ -54,19 +54,21 @@ pub(super) fn check(words: &[String]) -> Result<()> {
     }
 }
 
-/// Opens words, and says on the console what there is to say about them.
-pub(super) struct OpensWords<'a>(pub(super) &'a Console);
+/// Opens words, and hears what there is to say about them.
+pub(super) struct OpensWords;
 
-impl Opener for OpensWords<'_> {
+impl Opener for OpensWords {
     fn open(&self, words: &[String]) -> Result<Staged> {
         let words = parsed(words)?;
-        let opened = open(&words.scene, &words.when, self.0)?;
+        let console = Console::hearing();
+        let opened = open(&words.scene, &words.when, &console)?;
         let shown = Shown::of(&opened.scene);
         Ok(Staged {
             name: opened.scene.name.clone(),
             view: opened.view(&shown.model.prepared),
             options: opened.options(words.means.options()),
             shown,
+            remarks: console.heard(),
         })
     }
 }

@@ -22,7 +22,7 @@ pub use charts::Chart;
 pub use claims::{Claim, Wanted};
 pub use moves::Moves;
 pub use others::{AskedCases, AskedSearch};
-pub use scenes::SceneRun;
+pub use scenes::{Pictures, SceneRun};
 
 use crate::scene::reader::{Entry, Source, Table, with_table};
 use crate::{Error, Result};

@@ -42,14 +42,39 @@ pub struct SceneRun {
     pub points: Vec<Point>,
     /// Measured rounds, after one to warm up.
     pub rounds: usize,
-    /// Whether pictures of the first point are kept.
-    pub keeps_pictures: bool,
+    /// Of which points pictures are kept.
+    pub pictures: Pictures,
     /// How the camera drifts, if it does.
     pub drift: Option<Drift>,
     /// What is expected.
     pub claims: Vec<Claim>,
     /// What is varied.
     pub axes: Axes,
+}
+
+/// Of which points of a run pictures are kept: `pictures = true`, `false`, `"all"`, `"last"`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictures {
+    /// Of none.
+    None,
+    /// Of the first.
+    First,
+    /// Of the last.
+    Last,
+    /// Of all.
+    All,
+}
+
+impl Pictures {
+    /// Whether those of the point with this index are, out of so many.
+    pub fn are_kept(self, index: usize, points: usize) -> bool {
+        match self {
+            Self::None => false,
+            Self::First => index == 0,
+            Self::Last => index + 1 == points,
+            Self::All => true,
+        }
+    }
 }
 
 /// What a run says, before it is expanded.
@@ -84,12 +109,12 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
                 .map_err(|f| values.place(f))?;
         }
     }
-    let flag = |e: Entry<'_>| e.flag();
-    let keeps_pictures = table.get("pictures").map_or(Ok(true), flag)?;
-    let mut full = draft.expanded(entry, keeps_pictures)?;
+    let kept = table.get("pictures");
+    let kept = kept.map_or(Ok(Pictures::First), |e| pictures(&e))?;
+    let mut full = draft.expanded(entry, kept)?;
     full.claims = claims::read(&table, &full)?;
     let mut quick = match table.get("quick") {
-        Some(quick) => draft.quick(&quick)?.expanded(&quick, keeps_pictures)?,
+        Some(quick) => draft.quick(&quick)?.expanded(&quick, kept)?,
         None => full.clone(),
     };
     quick.claims.clone_from(&full.claims);
@@ -120,12 +145,12 @@ impl Draft {
         Ok(quick)
     }
 
-    fn expanded(&self, entry: &Entry<'_>, keeps_pictures: bool) -> Result<SceneRun> {
+    fn expanded(&self, entry: &Entry<'_>, pictures: Pictures) -> Result<SceneRun> {
         let points = expand(&self.axes, &self.templates).map_err(|f| entry.place(f))?;
         Ok(SceneRun {
             points,
             rounds: self.rounds,
-            keeps_pictures,
+            pictures,
             drift: self.drift,
             claims: Vec::new(),
             axes: self.axes.clone(),
@@ -145,6 +170,21 @@ pub(super) fn some_texts(entry: &Entry<'_>) -> Result<Vec<String>> {
         return Err(entry.fault("it is empty, or a text in it is", "write at least one word"));
     }
     Ok(texts)
+}
+
+fn pictures(entry: &Entry<'_>) -> Result<Pictures> {
+    if entry.is_text() {
+        return entry.choice(&[("all", Pictures::All), ("last", Pictures::Last)]);
+    }
+    let is_kept = entry.flag().map_err(|_| {
+        let mend = "write true (of the first point), \"last\", \"all\", or false";
+        entry.fault("it does not say of which points pictures are kept", mend)
+    })?;
+    Ok(if is_kept {
+        Pictures::First
+    } else {
+        Pictures::None
+    })
 }
 
 fn rounds(table: &Table<'_>) -> Result<Option<usize>> {

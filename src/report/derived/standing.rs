@@ -156,6 +156,7 @@ pub(super) mod tests {
             expectations: Vec::new(),
             warnings: Vec::new(),
             pictures: Vec::new(),
+            sitting: None,
         }
     }
 
