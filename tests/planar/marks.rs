@@ -123,7 +123,7 @@ fn what_is_not_entered_through_the_plane_is_not_doubted() {
     let of = |plane: ClipSurface| -> Scene { scenes::scene("a half", open.clone(), vec![plane]) };
     let entered = of(plane());
     let mut left = of(plane().flipped());
-    left.camera = entered.camera.clone();
+    left.camera = entered.camera;
     let [entered, left] = [entered, left].map(|scene| {
         let question = Question::of(&scene, SIZE);
         marked(&run(plan(&question, Rasteriser::Hardware)))
