@@ -40,7 +40,7 @@ fn of_claim(run: &SceneRun, point: &Point, claim: &Claim, found: &Findings<'_>) 
     let is_meant = |i: &usize| {
         let entrant = &point.entrants[*i];
         let name = names().nth(*i).unwrap_or_default();
-        claim.means(name, &point.parameters, &entrant.parameters)
+        claim.means(name, &point.parameters, entrant)
     };
     let meant: Vec<usize> = (0..point.entrants.len()).filter(is_meant).collect();
     let mut all = Vec::new();
@@ -144,28 +144,24 @@ fn falls(
     let Some(axis) = run.axes.get(axis) else {
         return Vec::new();
     };
-    let value = |i: usize| point.entrants[i].parameters.get(&axis.name);
-    let alike = |a: usize, b: usize| {
-        let rest = |i: usize| {
-            let own = &point.entrants[i];
-            let is_other = |(key, _): &(&String, &String)| {
-                !axis.values.iter().any(|v| v.with.contains_key(*key))
-            };
-            (
-                own.template,
-                own.parameters.iter().filter(is_other).collect::<Vec<_>>(),
-            )
+    // What made a contender, but for the axis: two that are alike are neighbours on it.
+    let makers = |i: usize, value: &str| -> Vec<(usize, Vec<(&String, &String)>)> {
+        let is_other = |(key, _): &(&String, &String)| {
+            !axis.values.iter().any(|v| v.with.contains_key(*key))
         };
-        rest(a) == rest(b)
+        (point.entrants[i].makers.iter())
+            .filter(|(_, m)| m.parameters.get(&axis.name).is_some_and(|v| v == value))
+            .map(|(template, m)| (*template, m.parameters.iter().filter(is_other).collect()))
+            .collect()
     };
     let steps = axis.values.windows(2).flat_map(|pair| {
-        let of = |i: &usize, v: &super::sweep::Value| value(*i) == Some(&v.is);
-        let froms = meant.iter().filter(move |i| of(i, &pair[0]));
-        froms.flat_map(move |from| {
-            let tos = meant
-                .iter()
-                .filter(move |to| of(to, &pair[1]) && alike(*from, **to));
-            tos.map(move |to| (*from, *to, pair))
+        let makers = &makers;
+        meant.iter().flat_map(move |from| {
+            let froms = makers(*from, &pair[0].is);
+            meant.iter().filter_map(move |to| {
+                let tos = makers(*to, &pair[1].is);
+                (froms.iter().any(|f| tos.contains(f))).then_some((*from, *to, pair))
+            })
         })
     });
     steps

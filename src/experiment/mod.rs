@@ -28,7 +28,7 @@ pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
 pub use record::{
-    Bound, CaseRecord, CaseRecords, Expectation, Machine, Parameters, Picture, Reached, Record,
+    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Parameters, Picture, Reached, Record,
     Run, Sitting, Warning,
 };
 pub use run::{Opener, Staged, Watcher};

@@ -26,23 +26,22 @@ pub struct Record {
     pub run: String,
     /// Values that make the scene of this point.
     pub parameters: Parameters,
+    /// Those of them that are axes, by name; the others go along with one of these.
+    pub axes: Vec<String>,
     /// Whether it was measured with fewer pixels, values and rounds.
     pub is_quick: bool,
     /// Says what was measured and by what: a point is not measured again if this is what it would be.
     pub identity: String,
-    /// Words of the scene, as after `cutaway compare`, with its resolution; records that are older than this field have none.
-    #[serde(default)]
+    /// Words of the scene, as after `cutaway compare`, with its resolution.
     pub words: Vec<String>,
     /// Words of the scene whose exact image is the truth, where that is another.
     #[serde(default)]
     pub truth: Option<Vec<String>>,
     /// What was found.
     pub measurement: Measurement,
-    /// What the experiment calls each strategy, `grid:256+vds:{texels}`, in the order of the measurement. Like `words`, older records have none.
-    #[serde(default)]
-    pub families: Vec<String>,
-    /// Values that make each strategy, in the order of the measurement.
-    pub of_strategies: Vec<Parameters>,
+    /// What made each strategy, in the order of the measurement: at least one, and more where several texts of the experiment come to
+    /// the same.
+    pub makers: Vec<Vec<Maker>>,
     /// More figures of each strategy than one frame has, by name, in the order of the measurement.
     pub figures: Vec<BTreeMap<String, f64>>,
     /// What was expected, and what was reached.
@@ -54,6 +53,15 @@ pub struct Record {
     /// The command that measured it; none in records that are older than this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sitting: Option<Sitting>,
+}
+
+/// What made a strategy of an experiment.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Maker {
+    /// What the experiment calls it: `grid:256+vds:{texels}`; its name, where nothing in that is swept.
+    pub family: String,
+    /// The values that took the places of the placeholders.
+    pub parameters: Parameters,
 }
 
 impl Record {

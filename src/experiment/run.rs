@@ -220,15 +220,13 @@ fn measure_with(
         experiment: assignment.experiment.to_owned(),
         run: assignment.run_name.to_owned(),
         parameters: point.parameters.clone(),
+        axes: point.axes.clone(),
         is_quick: assignment.is_quick,
         identity: assignment.identity.clone(),
         words: point.scene.clone(),
         truth: point.truth.clone(),
-        families: point.entrants.iter().map(|e| e.family.clone()).collect(),
-        of_strategies: point
-            .entrants
-            .iter()
-            .map(|e| e.parameters.clone())
+        makers: (point.entrants.iter())
+            .map(|e| e.makers.iter().map(|(_, maker)| maker.clone()).collect())
             .collect(),
         figures,
         expectations,

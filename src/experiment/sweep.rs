@@ -8,13 +8,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Contender, Parameters};
+use super::{Contender, Maker, Parameters};
 use crate::error::did_you_mean;
 use crate::strategies::Strategy;
 use crate::{Error, Result};
 
 /// Points that one run may have: more are a slip.
 const MOST_POINTS: usize = 10_000;
+
+/// Contenders that one point may have: all of them are kept on the device, and measured in turns.
+const MOST_CONTENDERS: usize = 200;
 
 /// One value of an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -161,6 +164,8 @@ impl Templates {
 pub struct Point {
     /// Values that make its scene.
     pub parameters: Parameters,
+    /// Those of them that are axes.
+    pub axes: Vec<String>,
     /// What tells it from the other points of its run, for names of files; empty where there is but one.
     pub stem: String,
     /// Words of the scene, as after `cutaway compare`, with its resolution.
@@ -176,12 +181,15 @@ pub struct Point {
 pub struct Entrant {
     /// Who is asked.
     pub contender: Contender,
-    /// The number of the text that names it: those of one text differ by their parameters alone.
-    pub template: usize,
-    /// That text where it has placeholders, else who is asked.
-    pub family: String,
-    /// Values that make its name.
-    pub parameters: Parameters,
+    /// What made it: each text of the strategies, with values, that comes to this contender.
+    pub makers: Vec<(usize, Maker)>,
+}
+
+impl Entrant {
+    /// Whether something holds for what made it.
+    pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
+        self.makers.iter().any(|(_, maker)| holds(&maker.parameters))
+    }
 }
 
 /// Makes all points.
@@ -190,12 +198,11 @@ pub fn expand(axes: &Axes, templates: &Templates) -> Result<Vec<Point>> {
     let of_scene = templates.of_scene();
     let (of_points, of_contenders): (Vec<&Axis>, Vec<&Axis>) =
         axes.0.iter().partition(|a| a.is_in(&of_scene));
-    let count: usize = of_points.iter().map(|a| a.values.len()).product();
-    if count > MOST_POINTS {
-        let what = format!("the values make {count} points");
+    let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
+        let what = "the values make too many points";
         let mend = format!("leave some out: at most {MOST_POINTS} are measured");
         return Err(Error::input("sweep", what, mend));
-    }
+    };
     let mut stems = BTreeSet::new();
     let mut points = Vec::with_capacity(count);
     for values in combinations(&of_points) {
@@ -216,6 +223,7 @@ pub fn expand(axes: &Axes, templates: &Templates) -> Result<Vec<Point>> {
             scene: words(&templates.scene),
             truth: templates.truth.as_deref().map(words),
             entrants: entrants(&templates.strategies, &of_contenders, &parameters)?,
+            axes: of_points.iter().map(|a| a.name.clone()).collect(),
             parameters,
         });
     }
@@ -328,27 +336,47 @@ fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
 
 fn entrants(texts: &[String], axes: &[&Axis], of_point: &Parameters) -> Result<Vec<Entrant>> {
     let mut entrants: Vec<Entrant> = Vec::new();
+    let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for (template, text) in texts.iter().enumerate() {
         let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(&[text])).collect();
+        if product(&own).is_none_or(|count| count > MOST_CONTENDERS) {
+            let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
+            return Err(Error::input(format!("`{text}`"), "it has too many values", mend));
+        }
         for values in combinations(&own) {
             let parameters = joined(&values);
             let name = filled(&filled(text, of_point), &parameters);
             for contender in named(&name)? {
-                if !entrants.iter().any(|e| e.contender == contender) {
+                let name = contender.to_string();
+                let maker = Maker {
+                    family: match text.contains('{') {
+                        true => text.clone(),
+                        false => name.clone(),
+                    },
+                    parameters: parameters.clone(),
+                };
+                let place = *places.entry(name).or_insert_with(|| {
                     entrants.push(Entrant {
                         contender,
-                        template,
-                        family: match text.contains('{') {
-                            true => text.clone(),
-                            false => contender.to_string(),
-                        },
-                        parameters: parameters.clone(),
+                        makers: Vec::new(),
                     });
-                }
+                    entrants.len() - 1
+                });
+                entrants[place].makers.push((template, maker));
             }
         }
     }
+    if entrants.len() > MOST_CONTENDERS {
+        let what = format!("the values make {} contenders", entrants.len());
+        let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
+        return Err(Error::input("strategies", what, mend));
+    }
     Ok(entrants)
+}
+
+/// How many combinations there are; none where that is more than can be counted.
+fn product(axes: &[&Axis]) -> Option<usize> {
+    (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }
 
 /// The contenders of a name: `all` are all strategies with their usual parameters.

@@ -26,7 +26,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             r.record
                 .parameters
                 .keys()
-                .chain(r.record.of_strategies[r.index].keys())
+                .chain(r.record.makers[r.index].iter().flat_map(|m| m.parameters.keys()))
         })
         .collect();
     const FIRST: [&str; 11] = [
@@ -65,7 +65,11 @@ pub(super) fn csv(recorded: &Recorded) -> String {
         ];
         let values = parameters
             .iter()
-            .map(|p| row.parameter(p).unwrap_or_default().to_owned());
+            .map(|p| {
+                let mut own = row.record.makers[row.index].iter();
+                let own = own.find_map(|m| m.parameters.get(*p).map(String::as_str));
+                own.or(row.parameter(p)).unwrap_or_default().to_owned()
+            });
         let figures = names
             .iter()
             .map(|n| row.figures.get(*n).map_or_else(String::new, f64::to_string));

@@ -81,7 +81,6 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
         identity: size.to_owned(),
         words: Vec::new(),
         truth: None,
-        families: Vec::new(),
         measurement: Measurement {
             scene: "crank".to_owned(),
             command: format!("cutaway compare shape:crank --section x=50% # {size}"),
@@ -102,7 +101,8 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
             draw_only_ms: Samples::of(vec![2.0, 2.0, 2.0]),
             strategies,
         },
-        of_strategies: vec![BTreeMap::new(); count],
+        makers: vec![vec![Maker::default()]; count],
+        axes: Vec::new(),
         figures: vec![BTreeMap::new(); count],
         expectations: vec![reached("raycast+mask", true)],
         warnings: vec![Warning::SoftwareAdapter {
@@ -141,7 +141,8 @@ pub(crate) fn records() -> Vec<Record> {
                 refused("planar", "a <script>alert(1)</script> | relief"),
             ],
         );
-        record.of_strategies[2].insert("cells".to_owned(), "64".to_owned());
+        record.makers[2][0].parameters.insert("cells".to_owned(), "64".to_owned());
+        record.makers[2][0].family = "grid:{cells}+vds:1024".to_owned();
         record.figures[0].insert("flicker_px".to_owned(), 7.0);
         record
     };

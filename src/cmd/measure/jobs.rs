@@ -158,7 +158,7 @@ impl Job<'_> {
                 identity.add_words(&point.scene);
                 identity.add_words(point.truth.as_deref().unwrap_or_default());
                 for entrant in &point.entrants {
-                    identity.add(format!("{} {:?}", entrant.contender, entrant.parameters));
+                    identity.add(format!("{} {:?}", entrant.contender, entrant.makers));
                 }
                 let rounds = self.rounds(args);
                 identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));

@@ -42,11 +42,14 @@ pub enum Wanted {
 
 impl Claim {
     /// Whether a contender of a point is meant: its name, and the values that made the two.
-    pub fn means(&self, name: &str, of_point: &Parameters, own: &Parameters) -> bool {
-        let has = |(key, value): (&String, &String)| {
-            [own, of_point].iter().any(|p| p.get(key) == Some(value))
+    pub fn means(&self, name: &str, of_point: &Parameters, entrant: &Entrant) -> bool {
+        let is_made_so = |own: &Parameters| {
+            let has = |(key, value): (&String, &String)| {
+                [own, of_point].iter().any(|p| p.get(key) == Some(value))
+            };
+            self.conditions.iter().all(has)
         };
-        self.strategies.iter().any(|g| glob_matches(g, name)) && self.conditions.iter().all(has)
+        self.strategies.iter().any(|g| glob_matches(g, name)) && entrant.is_made_by(is_made_so)
     }
 }
 
@@ -184,12 +187,27 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     let axis = along.text()?;
     let points = run.points.first();
     let mut of_strategies = points.iter().flat_map(|p| &p.entrants);
-    if !of_strategies.any(|e| e.parameters.contains_key(axis)) || run.axes.get(axis).is_none() {
+    if !of_strategies.any(|e| e.is_made_by(|p| p.contains_key(axis))) || run.axes.get(axis).is_none() {
         let mend = did_you_mean(axis, run.axes.names());
         let what = format!("`{axis}` is no axis that only strategies have");
         return Err(along.fault(what, mend));
     }
     Ok(Wanted::FallsAlong(axis.to_owned()))
+}
+
+/// Whether one text of the strategies has two values of an axis among those that a claim is about.
+fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
+    let meant = (point.entrants.iter())
+        .filter(|e| claim.means(&e.contender.to_string(), &point.parameters, e));
+    let mut seen: BTreeMap<usize, &String> = BTreeMap::new();
+    for (template, maker) in meant.flat_map(|e| &e.makers) {
+        if let Some(value) = maker.parameters.get(axis)
+            && *seen.entry(*template).or_insert(value) != value
+        {
+            return true;
+        }
+    }
+    false
 }
 
 /// An expectation that no contender could ever miss is a slip.
@@ -206,8 +224,19 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     }
     let is_meant = run.points.iter().any(|p| {
         let mut entrants = p.entrants.iter();
-        entrants.any(|e| claim.means(&e.contender.to_string(), &p.parameters, &e.parameters))
+        entrants.any(|e| claim.means(&e.contender.to_string(), &p.parameters, e))
     });
+    let along = claim.figures.iter().filter_map(|(_, wanted)| match wanted {
+        Wanted::FallsAlong(axis) => Some(axis),
+        Wanted::Within(_) => None,
+    });
+    for axis in along {
+        if !run.points.iter().any(|p| has_a_step(p, claim, axis)) {
+            let what = format!("nobody has two values of `{axis}` between which anything could fall");
+            let mend = "give the axis two values, or expect `{ most = .. }`";
+            return Err(table.entry.fault(what, mend));
+        }
+    }
     if is_meant {
         return Ok(());
     }

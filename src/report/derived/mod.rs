@@ -24,6 +24,6 @@ pub(super) use broken::{Harm, harms, has_defect, has_other_truth};
 pub(super) use front::{Offer, front, steps};
 pub(super) use order::{natural, number_of};
 pub(super) use paper::papers;
-pub(super) use row::{Row, rows};
+pub(super) use row::{Row, rows, rows_by_maker};
 pub(super) use situation::{Kind, Situation, is_exact, winner};
 pub(super) use standing::{Spread, Standing, standings};

@@ -1,11 +1,10 @@
 //! What has to be drawn anew, and who is the fastest exact strategy then.
 //!
 //! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
-//! clock of the cut comes on top; when the mesh moves, all three. Medians are added, which is what one pays in the middle of a long
-//! run; their spreads are not.
+//! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
 
 use crate::experiment::definition::Moves;
-use crate::experiment::{Ending, Record, StrategyMeasurement};
+use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,27 +49,35 @@ impl Situation {
         }
     }
 
-    /// Time of a strategy's frame; none where none was taken.
-    pub(crate) fn ms(self, found: &StrategyMeasurement) -> Option<f64> {
+    /// Time of a strategy's frame, round by round; none where none was taken.
+    fn samples(self, found: &StrategyMeasurement) -> Option<Samples> {
         let time = &found.time_ms;
         if !found.was_drawn() || time.frame.samples.is_empty() {
             return None;
         }
-        let clocks: &[f64] = match self {
-            Self::View => &[time.frame.median],
-            Self::Cut => &[time.frame.median, time.cut.median],
-            Self::Mesh => &[time.frame.median, time.cut.median, time.solid.median],
+        let clocks: &[&Samples] = match self {
+            Self::View => &[&time.frame],
+            Self::Cut => &[&time.frame, &time.cut],
+            Self::Mesh => &[&time.frame, &time.cut, &time.solid],
         };
-        Some(clocks.iter().sum())
+        let of_round = |round: usize| {
+            // A clock that never runs has no samples.
+            let of_clock = clocks.iter().filter_map(|c| c.samples.get(round));
+            of_clock.sum()
+        };
+        Some(Samples::of((0..time.frame.samples.len()).map(of_round).collect()))
     }
 
-    /// That time over drawing the uncut scene.
-    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
-        let draw_only = record.measurement.draw_only_ms.median;
-        (draw_only > 0.0)
-            .then(|| self.ms(found))
-            .flatten()
-            .map(|ms| ms / draw_only)
+    /// Its time in the middle.
+    pub(crate) fn ms(self, found: &StrategyMeasurement) -> Option<f64> {
+        self.samples(found).map(|s| s.median)
+    }
+
+    /// That time over drawing the uncut scene, quotient by quotient of the rounds, with its spread.
+    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<[f64; 2]> {
+        let ratio = self.samples(found)?.over(&record.measurement.draw_only_ms);
+        let is_told = ratio.median.is_finite() && ratio.median > 0.0;
+        is_told.then_some([ratio.median, ratio.mad])
     }
 }
 

@@ -112,9 +112,9 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
             .measurement
             .strategies
             .iter()
-            .zip(&record.of_strategies)
+            .zip(&record.makers)
         {
-            if swept.is_empty() && !names.contains(&found.name.as_str()) {
+            if swept.iter().any(|m| m.parameters.is_empty()) && !names.contains(&found.name.as_str()) {
                 names.push(&found.name);
             }
         }
@@ -149,9 +149,9 @@ pub(super) mod tests {
             identity: String::new(),
             words: Vec::new(),
             truth: None,
-            families: Vec::new(),
             measurement,
-            of_strategies: vec![BTreeMap::new(); count],
+            makers: vec![vec![Maker::default()]; count],
+            axes: Vec::new(),
             figures: vec![BTreeMap::new(); count],
             expectations: Vec::new(),
             warnings: Vec::new(),
@@ -185,7 +185,8 @@ pub(super) mod tests {
     #[test]
     fn strategies_of_sweeps_do_not_stand_for_themselves() {
         let mut record = record_of(example());
-        record.of_strategies[0].insert("cells".to_owned(), "64".to_owned());
+        let own = &mut record.makers[0][0].parameters;
+        own.insert("cells".to_owned(), "64".to_owned());
         let names: Vec<String> = standings(&[&record]).into_iter().map(|s| s.name).collect();
         assert_eq!(names, ["planar+<mask>"]);
     }

@@ -128,12 +128,10 @@ impl Experiment {
 fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     let strategies = record.measurement.strategies.len();
     for (what, count) in [
-        ("of_strategies", record.of_strategies.len()),
+        ("makers", record.makers.iter().filter(|m| !m.is_empty()).count()),
         ("figures", record.figures.len()),
-        ("families", record.families.len()),
     ] {
-        let is_older = what == "families" && count == 0;
-        if count != strategies && !is_older {
+        if count != strategies {
             return Err(Error::file(
                 file,
                 format!("`{what}` has {count} entries for {strategies} strategies"),

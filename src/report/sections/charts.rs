@@ -56,7 +56,7 @@ struct Placed<'a> {
 }
 
 fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
-    let rows: Vec<Row<'_>> = points.iter().flat_map(|p| rows(p.record)).collect();
+    let rows: Vec<Row<'_>> = points.iter().flat_map(|p| rows_by_maker(p.record)).collect();
     let categories = categories(asked, &rows);
     let mut placed: Vec<Placed<'_>> = Vec::new();
     for row in rows {
@@ -139,12 +139,17 @@ fn spread(row: &Row<'_>, figure: &str) -> f64 {
     row.figures.get(&name).copied().unwrap_or_default()
 }
 
-/// A series has one strategy, but for the parameter along x, and one value of whatever else varies over the chart.
+/// Figures of the scene: what is varied of it is what is along x.
+const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
+
+/// A series has one strategy and one value of whatever is varied over the chart, but for what is along x: where that is a parameter,
+/// all other parameters are told apart; where it is a figure, the strategy's own parameters run along the series.
 fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
+    let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
     let mut names: Vec<&String> = placed
         .iter()
-        .flat_map(|p| p.row.record.parameters.keys())
-        .filter(|name| **name != asked.x)
+        .flat_map(|p| &p.row.record.axes)
+        .filter(|name| **name != asked.x && !is_of_scene)
         .collect();
     names.sort();
     names.dedup();
@@ -159,7 +164,7 @@ fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
         .iter()
         .any(|p| p.row.record.run != placed[0].row.record.run);
     for p in placed {
-        let mut words = vec![p.row.family()];
+        let mut words = vec![who(asked, &p.row, is_of_scene)];
         if has_runs {
             words.push(p.row.record.run.clone());
         }
@@ -169,6 +174,21 @@ fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
             }
         }
         p.series = words.join(", ");
+    }
+}
+
+/// What a series calls its strategy.
+fn who(asked: &ChartDefinition, row: &Row<'_>, is_of_scene: bool) -> String {
+    let own = &row.maker.parameters;
+    let runs_along = own.contains_key(&asked.x);
+    let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;
+    let others = own.iter().filter(|(name, _)| **name != asked.x);
+    match (runs_along, is_figure) {
+        (false, true) => row.maker.family.clone(),
+        (false, false) => row.found().name.clone(),
+        (true, _) => others.fold(row.maker.family.clone(), |family, (name, value)| {
+            family.replace(&format!("{{{name}}}"), value)
+        }),
     }
 }
 
@@ -194,7 +214,7 @@ fn series(asked: &ChartDefinition, placed: &[Placed<'_>]) -> Vec<Series> {
 
 /// By the strategy's own parameters where x is a figure, else along x.
 fn in_order(asked: &ChartDefinition, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
-    let values = |p: &Placed<'_>| p.row.record.of_strategies[p.row.index].clone();
+    let values = |p: &Placed<'_>| p.row.maker.parameters.clone();
     let along_x = a.at[0].total_cmp(&b.at[0]);
     if a.row.parameter(&asked.x).is_some() {
         return along_x;
