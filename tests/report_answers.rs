@@ -120,7 +120,8 @@ fn broken_meshes_are_told_apart() {
         ]
     );
     // As an input: nothing is exact, and both are named.
-    let input = told(&folder, &all[2..], &json!({ "input": "what was scanned" }));
+    let alone = Scratch::new("answers-broken-alone");
+    let input = told(&alone, &all[2..], &json!({ "input": "what was scanned" }));
     let row = rows(&input, "what was scanned")[0].to_owned();
     assert!(
         row.contains("| winding: 1.00 % wrong | ×90.0 | raycast+mask: 0 % wrong unmarked |"),

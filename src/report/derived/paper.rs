@@ -50,7 +50,7 @@ mod tests {
         ];
         assert_eq!(of(&others), [0usize; 0]);
         assert_eq!(
-            of(&["grid:64+vds:512", "raycast+mask", "grid:8+vds:9"]),
+            of(&["grid:64+vds:512", "raycast+mask", "grid:8+vds:64"]),
             [0, 2]
         );
         let with_its_own = ["grid:64+vds:512", "grid:256+vds:1024"];
