@@ -124,6 +124,17 @@ fn records_are_left_kept_and_measured_again() {
         [false, true],
         "only what nobody asks for, and no file of others"
     );
+    let of_run = folder.path("out/run.json");
+    let whole = fs::read(&of_run).unwrap();
+    fs::write(&of_run, "{").unwrap();
+    let ran = measure("").exits(2);
+    assert!(
+        ran.stderr
+            .contains("mend: remove the file and measure again"),
+        "{}",
+        ran.stderr
+    );
+    fs::write(&of_run, whole).unwrap();
     let ran = measure("--quick").exits(2);
     assert!(
         ran.stderr.contains("--force"),
@@ -266,6 +277,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
     let folder = Scratch::new("refused");
     folder.write("01-cube.toml", CUBE);
     folder.write("02-lost.toml", &CUBE.replace("shape:cube", "nowhere.stl"));
+    folder.write("03-spong.toml", &CUBE.replace("shape:cube", "shape:spong"));
     folder.write("file", "");
     fs::create_dir_all(folder.path("other")).unwrap();
     fs::copy(
@@ -275,6 +287,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
     .unwrap();
     for (line, told) in [
         ("measure nowhere.toml", "nowhere.toml"),
+        ("measure 03-spong.toml --dry-run", "did you mean `sponge`"),
         ("measure 01-cube.toml --only cub", "did you mean `cube`"),
         ("measure 01-cube.toml --out file", "not a folder"),
         (
@@ -351,6 +364,14 @@ fn what_is_said_of_a_scene_stands_in_its_record_and_is_said_once_with_its_place(
         .run("measure 01-cube.toml --quick --force --quiet --out out")
         .exits(0);
     assert_eq!(ran.stderr, "");
+    let quick = "[run.quick]\nrounds = 1\nsweep = { amplitude = [\"5%\"] }\n";
+    for (text, is_said) in [(CUBE.to_owned(), false), (CUBE.replace(quick, ""), true)] {
+        folder.write("01-cube.toml", &text);
+        let line = "measure 01-cube.toml --quick --rounds 1 --only cube:5_ --out quick";
+        let ran = folder.run(line).exits(0);
+        let said = ran.stderr.contains("01-cube: --quick changes nothing");
+        assert_eq!(said, is_said, "{}", ran.stderr);
+    }
 }
 
 #[test]

@@ -3,6 +3,8 @@
 //! An expectation is about error, never about time: a time that holds on one machine says nothing on another, and times live in
 //! reports. What declares a failure or a bound says why.
 
+use std::collections::BTreeSet;
+
 use super::scenes::{SceneRun, some_texts};
 use crate::Result;
 use crate::error::did_you_mean;
@@ -103,7 +105,9 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for name in &names {
         if let Some(entry) = table.get(name) {
             let wanted = wanted(&entry, run)?;
-            is_declared |= entry.is_table() && matches!(wanted, Wanted::Within(_));
+            // At most 0 is no bound on a failure: it is 0.
+            is_declared |= entry.is_table()
+                && matches!(&wanted, Wanted::Within(b) if b.most.is_none_or(|most| most > 0.0));
             claim.figures.push((name.clone(), wanted));
         }
     }
@@ -185,7 +189,16 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     let points = run.points.first();
     let mut of_strategies = points.iter().flat_map(|p| &p.entrants);
     if !of_strategies.any(|e| e.parameters.contains_key(axis)) || run.axes.get(axis).is_none() {
-        let mend = did_you_mean(axis, run.axes.names());
+        let of_strategies = |name: &&str| {
+            let mut entrants = run.points.iter().flat_map(|p| &p.entrants);
+            entrants.any(|e| e.parameters.contains_key(*name))
+        };
+        let known: Vec<&str> = run.axes.names().filter(of_strategies).collect();
+        let mend = if known.is_empty() {
+            "vary something that is in `strategies` alone, as in \"grid:{cells}+mask\"".to_owned()
+        } else {
+            did_you_mean(axis, known)
+        };
         let what = format!("`{axis}` is no axis that only strategies have");
         return Err(along.fault(what, mend));
     }
@@ -195,7 +208,7 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
 /// An expectation that no contender could ever miss is a slip.
 fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
     let strategies = table.need("strategies", "[\"*\"]")?;
-    let names: Vec<String> = (run.points.iter().flat_map(|p| &p.entrants))
+    let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.entrants))
         .map(|e| e.contender.to_string())
         .collect();
     for glob in &claim.strategies {
