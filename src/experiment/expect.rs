@@ -132,7 +132,8 @@ fn words(bound: &Bound) -> String {
     }
 }
 
-/// A figure that falls from value to value of an axis, everything else being the same: one answer for each step.
+/// A figure that falls from value to value of an axis, everything else being the same: one answer for each step. What has reached 0
+/// may stay there; what is 0 from the first value on has nowhere to fall from, and says nothing of the axis.
 fn falls(
     run: &SceneRun,
     point: &Point,
@@ -146,9 +147,8 @@ fn falls(
     };
     // What made a contender, but for the axis: two that are alike are neighbours on it.
     let makers = |i: usize, value: &str| -> Vec<(usize, Vec<(&String, &String)>)> {
-        let is_other = |(key, _): &(&String, &String)| {
-            !axis.values.iter().any(|v| v.with.contains_key(*key))
-        };
+        let is_other =
+            |(key, _): &(&String, &String)| !axis.values.iter().any(|v| v.with.contains_key(*key));
         (point.entrants[i].makers.iter())
             .filter(|(_, m)| m.parameters.get(&axis.name).is_some_and(|v| v == value))
             .map(|(template, m)| (*template, m.parameters.iter().filter(is_other).collect()))
@@ -170,6 +170,15 @@ fn falls(
             let falls = before
                 .zip(after)
                 .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
+            let mut chain = meant.iter().filter(|i| alike(from, **i));
+            let is_flat = chain.all(|i| number(found, *i, name).is_some_and(|n| n <= 0.0));
+            let mut told = format!("{}, then {}", told(name, before), told(name, after));
+            if is_flat {
+                told = format!(
+                    "{name} 0 at every value of {}: there is nothing to fall",
+                    axis.name
+                );
+            }
             let what = format!(
                 "{name} falls along {} from {} to {}",
                 axis.name, pair[0].is, pair[1].is
@@ -177,8 +186,8 @@ fn falls(
             Reached {
                 strategy: found.measurement.strategies[to].name.clone(),
                 expected: expectation(claim, what),
-                found: format!("{}, then {}", told(name, before), told(name, after)),
-                holds: falls,
+                found: told,
+                holds: falls && !is_flat,
             }
         })
         .collect()

@@ -28,8 +28,8 @@ pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
 pub use record::{
-    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Parameters, Picture, Reached, Record,
-    Run, Sitting, Warning,
+    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Parameters, Picture, Reached,
+    Record, Run, Sitting, Warning,
 };
 pub use run::{Opener, Staged, Watcher};
 pub use samples::Samples;

@@ -188,7 +188,9 @@ pub struct Entrant {
 impl Entrant {
     /// Whether something holds for what made it.
     pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
-        self.makers.iter().any(|(_, maker)| holds(&maker.parameters))
+        self.makers
+            .iter()
+            .any(|(_, maker)| holds(&maker.parameters))
     }
 }
 
@@ -341,7 +343,11 @@ fn entrants(texts: &[String], axes: &[&Axis], of_point: &Parameters) -> Result<V
         let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(&[text])).collect();
         if product(&own).is_none_or(|count| count > MOST_CONTENDERS) {
             let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
-            return Err(Error::input(format!("`{text}`"), "it has too many values", mend));
+            return Err(Error::input(
+                format!("`{text}`"),
+                "it has too many values",
+                mend,
+            ));
         }
         for values in combinations(&own) {
             let parameters = joined(&values);

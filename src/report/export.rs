@@ -23,10 +23,11 @@ pub(super) fn csv(recorded: &Recorded) -> String {
     let names: BTreeSet<&String> = of_all().flat_map(|r| r.figures.keys()).collect();
     let parameters: BTreeSet<&String> = of_all()
         .flat_map(|r| {
-            r.record
-                .parameters
-                .keys()
-                .chain(r.record.makers[r.index].iter().flat_map(|m| m.parameters.keys()))
+            r.record.parameters.keys().chain(
+                r.record.makers[r.index]
+                    .iter()
+                    .flat_map(|m| m.parameters.keys()),
+            )
         })
         .collect();
     const FIRST: [&str; 11] = [
@@ -63,13 +64,11 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             m.scene.clone(),
             format!("{}x{}", m.resolution[0], m.resolution[1]),
         ];
-        let values = parameters
-            .iter()
-            .map(|p| {
-                let mut own = row.record.makers[row.index].iter();
-                let own = own.find_map(|m| m.parameters.get(*p).map(String::as_str));
-                own.or(row.parameter(p)).unwrap_or_default().to_owned()
-            });
+        let values = parameters.iter().map(|p| {
+            let mut own = row.record.makers[row.index].iter();
+            let own = own.find_map(|m| m.parameters.get(*p).map(String::as_str));
+            own.or(row.parameter(p)).unwrap_or_default().to_owned()
+        });
         let figures = names
             .iter()
             .map(|n| row.figures.get(*n).map_or_else(String::new, f64::to_string));

@@ -239,10 +239,12 @@ impl FromStr for Strategy {
             _ => {}
         }
         let Some((surface, inside)) = text.split_once('+') else {
+            let usual = "write for example raycast+mask or grid:256+vds:1024; planar and stencil stand alone";
+            let near = did_you_mean(text.trim(), ["planar", "stencil"]);
+            let near = near.split_once("? Known").map(|(near, _)| near);
             return Err(wrong(
                 "a strategy is a cap surface and an inside test".to_owned(),
-                "write for example raycast+mask or grid:256+vds:1024; planar and stencil stand alone"
-                    .to_owned(),
+                near.map_or_else(|| usual.to_owned(), |near| format!("{near}? Or {usual}")),
             ));
         };
         let number =
@@ -349,7 +351,9 @@ mod tests {
             ("grid:0+vds", "grid:1"),
             ("adaptive:0+mask", "adaptive:0.01"),
             ("adaptiv+mask", "adaptive"),
-            ("mask", "raycast+mask"),
+            ("mask", "mend: write for example raycast+mask"),
+            ("planarr", "did you mean `planar`?"),
+            ("stensil", "did you mean `stencil`?"),
         ] {
             let message = name.parse::<Strategy>().expect_err(name).to_string();
             assert!(message.contains(mend), "{message}");

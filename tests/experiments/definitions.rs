@@ -253,7 +253,7 @@ fn what_makes_no_sense_is_refused_by_name() {
         (
             "falls_along = \"cells\"",
             "falls_along = \"amplitude\"",
-            "no axis that only strategies have",
+            "use one of: cells",
         ),
         (
             "y = \"crack_px\"",
@@ -279,4 +279,20 @@ fn what_makes_no_sense_is_refused_by_name() {
     );
     let message = read(&twice).unwrap_err().to_string();
     assert!(message.contains("the name is taken"), "{message}");
+    for (from, to) in [
+        ("analysis = ", "# "),
+        ("[\"grid:*\"]", "[\"gird:*\"]"),
+        ("= \"cells\" }\n", "= \"amplitude\" }\n"),
+    ] {
+        let text = good.replacen(from, to, 1);
+        let message = read(&text).unwrap_err().to_string();
+        assert!(!message.contains("``"), "{message}");
+        assert!(
+            message.matches("raycast+mask").count() < 2,
+            "each once: {message}"
+        );
+        assert!(!message.contains("did you mean `amplitude`"), "{message}");
+    }
+    let at_most_0 = good.replacen("decided_wrong_px = 0", "decided_wrong_px = { most = 0 }", 1);
+    read(&at_most_0).expect("it declares no failure");
 }

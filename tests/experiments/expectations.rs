@@ -165,7 +165,7 @@ fn an_expectation_holds_or_not_of_all_that_it_means() {
 }
 
 #[test]
-fn what_is_0_both_times_falls_and_what_was_refused_does_not() {
+fn what_was_refused_does_not_fall_and_what_is_0_throughout_has_nothing_to_fall() {
     let expect = "strategies = [\"grid:*\"]\ncrack_px = { falls_along = \"cells\" }";
     let mut found = FOUND;
     found[1].1 = Ok([9, 0]);
@@ -175,7 +175,41 @@ fn what_is_0_both_times_falls_and_what_was_refused_does_not() {
         .filter(|r| r.expected.what.contains("falls"))
         .map(|r| (r.strategy.as_str(), r.holds))
         .collect();
-    assert_eq!(steps, [("grid:16+mask", true), ("grid:16+vds:64", false)]);
+    assert_eq!(steps, [("grid:16+mask", false), ("grid:16+vds:64", false)]);
+    let told = reached.iter().find(|r| r.strategy == "grid:16+mask");
+    assert!(
+        told.unwrap().found.contains("nothing to fall"),
+        "{reached:?}"
+    );
+}
+
+#[test]
+fn what_has_fallen_to_0_may_stay_there() {
+    let text = "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\n\
+         strategies = [\"grid:{cells}+mask\"]\nsweep = { cells = [8, 16, 32] }\n[[run.expect]]\n\
+         strategies = [\"*\"]\ncrack_px = { falls_along = \"cells\" }\n";
+    let run = scenes(&read(text).unwrap(), false);
+    for (cracks, expected) in [
+        ([4, 0, 0], [true, true]),
+        ([4, 0, 1], [true, false]),
+        ([0, 0, 0], [false, false]),
+        ([0, 4, 0], [false, true]),
+    ] {
+        let names = ["grid:8+mask", "grid:16+mask", "grid:32+mask"];
+        let found: Vec<Found<'_>> = names.into_iter().zip(cracks.map(|c| Ok([9, c]))).collect();
+        let measurement = measurement(&found);
+        let figures = vec![BTreeMap::new(); 3];
+        let found = Findings {
+            measurement: &measurement,
+            figures: &figures,
+        };
+        let reached = reached(&run, &run.points[0], &found);
+        let holds: Vec<bool> = (reached.iter())
+            .filter(|r| r.expected.what.contains("falls"))
+            .map(|r| r.holds)
+            .collect();
+        assert_eq!(holds, expected, "{cracks:?}");
+    }
 }
 
 #[test]

@@ -138,6 +138,17 @@ fn records_are_left_kept_and_measured_again() {
         [false, true],
         "only what nobody asks for, and no file of others"
     );
+    let of_run = folder.path("out/run.json");
+    let whole = fs::read(&of_run).unwrap();
+    fs::write(&of_run, "{").unwrap();
+    let ran = measure("").exits(2);
+    assert!(
+        ran.stderr
+            .contains("mend: remove the file and measure again"),
+        "{}",
+        ran.stderr
+    );
+    fs::write(&of_run, whole).unwrap();
     let ran = measure("--quick").exits(2);
     assert!(
         ran.stderr.contains("--force"),
@@ -280,6 +291,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
     let folder = Scratch::new("refused");
     folder.write("01-cube.toml", CUBE);
     folder.write("02-lost.toml", &CUBE.replace("shape:cube", "nowhere.stl"));
+    folder.write("03-spong.toml", &CUBE.replace("shape:cube", "shape:spong"));
     folder.write("file", "");
     fs::create_dir_all(folder.path("other")).unwrap();
     fs::copy(
@@ -289,6 +301,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
     .unwrap();
     for (line, told) in [
         ("measure nowhere.toml", "nowhere.toml"),
+        ("measure 03-spong.toml --dry-run", "did you mean `sponge`"),
         ("measure 01-cube.toml --only cub", "did you mean `cube`"),
         ("measure 01-cube.toml --out file", "not a folder"),
         (
@@ -308,6 +321,145 @@ fn bad_input_is_refused_before_anything_is_measured() {
         assert!(ran.stderr.contains(told), "{line}: {}", ran.stderr);
         assert!(!folder.path("out").exists(), "{line}");
     }
+}
+
+#[test]
+fn what_is_said_of_a_scene_stands_in_its_record_and_is_said_once_with_its_place() {
+    let folder = Scratch::new("remarks");
+    let far = "\"--section=z=900\"";
+    let scene = format!("scene = [\"shape:cube\", {far}");
+    let text = CUBE
+        .replace("scene = [\"shape:cube\", \"--section=-z=50%\"", &scene)
+        .replace(
+            "resolution",
+            &format!("truth = [\"shape:cube\", {far}]\nresolution"),
+        );
+    folder.write("01-cube.toml", &text);
+    let ran = folder
+        .run("measure 01-cube.toml --quick --out out")
+        .exits(0);
+    let said = "warning: 01-cube, cube, amplitude = 5%: section";
+    assert_eq!(ran.stderr.matches(said).count(), 1, "{}", ran.stderr);
+    assert_eq!(
+        ran.stderr.matches("misses the model").count(),
+        1,
+        "{}",
+        ran.stderr
+    );
+    let record = json(&folder, "out/01-cube/cube.5_.json");
+    let warnings = record["warnings"].as_array().unwrap();
+    let opening = warnings.iter().find(|w| w["kind"] == "opening").unwrap();
+    assert!(
+        opening["text"]
+            .as_str()
+            .unwrap()
+            .contains("misses the model"),
+        "{opening}"
+    );
+    assert!(
+        opening["mend"].as_str().unwrap().contains("percentage"),
+        "{opening}"
+    );
+    folder.write("01-cube.toml", CUBE);
+    let ran = folder
+        .run("measure 01-cube.toml --quick --out out")
+        .exits(0);
+    assert!(
+        !ran.stderr.contains("warning"),
+        "the control: {}",
+        ran.stderr
+    );
+    assert!(
+        ran.stderr.contains("01-cube, cube: 1 of 1 points, "),
+        "{}",
+        ran.stderr
+    );
+    let ran = folder
+        .run("measure 01-cube.toml --quick --force --quiet --out out")
+        .exits(0);
+    assert_eq!(ran.stderr, "");
+    let quick = "[run.quick]\nrounds = 1\nsweep = { amplitude = [\"5%\"] }\n";
+    for (text, is_said) in [(CUBE.to_owned(), false), (CUBE.replace(quick, ""), true)] {
+        folder.write("01-cube.toml", &text);
+        let line = "measure 01-cube.toml --quick --rounds 1 --only cube:5_ --out quick";
+        let ran = folder.run(line).exits(0);
+        let said = ran.stderr.contains("01-cube: --quick changes nothing");
+        assert_eq!(said, is_said, "{}", ran.stderr);
+    }
+}
+
+#[test]
+fn a_point_is_asked_for_by_the_name_of_its_files() {
+    let folder = Scratch::new("only");
+    folder.write(
+        "01-cube.toml",
+        &CUBE.replace(
+            "rounds = 2",
+            "rounds = 2\ndrift = { frames = 2, px = 0.5 }\npictures = \"last\"",
+        ),
+    );
+    let ran = folder.run("measure 01-cube.toml --dry-run").exits(0);
+    assert!(ran.text().contains("--only=cube:2_ "), "{}", ran.text());
+    let measured = |only: &str| {
+        let ran = folder.run(&format!("measure 01-cube.toml --out out --only={only}"));
+        let [measured, kept] = counts(&ran.exits(0));
+        measured + kept
+    };
+    assert_eq!(measured("cube:5_"), 1);
+    let pictures = |stem: &str| {
+        let record = json(&folder, &format!("out/01-cube/{stem}.json"));
+        record["pictures"].as_array().unwrap().len()
+    };
+    assert!(!folder.path("out/01-cube/cube.2_.json").exists());
+    assert_eq!(measured("c*:*_"), 2);
+    assert_eq!(
+        [pictures("cube.2_"), pictures("cube.5_")],
+        [0, 3],
+        "of the last alone"
+    );
+    for (only, told) in [
+        ("cube:7_", "no point of the run"),
+        ("cubs:5_", "did you mean `cube`"),
+    ] {
+        let ran = folder
+            .run(&format!("measure 01-cube.toml --only={only}"))
+            .exits(2);
+        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_says_what_is_lost() {
+    use std::io::{BufRead, BufReader};
+    use std::process::{Command, Stdio};
+
+    let folder = Scratch::new("lost");
+    folder.write("01-cube.toml", CUBE);
+    let line = "measure 01-cube.toml --out out --rounds 10000 --only cube:2_ --verbose";
+    let mut child = (folder.command(line))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = BufReader::new(child.stderr.take().unwrap()).lines();
+    assert!(
+        told.any(|l| l.unwrap().ends_with("round 3 of 10000")),
+        "it got there"
+    );
+    let pid = child.id().to_string();
+    let killed = Command::new("kill").args(["-INT", &pid]).status();
+    assert!(killed.unwrap().success());
+    told.for_each(|l| drop(l.unwrap()));
+    let ran = Ran::of(line, child.wait_with_output().unwrap()).exits(130);
+    let lost =
+        (ran.text().lines()).find_map(|l| l.strip_prefix("lost: 01-cube, cube, amplitude = 2%: "));
+    let rounds = lost.and_then(|l| l.strip_suffix(" of 10000 rounds are lost"));
+    let rounds: u32 = rounds
+        .unwrap_or_else(|| panic!("{}", ran.text()))
+        .parse()
+        .unwrap();
+    assert!((2..10000).contains(&rounds), "{rounds}");
 }
 
 #[cfg(unix)]

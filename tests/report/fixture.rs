@@ -141,7 +141,9 @@ pub(crate) fn records() -> Vec<Record> {
                 refused("planar", "a <script>alert(1)</script> | relief"),
             ],
         );
-        record.makers[2][0].parameters.insert("cells".to_owned(), "64".to_owned());
+        record.makers[2][0]
+            .parameters
+            .insert("cells".to_owned(), "64".to_owned());
         record.makers[2][0].family = "grid:{cells}+vds:1024".to_owned();
         record.figures[0].insert("flicker_px".to_owned(), 7.0);
         record

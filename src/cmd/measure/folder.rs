@@ -35,15 +35,12 @@ impl Folder {
         if !path.exists() {
             return Ok(None);
         }
-        let refuse = |what: String| {
-            let mend = "choose another folder with --out, or measure all again with --force";
-            Err(Error::file(&path, what, mend))
-        };
         let Some(run) = read::<Run>(&path) else {
             return if force {
                 Ok(None)
             } else {
-                refuse("it is not that of a run".to_owned())
+                let mend = "remove the file and measure again: points that are whole are kept";
+                Err(Error::file(&path, "it is no whole record of a run", mend))
             };
         };
         let word = |is_quick| if is_quick { "quick" } else { "in full" };
@@ -54,7 +51,8 @@ impl Folder {
         if force {
             return Ok(None);
         }
-        refuse(format!(
+        let mend = "choose another folder with --out, or measure all again with --force";
+        let what = format!(
             "the folder holds a run on {} ({}), {}; this one is on {} ({}), {}",
             run.adapter.name,
             run.adapter.driver,
@@ -62,7 +60,8 @@ impl Folder {
             adapter.name,
             adapter.driver,
             word(is_quick)
-        ))
+        );
+        Err(Error::file(&path, what, mend))
     }
 
     /// Writes what is said of the run.

@@ -177,6 +177,11 @@ impl Work<'_> {
         self.folder.write_run(&self.run)?;
         let stems = jobs::stems(definition, self.args.quick);
         self.folder.write_definition(definition, &stems)?;
+        if self.args.quick && !definition.has_quick() {
+            let name = &definition.name;
+            let text = format!("{name}: --quick changes nothing: no run has a [run.quick]");
+            self.console.note(text);
+        }
         let others = self.folder.others(&definition.name, &stems);
         if others.is_empty() {
             return Ok(());

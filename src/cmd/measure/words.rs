@@ -10,6 +10,7 @@ use crate::cmd::open::open;
 use crate::cmd::when::TimeArgs;
 use crate::experiment::{Opener, Shown, Staged};
 use crate::scene::frames::Pattern;
+use crate::scene::shapes;
 use crate::{Error, Result};
 
 /// Everything that says what is drawn, and nothing that says what is measured of it.
@@ -28,18 +29,22 @@ fn parsed(words: &[String]) -> Result<PointWords> {
     let all = std::iter::once("cutaway").chain(words.iter().map(String::as_str));
     PointWords::try_parse_from(all).map_err(|e| {
         let told = e.to_string();
-        let what = told.trim_start_matches("error: ").split("\n\n").next();
-        Error::input(
-            format!("`{}`", words.join(" ")),
-            what.unwrap_or_default(),
+        let told = told.trim_start_matches("error: ").split("\n\n").next();
+        let told = told.unwrap_or_default();
+        // Values bring their own mend.
+        let (what, mend) = told.split_once("\n  mend: ").unwrap_or((
+            told,
             "write words as after `cutaway compare`, options as `--name=value`; `--strategies` and `--rounds` are keys here",
-        )
+        ));
+        Error::input(format!("`{}`", words.join(" ")), what, mend)
     })
 }
 
 /// Checks words without opening what they name.
 pub(super) fn check(words: &[String]) -> Result<()> {
     let inputs = parsed(words)?.scene.inputs;
+    let mut shapes = inputs.iter().filter(|i| i.starts_with("shape:"));
+    shapes.try_for_each(|s| shapes::check(s))?;
     let is_missing = |i: &&String| {
         let is_file = !i.starts_with("shape:") && !Pattern::is_in(i);
         is_file && !Path::new(i).exists()
@@ -92,12 +97,16 @@ mod tests {
         for (text, told) in [
             ("shape:crank --sektion=z=50%", "--sektion"),
             ("shape:crank --resolution=64", "64"),
+            ("shape:spong", "did you mean `sponge`"),
+            ("shape:sponge?levl=1", "did you mean `level`"),
+            ("shape:sponge?level=1 --section=z=50% shape:spher", "sphere"),
             ("shape:crank --strategies=all", "keys here"),
             ("shape:crank --help", "--help"),
             ("nowhere.stl", "nowhere.stl"),
         ] {
             let message = check(text).unwrap_err();
             assert!(message.contains(told), "{message}");
+            assert_eq!(message.matches("mend:").count(), 1, "{message}");
         }
     }
 }

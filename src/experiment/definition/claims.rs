@@ -3,6 +3,8 @@
 //! An expectation is about error, never about time: a time that holds on one machine says nothing on another, and times live in
 //! reports. What declares a failure or a bound says why.
 
+use std::collections::BTreeSet;
+
 use super::scenes::{SceneRun, some_texts};
 use crate::Result;
 use crate::error::did_you_mean;
@@ -106,7 +108,9 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for name in &names {
         if let Some(entry) = table.get(name) {
             let wanted = wanted(&entry, run)?;
-            is_declared |= entry.is_table() && matches!(wanted, Wanted::Within(_));
+            // At most 0 is no bound on a failure: it is 0.
+            is_declared |= entry.is_table()
+                && matches!(&wanted, Wanted::Within(b) if b.most.is_none_or(|most| most > 0.0));
             claim.figures.push((name.clone(), wanted));
         }
     }
@@ -187,8 +191,19 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     let axis = along.text()?;
     let points = run.points.first();
     let mut of_strategies = points.iter().flat_map(|p| &p.entrants);
-    if !of_strategies.any(|e| e.is_made_by(|p| p.contains_key(axis))) || run.axes.get(axis).is_none() {
-        let mend = did_you_mean(axis, run.axes.names());
+    if !of_strategies.any(|e| e.is_made_by(|p| p.contains_key(axis)))
+        || run.axes.get(axis).is_none()
+    {
+        let of_strategies = |name: &&str| {
+            let mut entrants = run.points.iter().flat_map(|p| &p.entrants);
+            entrants.any(|e| e.is_made_by(|p| p.contains_key(*name)))
+        };
+        let known: Vec<&str> = run.axes.names().filter(of_strategies).collect();
+        let mend = if known.is_empty() {
+            "vary something that is in `strategies` alone, as in \"grid:{cells}+mask\"".to_owned()
+        } else {
+            did_you_mean(axis, known)
+        };
         let what = format!("`{axis}` is no axis that only strategies have");
         return Err(along.fault(what, mend));
     }
@@ -213,7 +228,7 @@ fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
 /// An expectation that no contender could ever miss is a slip.
 fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
     let strategies = table.need("strategies", "[\"*\"]")?;
-    let names: Vec<String> = (run.points.iter().flat_map(|p| &p.entrants))
+    let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.entrants))
         .map(|e| e.contender.to_string())
         .collect();
     for glob in &claim.strategies {
@@ -232,7 +247,8 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     });
     for axis in along {
         if !run.points.iter().any(|p| has_a_step(p, claim, axis)) {
-            let what = format!("nobody has two values of `{axis}` between which anything could fall");
+            let what =
+                format!("nobody has two values of `{axis}` between which anything could fall");
             let mend = "give the axis two values, or expect `{ most = .. }`";
             return Err(table.entry.fault(what, mend));
         }

@@ -126,6 +126,14 @@ impl Definition {
     }
 }
 
+impl Definition {
+    /// Whether any run says what `--quick` takes instead.
+    pub fn has_quick(&self) -> bool {
+        let runs = self.json["run"].as_array();
+        runs.is_some_and(|runs| runs.iter().any(|r| r.get("quick").is_some()))
+    }
+}
+
 /// A name that can be a file's, on any system.
 fn is_name(name: &str) -> bool {
     let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';

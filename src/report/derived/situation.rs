@@ -65,7 +65,9 @@ impl Situation {
             let of_clock = clocks.iter().filter_map(|c| c.samples.get(round));
             of_clock.sum()
         };
-        Some(Samples::of((0..time.frame.samples.len()).map(of_round).collect()))
+        Some(Samples::of(
+            (0..time.frame.samples.len()).map(of_round).collect(),
+        ))
     }
 
     /// Its time in the middle.

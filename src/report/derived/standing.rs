@@ -108,13 +108,10 @@ impl Standing {
 pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
-        for (found, swept) in record
-            .measurement
-            .strategies
-            .iter()
-            .zip(&record.makers)
-        {
-            if swept.iter().any(|m| m.parameters.is_empty()) && !names.contains(&found.name.as_str()) {
+        for (found, swept) in record.measurement.strategies.iter().zip(&record.makers) {
+            if swept.iter().any(|m| m.parameters.is_empty())
+                && !names.contains(&found.name.as_str())
+            {
                 names.push(&found.name);
             }
         }

@@ -128,7 +128,10 @@ impl Experiment {
 fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     let strategies = record.measurement.strategies.len();
     for (what, count) in [
-        ("makers", record.makers.iter().filter(|m| !m.is_empty()).count()),
+        (
+            "makers",
+            record.makers.iter().filter(|m| !m.is_empty()).count(),
+        ),
         ("figures", record.figures.len()),
     ] {
         if count != strategies {

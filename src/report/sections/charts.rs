@@ -56,7 +56,10 @@ struct Placed<'a> {
 }
 
 fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
-    let rows: Vec<Row<'_>> = points.iter().flat_map(|p| rows_by_maker(p.record)).collect();
+    let rows: Vec<Row<'_>> = points
+        .iter()
+        .flat_map(|p| rows_by_maker(p.record))
+        .collect();
     let categories = categories(asked, &rows);
     let mut placed: Vec<Placed<'_>> = Vec::new();
     for row in rows {

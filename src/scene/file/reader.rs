@@ -45,7 +45,11 @@ pub(crate) struct Table<'a> {
 
 impl<'a> Entry<'a> {
     pub(crate) fn fault(&self, what: impl Display, mend: impl Into<String>) -> Error {
-        let what = format!("`{}`: {what}", self.key);
+        // The file as a whole has no key.
+        let what = match self.key.as_str() {
+            "" => what.to_string(),
+            key => format!("`{key}`: {what}"),
+        };
         Error::file_line(self.source.path, self.source.line(self.at), what, mend)
     }
 

@@ -47,10 +47,21 @@ pub const SHAPES: &[ShapeInfo] = &[
 
 /// The parts of a built-in shape: `NAME` or `NAME?param=value&param=value`, with or without a leading `shape:`.
 pub fn shape(spec: &str) -> Result<Vec<Part>> {
+    let (info, query) = found(spec)?;
+    info.build(query)
+}
+
+/// Checks the spec of a [`shape`], its parameters and its size without building it. What only shows on building is not found.
+pub fn check(spec: &str) -> Result<()> {
+    let (info, query) = found(spec)?;
+    info.checked(query).map(|_| ())
+}
+
+fn found(spec: &str) -> Result<(&'static ShapeInfo, &str)> {
     let spec = spec.strip_prefix("shape:").unwrap_or(spec);
     let (name, query) = spec.split_once('?').unwrap_or((spec, ""));
     match SHAPES.iter().find(|s| s.name == name) {
-        Some(info) => info.build(query),
+        Some(info) => Ok((info, query)),
         None => Err(Error::input(
             format!("shape:{name}"),
             "there is no such built-in shape",

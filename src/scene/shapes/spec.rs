@@ -108,6 +108,11 @@ pub struct ShapeInfo {
 impl ShapeInfo {
     /// Reads `param=value&param=value` and builds the parts.
     pub(super) fn build(&self, query: &str) -> Result<Vec<Part>> {
+        (self.build)(&self.checked(query)?)
+    }
+
+    /// The values of a query, if the shape is not too large to be built.
+    pub(super) fn checked(&self, query: &str) -> Result<Values> {
         let values = self.values(query)?;
         let triangles = (self.triangles)(&values);
         if triangles > MOST_TRIANGLES {
@@ -123,7 +128,7 @@ impl ShapeInfo {
                 ),
             ));
         }
-        (self.build)(&values)
+        Ok(values)
     }
 
     /// The values of a query, with defaults where it is silent.
