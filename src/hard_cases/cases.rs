@@ -17,6 +17,10 @@ pub(super) const UNTOLD: Expected = Fails("a sprite cannot tell that a mesh is o
 pub(super) const IN_FACE: Expected =
     Fails("chi of an interpolated point is rounding where the face lies in the plane");
 
+/// Why sections differ from parity where a mesh is open beside the plane.
+pub(super) const CLOSED: Expected =
+    Fails("its section closes and is capped, whatever slips through a hole elsewhere");
+
 /// All cases that are judged by their pictures.
 pub fn cases() -> impl Iterator<Item = &'static Case> {
     NUMBERED.iter().chain(OF_USERS)
@@ -205,7 +209,8 @@ const NUMBERED: &[Case] = &[
         Plane,
         Marked,
         Refuses("nonzero"),
-    ),
+    )
+    .but(&[("planar*", CLOSED)]),
     case(
         "20",
         "one triangle missing",
@@ -213,7 +218,8 @@ const NUMBERED: &[Case] = &[
         Plane,
         Marked,
         Fails("a sprite cannot tell that it is open"),
-    ),
+    )
+    .but(&[("planar*", CLOSED)]),
     case(
         "21",
         "edges split on one side",
