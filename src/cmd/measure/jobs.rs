@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use super::{MeasureArgs, words};
+use super::{MeasureArgs, cases, words};
 use crate::cmd::judge::quoted;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
 use crate::experiment::run::file_stem;
@@ -193,11 +193,15 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
         ));
     }
     for job in &jobs {
-        if let Task::Point(_, point, _) = job.task {
-            let mut all = std::iter::once(&point.scene).chain(&point.truth);
-            all.try_for_each(|w| words::check(w))
-                .map_err(|e| job.place_error(e))?;
-        }
+        let checked = match job.task {
+            Task::Point(_, point, _) => {
+                let mut all = std::iter::once(&point.scene).chain(&point.truth);
+                all.try_for_each(|w| words::check(w))
+            }
+            Task::Cases(asked) => cases::check(&asked.cases, asked.contenders.as_deref()),
+            Task::Search(asked) => cases::check(&[], asked.contenders.as_deref()),
+        };
+        checked.map_err(|e| job.place_error(e))?;
     }
     Ok(jobs)
 }
