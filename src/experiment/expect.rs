@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::definition::{Claim, SceneRun, Wanted};
 use super::figures::figure;
-use super::sweep::Point;
+use super::sweep::{Axis, Point};
 use super::{Bound, Ending, Expectation, Measurement, Reached, Record, StrategyMeasurement};
 
 /// Holds a record that is kept against what its run expects by now. Whether anything came out otherwise than when it was written.
@@ -145,50 +145,55 @@ fn falls(
     let Some(axis) = run.axes.get(axis) else {
         return Vec::new();
     };
-    // What made a contender, but for the axis: two that are alike are neighbours on it.
-    let makers = |i: usize, value: &str| -> Vec<(usize, Vec<(&String, &String)>)> {
-        let is_other =
-            |(key, _): &(&String, &String)| !axis.values.iter().any(|v| v.with.contains_key(*key));
-        (point.entrants[i].makers.iter())
-            .filter(|(_, m)| m.parameters.get(&axis.name).is_some_and(|v| v == value))
-            .map(|(template, m)| (*template, m.parameters.iter().filter(is_other).collect()))
-            .collect()
-    };
-    let steps = axis.values.windows(2).flat_map(|pair| {
-        let makers = &makers;
-        meant.iter().flat_map(move |from| {
-            let froms = makers(*from, &pair[0].is);
-            meant.iter().filter_map(move |to| {
-                let tos = makers(*to, &pair[1].is);
-                (froms.iter().any(|f| tos.contains(f))).then_some((*from, *to, pair))
-            })
-        })
-    });
-    steps
-        .map(|(from, to, pair)| {
-            let [before, after] = [from, to].map(|i| number(found, i, name));
+    let mut all = Vec::new();
+    for chain in chains(point, axis, meant).values() {
+        let at = |(_, i): &(usize, usize)| number(found, *i, name);
+        let is_flat = chain.iter().all(|c| at(c).is_some_and(|n| n <= 0.0));
+        for pair in chain.windows(2) {
+            let [before, after] = [at(&pair[0]), at(&pair[1])];
             let falls = before
                 .zip(after)
                 .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
-            let mut chain = meant.iter().filter(|i| alike(from, **i));
-            let is_flat = chain.all(|i| number(found, *i, name).is_some_and(|n| n <= 0.0));
-            let mut told = format!("{}, then {}", told(name, before), told(name, after));
-            if is_flat {
-                told = format!(
-                    "{name} 0 at every value of {}: there is nothing to fall",
-                    axis.name
-                );
-            }
-            let what = format!(
-                "{name} falls along {} from {} to {}",
-                axis.name, pair[0].is, pair[1].is
-            );
-            Reached {
-                strategy: found.measurement.strategies[to].name.clone(),
+            let told = if is_flat {
+                let axis = &axis.name;
+                format!("{name} 0 at every value of {axis}: there is nothing to fall")
+            } else {
+                format!("{}, then {}", told(name, before), told(name, after))
+            };
+            let [from, to] = [pair[0].0, pair[1].0].map(|v| &axis.values[v].is);
+            let what = format!("{name} falls along {} from {from} to {to}", axis.name);
+            all.push(Reached {
+                strategy: found.measurement.strategies[pair[1].1].name.clone(),
                 expected: expectation(claim, what),
                 found: told,
                 holds: falls && !is_flat,
-            }
-        })
-        .collect()
+            });
+        }
+    }
+    all
+}
+
+/// A text of the strategies, and the values that took the places of its placeholders but for one axis.
+type Chain = (usize, Vec<(String, String)>);
+
+/// The contenders that differ by an axis alone, each with the number of its value, in the order of the values.
+fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(usize, usize)>> {
+    let mut chains: BTreeMap<Chain, Vec<(usize, usize)>> = BTreeMap::new();
+    for index in meant {
+        for (template, maker) in &point.entrants[*index].makers {
+            let own = maker.parameters.get(&axis.name);
+            let Some(value) = axis.values.iter().position(|v| Some(&v.is) == own) else {
+                continue;
+            };
+            let is_other = |(key, _): &(&String, &String)| {
+                !axis.values.iter().any(|v| v.with.contains_key(*key))
+            };
+            let others = maker.parameters.iter().filter(is_other);
+            let others = others.map(|(key, value)| (key.clone(), value.clone()));
+            let chain = chains.entry((*template, others.collect())).or_default();
+            chain.push((value, *index));
+        }
+    }
+    chains.values_mut().for_each(|c| c.sort_unstable());
+    chains
 }

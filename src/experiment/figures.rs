@@ -90,9 +90,9 @@ pub fn figures(
         "bytes",
         Some((bytes.solid + bytes.cut + bytes.frame) as f64),
     );
-    // The frame is always paid; of the other clocks, those that ever run.
-    let all = |frame| frame + times.cut.median + times.solid.median;
-    add("time_ms", median(&times.frame).map(all));
+    let all = Samples::sum(&[&times.solid, &times.cut, &times.frame]);
+    add("time_ms", median(&all));
+    add("time_ms.mad", mad(&all));
     figures.extend(more.iter().map(|(name, value)| (name.clone(), *value)));
     figures
 }

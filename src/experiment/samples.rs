@@ -40,6 +40,13 @@ impl Samples {
         ]
     }
 
+    /// What several took together, round by round; one that has no samples never ran.
+    pub fn sum(all: &[&Self]) -> Self {
+        let rounds = all.iter().map(|s| s.samples.len()).max().unwrap_or(0);
+        let of_round = |round| all.iter().filter_map(|s| s.samples.get(round)).sum();
+        Self::of((0..rounds).map(of_round).collect())
+    }
+
     /// The quotients of samples taken in the same rounds: what disturbed a round disturbed both, and cancels.
     pub fn over(&self, denominator: &Self) -> Self {
         let pairs = self.samples.iter().zip(&denominator.samples);
@@ -76,6 +83,15 @@ mod tests {
             assert_eq!([found.median, found.mad], [median, mad]);
         }
         assert_eq!(Samples::of(vec![3.0, 1.0, 2.0]).range(), [1.0, 3.0]);
+    }
+
+    #[test]
+    fn sums_are_of_rounds() {
+        let of = |samples: &[f64]| Samples::of(samples.to_vec());
+        let (slow_first, slow_last, none) = (of(&[9.0, 1.0, 1.0]), of(&[1.0, 1.0, 9.0]), of(&[]));
+        let sum = Samples::sum(&[&slow_first, &slow_last, &none]);
+        assert_eq!(sum.samples, [10.0, 2.0, 10.0]);
+        assert_eq!(sum.median, 10.0, "the sum of the medians is 2");
     }
 
     #[test]

@@ -21,7 +21,7 @@ const ROUNDS_OF_A_TREND: usize = 6;
 const ROUNDS_OF_A_SPREAD: usize = 5;
 
 /// Exact leaves many pixels undecided at this share of those that show something.
-const UNDECIDED: f64 = 0.02;
+const UNDECIDED: f64 = 1e-3;
 
 /// The machine is busy if this share of its processors had work before.
 const BUSY: f64 = 0.5;

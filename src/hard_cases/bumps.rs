@@ -206,21 +206,26 @@ pub fn odd_sizes(_: u32) -> Vec<Scene> {
         .to_vec()
 }
 
-/// A cut that leaves the top of a slab at an angle of a tenth, or a hundredth, of a degree, with a relief as low.
+/// Case 32: a cut that leaves the top of a slab at an angle of a tenth, or a hundredth, of a degree, with a relief as low; in the last
+/// one the relief is finer than a grid of 256, so that the grid is off by all its height.
 pub fn tangent(_: u32) -> Vec<Scene> {
-    [0.1_f64, 0.01]
-        .map(|angle_deg| {
+    [(0.1_f64, 32), (0.01, 32), (0.1, 500)]
+        .map(|(angle_deg, texels)| {
             let slope = angle_deg.to_radians().tan();
             let normal = DVec3::new(slope, -1.0, 0.5 * slope);
             let low = scenes::mapped(
                 DVec3::new(0.0, 0.25, 0.0),
                 normal,
-                noise([32, 32], 23),
+                noise([texels; 2], 23),
                 (0.9, slope),
                 Wrap::Repeat,
             );
             let slab = meshes::block(DVec3::new(-0.5, -0.25, -0.5), DVec3::new(0.5, 0.25, 0.5));
-            scenes::scene(&format!("{angle_deg} degrees"), slab, vec![low])
+            scenes::scene(
+                &format!("{angle_deg} degrees, {texels} texels"),
+                slab,
+                vec![low],
+            )
         })
         .to_vec()
 }

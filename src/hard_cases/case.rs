@@ -6,7 +6,7 @@
 use super::expected::Expected::{
     self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, Share,
 };
-use super::{Entrant, Judged};
+use super::{Entrant, Judged, failures};
 use crate::scene::{Scene, glob_matches};
 use crate::strategies::{CapSurface, InsideTest};
 
@@ -70,8 +70,16 @@ impl Keeps {
 }
 
 impl Case {
-    /// What a strategy is expected to make of it.
+    /// What a strategy is expected to make of it. Bounds are of the built-in entrants: another resolution may miss them.
     pub fn expected(&self, entrant: &Entrant) -> Expected {
+        let expected = self.declared(entrant);
+        match (expected, failures::bounds(self.name, entrant)) {
+            (Fails(why), Some([least, most])) => Expected::FailsWithin(why, least, most),
+            _ => expected,
+        }
+    }
+
+    fn declared(&self, entrant: &Entrant) -> Expected {
         let name = entrant.to_string();
         let apart = self
             .apart

@@ -19,6 +19,9 @@ pub struct Entrant {
 /// Pictures of up to so many pixels along a side are asked of all.
 const SMALL_PX: u32 = 64;
 
+/// Pictures of so many pixels along a side are asked of the others.
+const LARGE_PX: u32 = 256;
+
 /// All that are asked, and whether about large pictures too.
 const NAMES: [(&str, bool); 15] = [
     ("raycast+mask", true),
@@ -46,6 +49,15 @@ impl Entrant {
             .filter(|(_, is_large)| size_px <= SMALL_PX || *is_large)
             .filter_map(|(name, _)| Self::named(name))
             .collect()
+    }
+
+    /// Sides of the pictures that the table usually asks it about.
+    pub fn usual_sizes_px(&self) -> &'static [u32] {
+        let is_small = Self::all(SMALL_PX).contains(self) && !Self::all(LARGE_PX).contains(self);
+        match is_small {
+            true => &[SMALL_PX],
+            false => &[SMALL_PX, LARGE_PX],
+        }
     }
 
     /// By name: a strategy, and `@compute` where the compute rasteriser is to draw. None for what is no name.

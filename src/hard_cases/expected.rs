@@ -30,6 +30,8 @@ pub enum Expected {
     Listed(f64),
     /// Known to be wrong, for this reason, in at least one of its pictures.
     Fails(&'static str),
+    /// As `Fails`, and over all pictures at least and at most so many decided wrong pixels per covered pixel.
+    FailsWithin(&'static str, f64, f64),
     /// Not drawn, for a reason that holds these words.
     Refuses(&'static str),
     /// Some pictures are refused, for a reason that holds these words, and the others are exact.
@@ -46,7 +48,7 @@ impl Expected {
             Self::Band => "a point is tested up to half a texel diagonally beside where it is",
             Self::Share(_) => "texels and the chord of its grid move what they draw",
             Self::Listed(_) => "the chord of its triangles moves what they draw",
-            Self::Fails(why) | Self::Within(_, why) => why,
+            Self::Fails(why) | Self::FailsWithin(why, ..) | Self::Within(_, why) => why,
             Self::Refuses(words) | Self::RefusesSome(words) => words,
         };
         Some(why.to_owned())
@@ -84,7 +86,9 @@ impl Expected {
                 list_fault(judged).or_else(|| share_fault(question, judged, *most))
             }
             // Counted over all pictures of the case.
-            Self::Fails(_) | Self::Refuses(_) | Self::RefusesSome(_) => None,
+            Self::Fails(_) | Self::FailsWithin(..) | Self::Refuses(_) | Self::RefusesSome(_) => {
+                None
+            }
         }
     }
 }
@@ -105,6 +109,9 @@ impl fmt::Display for Expected {
                 "no back face, no crack, at most {most} wrong per boundary pixel"
             ),
             Self::Fails(_) => f.write_str("fails"),
+            Self::FailsWithin(_, least, most) => {
+                write!(f, "fails, {least:.5} to {most:.5} wrong per covered pixel")
+            }
             Self::Refuses(_) => f.write_str("refuses"),
             Self::RefusesSome(_) => f.write_str("refuses some pictures, the others exact"),
         }
@@ -164,10 +171,15 @@ pub struct Tally {
     pub pictures: usize,
     /// Decided wrong pixels in all of them.
     pub wrong_px: usize,
+    /// Pixels that exact covers in those that were not refused.
+    pub covered_px: usize,
     /// How many were refused.
     pub refused: usize,
     /// How many overflowed.
     pub overflowed: usize,
+    /// Sides of the pictures that its strategy is usually asked about and was not: as long as there are some, nothing wrong may be luck,
+    /// and tells nothing of whether a bound is needed.
+    pub unasked_px: Vec<u32>,
     /// What was not as expected, picture by picture.
     pub faults: Vec<String>,
 }
@@ -177,7 +189,12 @@ impl Tally {
     pub fn add(&mut self, judged: &Judged, name: &str, fault: Option<String>) {
         self.pictures += 1;
         self.wrong_px += judged.comparison.decided_wrong_px;
-        self.refused += usize::from(matches!(judged.outcome, Outcome::Refused(_)));
+        let is_refused = matches!(judged.outcome, Outcome::Refused(_));
+        self.refused += usize::from(is_refused);
+        self.covered_px += match is_refused {
+            true => 0,
+            false => judged.exact.covered_px(),
+        };
         self.overflowed += usize::from(matches!(judged.outcome, Outcome::Overflowed(_)));
         self.faults.extend(fault.map(|f| format!("{name}: {f}")));
     }
@@ -186,16 +203,47 @@ impl Tally {
     pub fn join(&mut self, other: Self) {
         self.pictures += other.pictures;
         self.wrong_px += other.wrong_px;
+        self.covered_px += other.covered_px;
+        self.unasked_px.retain(|px| other.unasked_px.contains(px));
         self.refused += other.refused;
         self.overflowed += other.overflowed;
         self.faults.extend(other.faults);
     }
 
+    /// A failure that is worse, or better, than it is declared to be.
+    fn fault_of_failure(&self, least: f64, most: f64) -> Option<String> {
+        let (wrong, covered) = (self.wrong_px, self.covered_px);
+        let share = wrong as f64 / covered.max(1) as f64;
+        let than = match share {
+            s if s > most => "worse",
+            s if s < least && wrong > 0 => "better",
+            _ => return None,
+        };
+        Some(format!(
+            "fails {than} than declared: {wrong} wrong of {covered} covered pixels, {share:.5}"
+        ))
+    }
+
+    /// Whether exact strategies would have done better.
+    pub fn is_short_of_exact(&self) -> bool {
+        self.wrong_px > 0 || self.refused > 0 || self.overflowed > 0
+    }
+
     /// What was not as expected over all pictures: those of each, and what was declared and did not come.
     pub fn faults_of(&self, expected: &Expected) -> Vec<String> {
         let mut faults = self.faults.clone();
+        if let Expected::FailsWithin(_, least, most) = expected {
+            faults.extend(self.fault_of_failure(*least, *most));
+        }
         let stale = match expected {
-            Expected::Fails(_) if self.wrong_px == 0 => "is declared to fail and passes",
+            Expected::Fails(_) | Expected::FailsWithin(..) if self.wrong_px == 0 => {
+                "is declared to fail and passes"
+            }
+            Expected::Share(_) | Expected::Within(..) | Expected::Listed(_)
+                if self.unasked_px.is_empty() && self.wrong_px == 0 =>
+            {
+                "is declared to be wrong, and is not"
+            }
             Expected::Overflows(_) if self.overflowed == 0 => {
                 "is declared to overflow and does not"
             }

@@ -34,29 +34,40 @@ pub struct Reached {
     pub holds: bool,
 }
 
-/// Asks the cases whose ids fit one of the globs, at each size, of those of [`Entrant::all`] that are in `entrants`, where that is given;
-/// tells each case before it is asked.
+/// What is asked of a session.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// Globs over the numbers of cases.
+    pub ids: &'a [String],
+    /// Sides of the pictures.
+    pub sizes_px: &'a [u32],
+    /// Who is asked: exactly these, or those of [`Entrant::all`]. The bounds of the table are of the latter.
+    pub entrants: Option<&'a [Entrant]>,
+}
+
+/// Refuses globs that fit no case.
+pub fn check_ids(ids: &[String]) -> Result<()> {
+    let fits_none = |glob: &&String| !list().any(|l| glob_matches(glob, l.id));
+    match ids.iter().find(fits_none) {
+        None => Ok(()),
+        Some(glob) => Err(Error::input(
+            format!("hard case `{glob}`"),
+            "no case has such a number",
+            "write a number from 1 to 50, B1 to B14, U1 to U7, or a glob such as B*",
+        )),
+    }
+}
+
+/// Asks the cases whose ids fit one of the globs, at each size, and tells each before it is asked. Ends early, with nothing, as soon as
+/// `goes_on` says no; it is heard before each entrant.
 pub fn found(
     session: &mut Session,
-    ids: &[String],
-    sizes_px: &[u32],
-    entrants: Option<&[Entrant]>,
+    asked: &Asked<'_>,
     step: &mut dyn FnMut(String),
-) -> Result<Vec<CaseFound>> {
-    for glob in ids {
-        if !cases()
-            .map(|c| c.id)
-            .chain(list().map(|l| l.id))
-            .any(|id| glob_matches(glob, id))
-        {
-            return Err(Error::input(
-                format!("hard case `{glob}`"),
-                "no case has such a number",
-                "write a number from 1 to 50, B1 to B14, U1 to U7, or a glob such as B*",
-            ));
-        }
-    }
-    let is_asked = |id: &str| ids.iter().any(|glob| glob_matches(glob, id));
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<CaseFound>>> {
+    check_ids(asked.ids)?;
+    let is_asked = |id: &str| asked.ids.iter().any(|glob| glob_matches(glob, id));
     let mut all = Vec::new();
     for listed in list().filter(|l| is_asked(l.id)) {
         let mut of_it = cases().filter(|c| c.id == listed.id).peekable();
@@ -69,15 +80,18 @@ pub fn found(
             });
         }
         for case in of_it {
+            let Some(reached) = reached(session, case, asked, step, goes_on)? else {
+                return Ok(None);
+            };
             all.push(CaseFound {
                 id: case.id.to_owned(),
                 name: case.name.to_owned(),
                 held_by: listed.held_by(),
-                reached: reached(session, case, sizes_px, entrants, step)?,
+                reached,
             });
         }
     }
-    Ok(all)
+    Ok(Some(all))
 }
 
 /// The pictures of a case, each with the name of its scene.
@@ -94,7 +108,13 @@ pub fn tallied(
     entrant: &Entrant,
     pictures: &[(String, Question)],
 ) -> Result<Tally> {
-    let mut tally = Tally::default();
+    let is_unasked = |px: &u32| pictures.iter().all(|(_, q)| q.view.size_px[0] != *px);
+    let mut tally = Tally {
+        unasked_px: (entrant.usual_sizes_px().iter().copied())
+            .filter(is_unasked)
+            .collect(),
+        ..Tally::default()
+    };
     for (name, question) in pictures {
         let judged = question.answer(session, entrant)?;
         let fault = case.fault(question, &judged, entrant);
@@ -114,16 +134,23 @@ pub fn caps_px(pictures: &[(String, Question)]) -> usize {
 fn reached(
     session: &mut Session,
     case: &Case,
-    sizes_px: &[u32],
-    entrants: Option<&[Entrant]>,
+    asked: &Asked<'_>,
     step: &mut dyn FnMut(String),
-) -> Result<Vec<Reached>> {
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<Reached>>> {
     let mut tallies: Vec<(Entrant, Tally)> = Vec::new();
-    for size_px in sizes_px {
+    for size_px in asked.sizes_px {
         step(format!("case {} at {size_px} px", case.id));
         let pictures = pictures(case, *size_px);
-        let asked = Entrant::all(*size_px).into_iter();
-        for entrant in asked.filter(|e| entrants.is_none_or(|all| all.contains(e))) {
+        let entrants = match asked.entrants {
+            Some(named) => named.to_vec(),
+            None => Entrant::all(*size_px),
+        };
+        for entrant in entrants {
+            if !goes_on() {
+                session.forget();
+                return Ok(None);
+            }
             let tally = tallied(session, case, &entrant, &pictures)?;
             match tallies.iter_mut().find(|(e, _)| *e == entrant) {
                 Some((_, so_far)) => so_far.join(tally),
@@ -138,10 +165,10 @@ fn reached(
         Reached {
             strategy: entrant.to_string(),
             expected: expected.to_string(),
-            why: expected.why(),
+            why: expected.why().filter(|_| tally.is_short_of_exact()),
             found: tally.told(&expected),
             holds: tally.faults_of(&expected).is_empty(),
         }
     };
-    Ok(tallies.into_iter().map(told).collect())
+    Ok(Some(tallies.into_iter().map(told).collect()))
 }

@@ -1,10 +1,8 @@
 //! Every number that a hard case forgives by, with its reason. Raising one asks for a look at its negative control.
 
-/// Decided wrong pixels of `grid:256+vds:512` per boundary pixel on a mild relief: as on the corpus.
-pub const PAPER_MILD: f64 = 1.0 / 8.0;
-
-/// The same where every texel is a step or a ridge: the grid has no vertex there, and its chord cuts the corner.
-pub const PAPER_ROUGH: f64 = 1.0 / 2.0;
+/// What was found of an error that theory gives no number for may be so many times as much, and that of a failure so many times less:
+/// another adapter rounds otherwise at single pixels. Twice as much is another error.
+pub const FACTOR: f64 = 2.0;
 
 /// How far a point of a frame may be beside where it is, in scene units: rounding of depth and of the sprite's rows in f32,
 /// some ulp of 1 each.
@@ -20,5 +18,5 @@ pub const CAP_DEPTH_PX: f64 = 0.01;
 /// about 1 in 256.
 pub const RIM_SHARE: f64 = 1.0 / 64.0;
 
-/// Decided wrong pixels per boundary pixel where a face lies in the plane, or where faces are wound against each other: single pixels.
+/// Decided wrong pixels per boundary pixel where a face lies in the plane: single pixels.
 pub const TIE_SHARE: f64 = 1.0 / 256.0;

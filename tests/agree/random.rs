@@ -22,8 +22,10 @@ fn asked(usual: u64) -> u64 {
 }
 
 fn searched(scenes: u64, entrants: &[Entrant]) -> Searched {
-    let searched = search(&mut session(), scenes, SEED, entrants, &mut |_| ());
-    searched.expect("frames")
+    let searched = search(&mut session(), scenes, SEED, entrants, &mut |_| (), &|| {
+        true
+    });
+    searched.expect("frames").expect("nobody ends it")
 }
 
 #[track_caller]

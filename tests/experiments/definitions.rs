@@ -84,8 +84,8 @@ fn a_file_is_read_and_expanded() {
             "grid:32+mask"
         ]
     );
-    assert_eq!(first.entrants[2].parameters["cells"], "16");
-    let families = [0, 2, 4].map(|e: usize| first.entrants[e].family.as_str());
+    assert_eq!(first.entrants[2].makers[0].1.parameters["cells"], "16");
+    let families = [0, 2, 4].map(|e: usize| first.entrants[e].makers[0].1.family.as_str());
     assert_eq!(
         families,
         ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]

@@ -292,6 +292,8 @@ fn bad_input_is_refused_before_anything_is_measured() {
     folder.write("01-cube.toml", CUBE);
     folder.write("02-lost.toml", &CUBE.replace("shape:cube", "nowhere.stl"));
     folder.write("03-spong.toml", &CUBE.replace("shape:cube", "shape:spong"));
+    let lost = "question = \"?\"\n\n[[run]]\nname = \"lost\"\ncases = [\"1\", \"99\"]\n";
+    folder.write("04-cases.toml", lost);
     folder.write("file", "");
     fs::create_dir_all(folder.path("other")).unwrap();
     fs::copy(
@@ -307,6 +309,10 @@ fn bad_input_is_refused_before_anything_is_measured() {
         (
             "measure 01-cube.toml 02-lost.toml --out out",
             "02-lost.toml: run `cube`: nowhere.stl",
+        ),
+        (
+            "measure 01-cube.toml 04-cases.toml --out out",
+            "04-cases.toml: run `lost`: hard case `99`",
         ),
         (
             "measure 01-cube.toml other/01-cube.toml --out out",

@@ -96,21 +96,50 @@ fn every_number_is_listed_once_and_has_a_keeper() {
             case.id
         );
     }
-    // A case that a test is named after is on the line of that case.
-    for test in tests() {
-        let Some(number) = test
-            .split(" case_")
-            .nth(1)
-            .map(|rest| rest.split('_').next())
-        else {
-            continue;
+}
+
+/// The cases that a test is named after: `case_b02_...` after B2, `case_04_and_05_...` after 4 and 5.
+fn cases_of(test: &str) -> Vec<String> {
+    let Some((_, name)) = test.split_once(" case_") else {
+        return Vec::new();
+    };
+    let id = |word: &str| {
+        let (letter, number) = match word.strip_prefix('b') {
+            Some(number) => ("B", number),
+            None => ("", word),
         };
-        let number = number.unwrap_or_default();
-        let id = match number.strip_prefix('b') {
-            Some(number) => format!("B{}", number.trim_start_matches('0')),
-            None => number.trim_start_matches('0').to_owned(),
-        };
-        let line = list().find(|l| l.id == id);
-        assert!(line.is_some(), "{test} is of no case on the list");
-    }
+        let number: u32 = number.parse().ok()?;
+        Some(format!("{letter}{number}"))
+    };
+    let words = name.split('_').filter(|word| *word != "and");
+    words.map_while(id).collect()
+}
+
+/// Tests that are named after a case whose line does not name them.
+fn unnamed<'a>(
+    tests: impl IntoIterator<Item = &'a String>,
+    names: impl Fn(&str) -> Vec<&'static str>,
+) -> Vec<&'a str> {
+    let is_unnamed = |test: &&str| cases_of(test).iter().any(|id| !names(id).contains(test));
+    tests
+        .into_iter()
+        .map(String::as_str)
+        .filter(is_unnamed)
+        .collect()
+}
+
+#[test]
+fn a_test_that_is_named_after_a_case_is_on_its_line() {
+    let there = tests();
+    let of_line = |id: &str| {
+        let lines = list().filter(|l| l.id == id);
+        lines.flat_map(|l| l.tests.iter().copied()).collect()
+    };
+    assert_eq!(unnamed(&there, of_line), [""; 0]);
+    let is_after_a_case = there.iter().filter(|t| !cases_of(t).is_empty()).count();
+    assert!(is_after_a_case > 30, "only {is_after_a_case} tests are");
+    let lacks_one = |id: &str| of_line(id).into_iter().skip(1).collect();
+    assert!(unnamed(&there, lacks_one).len() > 20, "planted");
+    let of_no_case = ["hard_cases case_99_of_nothing".to_owned()];
+    assert_eq!(unnamed(&of_no_case, of_line).len(), 1, "planted");
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use cutaway::Comparison;
 use cutaway::experiment::{
-    CaseRecord, CaseRecords, Ending, Expectation, Machine, Measurement, PassTime, PerClock,
+    CaseRecord, CaseRecords, Ending, Expectation, Machine, Maker, Measurement, PassTime, PerClock,
     Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement, Timing, Warning,
 };
 use cutaway::gpu::AdapterReport;

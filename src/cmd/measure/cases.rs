@@ -3,23 +3,37 @@
 use crate::experiment::definition::{AskedCases, AskedSearch};
 use crate::experiment::{CaseRecord, Contender, Expectation, Reached};
 use crate::hard_cases::random::search as search_for;
-use crate::hard_cases::{Entrant, found};
+use crate::hard_cases::{self, Entrant, check_ids, found};
 use crate::session::Session;
 use crate::{Error, Result};
 
 /// Sides of the pictures where the experiment names none.
 const USUAL_SIZES_PX: [u32; 2] = [64, 256];
 
-/// What came of the hard cases that are asked for.
+/// Refuses numbers that are of no case, and contenders that hard cases are not asked of.
+pub(super) fn check(ids: &[String], contenders: Option<&[Contender]>) -> Result<()> {
+    check_ids(ids)?;
+    contenders.map(entrants).transpose()?;
+    Ok(())
+}
+
+/// What came of the hard cases that are asked for; nothing where `goes_on` said no.
 pub(super) fn cases(
     session: &mut Session,
     asked: &AskedCases,
     step: &mut dyn FnMut(String),
-) -> Result<Vec<CaseRecord>> {
-    let sizes_px = sizes_px(asked);
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<CaseRecord>>> {
     let entrants = asked.contenders.as_deref().map(entrants).transpose()?;
-    let cases = found(session, &asked.cases, &sizes_px, entrants.as_deref(), step)?;
-    let record = |case: crate::hard_cases::CaseFound| CaseRecord {
+    let asked = hard_cases::Asked {
+        ids: &asked.cases,
+        sizes_px: &sizes_px(asked),
+        entrants: entrants.as_deref(),
+    };
+    let Some(cases) = found(session, &asked, step, goes_on)? else {
+        return Ok(None);
+    };
+    let record = |case: hard_cases::CaseFound| CaseRecord {
         id: case.id,
         name: case.name,
         held_by: case.held_by,
@@ -35,7 +49,7 @@ pub(super) fn cases(
             })
             .collect(),
     };
-    Ok(cases.into_iter().map(record).collect())
+    Ok(Some(cases.into_iter().map(record).collect()))
 }
 
 /// The sides of the pictures of a run of hard cases.
@@ -46,17 +60,21 @@ pub(super) fn sizes_px(asked: &AskedCases) -> Vec<u32> {
     }
 }
 
-/// What a search found, as one case: an expectation for each strategy.
+/// What a search found, as one case: an expectation for each strategy. Nothing where `goes_on` said no.
 pub(super) fn search(
     session: &mut Session,
     asked: &AskedSearch,
     step: &mut dyn FnMut(String),
-) -> Result<Vec<CaseRecord>> {
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Vec<CaseRecord>>> {
     let entrants = match &asked.contenders {
         Some(named) => entrants(named)?,
         None => Entrant::all(0),
     };
-    let searched = search_for(session, asked.scenes as u64, asked.seed, &entrants, step)?;
+    let scenes = asked.scenes as u64;
+    let Some(searched) = search_for(session, scenes, asked.seed, &entrants, step, goes_on)? else {
+        return Ok(None);
+    };
     let reached = entrants
         .iter()
         .zip(&searched.drawn)
@@ -80,7 +98,7 @@ pub(super) fn search(
                 found,
             }
         });
-    Ok(vec![CaseRecord {
+    Ok(Some(vec![CaseRecord {
         id: "random".to_owned(),
         name: format!(
             "{} scenes without a pattern, from seed {}",
@@ -88,7 +106,7 @@ pub(super) fn search(
         ),
         expectations: reached.collect(),
         held_by: Some("agree".to_owned()),
-    }])
+    }]))
 }
 
 fn entrants(contenders: &[Contender]) -> Result<Vec<Entrant>> {

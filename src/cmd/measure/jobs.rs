@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use super::{MeasureArgs, words};
+use super::{MeasureArgs, cases, words};
 use crate::cmd::judge::quoted;
 use crate::error::did_you_mean;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
@@ -201,11 +201,15 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
         jobs.retain(|j| j.is_meant(only));
     }
     for job in &jobs {
-        if let Task::Point(_, point, _) = job.task {
-            let mut all = std::iter::once(&point.scene).chain(&point.truth);
-            all.try_for_each(|w| words::check(w))
-                .map_err(|e| job.place_error(e))?;
-        }
+        let checked = match job.task {
+            Task::Point(_, point, _) => {
+                let mut all = std::iter::once(&point.scene).chain(&point.truth);
+                all.try_for_each(|w| words::check(w))
+            }
+            Task::Cases(asked) => cases::check(&asked.cases, asked.contenders.as_deref()),
+            Task::Search(asked) => cases::check(&[], asked.contenders.as_deref()),
+        };
+        checked.map_err(|e| job.place_error(e))?;
     }
     Ok(jobs)
 }

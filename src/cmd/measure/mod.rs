@@ -306,18 +306,23 @@ impl Work<'_> {
         self.console.step(job.place());
         let console = &self.console;
         let mut step = |what: String| console.detail(what);
+        let interrupt = &self.interrupt;
+        let goes_on = || !interrupt.is_wanted();
         let (cases, sizes_px) = match job.task {
             Task::Cases(asked) => {
-                let cases = cases::cases(&mut self.session, asked, &mut step)?;
+                let cases = cases::cases(&mut self.session, asked, &mut step, &goes_on)?;
                 (cases, cases::sizes_px(asked))
             }
             Task::Search(asked) => (
-                cases::search(&mut self.session, asked, &mut step)?,
+                cases::search(&mut self.session, asked, &mut step, &goes_on)?,
                 Vec::new(),
             ),
             Task::Point(..) => return Ok(None),
         };
         self.session.forget();
+        let Some(cases) = cases else {
+            return Ok(None);
+        };
         let record = CaseRecords {
             format: Record::FORMAT,
             experiment: job.definition.name.clone(),

@@ -3,12 +3,13 @@
 //! An expectation is about error, never about time: a time that holds on one machine says nothing on another, and times live in
 //! reports. What declares a failure or a bound says why.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::scenes::{SceneRun, some_texts};
 use crate::Result;
 use crate::error::did_you_mean;
 use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
+use crate::experiment::sweep::{Entrant, Point};
 use crate::experiment::{Bound, Ending, Parameters};
 use crate::scene::glob_matches;
 use crate::scene::reader::{Entry, Table};

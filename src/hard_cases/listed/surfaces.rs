@@ -43,7 +43,9 @@ pub(super) const SURFACES: &[Listed] = &[
         &[
             "hard_cases case_27_up_to_31_crossings_the_list_grows",
             "hard_cases case_27_beyond_31_crossings_lanes_are_several_words",
+            "hard_cases case_27_counts_have_a_byte_for_each_crossing",
             "hard_cases case_27_what_finds_no_room_is_marked_and_told",
+            "hard_cases case_27_a_lane_too_short_is_noticed",
         ],
     ),
     listed(

@@ -55,14 +55,16 @@ pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws so many scenes by each entrant, and tells which came out wrong. Each scene is told before it is drawn.
+/// Draws so many scenes by each entrant, and tells which came out wrong. Each scene is told before it is drawn. Ends early, with nothing,
+/// as soon as `goes_on` says no; it is heard before each frame.
 pub fn search(
     session: &mut Session,
     scenes: u64,
     seed: u64,
     entrants: &[Entrant],
     step: &mut dyn FnMut(String),
-) -> Result<Searched> {
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Searched>> {
     let mut searched = Searched {
         drawn: vec![0; entrants.len()],
         ..Searched::default()
@@ -80,12 +82,19 @@ pub fn search(
             if by_it.count() == MOST_FINDINGS {
                 continue;
             }
+            if !goes_on() {
+                return Ok(None);
+            }
             let judged = question.answer(session, entrant)?;
             *drawn += usize::from(judged.outcome == Outcome::Complete);
             let Some(told) = fault(&question, &judged, entrant) else {
                 continue;
             };
             let (recipe, told) = shrunk(recipe.clone(), told, &mut |recipe| {
+                // Without a fault nothing is simpler: the search ends where it stands.
+                if !goes_on() {
+                    return Ok(None);
+                }
                 let question = Question::of(&recipe.scene(), PICTURE_PX);
                 let judged = question.answer(session, entrant)?;
                 Ok(fault(&question, &judged, entrant))
@@ -98,7 +107,7 @@ pub fn search(
             });
         }
     }
-    Ok(searched)
+    Ok(goes_on().then_some(searched))
 }
 
 /// What is wrong with an answer. A refusal is none, nor is an overflow that is told, as long as what is wrong is marked.

@@ -42,9 +42,9 @@ impl<'a> Row<'a> {
         let mut figures = figures(measurement, index, &record.figures[index]);
         let found = &measurement.strategies[index];
         for situation in Situation::ALL {
-            if let Some([ratio, mad]) = situation.ratio(record, found) {
-                figures.insert(situation.figure().to_owned(), ratio);
-                figures.insert(format!("{}.mad", situation.figure()), mad);
+            if let Some(ratios) = situation.ratios(record, found) {
+                figures.insert(situation.figure().to_owned(), ratios.median);
+                figures.insert(format!("{}.mad", situation.figure()), ratios.mad);
             }
         }
         Self {

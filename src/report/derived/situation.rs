@@ -75,11 +75,15 @@ impl Situation {
         self.samples(found).map(|s| s.median)
     }
 
-    /// That time over drawing the uncut scene, quotient by quotient of the rounds, with its spread.
-    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<[f64; 2]> {
-        let ratio = self.samples(found)?.over(&record.measurement.draw_only_ms);
-        let is_told = ratio.median.is_finite() && ratio.median > 0.0;
-        is_told.then_some([ratio.median, ratio.mad])
+    /// That time over drawing the uncut scene, quotient by quotient of the rounds.
+    pub(crate) fn ratios(self, record: &Record, found: &StrategyMeasurement) -> Option<Samples> {
+        let ratios = self.samples(found)?.over(&record.measurement.draw_only_ms);
+        (ratios.median.is_finite() && ratios.median > 0.0).then_some(ratios)
+    }
+
+    /// The ratio in the middle.
+    pub(crate) fn ratio(self, record: &Record, found: &StrategyMeasurement) -> Option<f64> {
+        self.ratios(record, found).map(|r| r.median)
     }
 }
 

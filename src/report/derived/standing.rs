@@ -133,7 +133,7 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::experiment::{Measurement, example};
+    use crate::experiment::{Maker, Measurement, example};
 
     pub(crate) fn record_of(measurement: Measurement) -> Record {
         let count = measurement.strategies.len();

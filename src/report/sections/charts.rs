@@ -6,7 +6,7 @@
 use super::figures::{label, times};
 use super::point::{Point, Points};
 use crate::experiment::Ending;
-use crate::report::derived::{Offer, Row, front, natural, number_of, rows, steps};
+use crate::report::derived::{Offer, Row, front, natural, number_of, rows_by_maker, steps};
 use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
 use crate::report::recorded::ChartDefinition;
 
