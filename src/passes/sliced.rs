@@ -15,13 +15,16 @@ use super::model::Vertex;
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
 use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
-use crate::slice::{Section, SlicePlane, Slicer};
+use crate::slice::{Section, SectionDefect, SlicePlane, Slicer};
 
 /// Sections that are kept: as many as one frame can ask for.
 const MOST_KNOWN: usize = MAX_SURFACES;
 
 /// How far beyond its box doubt about a part reaches, as a share of the radius of the box.
 const DOUBT_MARGIN: f64 = 1e-3;
+
+/// Curves within this of their first point are rounding, as a share of the radius of the part's box.
+const SPECK: f64 = 1e-6;
 
 /// The section of a part by a plane, packed for upload.
 #[derive(Clone)]
@@ -146,9 +149,9 @@ fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
 
 impl PackedSection {
     fn of(section: &Section, plane: &SlicePlane, bounds: &Bounds) -> Self {
-        let doubted = match section.is_whole() {
-            true => Vec::new(),
-            false => plane.across(&with_margin(bounds)),
+        let doubted = match is_doubtful(section, bounds) {
+            true => plane.across(&with_margin(bounds)),
+            false => Vec::new(),
         };
         let first = section.points.len() as u32;
         let fan = (first + 2..first + doubted.len() as u32).map(|i| [first, i - 1, i]);
@@ -169,6 +172,20 @@ impl PackedSection {
             indices: Piece::of(0, indices).bytes,
         }
     }
+}
+
+/// Whether some of what the plane meets may have no cap that could be seen. An open curve no longer than rounding bounds nothing: a
+/// triangle without area, of which two sides meet the plane in one place, leaves such curves.
+fn is_doubtful(section: &Section, bounds: &Bounds) -> bool {
+    let least = bounds.radius() * SPECK;
+    let is_speck = |chain: &Vec<u32>| {
+        let mut points = chain.iter().map(|i| section.points[*i as usize]);
+        let first = points.next().unwrap_or_default();
+        points.all(|p| p.distance(first) <= least)
+    };
+    let is_open = |d: &SectionDefect| matches!(d, SectionDefect::Open { .. });
+    let mut losses = section.defects.iter().filter(|d| d.loses_cap());
+    losses.any(|d| !is_open(d)) || !section.open.iter().all(is_speck)
 }
 
 /// A box that also holds what rounding moves out of it.
