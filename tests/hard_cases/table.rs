@@ -263,8 +263,8 @@ fn exactly_the_named_are_asked_whatever_their_parameters() {
 fn hard_cases_and_the_search_end_when_they_are_told_to() {
     use std::cell::Cell;
 
-    let left = Cell::new(0);
-    let goes_on = || left.replace(left.get().saturating_sub(1_u32)) > 0;
+    let left = Cell::new(0_u32);
+    let goes_on = || left.replace(left.get().saturating_sub(1)) > 0;
     let mut steps = 0;
     let asked = Asked {
         ids: &["*".to_owned()],
