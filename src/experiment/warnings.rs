@@ -185,7 +185,7 @@ fn slowdown(draw_only_ms: &Samples) -> Option<Warning> {
     let third = all.len() / 3;
     let median = |part: &[f64]| Samples::of(part.to_vec()).median;
     let slowdown = median(&all[all.len() - third..]) / median(&all[..third]);
-    (slowdown > THROTTLED).then_some(Warning::Throttled { slowdown })
+    (slowdown.is_finite() && slowdown > THROTTLED).then_some(Warning::Throttled { slowdown })
 }
 
 #[cfg(test)]
