@@ -94,7 +94,7 @@ fn measured(
     let mut once = texts.clone();
     once.dedup();
     assert_eq!(texts, once, "scene and truth say the same but once");
-    assert!(!texts.is_empty());
+    assert!(!texts.is_empty(), "a warning has words");
     (measured, watcher.told.into_inner())
 }
 
