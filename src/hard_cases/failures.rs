@@ -92,12 +92,6 @@ const FOUND: &[Found] = &[
         [0.01510, 0.01510],
     ),
     ("edges split on one side", "stencil", [0.00529, 0.00581]),
-    ("edges split on one side", "planar", [0.97561, 0.97747]),
-    (
-        "edges split on one side",
-        "planar@compute",
-        [0.97561, 0.97561],
-    ),
     (
         "edges split on one side",
         "grid:256+ldi:512",
@@ -135,16 +129,6 @@ const FOUND: &[Found] = &[
     ),
     (
         "no bottom, T-junctions, a face twice",
-        "planar",
-        [0.49532, 0.49866],
-    ),
-    (
-        "no bottom, T-junctions, a face twice",
-        "planar@compute",
-        [0.49866, 0.49866],
-    ),
-    (
-        "no bottom, T-junctions, a face twice",
         "grid:256+ldi:512",
         [0.07846, 0.07846],
     ),
@@ -170,16 +154,6 @@ const FOUND: &[Found] = &[
     ),
     (
         "parts that are moved, and open",
-        "planar",
-        [0.75849, 0.77019],
-    ),
-    (
-        "parts that are moved, and open",
-        "planar@compute",
-        [0.77019, 0.77019],
-    ),
-    (
-        "parts that are moved, and open",
         "grid:256+ldi:512",
         [0.22671, 0.22671],
     ),
@@ -202,16 +176,6 @@ const FOUND: &[Found] = &[
         "triangles missing here and there",
         "stencil",
         [0.03914, 0.04057],
-    ),
-    (
-        "triangles missing here and there",
-        "planar",
-        [0.93768, 0.93795],
-    ),
-    (
-        "triangles missing here and there",
-        "planar@compute",
-        [0.93795, 0.93795],
     ),
     (
         "triangles missing here and there",
