@@ -210,12 +210,12 @@ fn the_price_of_accuracy_is_that_of_the_front() {
     assert!(
         pages
             .markdown
-            .contains("| grid:256+vds:1024 | 100 | 2 | ×2.00 | ×2.00 |")
+            .contains("| grid:256+vds:1024 | 100 | 2 | ×2.00 (spread unknown) | ×2.00 |")
     );
     assert!(
         pages
             .markdown
-            .contains("| raycast+mask | 0 | 4 | ×2.00 | to no error at all |")
+            .contains("| raycast+mask | 0 | 4 | ×2.00 (spread unknown) | to no error at all |")
     );
     // A chart of a front for each of two points, one chart for both, and none where there is nothing to show.
     assert_eq!(pages.html.matches("<figure class=\"chart\">").count(), 3);
