@@ -313,11 +313,11 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
     let record = format!("run/{NAME}/crank.2.json");
     type Plant = fn(&str) -> Option<String>;
     let plants: [(&str, Plant, &str); 7] = [
-        ("run/run.json", |_| None, "cannot be read"),
+        ("run/run.json", |_| None, "there is no run in this folder"),
         (
             &format!("run/{NAME}/experiment.json"),
-            |_| None,
-            "cannot be read",
+            |_| Some("{".to_owned()),
+            "no whole record",
         ),
         (
             &record,
@@ -364,4 +364,64 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
     );
     let told = folder.run("report nowhere").exits(2).stderr;
     assert!(told.contains("nowhere: there is no such folder"), "{told}");
+    let told = folder.run("report run/run.json").exits(2).stderr;
+    assert!(told.contains("it is a file, not a folder"), "{told}");
+}
+
+#[test]
+fn a_report_inside_a_run_does_not_disturb_the_next() {
+    let folder = Scratch::new("report-inside");
+    write(&folder.path("run"), &records(), None);
+    fs::create_dir_all(folder.path("run/page")).unwrap();
+    folder.run("report run --out run/page").exits(0);
+    folder.run("report run --out run/page").exits(0);
+}
+
+/// Rewrites a JSON file.
+fn edit(file: &Path, change: impl Fn(&mut serde_json::Value)) {
+    let mut value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
+    change(&mut value);
+    fs::write(file, value.to_string()).unwrap();
+}
+
+#[test]
+fn points_that_are_not_there_are_said_aloud() {
+    let folder = Scratch::new("report-missing");
+    write(&folder.path("run"), &records(), None);
+    let file = folder.path(&format!("run/{NAME}/experiment.json"));
+    edit(&file, |v| {
+        v["points"] = serde_json::json!(["crank.2", "crank.10"])
+    });
+    let whole = report(&[&folder.path("run")], PictureOptions::MOST_BYTES);
+    assert!(!whole.markdown.contains(" missing in "), "the control");
+    for (file, told) in [
+        ("crank.2", "1 of 2 points of 01-fixture is missing in "),
+        ("crank.10", "2 of 2 points of 01-fixture are missing in "),
+    ] {
+        fs::remove_file(folder.path(&format!("run/{NAME}/{file}.json"))).unwrap();
+        let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
+        assert_eq!(page.matches(told).count(), 2, "{page}");
+        assert!(page.contains(file), "{page}");
+        assert!(!page.contains("Nothing was expected"), "{page}");
+    }
+}
+
+#[test]
+fn areas_that_disagree_count_as_missed() {
+    let folder = Scratch::new("report-peers");
+    write(&folder.path("run"), &records(), None);
+    let file = folder.path("run/peers/planar.json");
+    for (holds, told) in [
+        (true, "All 3 expectations were reached"),
+        (false, "1 of 3 expectations were missed"),
+    ] {
+        edit(&file, |v| {
+            v["checks"] = serde_json::json!([{ "mesh": "torus", "cut": "x", "tool": "vtk", "off": 0.5, "bound": 0.1,
+                "bound_is": "1e-6 of the area", "holds": holds }]);
+        });
+        let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
+        assert!(page.contains(told), "{page}");
+        assert_eq!(page.contains("2.500000 (missed)"), !holds, "{page}");
+        assert_eq!(page.contains("torus, x: the area of vtk is off by"), !holds);
+    }
 }

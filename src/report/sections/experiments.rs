@@ -1,12 +1,26 @@
 //! The experiments: question, analysis, charts, and every point of every run.
 
 use super::point::{Point, Points};
-use super::{charts, costs, counted, expectations, pictures};
+use super::{charts, costs, counted, expectations, head, pictures};
 use crate::experiment::Record;
 use crate::report::document::{Block, Tone};
+use crate::report::recorded::Recorded;
 
-pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
+pub(super) fn section(
+    recorded: &Recorded,
+    points: &Points<'_>,
+    pictures: &pictures::Chosen,
+) -> Vec<Block> {
     let mut blocks = Vec::new();
+    let all = || (recorded.folders.iter()).flat_map(|f| f.experiments.iter().map(move |e| (f, e)));
+    for (folder, experiment) in all().filter(|(_, e)| e.records.is_empty()) {
+        let name = &experiment.definition.name;
+        let missing = head::missing(folder, experiment);
+        if !missing.is_empty() && !points.by_experiment().iter().any(|(n, _)| n == name) {
+            blocks.push(Block::Heading(3, name.clone()));
+            blocks.extend(missing);
+        }
+    }
     for (name, of_it) in points.by_experiment() {
         let Some(first) = of_it.first() else {
             continue;
@@ -18,6 +32,9 @@ pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<B
         }
         if !definition.analysis.is_empty() {
             blocks.push(Block::Prose(definition.analysis.clone()));
+        }
+        for (folder, experiment) in all().filter(|(_, e)| e.definition.name == name) {
+            blocks.extend(head::missing(folder, experiment));
         }
         blocks.extend(charts::blocks(&definition.charts, points, &of_it));
         let mut runs: Vec<&str> = of_it.iter().map(|p| p.record.run.as_str()).collect();

@@ -31,7 +31,10 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
         ("What was run", head::section(recorded, &points)),
         ("What should I use?", answers::section(&points)),
         ("Strategies by scenes", matrix::section(&points)),
-        ("Experiments", experiments::section(&points, &pictures)),
+        (
+            "Experiments",
+            experiments::section(recorded, &points, &pictures),
+        ),
         ("Hard cases", cases::section(recorded)),
         ("Outside baselines", outside::section(recorded)),
         ("How it was made", made::section(recorded, &pictures)),
