@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway::experiment::Record;
+use cutaway::experiment::{Record, Warning};
 use cutaway::report::{Pages, PictureOptions, Recorded, pages};
 
 #[path = "common/command.rs"]
@@ -237,14 +237,16 @@ fn figures_of_two_adapters_say_whose_they_are() {
         PictureOptions::MOST_BYTES,
     )
     .html;
+    let at = |name: &str| folder.path(name).display().to_string();
+    let (a, b) = (at("a"), at("b"));
     for said in [
-        "size = 2% · one",
-        "size = 2% · two",
-        "By size (one)",
-        "By size (two)",
-        "On two: <code>grid:256+vds:1024",
+        format!("size = 2% · {a}, one"),
+        format!("size = 2% · {b}, two"),
+        format!("By size ({a}, one)"),
+        format!("By size ({b}, two)"),
+        format!("On {b}, two: <code>grid:256+vds:1024"),
     ] {
-        assert!(page.contains(said), "{said} is missing");
+        assert!(page.contains(&said), "{said} is missing");
     }
     let twice = report(
         &[&folder.path("a"), &folder.path("a")],
@@ -254,6 +256,69 @@ fn figures_of_two_adapters_say_whose_they_are() {
     assert!(
         !twice.contains("size = 2% ·"),
         "a folder named twice is one"
+    );
+}
+
+#[test]
+fn folders_are_not_mixed_and_neither_are_quick_runs() {
+    let folder = Scratch::new("report-benches");
+    write(&folder.path("a"), &records(), None);
+    write(&folder.path("b"), &records(), None);
+    let at = |name: &str| folder.path(name);
+    let both = report(&[&at("a"), &at("b")], PictureOptions::MOST_BYTES);
+    let b = at("b").display().to_string();
+    assert!(both.html.contains(&format!("By size ({b}, one)")));
+    let mut lines = both.csv.lines();
+    let heading = lines.next().unwrap();
+    for name in [
+        "folder",
+        "rounds",
+        "cap_px",
+        "surface_px",
+        "undecided_px",
+        "words",
+        "truth",
+    ] {
+        let count = heading.split(',').filter(|h| *h == name).count();
+        assert_eq!(count, 1, "{name} in {heading}");
+    }
+    let of_b = lines.filter(|l| l.starts_with(&format!("{b},")));
+    assert_eq!(of_b.count(), 8);
+    let mut mixed = records();
+    mixed[0].is_quick = true;
+    write(&folder.path("mixed"), &mixed, None);
+    let page = report(&[&at("mixed")], PictureOptions::MOST_BYTES).html;
+    assert!(page.contains("size = 2% · one, quick") && page.contains("size = 10% · one, in full"));
+}
+
+#[test]
+fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
+    let folder = Scratch::new("report-scene");
+    let plain = report_of(&folder, &records());
+    assert!(!plain.markdown.contains("Judged by"), "the control");
+    let mut records = records();
+    for record in &mut records {
+        record.words = ["shape:crank", "--section=x=1"].map(str::to_owned).into();
+        record.truth = Some(vec!["shape:whole".to_owned()]);
+        record.warnings.push(Warning::Opening {
+            text: "the section misses the model".to_owned(),
+            mend: "move it".to_owned(),
+        });
+    }
+    let pages = report_of(&folder, &records);
+    for page in [&pages.html, &pages.markdown] {
+        for (said, count) in [
+            ("shape:crank --section=x=1", 2),
+            ("shape:whole", 2),
+            ("the section misses the model", 3),
+        ] {
+            assert_eq!(page.matches(said).count(), count, "{said} in\n{page}");
+        }
+    }
+    assert!(
+        pages
+            .csv
+            .contains(",shape:crank --section=x=1,shape:whole,")
     );
 }
 

@@ -1,6 +1,6 @@
 //! The charts that an experiment asks for.
 //!
-//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of an adapter. Marks of
+//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a bench. Marks of
 //! one strategy under a sweep of its parameter are one series, in the order of the parameter.
 
 use super::figures::{label, times};

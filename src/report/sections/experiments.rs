@@ -2,7 +2,7 @@
 
 use super::point::{Point, Points};
 use super::{charts, costs, counted, expectations, head, pictures};
-use crate::experiment::Record;
+use crate::experiment::{Record, Warning};
 use crate::report::document::{Block, Tone};
 use crate::report::recorded::Recorded;
 
@@ -82,8 +82,11 @@ fn folded(
 fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
     let record = point.record;
     let mut blocks = vec![Block::Text(facts(record))];
+    blocks.extend(scene(record).map(Block::Text));
     let common = points.common(point.folder);
-    for warning in record.warnings.iter().filter(|w| !common.contains(w)) {
+    // What was said of a scene belongs to it, even if all have it.
+    let is_told = |w: &&Warning| matches!(w, Warning::Opening { .. }) || !common.contains(w);
+    for warning in record.warnings.iter().filter(is_told) {
         let text = format!("{}. Mend: {}.", warning.text(), warning.remedy());
         let tone = match warning.concerns() {
             Some(_) => Tone::Plain,
@@ -109,6 +112,15 @@ fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> V
     blocks.push(Block::Text("To repeat this point:".to_owned()));
     blocks.push(Block::Command(record.measurement.command.clone()));
     blocks
+}
+
+/// The words of a point's scene, and of the one that is the truth where that is another; nothing where they were not recorded.
+fn scene(record: &Record) -> Option<String> {
+    let words = (!record.words.is_empty()).then(|| format!("Scene: `{}`.", record.words.join(" ")));
+    let truth = record.truth.as_ref();
+    let truth = truth.map(|t| format!("Judged by the exact image of: `{}`.", t.join(" ")));
+    let all: Vec<String> = words.into_iter().chain(truth).collect();
+    (!all.is_empty()).then(|| all.join(" "))
 }
 
 fn facts(record: &Record) -> String {

@@ -1,9 +1,8 @@
 //! What should I use for what I have: a row for each input that runs of the experiments say they stand for.
 
 use super::figures::{counts, percent, ranged, times};
-use super::point::{Point, Points};
+use super::point::{Bench, Point, Points};
 use crate::experiment::{Record, StrategyMeasurement};
-use crate::gpu::AdapterReport;
 use crate::report::derived::{
     Advised, Harm, Situation, Spread, advised, harms, has_defect, has_other_truth, papers,
 };
@@ -23,9 +22,9 @@ struct Input<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of an adapter, with its explanation where it is the first; nothing where no run stands for anything.
-pub(super) fn blocks(points: &Points<'_>, adapter: &AdapterReport) -> Vec<Block> {
-    let on_it = points.on(adapter);
+/// The table of a bench, with its explanation where it is the first; nothing where no run stands for anything.
+pub(super) fn blocks(points: &Points<'_>, bench: &Bench<'_>) -> Vec<Block> {
+    let on_it = points.on(bench);
     let inputs = inputs(&on_it);
     if inputs.is_empty() {
         return Vec::new();
