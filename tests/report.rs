@@ -13,6 +13,8 @@ use cutaway::report::{Pages, PictureOptions, Recorded, pages};
 mod command;
 #[path = "report/fixture.rs"]
 mod fixture;
+#[path = "report/whole.rs"]
+mod whole;
 
 use command::Scratch;
 use fixture::{NAME, PNG, adapter, cases, reached, records, write};
@@ -210,12 +212,12 @@ fn the_price_of_accuracy_is_that_of_the_front() {
     assert!(
         pages
             .markdown
-            .contains("| grid:256+vds:1024 | 100 | 2 | ×2.00 | ×2.00 |")
+            .contains("| grid:256+vds:1024 | 100 | 2 | ×2.00 (spread unknown) | ×2.00 |")
     );
     assert!(
         pages
             .markdown
-            .contains("| raycast+mask | 0 | 4 | ×2.00 | to no error at all |")
+            .contains("| raycast+mask | 0 | 4 | ×2.00 (spread unknown) | to no error at all |")
     );
     // A chart of a front for each of two points, one chart for both, and none where there is nothing to show.
     assert_eq!(pages.html.matches("<figure class=\"chart\">").count(), 3);
@@ -237,14 +239,16 @@ fn figures_of_two_adapters_say_whose_they_are() {
         PictureOptions::MOST_BYTES,
     )
     .html;
+    let at = |name: &str| folder.path(name).display().to_string();
+    let (a, b) = (at("a"), at("b"));
     for said in [
-        "size = 2% · one",
-        "size = 2% · two",
-        "By size (one)",
-        "By size (two)",
-        "On two: <code>grid:256+vds:1024",
+        format!("size = 2% · {a}, one"),
+        format!("size = 2% · {b}, two"),
+        format!("By size ({a}, one)"),
+        format!("By size ({b}, two)"),
+        format!("On {b}, two: <code>grid:256+vds:1024"),
     ] {
-        assert!(page.contains(said), "{said} is missing");
+        assert!(page.contains(&said), "{said} is missing");
     }
     let twice = report(
         &[&folder.path("a"), &folder.path("a")],
@@ -313,11 +317,11 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
     let record = format!("run/{NAME}/crank.2.json");
     type Plant = fn(&str) -> Option<String>;
     let plants: [(&str, Plant, &str); 7] = [
-        ("run/run.json", |_| None, "cannot be read"),
+        ("run/run.json", |_| None, "there is no run in this folder"),
         (
             &format!("run/{NAME}/experiment.json"),
-            |_| None,
-            "cannot be read",
+            |_| Some("{".to_owned()),
+            "no whole record",
         ),
         (
             &record,
@@ -364,4 +368,6 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
     );
     let told = folder.run("report nowhere").exits(2).stderr;
     assert!(told.contains("nowhere: there is no such folder"), "{told}");
+    let told = folder.run("report run/run.json").exits(2).stderr;
+    assert!(told.contains("it is a file, not a folder"), "{told}");
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::derived::{Row, Situation, Standing, has_other_truth, rows, standings, winner};
-use super::recorded::{Definition, PeerRecord, Recorded};
+use super::recorded::{Definition, Experiment, Folder, PeerRecord, Recorded};
 use crate::experiment::{CaseRecords, Record, Run};
 
 /// Version of the form of [`json`].
@@ -13,10 +13,10 @@ const REPORT_FORMAT: u32 = 1;
 
 /// One row for each point and strategy: what it is, then every figure by name; what was not measured is empty.
 pub(super) fn csv(recorded: &Recorded) -> String {
-    let mut all: Vec<(&Run, Row<'_>)> = Vec::new();
+    let mut all: Vec<(&Folder, Row<'_>)> = Vec::new();
     for folder in &recorded.folders {
         for record in folder.experiments.iter().flat_map(|e| &e.records) {
-            all.extend(rows(record).into_iter().map(|row| (&folder.run, row)));
+            all.extend(rows(record).into_iter().map(|row| (folder, row)));
         }
     }
     let of_all = || all.iter().map(|(_, row)| row);
@@ -30,7 +30,8 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             )
         })
         .collect();
-    const FIRST: [&str; 11] = [
+    const FIRST: [&str; 18] = [
+        "folder",
         "experiment",
         "run",
         "strategy",
@@ -42,6 +43,12 @@ pub(super) fn csv(recorded: &Recorded) -> String {
         "quick",
         "scene",
         "resolution",
+        "rounds",
+        "cap_px",
+        "surface_px",
+        "undecided_px",
+        "words",
+        "truth",
     ];
     let heading = FIRST.iter().map(|f| (*f).to_owned());
     let heading = heading
@@ -49,9 +56,10 @@ pub(super) fn csv(recorded: &Recorded) -> String {
         .chain(names.iter().map(|n| (*n).clone()))
         .chain(["command".to_owned()]);
     let mut text = line(heading);
-    for (run, row) in &all {
+    for (folder, row) in &all {
         let (m, found) = (&row.record.measurement, row.found());
         let first = [
+            folder.path.display().to_string(),
             row.record.experiment.clone(),
             row.record.run.clone(),
             found.name.clone(),
@@ -59,10 +67,16 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             found.reason.clone().unwrap_or_default(),
             m.adapter.name.clone(),
             m.adapter.software.to_string(),
-            run.commit.clone().unwrap_or_default(),
+            folder.run.commit.clone().unwrap_or_default(),
             row.record.is_quick.to_string(),
             m.scene.clone(),
             format!("{}x{}", m.resolution[0], m.resolution[1]),
+            m.rounds.to_string(),
+            m.exact.cap_px.to_string(),
+            m.exact.surface_px.to_string(),
+            m.exact.undecided_px.to_string(),
+            row.record.words.join(" "),
+            row.record.truth.clone().unwrap_or_default().join(" "),
         ];
         let values = parameters.iter().map(|p| {
             let mut own = row.record.makers[row.index].iter();
@@ -115,6 +129,7 @@ struct JoinedExperiment<'a> {
 /// What is worked out of one point.
 #[derive(Serialize)]
 struct DerivedPoint<'a> {
+    folder: String,
     experiment: &'a str,
     run: &'a str,
     parameters: &'a crate::experiment::Parameters,
@@ -123,9 +138,11 @@ struct DerivedPoint<'a> {
     fastest_exact: [Option<&'a str>; 3],
 }
 
-/// A strategy over all points of one adapter that are judged by their own exact image.
+/// A strategy over all points of one folder, adapter and kind of run that are judged by their own exact image.
 #[derive(Serialize)]
 struct DerivedStanding {
+    folder: String,
+    is_quick: bool,
     adapter: String,
     strategy: String,
     points: usize,
@@ -139,9 +156,8 @@ struct DerivedStanding {
 
 /// All records, and what is worked out of them.
 pub(super) fn json(recorded: &Recorded) -> String {
-    let records: Vec<&Record> = (recorded.folders.iter())
-        .flat_map(|f| f.experiments.iter().flat_map(|e| &e.records))
-        .collect();
+    let records = |folder| experiments_of(folder).flat_map(|e| &e.records);
+    let points = (recorded.folders.iter()).flat_map(|f| records(f).map(move |r| derived(f, r)));
     let folders = recorded.folders.iter().map(|folder| JoinedFolder {
         folder: folder.path.display().to_string(),
         run: &folder.run,
@@ -157,15 +173,22 @@ pub(super) fn json(recorded: &Recorded) -> String {
     let joined = Joined {
         format: REPORT_FORMAT,
         folders: folders.collect(),
-        derived: records.iter().map(|r| derived(r)).collect(),
-        standings: all_standings(&records),
+        derived: points.collect(),
+        standings: (recorded.folders.iter())
+            .flat_map(|f| standings_of(f, &records(f).collect::<Vec<_>>()))
+            .collect(),
     };
     format!("{:#}\n", serde_json::json!(joined))
 }
 
-fn derived(record: &Record) -> DerivedPoint<'_> {
+fn experiments_of(folder: &Folder) -> std::slice::Iter<'_, Experiment> {
+    folder.experiments.iter()
+}
+
+fn derived<'a>(folder: &Folder, record: &'a Record) -> DerivedPoint<'a> {
     let m = &record.measurement;
     DerivedPoint {
+        folder: folder.path.display().to_string(),
         experiment: &record.experiment,
         run: &record.run,
         parameters: &record.parameters,
@@ -175,24 +198,22 @@ fn derived(record: &Record) -> DerivedPoint<'_> {
     }
 }
 
-fn all_standings(records: &[&Record]) -> Vec<DerivedStanding> {
-    let mut adapters: Vec<&str> = records
-        .iter()
-        .map(|r| r.measurement.adapter.name.as_str())
-        .collect();
-    adapters.sort_unstable();
-    adapters.dedup();
-    let on = |adapter: &str| -> Vec<Standing> {
+fn standings_of(folder: &Folder, records: &[&Record]) -> Vec<DerivedStanding> {
+    let bench = |r: &Record| (r.measurement.adapter.name.clone(), r.is_quick);
+    let benches: BTreeSet<(String, bool)> = records.iter().map(|r| bench(r)).collect();
+    let on = |of: &(String, bool)| -> Vec<Standing> {
         let of_it = records
             .iter()
-            .filter(|r| r.measurement.adapter.name == adapter && !has_other_truth(r));
+            .filter(|r| bench(r) == *of && !has_other_truth(r));
         standings(&of_it.copied().collect::<Vec<_>>())
     };
-    let all = adapters
-        .into_iter()
-        .flat_map(|adapter| on(adapter).into_iter().map(move |s| (adapter, s)));
-    all.map(|(adapter, s)| DerivedStanding {
-        adapter: adapter.to_owned(),
+    let all = benches
+        .iter()
+        .flat_map(|bench| on(bench).into_iter().map(move |s| (bench, s)));
+    all.map(|((adapter, is_quick), s)| DerivedStanding {
+        folder: folder.path.display().to_string(),
+        is_quick: *is_quick,
+        adapter: adapter.clone(),
         points: s.asked,
         drawn: s.drawn,
         exact: s.exact,

@@ -23,7 +23,8 @@ pub use html::{Figure, html};
 pub use markdown::markdown;
 pub use pages::{Pages, pages};
 pub use recorded::{
-    ChartDefinition, Definition, Experiment, Folder, PeerRecord, PeerRow, Recorded, RunDefinition,
+    ChartDefinition, Definition, Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded,
+    RunDefinition,
 };
 pub use section::{Curve, Drawn, PartReport, PlaneReport, SectionReport};
 pub use sections::PictureOptions;

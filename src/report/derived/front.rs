@@ -3,6 +3,9 @@
 //! An offer is on the front if none has at most its error at at most its cost. From one offer of the front to the next, error falls
 //! by some decades and cost rises by some factor; the price of a tenfold is that factor per decade, so that steps of any
 //! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. To an error of 0 there is no number of decades: only the factor is told.
+//!
+//! The root blows up what a short step scatters, and a difference of costs within their spreads may be none: neither has a price.
+//! What did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.
 
 /// What one strategy offers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,9 +14,27 @@ pub(crate) struct Offer {
     pub error: f64,
     /// Cost, more than 0.
     pub cost: f64,
-    /// Median absolute deviation of the cost.
-    pub spread: f64,
+    /// Median absolute deviation of the cost; none where it is not known.
+    pub spread: Option<f64>,
+    /// Whether all of the frame was drawn.
+    pub is_complete: bool,
 }
+
+/// What a tenfold less error costs along a step of a front.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Price {
+    /// So many times as much.
+    Factor(f64),
+    /// There is no error left: no number of tenfolds.
+    ToNoError,
+    /// Error falls by less than [`LEAST_DECADES`].
+    TooShort,
+    /// The two costs lie within the sum of their spreads: the step may be free.
+    WithinSpread,
+}
+
+/// Decades of error that a step must have for a price: a third, where a scatter of 10 % in cost is one of a third in price.
+const LEAST_DECADES: f64 = 1.0 / 3.0;
 
 /// From one offer of a front to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,19 +43,19 @@ pub(crate) struct Step {
     pub from: usize,
     /// Index of the more accurate offer.
     pub to: usize,
-    /// Decades of error between them; none where the second has no error.
-    pub decades: Option<f64>,
     /// Cost of the second over that of the first.
     pub cost_ratio: f64,
-    /// Factor of cost for a tenfold less error; none where the second has no error.
-    pub price: Option<f64>,
-    /// Whether the two costs lie within the sum of their spreads: the step may be free.
-    pub is_within_spread: bool,
+    /// What a tenfold less error costs.
+    pub price: Price,
+    /// Whether the spreads of both costs are known.
+    pub is_spread_known: bool,
 }
 
-/// Indices of the offers on the front, the cheapest first. Of equal offers the first is taken.
+/// Indices of the complete offers on the front, the cheapest first. Of equal offers the first is taken.
 pub(crate) fn front(offers: &[Offer]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..offers.len()).collect();
+    let mut order: Vec<usize> = (0..offers.len())
+        .filter(|i| offers[*i].is_complete)
+        .collect();
     order.sort_by(|a, b| {
         let (a, b) = (&offers[*a], &offers[*b]);
         a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error))
@@ -55,18 +76,29 @@ pub(crate) fn steps(offers: &[Offer], front: &[usize]) -> Vec<Step> {
         .map(|pair| {
             let (from, to) = (pair[0], pair[1]);
             let (a, b) = (&offers[from], &offers[to]);
-            let cost_ratio = b.cost / a.cost;
-            let decades = (b.error > 0.0).then(|| (a.error / b.error).log10());
             Step {
                 from,
                 to,
-                decades,
-                cost_ratio,
-                price: decades.map(|d| cost_ratio.powf(d.recip())),
-                is_within_spread: b.cost - a.cost <= a.spread + b.spread,
+                cost_ratio: b.cost / a.cost,
+                price: price(a, b),
+                is_spread_known: a.spread.is_some() && b.spread.is_some(),
             }
         })
         .collect()
+}
+
+fn price(from: &Offer, to: &Offer) -> Price {
+    let spreads = from.spread.zip(to.spread);
+    if spreads.is_some_and(|(a, b)| to.cost - from.cost <= a + b) {
+        return Price::WithinSpread;
+    }
+    if to.error <= 0.0 {
+        return Price::ToNoError;
+    }
+    match (from.error / to.error).log10() {
+        decades if decades < LEAST_DECADES => Price::TooShort,
+        decades => Price::Factor((to.cost / from.cost).powf(decades.recip())),
+    }
 }
 
 #[cfg(test)]
@@ -77,7 +109,8 @@ mod tests {
         let offer = |(error, cost): &(f64, f64)| Offer {
             error: *error,
             cost: *cost,
-            spread: 0.1,
+            spread: Some(0.01),
+            is_complete: true,
         };
         pairs.iter().map(offer).collect()
     }
@@ -107,7 +140,9 @@ mod tests {
             let steps = steps(&all, &front(&all));
             assert_eq!(steps.len(), 2);
             for step in steps {
-                let price = step.price.unwrap();
+                let Price::Factor(price) = step.price else {
+                    panic!("{step:?}");
+                };
                 assert!((price - 10_f64.sqrt()).abs() < 1e-12, "{price}");
             }
         }
@@ -115,16 +150,36 @@ mod tests {
 
     #[test]
     fn to_no_error_there_are_no_decades() {
-        let all = offers(&[(50.0, 2.0), (0.0, 3.0), (5.0, 2.1)]);
+        let all = offers(&[(50.0, 2.0), (0.0, 3.0), (5.0, 2.2)]);
         let steps = steps(&all, &front(&all));
-        assert!(steps[0].is_within_spread, "2.0 and 2.1 ± 0.1 each");
-        assert_eq!(steps[0].decades, Some(1.0));
         let last = steps[1];
-        assert_eq!(
-            (last.from, last.to, last.decades, last.price),
-            (2, 1, None, None)
-        );
-        assert!((last.cost_ratio - 3.0 / 2.1).abs() < 1e-12, "{last:?}");
-        assert!(!last.is_within_spread, "{last:?}");
+        assert_eq!((last.from, last.to, last.price), (2, 1, Price::ToNoError));
+        assert!((last.cost_ratio - 3.0 / 2.2).abs() < 1e-12, "{last:?}");
+    }
+
+    #[test]
+    fn what_is_not_complete_is_on_no_front() {
+        let mut all = offers(&[(100.0, 1.0), (0.0, 2.0), (10.0, 3.0)]);
+        assert_eq!(front(&all), [0, 1], "the control");
+        all[1].is_complete = false;
+        assert_eq!(front(&all), [0, 2]);
+    }
+
+    #[test]
+    fn short_and_scattered_steps_have_no_price() {
+        let price_of = |error: f64, cost: f64, spread: Option<f64>| {
+            let mut all = offers(&[(100.0, 2.0), (error, cost)]);
+            all.iter_mut().for_each(|o| o.spread = spread);
+            let steps = steps(&all, &front(&all));
+            (steps[0].price, steps[0].is_spread_known)
+        };
+        assert_eq!(price_of(10.0, 3.0, Some(0.1)), (Price::Factor(1.5), true));
+        assert_eq!(price_of(10.0, 3.0, Some(0.6)), (Price::WithinSpread, true));
+        assert_eq!(price_of(0.0, 3.0, Some(0.6)), (Price::WithinSpread, true));
+        assert_eq!(price_of(50.0, 3.0, Some(0.1)), (Price::TooShort, true));
+        assert!(matches!(
+            price_of(46.0, 3.0, None),
+            (Price::Factor(_), false)
+        ));
     }
 }

@@ -21,7 +21,7 @@ mod standing;
 
 pub(super) use advice::{Advised, advised};
 pub(super) use broken::{Harm, harms, has_defect, has_other_truth};
-pub(super) use front::{Offer, front, steps};
+pub(super) use front::{Offer, Price, front, steps};
 pub(super) use order::{natural, number_of};
 pub(super) use paper::papers;
 pub(super) use row::{Row, rows, rows_by_maker};

@@ -23,6 +23,9 @@ pub struct Definition {
     /// Its charts, in order.
     #[serde(default, rename = "chart", alias = "charts")]
     pub charts: Vec<ChartDefinition>,
+    /// Files of all records that its runs make, without `.json`; empty in records that are older than this.
+    #[serde(default)]
+    pub points: Vec<String>,
 }
 
 /// A run of an experiment.

@@ -29,6 +29,8 @@ pub struct Experiment {
     pub records: Vec<Record>,
     /// Hard cases and searches.
     pub cases: Vec<CaseRecords>,
+    /// Points of the definition that are not there, by name.
+    pub missing: Vec<String>,
 }
 
 /// The file that says that a folder holds a run.
@@ -41,10 +43,21 @@ const PEERS_FOLDER: &str = "peers";
 impl Folder {
     /// Reads all of it.
     pub(super) fn read(path: &Path) -> Result<Self> {
+        if path.is_file() {
+            return Err(Error::file(path, "it is a file, not a folder", MISSING));
+        }
         if !path.is_dir() {
             return Err(Error::file(path, "there is no such folder", MISSING));
         }
-        let run: Run = read_numbered(&path.join(RUN_FILE), Record::FORMAT)?;
+        let run_file = path.join(RUN_FILE);
+        if !run_file.is_file() {
+            let what = format!(
+                "there is no run in this folder: {} is missing",
+                run_file.display()
+            );
+            return Err(Error::file(path, what, MISSING));
+        }
+        let run: Run = read_numbered(&run_file, Record::FORMAT)?;
         let mut experiments = Vec::new();
         let mut peers = Vec::new();
         for entry in entries(path)?.into_iter().filter(|e| e.is_dir()) {
@@ -54,8 +67,8 @@ impl Folder {
                 }
                 continue;
             }
-            // A folder of something else, as of another report.
-            if json_files(&entry)?.is_empty() {
+            // Others are of something else, as of another report.
+            if !entry.join(EXPERIMENT_FILE).is_file() {
                 continue;
             }
             experiments.push(Experiment::read(&entry)?);
@@ -80,7 +93,10 @@ impl Experiment {
         let definition: Definition = read_json(&path.join(EXPERIMENT_FILE))?;
         let mut records: Vec<Record> = Vec::new();
         let mut cases: Vec<CaseRecords> = Vec::new();
+        let mut missing = definition.points.clone();
         for file in json_files(path)? {
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+            missing.retain(|point| *point != stem);
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             if name == EXPERIMENT_FILE {
                 continue;
@@ -120,6 +136,7 @@ impl Experiment {
             definition,
             records,
             cases,
+            missing,
         })
     }
 }

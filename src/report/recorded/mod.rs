@@ -1,7 +1,7 @@
 //! Folders of runs, read whole and checked before anything is made of them.
 //!
 //! A folder is what `cutaway measure` and the outside baselines leave: `run.json`, a folder for each experiment with `experiment.json` and
-//! one file for each point, and `peers/*.json`. A file that is half-written, of a form that is not known, or at odds with itself is an
+//! one file for each point, and `peers/*.json`. A folder in it without `experiment.json` is of something else, and passed over. A file that is half-written, of a form that is not known, or at odds with itself is an
 //! error that names it; what is no JSON is left alone. Nothing is worked out here.
 
 mod definition;
@@ -10,7 +10,7 @@ mod peers;
 
 pub use definition::{ChartDefinition, Definition, RunDefinition};
 pub use folder::{Experiment, Folder};
-pub use peers::{PeerRecord, PeerRow};
+pub use peers::{PeerCheck, PeerRecord, PeerRow};
 
 use std::path::{Path, PathBuf};
 

@@ -27,11 +27,34 @@ pub struct PeerRecord {
     pub command: String,
     /// What was found.
     pub rows: Vec<PeerRow>,
+    /// What the areas had to be.
+    #[serde(default)]
+    pub checks: Vec<PeerCheck>,
 }
 
 impl PeerRecord {
     /// The version that is read.
     pub const FORMAT: u32 = 1;
+}
+
+/// An area, what it had to be, and whether it was.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PeerCheck {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// The cut in words.
+    pub cut: String,
+    /// Whose area.
+    pub tool: String,
+    /// How far it is off, in the unit of the area.
+    pub off: f64,
+    /// How far it may be.
+    pub bound: f64,
+    /// Where the bound comes from.
+    #[serde(default)]
+    pub bound_is: String,
+    /// Whether it is within.
+    pub holds: bool,
 }
 
 /// One cut by one tool.

@@ -1,7 +1,7 @@
 //! What should I use: the short answers, all of them worked out from the records.
 
 use super::figures::{ranged, times};
-use super::point::{Point, Points};
+use super::point::{Bench, Point, Points};
 use super::{broken, counted, figures, inputs};
 use crate::experiment::Record;
 use crate::report::derived::{
@@ -15,11 +15,11 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
         return Vec::new();
     }
     let mut blocks = Vec::new();
-    for adapter in points.adapters() {
-        let answers = inputs::blocks(points, adapter);
+    for bench in points.benches() {
+        let answers = inputs::blocks(points, bench);
         if !answers.is_empty() {
             blocks.push(heading("What should I use for what I have?"));
-            blocks.extend(whose(points, adapter));
+            blocks.extend(whose(points, bench));
             blocks.extend(answers);
         }
     }
@@ -39,20 +39,18 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
             counted(others, "point")
         )));
     }
-    for adapter in points.adapters() {
-        let on_it = sound(points.on(adapter));
+    for bench in points.benches() {
+        let on_it = sound(points.on(bench));
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
-        blocks.extend(whose(points, adapter));
+        blocks.extend(whose(points, bench));
         blocks.push(Block::Grid(exactness(&standings(&records))));
     }
     blocks.push(heading(
         "What does the paper's path cost, and what does it miss?",
     ));
-    blocks.extend(points.adapters().map(|adapter| {
-        let records: Vec<&Record> = (sound(points.on(adapter)).iter())
-            .map(|p| p.record)
-            .collect();
-        Block::Text(papers_path(&points.label(adapter), &records))
+    blocks.extend(points.benches().map(|bench| {
+        let records: Vec<&Record> = (sound(points.on(bench)).iter()).map(|p| p.record).collect();
+        Block::Text(papers_path(&points.label(bench), &records))
     }));
     blocks.push(heading("Which one for what moves?"));
     blocks.push(Block::Text(
@@ -60,9 +58,9 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
          the cut moves (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy with times."
             .to_owned(),
     ));
-    for adapter in points.adapters() {
-        blocks.extend(whose(points, adapter));
-        blocks.push(Block::Grid(by_situation(&sound(points.on(adapter)))));
+    for bench in points.benches() {
+        blocks.extend(whose(points, bench));
+        blocks.push(Block::Grid(by_situation(&sound(points.on(bench)))));
     }
     if others > 0 {
         blocks.push(heading("Who copes with broken meshes, and who says so?"));
@@ -72,16 +70,16 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
                 .to_owned(),
         ));
     }
-    for adapter in points.adapters() {
-        if let Some(grid) = broken::grid(&points.on(adapter)) {
-            blocks.extend(whose(points, adapter));
+    for bench in points.benches() {
+        if let Some(grid) = broken::grid(&points.on(bench)) {
+            blocks.extend(whose(points, bench));
             blocks.push(Block::Grid(grid));
         }
     }
     blocks.push(heading("Answers by question"));
-    for adapter in points.adapters() {
-        blocks.extend(whose(points, adapter));
-        blocks.push(Block::Grid(by_question(points, &points.on(adapter))));
+    for bench in points.benches() {
+        blocks.extend(whose(points, bench));
+        blocks.push(Block::Grid(by_question(points, &points.on(bench))));
     }
     blocks
 }
@@ -90,9 +88,9 @@ fn heading(text: &str) -> Block {
     Block::Heading(4, text.to_owned())
 }
 
-/// Whose figures follow, where there are several adapters.
-fn whose(points: &Points<'_>, adapter: &crate::gpu::AdapterReport) -> Option<Block> {
-    (points.adapters().count() > 1).then(|| Block::Heading(5, points.label(adapter)))
+/// Whose figures follow, where there are several.
+fn whose(points: &Points<'_>, bench: &Bench<'_>) -> Option<Block> {
+    (points.benches().count() > 1).then(|| Block::Heading(5, points.label(bench)))
 }
 
 /// Points that are judged by their own exact image.
@@ -178,11 +176,11 @@ fn papers_standing(records: &[&Record]) -> Standing {
 }
 
 /// The paper's path over all points, in a sentence or two.
-fn papers_path(adapter: &str, records: &[&Record]) -> String {
+fn papers_path(bench: &str, records: &[&Record]) -> String {
     let name = Strategy::PAPER.to_string();
     let paper = papers_standing(records);
     let Some(ratio) = paper.ratio else {
-        return format!("On {adapter}: `{name}` was not timed on any point.");
+        return format!("On {bench}: `{name}` was not timed on any point.");
     };
     let own = records.iter().flat_map(|r| {
         let all = &r.measurement.strategies;
@@ -196,7 +194,7 @@ fn papers_path(adapter: &str, records: &[&Record]) -> String {
         })
     };
     format!(
-        "On {adapter}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
+        "On {bench}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
          Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
         times(ratio.median),
         times(ratio.least),

@@ -1,12 +1,12 @@
 //! The charts that an experiment asks for.
 //!
-//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of an adapter. Marks of
+//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a bench. Marks of
 //! one strategy under a sweep of its parameter are one series, in the order of the parameter.
 
 use super::figures::{label, times};
 use super::point::{Point, Points};
 use crate::experiment::Ending;
-use crate::report::derived::{Offer, Row, front, natural, number_of, rows_by_maker, steps};
+use crate::report::derived::{Offer, Price, Row, front, natural, number_of, rows_by_maker, steps};
 use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
 use crate::report::recorded::ChartDefinition;
 
@@ -133,7 +133,19 @@ fn offer(asked: &ChartDefinition, placed: &Placed<'_>) -> Offer {
     Offer {
         error: placed.at[1],
         cost: placed.at[0],
-        spread: spread(&placed.row, &asked.x),
+        spread: known_spread(&placed.row, &asked.x),
+        is_complete: placed.row.found().outcome == Ending::Complete,
+    }
+}
+
+/// Rounds from which on a spread means something.
+const LEAST_ROUNDS: usize = 5;
+
+/// The spread of a figure, 0 where it has none; none where there were too few rounds.
+fn known_spread(row: &Row<'_>, figure: &str) -> Option<f64> {
+    match row.figures.get(&format!("{figure}.mad")) {
+        None => Some(0.0),
+        Some(mad) => (row.record.measurement.rounds >= LEAST_ROUNDS).then_some(*mad),
     }
 }
 
@@ -270,16 +282,18 @@ fn price_table(placed: &[Placed<'_>], offers: &[Offer], on_front: &[usize]) -> G
         let price = match step {
             None => Cell::from("cheapest").toned(Tone::Faint),
             Some(step) => match step.price {
-                Some(price) => Cell::number(times(price), price),
-                None => Cell::from("to no error at all"),
+                Price::Factor(price) => Cell::number(times(price), price),
+                Price::ToNoError => Cell::from("to no error at all"),
+                Price::TooShort => Cell::from("too short a step").toned(Tone::Faint),
+                Price::WithinSpread => Cell::from("within spread").toned(Tone::Faint),
             },
         };
         let over = step.map_or_else(Cell::default, |step| {
             let cell = Cell::number(times(step.cost_ratio), step.cost_ratio);
-            match step.is_within_spread {
-                false => cell,
-                true => Cell {
-                    text: format!("{} (within spread)", cell.text),
+            match step.is_spread_known {
+                true => cell,
+                false => Cell {
+                    text: format!("{} (spread unknown)", cell.text),
                     ..cell
                 },
             }

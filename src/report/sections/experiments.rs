@@ -1,12 +1,26 @@
 //! The experiments: question, analysis, charts, and every point of every run.
 
 use super::point::{Point, Points};
-use super::{charts, costs, counted, expectations, pictures};
-use crate::experiment::Record;
+use super::{charts, costs, counted, expectations, head, pictures};
+use crate::experiment::{Record, Warning};
 use crate::report::document::{Block, Tone};
+use crate::report::recorded::Recorded;
 
-pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
+pub(super) fn section(
+    recorded: &Recorded,
+    points: &Points<'_>,
+    pictures: &pictures::Chosen,
+) -> Vec<Block> {
     let mut blocks = Vec::new();
+    let all = || (recorded.folders.iter()).flat_map(|f| f.experiments.iter().map(move |e| (f, e)));
+    for (folder, experiment) in all().filter(|(_, e)| e.records.is_empty()) {
+        let name = &experiment.definition.name;
+        let missing = head::missing(folder, experiment);
+        if !missing.is_empty() && !points.by_experiment().iter().any(|(n, _)| n == name) {
+            blocks.push(Block::Heading(3, name.clone()));
+            blocks.extend(missing);
+        }
+    }
     for (name, of_it) in points.by_experiment() {
         let Some(first) = of_it.first() else {
             continue;
@@ -18,6 +32,9 @@ pub(super) fn section(points: &Points<'_>, pictures: &pictures::Chosen) -> Vec<B
         }
         if !definition.analysis.is_empty() {
             blocks.push(Block::Prose(definition.analysis.clone()));
+        }
+        for (folder, experiment) in all().filter(|(_, e)| e.definition.name == name) {
+            blocks.extend(head::missing(folder, experiment));
         }
         blocks.extend(charts::blocks(&definition.charts, points, &of_it));
         let mut runs: Vec<&str> = of_it.iter().map(|p| p.record.run.as_str()).collect();
@@ -65,8 +82,11 @@ fn folded(
 fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
     let record = point.record;
     let mut blocks = vec![Block::Text(facts(record))];
+    blocks.extend(scene(record).map(Block::Text));
     let common = points.common(point.folder);
-    for warning in record.warnings.iter().filter(|w| !common.contains(w)) {
+    // What was said of a scene belongs to it, even if all have it.
+    let is_told = |w: &&Warning| matches!(w, Warning::Opening { .. }) || !common.contains(w);
+    for warning in record.warnings.iter().filter(is_told) {
         let text = format!("{}. Mend: {}.", warning.text(), warning.remedy());
         let tone = match warning.concerns() {
             Some(_) => Tone::Plain,
@@ -92,6 +112,15 @@ fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> V
     blocks.push(Block::Text("To repeat this point:".to_owned()));
     blocks.push(Block::Command(record.measurement.command.clone()));
     blocks
+}
+
+/// The words of a point's scene, and of the one that is the truth where that is another; nothing where they were not recorded.
+fn scene(record: &Record) -> Option<String> {
+    let words = (!record.words.is_empty()).then(|| format!("Scene: `{}`.", record.words.join(" ")));
+    let truth = record.truth.as_ref();
+    let truth = truth.map(|t| format!("Judged by the exact image of: `{}`.", t.join(" ")));
+    let all: Vec<String> = words.into_iter().chain(truth).collect();
+    (!all.is_empty()).then(|| all.join(" "))
 }
 
 fn facts(record: &Record) -> String {

@@ -3,7 +3,7 @@
 use super::counted;
 use super::point::Points;
 use crate::report::document::{Block, Cell, Grid, Tone};
-use crate::report::recorded::{Folder, Recorded};
+use crate::report::recorded::{Experiment, Folder, Recorded};
 
 pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
     let experiments = points.by_experiment().len();
@@ -17,7 +17,11 @@ pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
         counted(points.all.len(), "point"),
         counted(strategies, "measurement"),
     ))];
-    blocks.push(reached(recorded));
+    for folder in &recorded.folders {
+        let lacking = folder.experiments.iter();
+        blocks.extend(lacking.flat_map(|e| missing(folder, e)));
+    }
+    blocks.extend(reached(recorded));
     let are_quick = recorded.folders.iter().filter(|f| f.run.is_quick).count();
     if are_quick > 0 {
         blocks.push(Block::Notice(
@@ -46,19 +50,26 @@ pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
     blocks
 }
 
-/// How many expectations were reached, of points and of cases.
-fn reached(recorded: &Recorded) -> Block {
+/// How many expectations were reached, of points, of cases, and of areas beside outside baselines; nothing where what was expected is not
+/// measured yet.
+fn reached(recorded: &Recorded) -> Option<Block> {
     let experiments = || recorded.folders.iter().flat_map(|f| &f.experiments);
     let of_points = experiments().flat_map(|e| e.records.iter().flat_map(|r| &r.expectations));
     let of_cases = experiments()
         .flat_map(|e| &e.cases)
         .flat_map(|c| c.cases.iter().flat_map(|c| &c.expectations));
     let (mut all, mut missed) = (0, 0);
-    for reached in of_points.chain(of_cases) {
+    let of_peers = (recorded.folders.iter())
+        .flat_map(|f| &f.peers)
+        .flat_map(|p| p.checks.iter().map(|c| c.holds));
+    let of_ours = of_points.chain(of_cases).map(|r| r.holds);
+    for holds in of_ours.chain(of_peers) {
         all += 1;
-        missed += usize::from(!reached.holds);
+        missed += usize::from(!holds);
     }
-    match (all, missed) {
+    let is_whole = experiments().all(|e| e.missing.is_empty());
+    let block = match (all, missed) {
+        (0, _) if !is_whole => return None,
         (0, _) => Block::Notice(
             Tone::Plain,
             "Nothing was expected of these measurements.".to_owned(),
@@ -70,7 +81,32 @@ fn reached(recorded: &Recorded) -> Block {
                 "{missed} of {all} expectations were missed: they are marked where they belong."
             ),
         ),
+    };
+    Some(block)
+}
+
+/// What was to be measured in a folder and was not, and the command that goes on; nothing where all was.
+pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
+    let lacking = &experiment.missing;
+    if lacking.is_empty() {
+        return Vec::new();
     }
+    let asked = experiment.definition.points.len();
+    let text = format!(
+        "{} of {} of {} missing in {}: {}. What is told here is not all of it. To go on:",
+        lacking.len(),
+        counted(asked, "point"),
+        match lacking.len() {
+            1 => format!("{} is", experiment.definition.name),
+            _ => format!("{} are", experiment.definition.name),
+        },
+        folder.path.display(),
+        lacking.join(", ")
+    );
+    vec![
+        Block::Notice(Tone::Bad, text),
+        Block::Command(folder.run.command.clone()),
+    ]
 }
 
 /// A column for each folder.

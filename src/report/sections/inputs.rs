@@ -1,9 +1,8 @@
 //! What should I use for what I have: a row for each input that runs of the experiments say they stand for.
 
 use super::figures::{counts, percent, ranged, times};
-use super::point::{Point, Points};
+use super::point::{Bench, Point, Points};
 use crate::experiment::{Record, StrategyMeasurement};
-use crate::gpu::AdapterReport;
 use crate::report::derived::{
     Advised, Harm, Situation, Spread, advised, harms, has_defect, has_other_truth, papers,
 };
@@ -13,7 +12,7 @@ use crate::report::document::{Block, Cell, Grid, Tone};
 const HOW_TO_READ: &str = "A row for each kind of input that some run stands for. `use` is the cheapest strategy that is exact wherever it \
     drew, at half of the points or more, by the clocks that are paid for what moves; `or` is the next. Nothing is exact on a mesh that is broken: there `use` is who \
     is wrong least, as a share of the cap there should be, and `or` who leaves least of what is wrong unmarked. `@compute` is the compute rasteriser, without it the \
-    hardware's is used. Point at a cell for the range.";
+    hardware's is used. `paper` is the paper's path: its time over that of drawing only, and its decided wrong pixels. Point at a cell for the range.";
 
 /// Points that stand for one input.
 struct Input<'a> {
@@ -23,9 +22,9 @@ struct Input<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of an adapter, with its explanation where it is the first; nothing where no run stands for anything.
-pub(super) fn blocks(points: &Points<'_>, adapter: &AdapterReport) -> Vec<Block> {
-    let on_it = points.on(adapter);
+/// The table of a bench, with its explanation where it is the first; nothing where no run stands for anything.
+pub(super) fn blocks(points: &Points<'_>, bench: &Bench<'_>) -> Vec<Block> {
+    let on_it = points.on(bench);
     let inputs = inputs(&on_it);
     if inputs.is_empty() {
         return Vec::new();
@@ -35,10 +34,10 @@ pub(super) fn blocks(points: &Points<'_>, adapter: &AdapterReport) -> Vec<Block>
         "what moves",
         "points",
         "use",
-        "at, × draw only",
+        "× draw only",
         "or",
-        "the paper's path, × draw only",
-        "the paper's path: decided wrong px",
+        "paper, ×",
+        "paper, wrong px",
     ];
     let mut grid = Grid::new("what to use for which input", heading);
     for input in &inputs {

@@ -15,11 +15,11 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
          ratio of the frame time to draw only; `!` marks a bounded buffer that overflowed at some point. Point at a cell for the rest."
             .to_owned(),
     )];
-    for adapter in points.adapters() {
-        if points.adapters().count() > 1 {
-            blocks.push(Block::Heading(5, points.label(adapter)));
+    for bench in points.benches() {
+        if points.benches().count() > 1 {
+            blocks.push(Block::Heading(5, points.label(bench)));
         }
-        blocks.push(Block::Grid(matrix(&points.on(adapter))));
+        blocks.push(Block::Grid(matrix(&points.on(bench))));
     }
     blocks
 }

@@ -8,6 +8,7 @@ mod costs;
 mod expectations;
 mod experiments;
 mod figures;
+mod glossary;
 mod head;
 mod inputs;
 mod made;
@@ -29,9 +30,13 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
     let mut blocks = Vec::new();
     for (heading, section) in [
         ("What was run", head::section(recorded, &points)),
+        ("What the words mean", glossary::section(recorded)),
         ("What should I use?", answers::section(&points)),
         ("Strategies by scenes", matrix::section(&points)),
-        ("Experiments", experiments::section(&points, &pictures)),
+        (
+            "Experiments",
+            experiments::section(recorded, &points, &pictures),
+        ),
         ("Hard cases", cases::section(recorded)),
         ("Outside baselines", outside::section(recorded)),
         ("How it was made", made::section(recorded, &pictures)),

@@ -4,7 +4,7 @@
 
 use super::figures::timed;
 use crate::report::document::{Block, Cell, Grid, Tone};
-use crate::report::recorded::{PeerRecord, PeerRow, Recorded};
+use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, Recorded};
 
 pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -21,6 +21,17 @@ pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
             };
             blocks.push(Block::Heading(4, format!("{title}{place}")));
             blocks.push(Block::Text(versions(record)));
+            let missed = record.checks.iter().filter(|c| !c.holds);
+            blocks.extend(missed.map(|c| {
+                let text = format!(
+                    "{}, {}: the area of {} is {}.",
+                    c.mesh,
+                    c.cut,
+                    c.tool,
+                    told(c)
+                );
+                Block::Notice(Tone::Bad, text)
+            }));
             blocks.push(Block::Grid(table(record)));
             if !record.command.is_empty() {
                 blocks.push(Block::Command(record.command.clone()));
@@ -70,9 +81,20 @@ fn table(record: &PeerRecord) -> Grid {
             .map_or_else(Cell::default, |t| Cell::number(t.to_string(), t as f64));
         let area = row.area.map_or_else(Cell::default, |a| {
             let cell = Cell::number(format!("{a:.6}"), a);
-            match &row.area_unit {
+            let cell = match &row.area_unit {
                 Some(unit) => cell.titled(unit.as_str()),
                 None => cell,
+            };
+            let is_of_it =
+                |c: &&PeerCheck| c.tool == row.tool && c.mesh == row.mesh && c.cut == row.cut;
+            let checks: Vec<&PeerCheck> = record.checks.iter().filter(is_of_it).collect();
+            match checks.iter().find(|c| !c.holds) {
+                Some(missed) => Cell {
+                    text: format!("{} (missed)", cell.text),
+                    ..cell.toned(Tone::Bad).titled(told(missed))
+                },
+                None if checks.is_empty() => cell,
+                None => cell.toned(Tone::Good),
             }
         });
         let difference = difference(row, &record.rows).map_or_else(Cell::default, |d| {
@@ -99,6 +121,17 @@ fn table(record: &PeerRecord) -> Grid {
         ]);
     }
     grid
+}
+
+/// How far an area is off.
+fn told(check: &PeerCheck) -> String {
+    let PeerCheck {
+        off,
+        bound,
+        bound_is,
+        ..
+    } = check;
+    format!("off by {off:.3e}, where {bound:.3e} is allowed ({bound_is})")
 }
 
 fn is_ours(row: &PeerRow) -> bool {

@@ -50,7 +50,7 @@ impl Chosen {
         };
         for point in with() {
             let share = left / waiting.max(1);
-            let (gallery, used) = gallery(point, options, share);
+            let (gallery, used) = gallery(points, point, options, share);
             left = left.saturating_sub(used);
             waiting -= 1;
             chosen.galleries.push(gallery);
@@ -94,9 +94,14 @@ fn key(point: &Point<'_>) -> (PathBuf, String, String) {
 }
 
 /// The pictures of a point within a share of the budget, and how much of it they take.
-fn gallery(point: &Point<'_>, options: &PictureOptions, share: u64) -> (Gallery, u64) {
+fn gallery(
+    points: &Points<'_>,
+    point: &Point<'_>,
+    options: &PictureOptions,
+    share: u64,
+) -> (Gallery, u64) {
     let mut gallery = Gallery {
-        label: format!("pictures of {}", point.name()),
+        label: format!("pictures of {}{}", point.name(), points.on_whom(point)),
         ..Gallery::default()
     };
     let mut used = 0;

@@ -36,11 +36,27 @@ impl Point<'_> {
     }
 }
 
-/// All points, and the adapters they were measured on.
+/// What figures must share to be compared: the folder of a run, the adapter, and whether it was measured with `--quick`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bench<'a> {
+    folder: &'a Folder,
+    adapter: &'a AdapterReport,
+    is_quick: bool,
+}
+
+impl Bench<'_> {
+    fn has(&self, point: &Point<'_>) -> bool {
+        std::ptr::eq(self.folder, point.folder)
+            && *self.adapter == point.record.measurement.adapter
+            && self.is_quick == point.record.is_quick
+    }
+}
+
+/// All points, and where they were measured.
 #[derive(Clone, Debug)]
 pub(super) struct Points<'a> {
     pub(super) all: Vec<Point<'a>>,
-    adapters: Vec<&'a AdapterReport>,
+    benches: Vec<Bench<'a>>,
     /// Warnings that every point of a folder has.
     common: Vec<(&'a Folder, Vec<Warning>)>,
 }
@@ -48,7 +64,7 @@ pub(super) struct Points<'a> {
 impl<'a> Points<'a> {
     pub(super) fn of(recorded: &'a Recorded) -> Self {
         let mut all = Vec::new();
-        let mut adapters: Vec<&AdapterReport> = Vec::new();
+        let mut benches: Vec<Bench<'_>> = Vec::new();
         let mut common = Vec::new();
         for folder in &recorded.folders {
             let start = all.len();
@@ -61,45 +77,58 @@ impl<'a> Points<'a> {
             }
             common.push((folder, common_warnings(&all[start..])));
         }
-        for adapter in all.iter().map(|p| &p.record.measurement.adapter) {
-            if !adapters.contains(&adapter) {
-                adapters.push(adapter);
+        for point in &all {
+            if !benches.iter().any(|b| b.has(point)) {
+                benches.push(Bench {
+                    folder: point.folder,
+                    adapter: &point.record.measurement.adapter,
+                    is_quick: point.record.is_quick,
+                });
             }
         }
         Self {
             all,
-            adapters,
+            benches,
             common,
         }
     }
 
-    /// Adapters, in the order of the folders.
-    pub(super) fn adapters(&self) -> impl Iterator<Item = &'a AdapterReport> {
-        self.adapters.iter().copied()
+    /// Where points were measured, in the order of the folders.
+    pub(super) fn benches(&self) -> impl Iterator<Item = &Bench<'a>> {
+        self.benches.iter()
     }
 
-    /// Points on an adapter.
-    pub(super) fn on(&self, adapter: &AdapterReport) -> Vec<Point<'a>> {
+    /// Points of a bench.
+    pub(super) fn on(&self, bench: &Bench<'_>) -> Vec<Point<'a>> {
         let all = self.all.iter();
-        all.filter(|p| p.record.measurement.adapter == *adapter)
-            .copied()
-            .collect()
+        all.filter(|p| bench.has(p)).copied().collect()
     }
 
-    /// A name for an adapter that no other has.
-    pub(super) fn label(&self, adapter: &AdapterReport) -> String {
-        let named = self.adapters.iter().filter(|a| a.name == adapter.name);
-        match named.count() {
-            0 | 1 => adapter.name.clone(),
-            _ => format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
+    /// A name for a bench that no other has: its folder where there are several, its adapter, and whether it was quick where only some
+    /// were.
+    pub(super) fn label(&self, bench: &Bench<'_>) -> String {
+        let differ = |is_same: &dyn Fn(&Bench<'_>) -> bool| !self.benches.iter().all(is_same);
+        let adapter = bench.adapter;
+        let is_namesake = |b: &Bench<'_>| b.adapter.name == adapter.name && b.adapter != adapter;
+        let mut words = Vec::new();
+        if differ(&|b| std::ptr::eq(b.folder, bench.folder)) {
+            words.push(bench.folder.path.display().to_string());
         }
+        words.push(match self.benches.iter().any(is_namesake) {
+            false => adapter.name.clone(),
+            true => format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
+        });
+        if differ(&|b| b.is_quick == bench.is_quick) {
+            words.push(if bench.is_quick { "quick" } else { "in full" }.to_owned());
+        }
+        words.join(", ")
     }
 
-    /// The name of a point's adapter after a separator, where there are several adapters.
+    /// The name of a point's bench after a separator, where there are several.
     pub(super) fn on_whom(&self, point: &Point<'_>) -> String {
-        match self.adapters.len() {
-            0 | 1 => String::new(),
-            _ => format!(" · {}", self.label(&point.record.measurement.adapter)),
+        match self.benches.iter().find(|b| b.has(point)) {
+            Some(bench) if self.benches.len() > 1 => format!(" · {}", self.label(bench)),
+            _ => String::new(),
         }
     }
 

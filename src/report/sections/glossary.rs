@@ -1,0 +1,72 @@
+//! What the words of the tables mean, in one short table.
+
+use crate::report::document::{Block, Cell, Grid};
+use crate::report::recorded::Recorded;
+
+const WORDS: [[&str; 2]; 13] = [
+    [
+        "undecided",
+        "a pixel where sampling is ambiguous within the error of f32: no answer there can be called wrong",
+    ],
+    [
+        "decided wrong",
+        "a wrong pixel where the reference is sure: undecided pixels are left out",
+    ],
+    [
+        "missed cap",
+        "the reference has cap there, the strategy has not",
+    ],
+    [
+        "leaked cap",
+        "the strategy has cap there, the reference has not",
+    ],
+    [
+        "wrong part",
+        "both have the same kind of thing there, of another part or, for a cap, by another clip-surface",
+    ],
+    [
+        "crack",
+        "a hole: a back face where the reference is sure of a surface or a cap, or background where none is within a pixel of it",
+    ],
+    [
+        "outline",
+        "background where the reference is sure of a surface or a cap and has background within a pixel: a border that moved",
+    ],
+    [
+        "interior wrong",
+        "a wrong pixel farther than one pixel from every border of the reference image",
+    ],
+    [
+        "unreliable (marked)",
+        "a pixel that the strategy itself does not vouch for, wrong or not",
+    ],
+    [
+        "unmarked wrong",
+        "a decided wrong pixel that the strategy vouches for: nobody is told",
+    ],
+    [
+        "sums",
+        "missed, leaked, wrong part and interior wrong count all pixels, undecided ones too, so that they may exceed `decided wrong`; cracks and outlines leave undecided ones out",
+    ],
+    [
+        "ratio, ×",
+        "time over that of drawing the uncut scene, the median over the rounds",
+    ],
+    [
+        "MAD, ±",
+        "median of the distances of all rounds from their median",
+    ],
+];
+
+/// The table; nothing where nothing was measured.
+pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+    let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
+    if experiments.all(|e| e.records.is_empty()) {
+        return Vec::new();
+    }
+    let mut grid = Grid::new("what the words mean", ["word", "meaning"]);
+    for words in WORDS {
+        grid.row(words.map(Cell::from));
+    }
+    vec![Block::Grid(grid)]
+}
