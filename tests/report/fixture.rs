@@ -42,7 +42,7 @@ pub(crate) fn drawn(name: &str, wrong_px: usize, ratio: f64) -> StrategyMeasurem
             frame: 2 << 20,
         },
         time_ms: PerClock {
-            solid: Samples::of(vec![12.0, 14.0]),
+            solid: Samples::of(vec![12.0, 13.0, 14.0]),
             cut: Samples::default(),
             frame: Samples::of([1.75, 2.0, 2.25].map(|t| t * ratio).into()),
         },
