@@ -99,7 +99,7 @@ fn follow(path: &Path, files: &mut BTreeSet<PathBuf>) {
         return;
     }
     let extension = path.extension().map(|e| e.to_ascii_lowercase());
-    let names_others = extension.is_some_and(|e| e == "toml" || e == "gltf");
+    let names_others = extension.is_some_and(|e| e == "toml" || e == "gltf" || e == "obj");
     let Some(text) = names_others
         .then(|| std::fs::read_to_string(path).ok())
         .flatten()
@@ -107,8 +107,13 @@ fn follow(path: &Path, files: &mut BTreeSet<PathBuf>) {
         return;
     };
     let folder = path.parent().unwrap_or(Path::new(""));
-    for quoted in text.split('"').filter(|t| !t.is_empty() && t.len() < 256) {
-        follow(&folder.join(quoted), files);
+    // Scene files and glTF name files in quotes, OBJ names its materials after a word.
+    let quoted = text.split(['"', '\'']);
+    let libraries = text.lines().filter_map(|l| l.strip_prefix("mtllib "));
+    for name in quoted.chain(libraries.map(str::trim)) {
+        if (1..256).contains(&name.len()) {
+            follow(&folder.join(name), files);
+        }
     }
 }
 

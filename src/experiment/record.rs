@@ -6,6 +6,7 @@
 //! out anew.
 
 use std::collections::BTreeMap;
+use std::path::{Component, Path};
 
 use serde::{Deserialize, Serialize};
 
@@ -228,6 +229,26 @@ pub struct Picture {
     pub heatmap: Option<String>,
 }
 
+impl Picture {
+    /// Its files.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.file.as_str()).chain(self.heatmap.as_deref())
+    }
+
+    /// Whether its files are in the folder of the record and nowhere else: a record that comes from elsewhere must not lead to other
+    /// places, where what it names is read or removed.
+    pub fn is_beside(&self) -> bool {
+        let is_bare = |file: &str| {
+            let mut parts = Path::new(file).components();
+            matches!(
+                (parts.next(), parts.next()),
+                (Some(Component::Normal(_)), None)
+            )
+        };
+        self.files().all(is_bare)
+    }
+}
+
 /// What a machine is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
@@ -266,4 +287,23 @@ pub struct Run {
     pub adapter: AdapterReport,
     /// Limits of the device that plans are made for, by name.
     pub limits: BTreeMap<String, u64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_beside_their_record_or_nowhere() {
+        let picture = |file: &str, heatmap: Option<&str>| Picture {
+            drawer: "exact".to_owned(),
+            file: file.to_owned(),
+            heatmap: heatmap.map(str::to_owned),
+        };
+        assert!(picture("a.png", Some("b.png")).is_beside());
+        for stray in ["/etc/passwd", "../a.png", "a/b.png", "", ".."] {
+            assert!(!picture(stray, None).is_beside(), "{stray}");
+            assert!(!picture("a.png", Some(stray)).is_beside(), "{stray}");
+        }
+    }
 }

@@ -1,5 +1,8 @@
 //! Files of experiments: what they say is read and expanded, and what makes no sense is refused by file, line, run and mend.
 
+use std::path::Path;
+
+use cutaway::experiment::Definition;
 use cutaway::experiment::definition::{Asked, Moves, Wanted};
 
 use super::{read, scenes};
@@ -295,4 +298,72 @@ fn what_makes_no_sense_is_refused_by_name() {
     }
     let at_most_0 = good.replacen("decided_wrong_px = 0", "decided_wrong_px = { most = 0 }", 1);
     read(&at_most_0).expect("it declares no failure");
+}
+
+#[test]
+fn nothing_is_called_like_what_stands_beside_records() {
+    let text = |run: &str| {
+        format!(
+            "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"{run}\"\nscene = [\"shape:cube\"]\n\
+             resolution = \"8,8\"\nstrategies = [\"raycast+mask\"]\n"
+        )
+    };
+    let read = |file: &str, run: &str| Definition::read(Path::new(file), &text(run));
+    assert!(read("a.toml", "b").is_ok(), "other names are free");
+    for (file, run) in [
+        ("peers.toml", "b"),
+        ("experiment.toml", "b"),
+        ("a.toml", "experiment"),
+    ] {
+        let told = read(file, run).unwrap_err().to_string();
+        assert!(told.contains("neither `experiment` nor `peers`"), "{told}");
+    }
+}
+
+/// A file with one run of these strategies and this sweep.
+fn swept(strategies: &str, sweep: &str) -> String {
+    format!(
+        "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\n\
+         resolution = \"8,8\"\nstrategies = {strategies}\n[run.sweep]\n{sweep}\n"
+    )
+}
+
+#[test]
+fn what_two_texts_come_to_is_asked_once_and_belongs_to_both() {
+    let strategies = r#"["grid:{cells}+vds:1024", "grid:256+vds:{texels}"]"#;
+    let text = swept(strategies, "cells = [128, 256]\ntexels = [512, 1024, 2048]");
+    let falls = "[[run.expect]]\nstrategies = [\"*\"]\ndecided_wrong_px = { falls_along = \"texels\" }\nwhy = \"it does\"";
+    let definition = read(&format!("{text}{falls}")).unwrap();
+    let full = scenes(&definition, false);
+    let entrants = &full.points[0].entrants;
+    let names: Vec<String> = entrants.iter().map(|e| e.contender.to_string()).collect();
+    let expected = [
+        "grid:128+vds:1024",
+        "grid:256+vds:1024",
+        "grid:256+vds:512",
+        "grid:256+vds:2048",
+    ];
+    assert_eq!(names, expected);
+    let makers: Vec<&str> = entrants[1]
+        .makers
+        .iter()
+        .map(|(_, m)| m.family.as_str())
+        .collect();
+    assert_eq!(makers, ["grid:{cells}+vds:1024", "grid:256+vds:{texels}"]);
+}
+
+#[test]
+fn sweeps_without_end_are_refused_at_once() {
+    let axes: String = (0..70).map(|i| format!("a{i} = [1, 2]\n")).collect();
+    let scene: String = (0..70).map(|i| format!("{{a{i}}}")).collect();
+    let text = swept("[\"raycast+mask\"]", &axes).replace("shape:cube", &scene);
+    let told = read(&text).unwrap_err().to_string();
+    assert!(told.contains("too many points"), "{told}");
+    let values: Vec<String> = (1..=300).map(|n| n.to_string()).collect();
+    let text = swept(
+        "[\"grid:{cells}+mask\"]",
+        &format!("cells = [{}]", values.join(", ")),
+    );
+    let told = read(&text).unwrap_err().to_string();
+    assert!(told.contains("at most 200"), "{told}");
 }

@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use crate::cmd::output::{checked_folder, write_file};
 use crate::cmd::picture;
 use crate::experiment::run::Measured;
-use crate::experiment::{CaseRecords, Definition, Record, Run};
+use crate::experiment::{CaseRecords, Definition, Picture, Record, Run};
 use crate::gpu::AdapterReport;
 use crate::{Error, Result};
 
@@ -85,11 +85,8 @@ impl Folder {
     pub(super) fn record(&self, experiment: &str, stem: &str, identity: &str) -> Option<Record> {
         let folder = self.of(experiment);
         let record: Record = read(&folder.join(format!("{stem}.json")))?;
-        let files = record
-            .pictures
-            .iter()
-            .flat_map(|p| [Some(&p.file), p.heatmap.as_ref()]);
-        let is_whole = files.flatten().all(|f| folder.join(f).is_file());
+        let is_there = |p: &Picture| p.is_beside() && p.files().all(|f| folder.join(f).is_file());
+        let is_whole = record.pictures.iter().all(is_there);
         (record.format == Record::FORMAT && record.identity == identity && is_whole)
             .then_some(record)
     }
@@ -142,8 +139,8 @@ impl Folder {
                 (None, Some(_)) => Vec::new(),
                 (None, None) => continue,
             };
-            let files = pictures.into_iter().flat_map(|p| [Some(p.file), p.heatmap]);
-            let files = files.flatten().map(|f| folder.join(f));
+            let beside = pictures.iter().filter(|p| p.is_beside());
+            let files = beside.flat_map(Picture::files).map(|f| folder.join(f));
             others.push(files.chain([path.clone()]).collect());
         }
         others

@@ -156,6 +156,7 @@ impl Job<'_> {
         match self.task {
             Task::Point(run, point, keeps_pictures) => {
                 identity.add_words(&point.scene);
+                identity.add("truth");
                 identity.add_words(point.truth.as_deref().unwrap_or_default());
                 for entrant in &point.entrants {
                     identity.add(format!("{} {:?}", entrant.contender, entrant.makers));

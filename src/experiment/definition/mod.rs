@@ -101,7 +101,7 @@ impl Definition {
         if !is_name(&name) || path.extension().is_none_or(|e| e != "toml") {
             return Err(Error::file(
                 path,
-                "the file's name is the experiment's name: [a-z0-9-]+ and .toml",
+                "the file's name is the experiment's name: [a-z0-9-]+ and .toml, and neither `experiment` nor `peers`",
                 "call it for example 01-paper.toml",
             ));
         }
@@ -134,10 +134,13 @@ impl Definition {
     }
 }
 
+/// What a folder of records has beside them: no record may be called so.
+const TAKEN: [&str; 2] = ["experiment", "peers"];
+
 /// A name that can be a file's, on any system.
 fn is_name(name: &str) -> bool {
     let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-    !name.is_empty() && name.chars().all(is_plain)
+    !name.is_empty() && name.chars().all(is_plain) && !TAKEN.contains(&name)
 }
 
 fn question(root: &Table<'_>) -> Result<String> {
@@ -176,7 +179,7 @@ fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
     }
     let name = table.need("name", "\"crank\"")?;
     if !is_name(name.text()?) {
-        let mend = "use small letters, digits and `-`: files are called by it";
+        let mend = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are called by it";
         return Err(name.fault("it cannot be a name", mend));
     }
     let about = table.get("about");

@@ -141,8 +141,18 @@ impl Experiment {
     }
 }
 
-/// A record has as many values for each strategy as strategies.
+/// A record has as many values for each strategy as strategies, and its pictures beside it.
 fn is_at_one(file: &Path, record: &Record) -> Result<()> {
+    if let Some(stray) = record.pictures.iter().find(|p| !p.is_beside()) {
+        return Err(Error::file(
+            file,
+            format!(
+                "the picture `{}` is not in the folder of the record",
+                stray.file
+            ),
+            "remove the file and measure again: points that are whole are kept",
+        ));
+    }
     let strategies = record.measurement.strategies.len();
     for (what, count) in [
         (
