@@ -152,16 +152,26 @@ fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String
         .then(|| format!("{wrong} decided wrong along {boundary} boundary pixels"))
 }
 
+/// Pixels of background in a frame by a tessellation that are no hole: what is left of a solid may be thinner than its cap is
+/// displaced, and vanish altogether, beside nothing that exact shows as background. Found: one pixel of scene 13 of the search from
+/// seed 1, by `adaptive:0.5+mask`, and single pixels of thin wings of real meshes. Inner sides never show.
+const REMNANT_PX: usize = 1;
+
 /// What one list of crossings rules out at any tessellation.
 pub(super) fn list_fault(judged: &Judged) -> Option<String> {
     let comparison = &judged.comparison;
+    let back = judged.back_faces();
     let counts = [
-        (judged.back_faces(), "back faces"),
-        (comparison.crack_px, "cracks"),
-        (comparison.odd_parity_px, "odd pixels"),
+        (back, 0, "back faces"),
+        (
+            comparison.crack_px.saturating_sub(back),
+            REMNANT_PX,
+            "cracks",
+        ),
+        (comparison.odd_parity_px, 0, "odd pixels"),
     ];
-    let found = counts.iter().find(|(count, _)| *count > 0)?;
-    Some(format!("{} {}", found.0, found.1))
+    let found = counts.iter().find(|(count, most, _)| count > most)?;
+    Some(format!("{} {}", found.0, found.2))
 }
 
 /// What the pictures of a case came to.
