@@ -292,7 +292,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
     folder.write("01-cube.toml", CUBE);
     folder.write("02-lost.toml", &CUBE.replace("shape:cube", "nowhere.stl"));
     folder.write("03-spong.toml", &CUBE.replace("shape:cube", "shape:spong"));
-    let lost = "question = \"Is it lost?\"\n\n[[run]]\nname = \"lost\"\ncases = [\"1\", \"99\"]\n";
+    let lost = "question = \"Is it lost?\"\nanalysis = \"It is.\"\n\n[[run]]\nname = \"lost\"\ncases = [\"1\", \"99\"]\n";
     folder.write("04-cases.toml", lost);
     folder.write("file", "");
     fs::create_dir_all(folder.path("other")).unwrap();
