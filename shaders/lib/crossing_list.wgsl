@@ -6,7 +6,7 @@
 
 #define_import_path cutaway::crossing_list
 
-#import cutaway::frame::{frame, is_behind, pixel_count}
+#import cutaway::frame::{is_behind, pixel_count}
 #import cutaway::cuts::keeps_words
 
 @group(1) @binding(0) var<storage, read_write> crossing_heads: array<vec2<u32>>;
@@ -38,12 +38,9 @@ fn put(at: u32, z: f32, word: u32) {
     }
 }
 
-// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). The kept side owns a tie: where the ray
-// enters it the crossing moves towards the eye, where the ray leaves it away, by more than the rounding of rasterised depths. A
-// face that lies in the clip-surface is thus kept as a whole, whatever the rounding of each of its fragments.
+// Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). Of crossings at one depth those at which the ray
+// leaves what is kept come first: two cuts that share a plane leave no sheet between them.
 fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
-    let tie = z * frame.tie.x + frame.tie.y;
-    let moved = select(z - tie, z + tie, enters_kept);
     let stride = pixel_count();
     let stored = min((*list).found, (*list).capacity);
     (*list).found++;
@@ -51,14 +48,14 @@ fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     var i = stored;
     if stored == (*list).capacity {
         i = stored - 1u;
-        if !is_behind(crossing_z[i * stride + (*list).pixel], moved) {
+        if !is_behind(crossing_z[i * stride + (*list).pixel], z) {
             return;
         }
     }
     for (; i > 0u; i--) {
         let before = (i - 1u) * stride + (*list).pixel;
         let z_before = crossing_z[before];
-        if !is_behind(z_before, moved) {
+        if !is_behind(z_before, z) && (enters_kept || is_behind(z, z_before)) {
             break;
         }
         var word_before = word;
@@ -67,7 +64,7 @@ fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
         }
         put(before + stride, z_before, word_before);
     }
-    put(i * stride + (*list).pixel, moved, word);
+    put(i * stride + (*list).pixel, z, word);
 }
 
 // Writes the head of the list.

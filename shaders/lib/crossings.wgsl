@@ -8,7 +8,7 @@
 
 #import cutaway::crossing_words::surface_of_word
 #import cutaway::cuts::{cut_table, keeps_words}
-#import cutaway::frame::{depth_from_buffer, frame, is_behind, pixel_count}
+#import cutaway::frame::{depth_from_buffer, is_behind, pixel_count}
 
 // Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or is not vouched for; and the sides where the
 // ray starts.
@@ -38,10 +38,9 @@ fn z_at(index: u32, pixel: u32) -> f32 {
     return crossing_z[index * pixel_count() + pixel];
 }
 
-// Depth of the clip-surface at a crossing at which some part enters what is kept: the crossing was moved by the tie towards the
-// eye, and is moved back.
+// Depth of the clip-surface at a crossing.
 fn depth_at(index: u32, pixel: u32) -> f32 {
-    return depth_from_buffer((z_at(index, pixel) - frame.tie.y) / (1.0 + frame.tie.x));
+    return depth_from_buffer(z_at(index, pixel));
 }
 
 // Lists up to this length are looked through one by one.

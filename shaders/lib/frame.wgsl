@@ -21,11 +21,8 @@ struct Frame {
     far: f32,
     orthographic: u32,
     near_cap: u32,
-    // How far a crossing is moved so that the kept side owns a tie: z * x + y.
-    tie: vec2<f32>,
     // First row and all rows of the picture that this is a band of: what hangs on the place in the picture asks for it.
     band: vec2<u32>,
-    padding: vec2<u32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

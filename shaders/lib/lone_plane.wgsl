@@ -1,5 +1,5 @@
 // The only clip-surface of a frame, a plane, where the ray of a pixel crosses it: computed anew by whoever asks, always the same
-// way, and moved by the tie as in a list of crossings. So a fragment's side and the place of the cap agree.
+// way. So a fragment's side and the place of the cap agree.
 
 #define_import_path cutaway::lone_plane
 
@@ -23,9 +23,7 @@ fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
     if depth <= frame.near {
         return LonePlane(0.0, !rises);
     }
-    let z = buffer_from_depth(depth);
-    let tie = z * frame.tie.x + frame.tie.y;
-    return LonePlane(select(z - tie, z + tie, rises), rises);
+    return LonePlane(buffer_from_depth(depth), rises);
 }
 
 // Whether a fragment of the pixel is kept.

@@ -14,6 +14,8 @@ struct Sweep {
     again: u32,
     // Vertices of the screen begin with this one of all.
     first_vertex: u32,
+    // Rows from this one on are groups of settled triangles.
+    first_group: u32,
 }
 
 struct DrawnPart {
@@ -33,7 +35,7 @@ struct DrawnPart {
 }
 
 struct DrawnParts {
-    // In order of their first triangles; those after the last begin beyond every triangle.
+    // In order of their first triangles; groups of settled triangles follow the parts; those after the last begin beyond every triangle.
     parts: array<DrawnPart, 1024>,
 }
 

@@ -8,8 +8,8 @@
 //! come to overlap at a cap or cease to, that alone is. An outline leaves
 //! the sample undecided where the part is not clearly removed and nothing hides it.
 //!
-//! Exact coincidence is decided: a triangle in a clip-plane is on its kept side (see [`super::walk`]), and of two parts
-//! that share a triangle the first in rank has it.
+//! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
+//! of two parts that share a triangle the first in rank has it.
 
 use glam::DVec3;
 
@@ -79,8 +79,8 @@ pub(super) struct Case<'a> {
     pub(super) cutters: &'a Cutters,
     /// The answer.
     pub(super) sight: Option<Sight>,
-    /// Per event that is a mesh crossing: the surface its triangle lies in, if any.
-    pub(super) coincident: &'a [(u32, u16)],
+    /// Crossings, and the clip-surfaces that their triangles are settled by.
+    pub(super) settled: &'a [(u32, u16)],
 }
 
 /// Buffers of repeated walks.
@@ -234,6 +234,7 @@ impl Case<'_> {
                 ] {
                     scratch.events.push(Event {
                         depth,
+                        place: 0,
                         cause: Cause::Clip {
                             surface: graze.surface,
                             to_kept,
@@ -313,17 +314,18 @@ impl Case<'_> {
             let cut = self.prepared.surfaces[surface as usize].cut;
             self.prepared.parts[rank as usize].cuts.contains(&cut)
         };
-        let lies_in =
-            |mesh: &Event, surface: u16| self.coincident.contains(&(mesh.source, surface));
+        let is_settled =
+            |mesh: &Event, surface: u16| self.settled.contains(&(mesh.source, surface));
         match (a.cause, b.cause) {
-            (Cause::Mesh { rank: p, .. }, Cause::Mesh { rank: q, .. }) => {
-                p != q && !self.share_triangle(a, b)
+            // Of one part it matters which side of the mesh is seen.
+            (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
+                (p != q || s != t) && !self.share_triangle(a, b)
             }
             (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
-                meets(p, surface) && !lies_in(a, surface)
+                meets(p, surface) && !is_settled(a, surface)
             }
             (Cause::Clip { surface, .. }, Cause::Mesh { rank: p, .. }) => {
-                meets(p, surface) && !lies_in(b, surface)
+                meets(p, surface) && !is_settled(b, surface)
             }
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
                 // Two surfaces that are one plane happen at once, whatever the rounding.

@@ -19,7 +19,8 @@ pub(super) struct Bench {
     pub(super) ranks: Vec<u16>,
     /// Per surface: its roots are listed.
     pub(super) met: Vec<bool>,
-    pub(super) coincident: Vec<(u32, u16)>,
+    /// Crossings and the clip-surfaces that their triangles are settled by: no rounding changes their order.
+    pub(super) settled: Vec<(u32, u16)>,
     pub(super) start: State,
     pub(super) state: State,
     pub(super) scratch: Scratch,
@@ -37,7 +38,7 @@ impl Bench {
             events: Vec::new(),
             ranks: Vec::new(),
             met: vec![false; prepared.surfaces.len()],
-            coincident: Vec::new(),
+            settled: Vec::new(),
             start: State::of(prepared),
             state: State::of(prepared),
             scratch: Scratch::of(prepared),
@@ -73,6 +74,7 @@ impl Bench {
         self.events
             .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
                 depth: c.depth,
+                place: c.place,
                 cause: Cause::Mesh {
                     rank: c.rank,
                     step: c.step(),
@@ -82,6 +84,7 @@ impl Bench {
         self.events
             .extend(self.roots.iter().enumerate().map(|(i, r)| Event {
                 depth: r.depth,
+                place: 0,
                 cause: Cause::Clip {
                     surface: r.surface,
                     to_kept: r.to_kept,
@@ -100,7 +103,7 @@ impl Bench {
         self.roots.clear();
         self.grazes.clear();
         self.events.clear();
-        self.coincident.clear();
+        self.settled.clear();
         self.met.fill(false);
         self.start.removed.fill(false);
     }

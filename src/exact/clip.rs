@@ -108,14 +108,6 @@ impl Clip {
         }
     }
 
-    /// Whether a triangle lies in the surface: only asked of flat ones, and only exact zeros count.
-    pub(super) fn holds(&self, points: [DVec3; 3]) -> bool {
-        self.relief.is_none()
-            && points
-                .iter()
-                .all(|p| (*p - self.origin).dot(self.normal) + self.offset == 0.0)
-    }
-
     /// Appends the crossings in `range` in order, and returns whether the ray is on the removed side at its start.
     pub(super) fn meet(
         &self,

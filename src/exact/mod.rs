@@ -18,13 +18,13 @@ mod ambiguity;
 mod bench;
 mod blocks;
 mod clip;
-mod coincident;
 mod cutter;
 mod outline;
 mod quadratic;
 mod raster;
 mod relief;
 mod screen;
+mod settle;
 mod shading;
 mod table;
 mod walk;
@@ -41,7 +41,7 @@ use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
-use crate::scene::{Prepared, View};
+use crate::scene::{Prepared, Settled, View};
 
 pub use winding::Windings;
 
@@ -124,6 +124,8 @@ struct Lines<'a> {
     cutters: Cutters,
     /// By number; those of cutters are not asked.
     clips: Vec<Clip>,
+    /// By rank.
+    settled: Vec<Vec<Settled>>,
     triangles: Bands,
     outlines: Vec<Vec<Outline>>,
     outline_bands: Bands,
@@ -178,6 +180,7 @@ impl<'a> Lines<'a> {
                 .enumerate()
                 .map(|(i, s)| Clip::of(i as u16, s, radius))
                 .collect(),
+            settled: prepared.parts.iter().map(|p| prepared.settled(p)).collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
             cutters: Cutters::of(prepared),
@@ -257,7 +260,7 @@ impl<'a> Lines<'a> {
         };
         let range = [from, depths[1] + self.pad(depths[1])];
         layer.unreliable |= self.meet_clips(&ray, range, of_cutters, bench);
-        self.snap_coincident(at, &ray, bench);
+        self.settle(at, &ray, bench);
         bench.merge_events();
         bench.state.set(&bench.start);
         let sight = walk(
@@ -285,7 +288,7 @@ impl<'a> Lines<'a> {
             cutter_brushes,
             cutters: &self.cutters,
             sight,
-            coincident: &bench.coincident,
+            settled: &bench.settled,
         };
         let open = case.openness(&mut bench.scratch);
         bench.clear();

@@ -85,7 +85,8 @@ impl<'a> Projected<'a> {
 
 /// The plane of a triangle and the depths between which it lies.
 pub(super) struct Facet {
-    /// The corners in scene space.
+    /// The corners in scene space, in order of their coordinates: faces that coincide have the same depths bit for bit, whichever
+    /// corner their lists begin at.
     pub(super) points: [DVec3; 3],
     /// Normal by the counter-clockwise rule, as long as twice the area.
     pub(super) normal: DVec3,
@@ -94,10 +95,19 @@ pub(super) struct Facet {
 
 impl Facet {
     fn of(points: [DVec3; 3], depths: [f64; 3]) -> Self {
+        let mut points = points;
+        // Each exchange of two corners turns the normal over.
+        let mut turn = 1.0;
+        for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+            if points[j].to_array() < points[i].to_array() {
+                points.swap(i, j);
+                turn = -turn;
+            }
+        }
         let [a, b, c] = points;
         Self {
             points,
-            normal: (b - a).cross(c - a),
+            normal: (b - a).cross(c - a) * turn,
             depths: [
                 depths[0].min(depths[1]).min(depths[2]),
                 depths[0].max(depths[1]).max(depths[2]),
@@ -158,6 +168,8 @@ pub(super) struct Crossing {
     pub(super) rank: u16,
     /// The triangle faces away from the eye.
     pub(super) back_face: bool,
+    /// Where it is among crossings of clip-surfaces at its very depth: -1 before them, 1 behind; 0 where its triangle lies in none.
+    pub(super) place: i8,
 }
 
 impl Crossing {
@@ -335,6 +347,7 @@ fn cross_triangle(
                         depth: facet.depth(origin, direction),
                         rank,
                         back_face: facing > 0,
+                        place: 0,
                     });
                 }
             }

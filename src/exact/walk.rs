@@ -5,10 +5,11 @@
 //! surfaces do, a part loses what any of its cuts removes. A part *shows* where the ray is inside it and nothing removes
 //! it; the visible point is the first, beyond the near plane, at which some part goes from not showing to showing.
 //!
-//! Ties. The removed side is open (`F < 0`), so a mesh event at the very depth of a clip event counts as on its kept side:
-//! after the crossing to the kept side, before the crossing to the removed side. A triangle that lies in the clip-plane is
-//! thereby kept, all of it, seen from either side. Clip events at one depth happen at once: two cuts that share a plane
-//! leave no sheet between them. Parts at one depth happen by rank.
+//! Ties. A solid is taken without its boundary: a mesh event whose triangle lies in a clip-surface is before the clip event where the
+//! ray leaves the solid by it, and behind it where the ray enters ([`super::settle`]); so a cut leaves nothing without thickness. Any
+//! other mesh event that happens to be at the very depth of a clip event counts as on its kept side. Clip events at one depth happen
+//! at once: two cuts that share a plane leave no sheet between them. Parts at one depth happen by rank, and of one part entering comes
+//! first, so that of faces that coincide the one that faces the eye is seen.
 
 use std::cmp::Ordering;
 
@@ -38,6 +39,8 @@ pub(super) enum Cause {
 pub(super) struct Event {
     /// Where.
     pub(super) depth: f64,
+    /// Where it is among events at that depth: -1 before all clip events, 1 behind them.
+    pub(super) place: i8,
     /// What.
     pub(super) cause: Cause,
     /// Index of the crossing or the root it stands for.
@@ -45,14 +48,14 @@ pub(super) struct Event {
 }
 
 impl Event {
-    fn precedence(&self) -> (u8, u16) {
+    fn precedence(&self) -> (i8, u8, u16, i8) {
         match self.cause {
             Cause::Clip {
                 surface,
                 to_kept: true,
-            } => (0, surface),
-            Cause::Mesh { rank, .. } => (1, rank),
-            Cause::Clip { surface, .. } => (2, surface),
+            } => (self.place, 0, surface, 0),
+            Cause::Mesh { rank, step } => (self.place, 1, rank, -step),
+            Cause::Clip { surface, .. } => (self.place, 2, surface, 0),
         }
     }
 }
@@ -137,14 +140,14 @@ pub(super) struct Sight {
 }
 
 impl Sight {
-    /// What two sights must share to be the same answer: the part and, for a cap, the clip-surface.
+    /// What two sights must share to be the same answer: the part and, for a cap, the clip-surface; for a surface, the side it shows.
     pub(super) fn class(&self) -> (u16, Option<Cause>) {
         let cause = self.event.map(|e| match e.cause {
             Cause::Clip { surface, .. } => Cause::Clip {
                 surface,
                 to_kept: true,
             },
-            Cause::Mesh { rank, .. } => Cause::Mesh { rank, step: 0 },
+            mesh @ Cause::Mesh { .. } => mesh,
         });
         (self.rank, cause)
     }

@@ -216,6 +216,7 @@ impl Recorder<'_> {
                     frame,
                     clock: Clock::Frame,
                     ranks: &ranks,
+                    settles: false,
                     fresh: "lib/fresh/nothing.wgsl",
                     freshened: Vec::new(),
                 })?;

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use crate::plan::pack::{NO_RELIEF, flat_height};
+use crate::plan::pack::NO_RELIEF;
 use crate::plan::{Contents, Piece};
 use crate::scene::{OffsetMap, Prepared};
 
@@ -40,7 +40,7 @@ impl Heights {
         let had: Vec<bool> = (0..prepared.cuts.len()).map(is_had).collect();
         let first_texel = prepared.surfaces.iter().map(|surface| {
             let relief = surface.relief.as_ref().filter(|_| had[surface.cut]);
-            let Some(map) = relief.filter(|_| flat_height(surface).is_none()) else {
+            let Some(map) = relief.filter(|_| surface.flat_height().is_none()) else {
                 return NO_RELIEF;
             };
             let is_it = |m: &&PackedMap| Arc::ptr_eq(&m.map, map);

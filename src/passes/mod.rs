@@ -24,6 +24,7 @@ mod rest;
 mod scan;
 mod screen;
 mod sections;
+mod settled;
 mod sheet;
 mod sliced;
 mod solid;

@@ -13,6 +13,7 @@ use super::cutters::Cutters;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, Standing};
+use super::settled::SettledParts;
 use super::sliced::Sliced;
 use crate::plan::Contents;
 use crate::plan::pack::NO_RELIEF;
@@ -61,6 +62,8 @@ pub struct Model {
     /// By index in the scene.
     packed: Arc<Vec<Packed>>,
     rooms: Vec<Room>,
+    /// Triangles whose sides of clip-surfaces are known; none where there is none.
+    pub(super) settled: Option<SettledParts>,
     lineage: Arc<()>,
 }
 
@@ -135,6 +138,8 @@ impl Model {
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
+        let known = before.and_then(|b| b.settled.as_ref());
+        let settled = SettledParts::of(&prepared, &packed, &rooms, known);
         Self {
             cutters,
             ranges,
@@ -146,6 +151,7 @@ impl Model {
             maps,
             packed: Arc::new(packed),
             rooms,
+            settled,
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
             prepared,
         }
@@ -169,6 +175,7 @@ impl Model {
         uncut.prepared.surfaces.clear();
         uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
         uncut.first_texel.clear();
+        uncut.settled = None;
         uncut
     }
 

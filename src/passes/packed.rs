@@ -7,14 +7,17 @@
 
 use std::sync::Arc;
 
-use glam::DAffine3;
+use glam::{DAffine3, Vec3};
 
 use super::model::Vertex;
 use super::rest::Rest;
+use super::settled::{Numbered, Sorted};
 use super::sliced::Sliced;
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
-use crate::scene::{Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, is_same_motion};
+use crate::scene::{
+    Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, doubled_faces, is_same_motion,
+};
 
 /// A part packed for upload.
 #[derive(Clone, Debug)]
@@ -27,10 +30,12 @@ pub(super) struct Packed {
     pub(super) part: PreparedPart,
     /// Of a part that stands still.
     vertices: Option<Arc<[u8]>>,
-    indices: Arc<[u8]>,
+    pub(super) indices: Arc<[u8]>,
     pub(super) vertex_count: u32,
     /// Of a part that moves.
     pub(super) rest: Option<Arc<Rest>>,
+    /// Triangles that lie on another one.
+    doubled: Arc<Vec<u32>>,
     /// What slicing it needs again.
     pub(super) sliced: Arc<Sliced>,
     /// Whether its mesh was another before.
@@ -78,8 +83,11 @@ impl Packed {
         Self {
             vertices: Some(Piece::of(0, &vertices).bytes),
             vertex_count: vertices.len() as u32,
-            indices: Piece::of(0, shading.triangles.as_flattened()).bytes,
+            indices: packed_triangles(shading.triangles.iter().copied(), |v| {
+                placed.positions[shading.positions_of_vertex[v as usize] as usize]
+            }),
             rest: None,
+            doubled: Arc::new(doubled_faces(&part.mesh)),
             ..Self::unpacked(part, space, placed)
         }
     }
@@ -110,6 +118,10 @@ impl Packed {
             vertex_count: rest.vertex_count,
             indices: rest.indices.clone(),
             rest: Some(rest),
+            doubled: match known {
+                Some(known) => known.doubled.clone(),
+                None => Arc::new(doubled_faces(&part.mesh)),
+            },
             sliced: match known {
                 Some(k) if k.sliced.stands_as(part, space) => k.sliced.clone(),
                 _ => Arc::new(Sliced::posed(part, space)),
@@ -129,14 +141,40 @@ impl Packed {
             indices: Arc::new([]),
             vertex_count: 0,
             rest: None,
+            doubled: Arc::default(),
             sliced: Arc::default(),
             is_other: false,
+        }
+    }
+
+    /// The indices with triangles that the surfaces settle at the end; nothing where they settle none.
+    pub(super) fn sorted(&self, part: &PreparedPart, by: &[Numbered]) -> Option<Arc<Sorted>> {
+        match (by, self.doubled.as_slice()) {
+            ([], []) => None,
+            _ => self.sliced.sorted(part, by, (&self.indices, &self.doubled)),
         }
     }
 
     pub(super) fn index_count(&self) -> u32 {
         (self.indices.len() as u64 / INDEX_BYTES) as u32
     }
+}
+
+/// The corners of triangles, each beginning with the first of its corners by coordinates: rasterisers find the depth of a sample from
+/// the first corner on, and triangles that coincide are to have the same, wherever their lists begin.
+pub(super) fn packed_triangles(
+    triangles: impl Iterator<Item = [u32; 3]>,
+    position: impl Fn(u32) -> Vec3,
+) -> Arc<[u8]> {
+    let from_first = |corners: [u32; 3]| {
+        let at = corners.map(|c| position(c).to_array());
+        let first = (0..3).reduce(|i, j| if at[j] < at[i] { j } else { i });
+        let mut corners = corners;
+        corners.rotate_left(first.unwrap_or(0));
+        corners
+    };
+    let corners: Vec<[u32; 3]> = triangles.map(from_first).collect();
+    Piece::of(0, corners.as_flattened()).bytes
 }
 
 /// The places of a part in the shared buffers.
@@ -146,6 +184,13 @@ pub(super) struct Room {
     vertices: u32,
     pub(super) first_index: u32,
     indices: u32,
+}
+
+impl Room {
+    /// The first index behind it.
+    pub(super) fn end_index(&self) -> u32 {
+        self.first_index + self.indices
+    }
 }
 
 /// Rooms for all parts: those of before where all fit.
@@ -177,7 +222,7 @@ pub(super) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
 /// The vertices and the indices of all parts; `changes` says that they will not stay as they are.
 pub(super) fn contents(packed: &[Packed], rooms: &[Room], changes: bool) -> [Contents; 2] {
     let end = rooms.last().map_or([0, 0], |r| {
-        [r.first_vertex + r.vertices, r.first_index + r.indices]
+        [r.first_vertex + r.vertices, r.end_index()]
     });
     let piece = |offset: u64, bytes: &Arc<[u8]>| Piece {
         offset,

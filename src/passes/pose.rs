@@ -190,7 +190,7 @@ impl Recorder<'_> {
         let first = u64::from(range.base_vertex.unsigned_abs());
         let end = first + u64::from(range.vertex_count);
         let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
-        let (vertices, _) = self.mesh_ids();
+        let vertices = self.vertices();
         let mut bindings = vec![
             self.own(number, "pose", Role::Uniform, &standing.pose),
             self.own(number, "rest", Role::Storage, &rest.vertices),

@@ -59,6 +59,7 @@ impl Recorder<'_> {
             frame: self.frame(),
             clock: Clock::Frame,
             ranks: &order,
+            settles: self.settles(),
             fresh: "lib/fresh/frame.wgsl",
             freshened: vec![
                 Binding::write("nearest", self.nearest()),
@@ -99,7 +100,7 @@ impl Recorder<'_> {
     fn paint(&mut self) {
         let groups = pixels(self.view.size_px).div_ceil(u64::from(GROUP));
         let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
-        let (vertices, indices) = self.mesh_in_storage();
+        let (vertices, indices) = self.mesh_in_storage(Clock::Frame);
         let mut bindings = vec![
             self.frame(),
             self.cut_table(),

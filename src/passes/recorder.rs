@@ -179,21 +179,28 @@ impl<'a> Recorder<'a> {
         })
     }
 
-    /// The mesh of all parts: vertices and indices.
+    /// The mesh of all parts, for passes of the frame: vertices and indices.
     pub fn mesh(&mut self) -> (Vertices, ResourceId) {
-        let (vertices, indices) = self.mesh_ids();
-        (Vertices::Mesh(vertices), indices)
+        (Vertices::Mesh(self.vertices()), self.indices())
     }
 
-    /// The buffers of the mesh of all parts.
-    pub(super) fn mesh_ids(&mut self) -> (ResourceId, ResourceId) {
-        let vertices = self.uploaded("vertices", Role::Vertex, Clock::Solid, |r| {
-            r.model.vertices.clone()
-        });
-        let indices = self.uploaded("indices", Role::Index, Clock::Solid, |r| {
-            r.model.indices.clone()
-        });
-        (vertices.resource, indices.resource)
+    /// The mesh of all parts, for passes on the clock of the solid.
+    pub fn solid_mesh(&mut self) -> (Vertices, ResourceId) {
+        (Vertices::Mesh(self.vertices()), self.solid_indices())
+    }
+
+    /// The vertices of all parts.
+    pub(super) fn vertices(&mut self) -> ResourceId {
+        let contents = self.model.vertices.clone();
+        let vertices = self.uploaded("vertices", Role::Vertex, Clock::Solid, |_| contents);
+        vertices.resource
+    }
+
+    /// The indices of all parts as they are, whatever cuts them.
+    pub(super) fn solid_indices(&mut self) -> ResourceId {
+        let contents = self.model.indices.clone();
+        let indices = self.uploaded("indices", Role::Index, Clock::Solid, |_| contents);
+        indices.resource
     }
 
     /// What the mesh is drawn into, at the resolution of the view.
@@ -300,20 +307,34 @@ impl<'a> Recorder<'a> {
                 counted(ranks.len(), "part")
             )
         };
+        let constants = match ranked {
+            true => vec![("place", UNRANKED)],
+            false => Vec::new(),
+        };
         self.draw(DrawPass {
             name: "surface".to_owned(),
             reason,
             shader: "passes/surface.wgsl".into(),
             bindings,
-            constants: if ranked {
-                vec![("place", UNRANKED)]
-            } else {
-                Vec::new()
-            },
+            constants: constants.clone(),
             vertices,
             indices,
-            draws: self.draws_of(&ranks),
+            draws: self.draws_of_rest(&ranks),
         });
+        let doubled = self.draws_of_groups(&ranks);
+        if !doubled.is_empty() {
+            let pass = DrawPass {
+                name: "surface doubled".to_owned(),
+                reason: "of faces that lie on each other the one that faces the eye".to_owned(),
+                shader: "passes/doubled.wgsl".into(),
+                bindings: vec![self.frame(), self.parts(), self.settled()],
+                constants,
+                vertices,
+                indices,
+                draws: doubled,
+            };
+            self.draw(pass);
+        }
     }
 
     /// A compute pass with one invocation per pixel (or texel) of a picture.

@@ -4,7 +4,7 @@
 //! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
 //! called cut though only its box is.
 
-use crate::plan::pack::{MAX_CUTS, MAX_SURFACES, flat_height};
+use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
 use crate::scene::{Bounds, Prepared, PreparedSurface, View};
 
 /// Parts that the 16 bits of a layer can name.
@@ -184,7 +184,7 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
         ));
     }
     let map = surface.relief.as_ref()?;
-    if flat_height(surface).is_some() {
+    if surface.flat_height().is_some() {
         return None;
     }
     let axes = [surface.frame.u_hat, surface.frame.v_hat];

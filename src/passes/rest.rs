@@ -9,10 +9,11 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::plan::pack::pack_normal;
-use crate::plan::{Contents, Piece};
+use crate::plan::Contents;
 use crate::scene::{Bounds, Motion, Part, Prepared, Scene, SceneSpace, facing_out};
 
 use super::model::Vertex;
+use super::packed::packed_triangles;
 
 /// Number of the matrix for what no joint pulls: the placement alone.
 pub(super) const UNPULLED: u32 = 0;
@@ -70,9 +71,6 @@ impl Rest {
                 normal: pack_normal(*n),
             })
             .collect();
-        let corners: Vec<[u32; 3]> = (shading.triangles.iter())
-            .map(|t| facing_out(*t, mirrored))
-            .collect();
         let positions = part.mesh.positions.len();
         let motion = part.motion.as_deref();
         Self {
@@ -80,7 +78,10 @@ impl Rest {
             vertex_count: vertices.len() as u32,
             position_count: positions as u32,
             position_of_vertex: Contents::of(&shading.positions_of_vertex),
-            indices: Piece::of(0, corners.as_flattened()).bytes,
+            indices: packed_triangles(
+                shading.triangles.iter().map(|t| facing_out(*t, mirrored)),
+                |v| placed.positions[shading.positions_of_vertex[v as usize] as usize],
+            ),
             triangles: placed.triangles.clone(),
             mirrored,
             bounds: part.mesh.bounds(),

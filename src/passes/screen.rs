@@ -38,6 +38,8 @@ pub struct ScreenOf<'a> {
     pub clock: Clock,
     /// Ranks of the parts, in the order of the part table.
     pub ranks: &'a [usize],
+    /// Whether groups of settled triangles have rows of their own.
+    pub settles: bool,
     /// What each invocation sets back, one per pixel at least: file that fills `cutaway::fresh`.
     pub fresh: &'static str,
     /// What that binds.
@@ -52,6 +54,8 @@ pub struct Screen {
     pub(super) frame: Binding,
     pub(super) drawn_parts: Binding,
     pub(super) indices: Binding,
+    /// The groups of settled triangles, where they have rows of their own.
+    pub(super) settled: Option<Binding>,
     /// What a first sweep is told.
     pub(super) description: Sweep,
     pub(super) vertices: ResourceId,
@@ -83,10 +87,15 @@ fn named(screen: &str, what: &str) -> String {
 impl Recorder<'_> {
     /// Records the pass that takes parts to a screen; the reason where they are too many.
     pub fn screen(&mut self, of: ScreenOf<'_>) -> Result<Screen, String> {
-        if of.ranks.len() > MOST_DRAWN_PARTS {
+        let groups = if of.settles {
+            self.settled_groups().len()
+        } else {
+            0
+        };
+        let rows = of.ranks.len() + groups;
+        if rows > MOST_DRAWN_PARTS {
             return Err(format!(
-                "the compute rasteriser draws {MOST_DRAWN_PARTS} parts, there are {}",
-                of.ranks.len()
+                "the compute rasteriser draws {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces, there are {rows}"
             ));
         }
         // Vertices from the first to the last that some part needs.
@@ -96,18 +105,20 @@ impl Recorder<'_> {
                 (first.min(range.start), end.max(range.end))
             });
         let first_vertex = first_vertex.min(end_vertex);
-        let (table, triangle_count) = self.drawn_parts(of.ranks, first_vertex);
+        let (table, triangle_count) = self.drawn_parts(of.ranks, of.settles, first_vertex);
         let vertex_count = end_vertex - first_vertex;
         let description = Sweep {
             triangle_count,
             vertex_count,
-            search_steps: of.ranks.len().next_power_of_two().ilog2(),
+            search_steps: rows.next_power_of_two().ilog2(),
             again: 0,
             first_vertex,
+            first_group: of.ranks.len() as u32,
         };
         let table = Contents::of(&table);
         let drawn_parts = self.uniform(&named(of.name, "drawn_parts"), table, of.clock);
-        let (vertices, indices) = self.mesh_in_storage();
+        let (vertices, indices) = self.mesh_in_storage(of.clock);
+        let settled = of.settles.then(|| self.settled());
         let mut made = |what, words: u64| {
             let name = named(of.name, what);
             self.once(&name, |_| Resource::storage(&name, words * 4, of.clock))
@@ -118,6 +129,7 @@ impl Recorder<'_> {
             frame: of.frame,
             drawn_parts: Binding::read("drawn_parts", drawn_parts),
             indices,
+            settled,
             vertices: made("screen", u64::from(vertex_count).max(1) * 4),
             queue: made("queue", 2 * u64::from(triangle_count) + 3),
             description,
@@ -149,18 +161,37 @@ impl Recorder<'_> {
         Ok(screen)
     }
 
-    /// The table of drawn parts, and how many triangles they have.
-    fn drawn_parts(&self, ranks: &[usize], first_vertex: u32) -> (Vec<DrawnPart>, u32) {
+    /// The table of drawn parts, those of settled triangles at its end, and how many triangles they have.
+    fn drawn_parts(
+        &self,
+        ranks: &[usize],
+        settles: bool,
+        first_vertex: u32,
+    ) -> (Vec<DrawnPart>, u32) {
+        let groups = if settles {
+            self.settled_groups()
+        } else {
+            Vec::new()
+        };
+        let of_rank = |rank: &usize| {
+            let mut indices = self.model.ranges[*rank].indices.clone();
+            if let Some((_, first)) = groups.iter().find(|(r, _)| r == rank) {
+                indices.end = first.indices.start;
+            }
+            (*rank, indices)
+        };
+        let of_groups = groups.iter().map(|(rank, g)| (*rank, g.indices.clone()));
+        let rows: Vec<_> = ranks.iter().map(of_rank).chain(of_groups).collect();
         let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
         let lanes = self.lane_table().places;
         let mut triangle_count = 0;
-        for (row, rank) in table.iter_mut().zip(ranks) {
+        for (row, (rank, indices)) in table.iter_mut().zip(&rows) {
             let range = &self.model.ranges[*rank];
             let place = self.relevance.place_of(*rank);
             let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
             *row = DrawnPart {
                 first_triangle: triangle_count,
-                first_index: range.indices.start,
+                first_index: indices.start,
                 base_vertex: range.base_vertex.cast_unsigned() - first_vertex,
                 cuts: self.relevance.cuts_of(*rank),
                 lane_word,
@@ -172,19 +203,22 @@ impl Recorder<'_> {
                 },
                 part: self.model.prepared.parts[*rank].part as u32,
             };
-            triangle_count += (range.indices.end - range.indices.start) / 3;
+            triangle_count += (indices.end - indices.start) / 3;
         }
-        for row in &mut table[ranks.len()..] {
+        for row in &mut table[rows.len()..] {
             row.first_triangle = u32::MAX;
         }
         (table, triangle_count)
     }
 
-    /// The mesh of all parts in storage bindings: vertices and indices.
-    pub(super) fn mesh_in_storage(&mut self) -> (Binding, Binding) {
-        let (vertices, indices) = self.mesh_ids();
+    /// The mesh of all parts in storage bindings, for passes on a clock: vertices and indices.
+    pub(super) fn mesh_in_storage(&mut self, clock: Clock) -> (Binding, Binding) {
+        let indices = match clock {
+            Clock::Frame => self.indices(),
+            Clock::Solid | Clock::Cut => self.solid_indices(),
+        };
         (
-            Binding::read("vertices", vertices),
+            Binding::read("vertices", self.vertices()),
             Binding::read("indices", indices),
         )
     }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::sliced::{PackedSection, Sliced};
 use super::{Recorder, counted};
-use crate::plan::pack::{MAX_SURFACES, flat_height};
+use crate::plan::pack::MAX_SURFACES;
 use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Resource, ResourceId, Role};
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
@@ -142,7 +142,7 @@ impl Recorder<'_> {
                     continue;
                 }
                 let surface = &prepared.surfaces[*number];
-                let lift = flat_height(surface).unwrap_or(0.0);
+                let lift = surface.flat_height().unwrap_or(0.0);
                 wanted.push(Wanted {
                     part: prepared.parts[*rank].clone(),
                     sliced: self.model.sliced(*rank),

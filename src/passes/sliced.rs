@@ -1,4 +1,5 @@
-//! What slicing a part needs again: its slicer, made when it is first sliced, and the sections of late.
+//! What slicing a part needs again: its slicer, made when it is first sliced, the sections of late, and which of its triangles the
+//! flat clip-surfaces of late settle.
 //!
 //! A part keeps both for as long as it keeps its mesh, its pose and its place ([`Model::updated`](super::Model::updated)), whatever
 //! becomes of cuts and cameras. So a camera that moves slices nothing, and a plane that moves slices by what the slicer knows.
@@ -8,10 +9,11 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::model::Vertex;
+use super::settled::{Numbered, Sorted};
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
 use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
@@ -32,7 +34,8 @@ pub(super) struct PackedSection {
     /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh) has them, in scene space; nobody reads their normals.
     pub(super) vertices: Arc<[u8]>,
     pub(super) vertex_count: u32,
-    /// Three to a triangle: those of the section, and after them those of all that its plane can meet of the part.
+    /// Three to a triangle: those of the section and of faces in its plane, and after them those of all that its plane can meet of the
+    /// part.
     pub(super) indices: Arc<[u8]>,
     /// Indices of the section.
     pub(super) index_count: u32,
@@ -56,6 +59,13 @@ pub(super) struct Sliced {
     slicer: OnceLock<Slicer>,
     /// The latest last.
     known: Mutex<Vec<Known>>,
+    sorted: Mutex<Option<SortedBy>>,
+}
+
+/// What the surfaces that triangles were last sorted by make of them.
+struct SortedBy {
+    surfaces: Vec<Numbered>,
+    sorted: Option<Arc<Sorted>>,
 }
 
 impl fmt::Debug for Sliced {
@@ -113,6 +123,36 @@ impl Sliced {
         });
     }
 
+    /// The indices of the part with triangles that the surfaces settle at the end; nothing where they settle none.
+    pub(super) fn sorted(
+        &self,
+        part: &PreparedPart,
+        surfaces: &[Numbered],
+        indices: (&[u8], &[u32]),
+    ) -> Option<Arc<Sorted>> {
+        let mut last = self.sorted.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*last {
+            Some(last) if last.surfaces == surfaces => last.sorted.clone(),
+            _ => {
+                let sorted = match &self.posed {
+                    Some((of, space)) if !surfaces.is_empty() => {
+                        let at: Vec<Vec3> = (positions_of(of, space).iter())
+                            .map(|p| p.as_vec3())
+                            .collect();
+                        Sorted::of(surfaces, &at, &part.triangles, indices)
+                    }
+                    _ => Sorted::of(surfaces, &part.positions, &part.triangles, indices),
+                };
+                let sorted = sorted.map(Arc::new);
+                *last = Some(SortedBy {
+                    surfaces: surfaces.to_vec(),
+                    sorted: sorted.clone(),
+                });
+                sorted
+            }
+        }
+    }
+
     /// Whether the slicer is made.
     pub(super) fn has_slicer(&self) -> bool {
         self.slicer.get().is_some()
@@ -135,7 +175,8 @@ impl Sliced {
     /// Slices the part, and fills the section by its rule.
     pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
         let slicer = self.slicer.get_or_init(|| self.new_slicer(part));
-        PackedSection::of(&slicer.section_by(plane, part.fill), plane, &part.bounds)
+        let section = slicer.section_by(plane, part.fill);
+        PackedSection::of(&section, plane, &slicer.faces_in(plane), &part.bounds)
     }
 }
 
@@ -148,22 +189,34 @@ fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
 }
 
 impl PackedSection {
-    fn of(section: &Section, plane: &SlicePlane, bounds: &Bounds) -> Self {
+    /// `faces` lie in the plane and are in the section, and make no cap: drawn once more, they take away what the section says there.
+    fn of(
+        section: &Section,
+        plane: &SlicePlane,
+        faces: &[[DVec3; 3]],
+        bounds: &Bounds,
+    ) -> Self {
         let doubted = match is_doubtful(section, bounds) {
             true => plane.across(&with_margin(bounds)),
             false => Vec::new(),
         };
-        let first = section.points.len() as u32;
+        let of_section = section.points.len() as u32;
+        let of_faces = (0..faces.len() as u32).map(|t| [0, 1, 2].map(|i| of_section + 3 * t + i));
+        let first = of_section + 3 * faces.len() as u32;
         let fan = (first + 2..first + doubted.len() as u32).map(|i| [first, i - 1, i]);
-        let triangles: Vec<[u32; 3]> = section.triangles.iter().copied().chain(fan).collect();
-        let lifted = |p: &DVec2| Vertex {
-            position: plane.point(*p).as_vec3().to_array(),
+        let own = section.triangles.iter().copied();
+        let triangles: Vec<[u32; 3]> = own.chain(of_faces).chain(fan).collect();
+        let vertex = |p: DVec3| Vertex {
+            position: p.as_vec3().to_array(),
             normal: 0,
         };
-        let points = section.points.iter().chain(&doubted);
-        let vertices: Vec<Vertex> = points.map(lifted).collect();
+        let lifted = |p: &DVec2| vertex(plane.point(*p));
+        let vertices: Vec<Vertex> = (section.points.iter().map(lifted))
+            .chain(faces.as_flattened().iter().map(|p| vertex(*p)))
+            .chain(doubted.iter().map(lifted))
+            .collect();
         let indices = triangles.as_flattened();
-        let index_count = section.triangles.as_flattened().len() as u32;
+        let index_count = 3 * (section.triangles.len() + faces.len()) as u32;
         Self {
             vertex_count: vertices.len() as u32,
             index_count,

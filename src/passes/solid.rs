@@ -61,6 +61,21 @@ impl Recorder<'_> {
         bindings.extend(store.bindings.iter().cloned());
         bindings.extend(crossings.bindings());
         let ranks = self.relevance.cut_parts().to_vec();
+        let groups = self.draws_of_groups(&ranks);
+        let of_groups = (!groups.is_empty()).then(|| {
+            let mut bindings = bindings.clone();
+            bindings.push(self.settled());
+            DrawPass {
+                name: "solid settled".to_owned(),
+                reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie".to_owned(),
+                shader: Shader::from("passes/settled.wgsl").with(store.file),
+                bindings,
+                constants: vec![("lane_bits", f64::from(self.lane_bits))],
+                vertices,
+                indices,
+                draws: groups,
+            }
+        });
         self.draw(DrawPass {
             name: "solid".to_owned(),
             reason: format!(
@@ -72,8 +87,11 @@ impl Recorder<'_> {
             constants: vec![("lane_bits", f64::from(self.lane_bits))],
             vertices,
             indices,
-            draws: self.draws_of(&ranks),
+            draws: self.draws_of_rest(&ranks),
         });
+        if let Some(pass) = of_groups {
+            self.draw(pass);
+        }
         self.draw_plain_parts(true);
     }
 }

@@ -45,7 +45,14 @@ impl Recorder<'_> {
     pub fn sweep(&mut self, screen: &Screen, sweep: &Sweep<'_>) {
         let constants = vec![("lane_bits", f64::from(self.lane_bits))];
         let shader = |path: &'static str| {
-            let shader = Shader::from(path).with(sweep.sample);
+            let mut shader = Shader::from(path).with(sweep.sample);
+            if sweep.crossings.is_some() {
+                shader = shader.with(if screen.settled.is_some() {
+                    "lib/settling/groups.wgsl"
+                } else {
+                    "lib/settling/none.wgsl"
+                });
+            }
             match sweep.store {
                 Some(store) => shader.with(store.file),
                 None => shader,
@@ -65,6 +72,7 @@ impl Recorder<'_> {
         if let Some(crossings) = sweep.crossings {
             bindings.push(self.cut_table());
             bindings.extend(crossings.bindings());
+            bindings.extend(screen.settled.clone());
         }
         let queue = Binding::read("queue", screen.queue);
         let mut small = bindings.clone();

@@ -76,12 +76,8 @@ shared! {
         orthographic: u32,
         /// 1 where the near plane makes caps.
         near_cap: u32,
-        /// Tie shift of a crossing: relative, absolute.
-        tie: [f32; 2],
         /// First row and all rows of the picture that this is a band of.
         band: [u32; 2],
-        /// Unused.
-        padding: [u32; 2],
     }
 }
 
@@ -202,6 +198,22 @@ shared! {
         again: u32,
         /// Number of the first of these vertices.
         first_vertex: u32,
+        /// Row of the first group of settled triangles in the table of parts.
+        first_group: u32,
+    }
+}
+
+shared! {
+    /// Triangles of a part that lie alike: `shaders/lib/settled.wgsl`.
+    SettledGroup {
+        /// Place of the part in the part table.
+        place: u32,
+        /// Bits of the clip-surfaces that they are settled by.
+        surfaces: u32,
+        /// Of those, the ones of which they lie on the removed side.
+        removed: u32,
+        /// 1 where each triangle lies on another one.
+        doubled: u32,
     }
 }
 
@@ -229,16 +241,14 @@ shared! {
 
 /// Most parts that the compute rasteriser draws: a uniform table of fixed length.
 pub const MOST_DRAWN_PARTS: usize = 1024;
+/// Most groups of settled triangles: a uniform table of fixed length.
+pub const MOST_SETTLED_GROUPS: usize = 1024;
 /// Most clip-surfaces in a scene: one bit each.
 pub const MAX_SURFACES: usize = 32;
 /// Most cuts in a scene: one bit each.
 pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
-
-/// A relative shift of this much, in units of the depth-buffer value, outweighs the rounding of rasterised depths: eight
-/// units in the last place of f32, while interpolation on the adapters tried stays under four.
-const TIE_RELATIVE: f64 = 1.0 / (1 << 20) as f64;
 
 /// How much larger than the cut solids the box around them is, so that no solid lies in a face of it.
 const BOX_MARGIN: f64 = 1e-4;
@@ -255,7 +265,6 @@ pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
         [dx - d0, dy - d0]
     };
     let margin = DVec3::splat(BOX_MARGIN);
-    let depth_span = view.far - view.near;
     Frame {
         clip_from_scene: matrix(view.clip_from_scene()),
         ray_origin: [row(o0), row(ox - o0), row(oy - o0)],
@@ -269,14 +278,7 @@ pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
         far: view.far as f32,
         orthographic: u32::from(view.orthographic),
         near_cap: u32::from(view.near_cap),
-        tie: if view.orthographic {
-            // The buffer is linear: the same shift everywhere, 2^-20 of a scene of radius 1.
-            [0.0, (TIE_RELATIVE / depth_span) as f32]
-        } else {
-            [TIE_RELATIVE as f32, 0.0]
-        },
         band: view.band,
-        padding: [0; 2],
     }
 }
 
@@ -289,7 +291,7 @@ pub fn clip_surface(
     reach: f64,
 ) -> ClipSurface {
     let lift = if first_texel == NO_RELIEF {
-        flat_height(surface).unwrap_or(0.0)
+        surface.flat_height().unwrap_or(0.0)
     } else {
         0.0
     };
@@ -355,20 +357,11 @@ pub fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
         height: linear(
             surface.frame.normal,
             1.0,
-            flat_height(surface).unwrap_or(0.0),
+            surface.flat_height().unwrap_or(0.0),
         ),
         texel_x: linear(surface.frame.u_hat, t[0], -0.5),
         texel_y: linear(surface.frame.v_hat, t[1], -0.5),
     }
-}
-
-/// The height of a relief that is flat, which makes it a plane; `None` for a true relief and 0 for a plane.
-pub fn flat_height(surface: &PreparedSurface) -> Option<f64> {
-    let Some(map) = &surface.relief else {
-        return Some(0.0);
-    };
-    let [low, high] = map.range();
-    (low == high || surface.height_scale == 0.0).then(|| f64::from(low) * surface.height_scale)
 }
 
 fn texels_per_unit(surface: &PreparedSurface) -> [f64; 2] {

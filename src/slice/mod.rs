@@ -2,11 +2,11 @@
 //!
 //! # Tie rule
 //!
-//! A vertex is *above* (on the kept side) iff `(P - O).N >= 0`: the sign of the exact real number that these f64s define, with
-//! nothing rounded. A vertex on the plane counts as above. A triangle is crossed iff it has vertices on both sides, and then
+//! A vertex is *above* (on the kept side) iff `(P - O).N > 0`: the sign of the exact real number that these f64s define, with
+//! nothing rounded. A vertex on the plane counts as below. A triangle is crossed iff it has vertices on both sides, and then
 //! in exactly two of its edges; so faces, edges and vertices that lie in the plane need no rule of their own. What comes out
-//! is the section by the plane moved against its normal by less than any number: a face in the plane is in the section iff
-//! the solid lies below it.
+//! is the section by the plane moved along its normal by less than any number: a face in the plane is in the section iff
+//! the solid lies above it, so that a plane in a face of what it removes has no section.
 //!
 //! # How
 //!
@@ -23,7 +23,6 @@
 //! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. What is open
 //! is not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
 
-mod exact_sum;
 mod fill;
 mod loops;
 mod outline;

@@ -2,15 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use super::exact_sum::sum_of_products;
+
 use super::slicer::share;
-use crate::scene::{Bounds, ClipSurface, PreparedSurface, SurfaceFrame};
+use crate::scene::{Bounds, ClipSurface, FlatSurface, PreparedSurface, Side, SurfaceFrame};
 
 /// Coordinates up to this are computed with: differences and products with directions stay finite.
 pub(super) const LARGEST: f64 = 1e300;
-
-/// Rounding of `(P - O).N` in f64, as a share of the sum of its terms' magnitudes: less than 6 halves of an ulp.
-const RELATIVE_ROUNDING: f64 = 1e-15;
 
 /// A plane with a frame in it. The side that the normal points to is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +18,8 @@ pub struct SlicePlane {
     pub zero: DVec3,
     /// `Û`, `V̂` and `N`, orthonormal.
     pub frame: SurfaceFrame,
+    /// How far the plane was moved against its normal.
+    pub lift: f64,
 }
 
 impl From<&ClipSurface> for SlicePlane {
@@ -30,6 +29,7 @@ impl From<&ClipSurface> for SlicePlane {
             origin: surface.origin,
             zero: surface.origin,
             frame: surface.frame(),
+            lift: 0.0,
         }
     }
 }
@@ -41,6 +41,7 @@ impl From<&PreparedSurface> for SlicePlane {
             origin: surface.origin,
             zero: surface.origin,
             frame: surface.frame,
+            lift: 0.0,
         }
     }
 }
@@ -60,10 +61,9 @@ impl SlicePlane {
     /// The plane moved against its normal.
     #[must_use]
     pub fn keeping(self, distance: f64) -> Self {
-        let step = self.frame.normal * distance;
         Self {
-            origin: self.origin - step,
-            zero: self.zero - step,
+            lift: self.lift + distance,
+            zero: self.zero - self.frame.normal * distance,
             ..self
         }
     }
@@ -79,29 +79,27 @@ impl SlicePlane {
         self.zero + self.frame.u_hat * coordinates.x + self.frame.v_hat * coordinates.y
     }
 
-    /// Signed distance of a point, positive on the kept side: `(P - O).N` of these very numbers, rounded once, so that its sign
-    /// is exact and it is zero only on the plane.
+    /// Signed distance of a point, positive on the kept side: `(P - O).N + lift` of these very numbers, rounded once, so that its
+    /// sign is exact and it is zero only on the plane.
     pub fn height(&self, point: DVec3) -> f64 {
-        let (p, o, n) = (point, self.origin, self.frame.normal);
-        sum_of_products([
-            [p.x, n.x],
-            [p.y, n.y],
-            [p.z, n.z],
-            [-o.x, n.x],
-            [-o.y, n.y],
-            [-o.z, n.z],
-        ])
+        self.flat().exact_height(point)
     }
 
-    /// Whether a point is on the kept side or on the plane.
+    /// Whether a point is on the kept side, and not on the plane.
     pub fn is_above(&self, point: DVec3) -> bool {
-        let terms = (point - self.origin) * self.frame.normal;
-        let sum = terms.x + terms.y + terms.z;
-        let least = terms.abs().element_sum() * RELATIVE_ROUNDING + f64::MIN_POSITIVE;
-        if sum.abs() > least {
-            sum > 0.0
-        } else {
-            self.height(point) >= 0.0
+        self.flat().height(point) > 0.0
+    }
+
+    /// The side that the solid behind a triangle in the plane is on; none where the triangle does not lie in it.
+    pub(super) fn side_of_face(&self, corners: [DVec3; 3]) -> Option<Side> {
+        self.flat().side_of_face(corners)
+    }
+
+    fn flat(&self) -> FlatSurface {
+        FlatSurface {
+            origin: self.origin,
+            normal: self.frame.normal,
+            lift: self.lift,
         }
     }
 
@@ -111,9 +109,9 @@ impl SlicePlane {
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
         let (centre, reach) = (low + high, high - low);
         let normal = self.frame.normal.abs();
-        let distance = (centre - self.origin).dot(self.frame.normal).abs();
+        let distance = ((centre - self.origin).dot(self.frame.normal) + self.lift).abs();
         let extent = reach.dot(normal);
-        let size = (centre.abs() + self.origin.abs() + reach).dot(normal);
+        let size = (centre.abs() + self.origin.abs() + reach).dot(normal) + self.lift.abs();
         // Of infinities and NaN nothing is clear.
         distance > extent + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
     }
@@ -150,7 +148,9 @@ impl SlicePlane {
             normal,
         } = self.frame;
         let is_direction = |v: DVec3| (0.5..2.0).contains(&v.length_squared());
-        [self.origin, self.zero].into_iter().all(is_within)
+        [self.origin, self.zero, DVec3::splat(self.lift)]
+            .into_iter()
+            .all(is_within)
             && [u_hat, v_hat, normal].into_iter().all(is_direction)
     }
 }

@@ -10,7 +10,7 @@ use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
 use super::tree::{BRANCHES, Tree, sort};
 use super::{Loop, Section, SectionDefect, SlicePlane};
-use crate::scene::{Bounds, Fill};
+use crate::scene::{Bounds, Fill, Side};
 
 /// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.
 #[derive(Debug)]
@@ -106,6 +106,33 @@ impl Slicer {
         section.triangles = triangles;
         section.boundary = boundary;
         section
+    }
+
+    /// The triangles that lie in a plane, with the solid above them, by their corners: they are in the section, and in no cap, for what
+    /// is seen there is the face itself.
+    pub fn faces_in(&self, plane: &SlicePlane) -> Vec<[DVec3; 3]> {
+        let groups = self.tree.groups(|b: &Bounds| plane.misses(b));
+        let corners = |t: &[u32; 3]| t.map(|i| self.positions[i as usize]);
+        let of_group = |group: &usize| {
+            let first = group * BRANCHES;
+            let last = (first + BRANCHES).min(self.triangles.len());
+            let near = self.triangles[first..last].iter().map(corners);
+            near.filter_map(|c| Some((plane.side_of_face(c)?, c)))
+        };
+        let found: Vec<_> = groups.par_iter().flat_map_iter(of_group).collect();
+        if found.is_empty() {
+            return Vec::new();
+        }
+        let volumes = self.triangles.par_iter().map(|t| {
+            let [a, b, c] = corners(t);
+            a.dot(b.cross(c))
+        });
+        let solid_above = match volumes.sum::<f64>() < 0.0 {
+            true => Side::Removed,
+            false => Side::Kept,
+        };
+        let faces = found.into_iter().filter(|(side, _)| *side == solid_above);
+        faces.map(|(_, corners)| corners).collect()
     }
 
     /// The pieces that crossed triangles make, in the order of the tree.

@@ -93,9 +93,13 @@ impl Question {
 
     /// The answer of a strategy, judged.
     pub(crate) fn answer(&self, strategy: &Strategy) -> Judged {
-        let mut session = session();
-        (self.asked().answer(&mut session, &Entrant::from(*strategy)))
-            .unwrap_or_else(|e| panic!("{strategy} could not draw: {e}"))
+        self.answer_of(&Entrant::from(*strategy))
+    }
+
+    /// The answer of a strategy by a rasteriser, judged.
+    pub(crate) fn answer_of(&self, entrant: &Entrant) -> Judged {
+        (self.asked().answer(&mut session(), entrant))
+            .unwrap_or_else(|e| panic!("{entrant} could not draw: {e}"))
     }
 
     /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.

@@ -7,10 +7,12 @@
 
 #import cutaway::nearest_wide::keep
 #import cutaway::ranking::rank_and_store
+#import cutaway::settling::settle
 #import cutaway::sweep::Sample
 
 // No later sweep is to see the triangle.
-fn take(sample: Sample) -> bool {
+fn take(found: Sample) -> bool {
+    let sample = settle(found);
     if rank_and_store(sample) {
         keep(sample);
     }

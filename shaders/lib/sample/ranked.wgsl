@@ -7,10 +7,12 @@
 
 #import cutaway::nearest::{claim, nearest_bits, raise}
 #import cutaway::ranking::{is_kept, rank_and_store}
+#import cutaway::settling::settle
 #import cutaway::sweep::{Sample, sweep}
 
 // Whether a later sweep is to see the triangle: not if each of its samples is removed or was behind another already.
-fn take(sample: Sample) -> bool {
+fn take(found: Sample) -> bool {
+    let sample = settle(found);
     if sweep.again == 0u {
         return rank_and_store(sample) && raise(sample);
     }

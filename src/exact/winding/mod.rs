@@ -124,7 +124,7 @@ impl Windings {
             reach[1] + lines.pad(reach[1]),
         ];
         lines.meet_clips(&ray, range, of_cutters, bench);
-        lines.snap_coincident(at, &ray, bench);
+        lines.settle(at, &ray, bench);
         bench.merge_events();
         // What is removed, as the range begins; numbers are asked for where they are needed.
         bench.start.winding.fill(0);

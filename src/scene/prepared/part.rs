@@ -25,6 +25,8 @@ pub struct PreparedPart {
     pub corner_normals: Option<Arc<Vec<[Vec3; 3]>>>,
     /// What is drawn: `positions` split where the surface has a crease, with a normal each.
     pub shading: Arc<ShadingMesh>,
+    /// It stands in a pose that moves its vertices against each other.
+    pub is_posed: bool,
     /// A pass of the frame places the vertices, by the pose and the placement of the part: they are not here.
     pub is_on_device: bool,
     /// Bounds of `positions`, or a box that holds what the device makes of them.
@@ -86,6 +88,7 @@ impl PreparedPart {
             corner_normals: None,
             shading: Arc::default(),
             is_on_device: true,
+            is_posed: !part.pose.is_rest(),
             bounds,
             volume_at_rest: part.placed_volume(volume),
             material: part.material,

@@ -207,6 +207,7 @@ fn screen(
         )
     });
     recorder.screen(ScreenOf {
+        settles: false,
         name: &name,
         view: &view,
         frame: Binding::read("frame", frame),

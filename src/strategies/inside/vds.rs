@@ -202,7 +202,7 @@ fn draw(
     bindings: Vec<Binding>,
     depth: DepthTarget,
 ) {
-    let (vertices, indices) = recorder.mesh();
+    let (vertices, indices) = recorder.solid_mesh();
     let draws = recorder.draws_of(&[rank]);
     let work = Work::Draw {
         color: None,

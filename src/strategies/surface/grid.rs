@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::Recorder;
-use crate::plan::pack::{self, Quad};
+use crate::plan::pack::Quad;
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::{Bounds, PreparedSurface};
 
@@ -94,7 +94,7 @@ fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
     let ((u, u_step), (v, v_step)) = (range(u_hat), range(v_hat));
     let row = |p: DVec3| p.as_vec3().extend(0.0).to_array();
     // A flat map is a plane, which the vertex shader does not displace: its height goes into the corner.
-    let lift = surface.frame.normal * -pack::flat_height(surface).unwrap_or(0.0);
+    let lift = surface.frame.normal * -surface.flat_height().unwrap_or(0.0);
     Quad {
         corner: row(surface.origin + lift + u_hat * u + v_hat * v),
         step_u: row(u_hat * u_step),

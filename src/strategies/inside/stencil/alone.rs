@@ -10,8 +10,7 @@
 //! It is the cheapest of all where it can be used.
 //!
 //! Cannot: cut by reliefs or by several clip-surfaces; cap at the near plane, or count what lies before it; tell an open mesh, of
-//! which it draws streaks unmarked; count beyond 255 shells. Depths of caps are those of the tie, 1e-6 of the depth before
-//! the plane. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
+//! which it draws streaks unmarked; count beyond 255 shells. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
 //! of that be seen.
 
 use super::full_screen;
@@ -38,13 +37,36 @@ pub fn record(recorder: &mut Recorder<'_>) -> Result<(), String> {
             constants: Vec::new(),
             vertices,
             indices,
-            draws: recorder.draws_of(&[rank]),
+            draws: recorder.draws_of_rest(&[rank]),
         };
         let counts = Stencil {
             clear: place == 0,
             step: StencilStep::WindAll,
         };
+        let groups = recorder.draws_of_groups(&[rank]);
+        let settled = (!groups.is_empty()).then(|| DrawPass {
+            name: format!("solid {place} settled"),
+            reason: format!("faces of `{name}` in the plane or just beside it, on the side on which they are known to lie"),
+            shader: "strategies/inside/stencil/solid_settled.wgsl".into(),
+            bindings: vec![
+                recorder.frame(),
+                recorder.parts(),
+                recorder.ray_table(),
+                recorder.settled(),
+            ],
+            constants: Vec::new(),
+            vertices,
+            indices,
+            draws: groups,
+        });
         recorder.draw_with(solid, Some(counts));
+        if let Some(settled) = settled {
+            let counts = Stencil {
+                clear: false,
+                ..counts
+            };
+            recorder.draw_with(settled, Some(counts));
+        }
 
         let (indices, draws) = full_screen(recorder, place);
         let cap = DrawPass {

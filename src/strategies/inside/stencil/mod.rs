@@ -163,10 +163,14 @@ impl Marks {
                     },
                     vertices,
                     indices,
-                    draws: recorder.draws_of(&[mark.rank]),
+                    draws: recorder.draws_of_rest(&[mark.rank]),
                 },
             };
+            let settled = self.settled(recorder, &pass, mark.rank);
             recorder.plan.add_pass(pass);
+            if let Some(pass) = settled {
+                recorder.plan.add_pass(pass);
+            }
         }
         if fill == Fill::Nonzero {
             constants.push(("winds", 1.0));
@@ -186,6 +190,28 @@ impl Marks {
             recorder.view.size_px,
         );
         self.batches += 1;
+    }
+
+    /// The same as a pass for the settled triangles of its part, if there are any.
+    fn settled(&self, recorder: &mut Recorder<'_>, pass: &Pass, rank: usize) -> Option<Pass> {
+        let groups = recorder.draws_of_groups(&[rank]);
+        if groups.is_empty() {
+            return None;
+        }
+        let mut settled = pass.clone();
+        settled.name = format!("{} settled", pass.name);
+        settled.reason = "the same for faces in a clip-surface or just beside it".to_owned();
+        settled.shader = "strategies/inside/stencil/mark_settled.wgsl".into();
+        settled.bindings.push(recorder.settled());
+        settled.bindings.extend(self.crossings.bindings());
+        settled.bindings.push(recorder.cut_table());
+        if let Work::Draw { depth, draws, .. } = &mut settled.work {
+            *draws = groups;
+            if let Some(stencil) = &mut depth.stencil {
+                stencil.clear = false;
+            }
+        }
+        Some(settled)
     }
 
     /// Lays the depth of a crossing down.

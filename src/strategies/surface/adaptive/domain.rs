@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use crate::passes::Recorder;
-use crate::plan::pack::{Domain, flat_height};
+use crate::plan::pack::Domain;
 use crate::scene::{Bounds, PreparedSurface};
 
 /// Patches that are enough.
@@ -73,7 +73,7 @@ fn span(surface: &PreparedSurface, cut_box: &Bounds, axis: DVec3) -> [f64; 2] {
 fn of_plane(surface: &PreparedSurface, cut_box: &Bounds) -> Domain {
     let frame = &surface.frame;
     let [u, v] = [frame.u_hat, frame.v_hat].map(|axis| span(surface, cut_box, axis));
-    let lift = -flat_height(surface).unwrap_or(0.0);
+    let lift = -surface.flat_height().unwrap_or(0.0);
     let corner = surface.origin + frame.u_hat * u[0] + frame.v_hat * v[0] + frame.normal * lift;
     Domain {
         corner: row(corner),

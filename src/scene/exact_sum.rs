@@ -11,7 +11,7 @@ const DIGITS: usize = 4_200 / DIGIT_BITS as usize + 5;
 
 /// The sum of products of pairs, rounded once to the nearest f64: zero only if it is exactly zero, and infinite only if it is too
 /// large. Numbers must be finite.
-pub(super) fn sum_of_products<const N: usize>(pairs: [[f64; 2]; N]) -> f64 {
+pub(crate) fn sum_of_products<const N: usize>(pairs: [[f64; 2]; N]) -> f64 {
     let products = pairs.map(|[a, b]| {
         let ((m, e), (n, f)) = (integer_and_exponent(a), integer_and_exponent(b));
         let is_negative = a.is_sign_negative() != b.is_sign_negative();

@@ -1,0 +1,25 @@
+// Triangles of which it is known on which side of clip-surfaces they lie, or that lie on each other, in groups that lie alike. Bound as @group(0) @binding(12).
+
+#define_import_path cutaway::settled
+
+struct SettledGroup {
+    // Place of the part in the part table.
+    place: u32,
+    // Bits of the clip-surfaces that the triangles are settled by.
+    surfaces: u32,
+    // Of those, the ones of which they lie on the removed side.
+    removed: u32,
+    // 1 where each triangle lies on another one.
+    doubled: u32,
+}
+
+struct SettledGroups {
+    groups: array<SettledGroup, 1024>,
+}
+
+@group(0) @binding(12) var<uniform> settled: SettledGroups;
+
+// Of triangles that lie on each other the one that faces the eye is seen: it is nearer by the least there is.
+fn of_doubled(z: f32, group: u32, front: bool) -> f32 {
+    return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), settled.groups[group].doubled != 0u && front);
+}

@@ -1,0 +1,25 @@
+// As the pass over solids that no cut reaches (`surface`), for groups of triangles that lie on each other: the one that faces the eye is
+// seen. The instance is the number of the group.
+
+#import cutaway::cuts::parts
+#import cutaway::mesh::Vertex
+#import cutaway::settled::{of_doubled, settled}
+#import cutaway::surface::{Corner, corner_of, surface_words}
+
+override place: u32 = 0u;
+
+struct Surface {
+    @location(0) words: vec2<u32>,
+    @builtin(frag_depth) z: f32,
+}
+
+@vertex
+fn vertex(v: Vertex) -> Corner {
+    return corner_of(v);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+    let part = parts[settled.groups[corner.rank].place].part;
+    return Surface(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.rank, front));
+}

@@ -1,0 +1,40 @@
+// As the pass over the mesh (`solid`), for groups of triangles that are settled: what rasterising found of their depth is set right
+// before anything is decided by it, and stands in the depth buffer. The instance is the number of the group.
+
+#import cutaway::crossings::rank_of
+#import cutaway::cuts::{is_removed, parts}
+#import cutaway::frame::pixel_index
+#import cutaway::lanes::{Fragment, Lane}
+#import cutaway::layers::UNRANKED
+#import cutaway::mesh::Vertex
+#import cutaway::settled::settled
+#import cutaway::settled_depth::settled_z
+#import cutaway::store::store
+#import cutaway::surface::{Corner, corner_of, surface_words}
+
+override lane_bits: u32 = 32u;
+
+struct Surface {
+    @location(0) words: vec2<u32>,
+    @builtin(frag_depth) z: f32,
+}
+
+@vertex
+fn vertex(v: Vertex) -> Corner {
+    return corner_of(v);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+    let pixel = pixel_index(vec2<u32>(corner.position.xy));
+    let z = settled_z(corner.position.z, pixel, corner.rank, front);
+    let rank = rank_of(z, pixel);
+    let place = settled.groups[corner.rank].place;
+    let part = parts[place];
+    let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
+    store(Fragment(pixel, lane, place, z, rank.behind, front));
+    if is_removed(rank.sides, part.cuts) {
+        discard;
+    }
+    return Surface(surface_words(corner, min(rank.behind, UNRANKED), part.part, front), z);
+}

@@ -1,0 +1,22 @@
+// As `mark`, for groups of triangles that are settled: the depth that is tested is the one that they are moved to.
+
+#import cutaway::frame::pixel_index
+#import cutaway::mesh::{Vertex, clip_position}
+#import cutaway::settled_depth::settled_z
+
+struct Corner {
+    @builtin(position) @invariant position: vec4<f32>,
+    // Number of the group.
+    @location(0) @interpolate(flat) group: u32,
+}
+
+@vertex
+fn vertex(v: Vertex) -> Corner {
+    return Corner(clip_position(v.position), v.rank);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @builtin(frag_depth) f32 {
+    let pixel = pixel_index(vec2<u32>(corner.position.xy));
+    return settled_z(corner.position.z, pixel, corner.group, front);
+}

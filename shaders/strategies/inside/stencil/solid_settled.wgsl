@@ -1,0 +1,28 @@
+// As `solid`, for groups of triangles of which it is known on which side of the only plane they lie, or that lie on each other.
+
+#import cutaway::cuts::parts
+#import cutaway::lone_plane::{is_kept, lone_plane_at}
+#import cutaway::mesh::Vertex
+#import cutaway::settled::{of_doubled, settled}
+#import cutaway::surface::{Corner, corner_of, surface_words}
+
+struct Surface {
+    @location(0) words: vec2<u32>,
+    @builtin(frag_depth) z: f32,
+}
+
+@vertex
+fn vertex(v: Vertex) -> Corner {
+    return corner_of(v);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+    let group = settled.groups[corner.rank];
+    let z = of_doubled(corner.position.z, corner.rank, front);
+    let is_known = group.surfaces != 0u;
+    if select(!is_kept(lone_plane_at(corner.position.xy), z), group.removed != 0u, is_known) {
+        discard;
+    }
+    return Surface(surface_words(corner, 0u, parts[group.place].part, front), z);
+}

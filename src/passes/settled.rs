@@ -1,0 +1,264 @@
+//! Settled triangles as uploads: those of a part that lie alike go together, at the end of its indices; and those that lie on each
+//! other likewise, of which the one that faces the eye is to be seen.
+//!
+//! On which side of a clip-surface a triangle lies that is in it, or just beside it, is known
+//! ([`Settled`](crate::scene::Settled)). Its fragments are told by the draw that they belong to: a group of triangles has a draw of
+//! its own, or a row in the table of the compute rasteriser, and every other triangle of the scene is drawn as ever. Where no triangle
+//! is settled there is no group, no pass and no binding.
+//!
+//! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is settled the indices of
+//! the part once more. Parts that the device places without bending them are placed here as well for that.
+//!
+//! Cannot: tell more than [`MOST_SETTLED_GROUPS`] groups apart; the triangles of further ones are left to their depths.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use bytemuck::Zeroable;
+use glam::Vec3;
+
+use super::Recorder;
+use super::packed::{Packed, Room};
+use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
+use crate::plan::{
+    Binding, Clock, Contents, Draw, INDEX_BYTES, Piece, ResourceId, Role,
+};
+use crate::scene::{FlatSurface, Prepared, PreparedPart, Side};
+
+/// A flat clip-surface with its number.
+pub(super) type Numbered = (u16, FlatSurface);
+
+/// How triangles lie.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Lie {
+    /// Sides by number of the clip-surface.
+    sides: Vec<(u16, Side)>,
+    /// On other triangles.
+    is_doubled: bool,
+}
+
+/// Triangles of a part that lie alike.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Group {
+    lie: Lie,
+    pub(super) indices: Range<u32>,
+}
+
+/// The indices of a part with its settled triangles at the end.
+#[derive(Debug)]
+pub(super) struct Sorted {
+    /// With ranges among the part's own indices, in order.
+    groups: Vec<Group>,
+    indices: Arc<[u8]>,
+}
+
+impl Sorted {
+    /// Sorts the triangles of a part; nothing where none is settled. `indices` are the triangles as they are drawn, in the same order;
+    /// `doubled` are those that lie on another one.
+    pub(super) fn of(
+        surfaces: &[Numbered],
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        (indices, doubled): (&[u8], &[u32]),
+    ) -> Option<Self> {
+        let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
+        for (number, flat) in surfaces {
+            for (triangle, side) in flat.settled(positions, triangles) {
+                lies.entry(triangle).or_default().sides.push((*number, side));
+            }
+        }
+        for triangle in doubled {
+            lies.entry(*triangle).or_default().is_doubled = true;
+        }
+        if lies.is_empty() {
+            return None;
+        }
+        let drawn: &[[u32; 3]] = bytemuck::cast_slice(indices);
+        let rest = (0..drawn.len() as u32).filter(|t| !lies.contains_key(t));
+        let mut sorted: Vec<[u32; 3]> = rest.map(|t| drawn[t as usize]).collect();
+        let mut alike: BTreeMap<Lie, Vec<u32>> = BTreeMap::new();
+        for (triangle, lie) in lies {
+            alike.entry(lie).or_default().push(triangle);
+        }
+        let mut groups = Vec::new();
+        for (lie, triangles) in alike {
+            let first = 3 * sorted.len() as u32;
+            sorted.extend(triangles.iter().map(|t| drawn[*t as usize]));
+            groups.push(Group {
+                lie,
+                indices: first..3 * sorted.len() as u32,
+            });
+        }
+        Some(Self {
+            groups,
+            indices: Piece::of(0, sorted.as_flattened()).bytes,
+        })
+    }
+}
+
+/// The settled triangles of a scene.
+#[derive(Clone, Debug)]
+pub(super) struct SettledParts {
+    /// Groups by rank, with ranges of `indices`.
+    groups: Vec<Vec<Group>>,
+    /// Of all parts.
+    indices: Contents,
+}
+
+impl SettledParts {
+    /// Those of a scene, with what is still right of them; nothing where none is settled.
+    pub(super) fn of(
+        prepared: &Prepared,
+        packed: &[Packed],
+        rooms: &[Room],
+        before: Option<&Self>,
+    ) -> Option<Self> {
+        let sorted: Vec<_> = (prepared.parts.iter())
+            .map(|part| packed[part.part].sorted(part, &flat_surfaces(prepared, part)))
+            .collect();
+        if sorted.iter().all(Option::is_none) {
+            return None;
+        }
+        let groups = prepared.parts.iter().zip(&sorted).map(|(part, sorted)| {
+            let first = rooms[part.part].first_index;
+            let groups = sorted.iter().flat_map(|s| &s.groups);
+            let moved = groups.map(|g| Group {
+                indices: first + g.indices.start..first + g.indices.end,
+                ..g.clone()
+            });
+            moved.collect()
+        });
+        let mut pieces: Vec<Piece> = (prepared.parts.iter().zip(&sorted))
+            .map(|(part, sorted)| Piece {
+                offset: u64::from(rooms[part.part].first_index) * INDEX_BYTES,
+                bytes: match sorted {
+                    Some(sorted) => sorted.indices.clone(),
+                    None => packed[part.part].indices.clone(),
+                },
+            })
+            .collect();
+        pieces.sort_by_key(|p| p.offset);
+        let end = rooms.last().map_or(0, Room::end_index);
+        let indices = Contents::in_pieces(u64::from(end) * INDEX_BYTES, pieces, true);
+        Some(Self {
+            groups: groups.collect(),
+            indices: match before {
+                Some(before) if before.indices == indices => before.indices.clone(),
+                _ => indices,
+            },
+        })
+    }
+}
+
+/// The flat clip-surfaces that pass by a part so close that they may settle some of it.
+fn flat_surfaces(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
+    if part.is_posed {
+        return Vec::new();
+    }
+    let numbers = part.cuts.iter().flat_map(|c| &prepared.cuts[*c].surfaces);
+    let flat = numbers.filter_map(|n| Some((*n as u16, prepared.surfaces[*n].flat()?)));
+    flat.filter(|(_, flat)| flat.comes_near(&part.bounds))
+        .collect()
+}
+
+impl Recorder<'_> {
+    /// Whether triangles that are drawn are settled by clip-surfaces that matter, or lie on each other.
+    pub fn settles(&self) -> bool {
+        self.relevance.order.iter().any(|rank| {
+            let mut groups = self.groups_of(*rank).iter();
+            groups.any(|g| g.lie.is_doubled || self.bits_of(g)[0] != 0)
+        })
+    }
+
+    /// The groups of a part, by rank.
+    fn groups_of(&self, rank: usize) -> &[Group] {
+        let settled = self.model.settled.as_ref();
+        settled.map_or(&[], |s| s.groups[rank].as_slice())
+    }
+
+    /// The groups of the parts that are drawn, with their ranks, in table order: as many as have a number.
+    pub(super) fn settled_groups(&self) -> Vec<(usize, &Group)> {
+        let of_rank = |rank: &usize| {
+            let rank = *rank;
+            self.groups_of(rank).iter().map(move |g| (rank, g))
+        };
+        let all = self.relevance.order.iter().flat_map(of_rank);
+        all.take(MOST_SETTLED_GROUPS).collect()
+    }
+
+    /// Bits of the clip-surfaces that settle a group, and of those it lies on the removed side of.
+    fn bits_of(&self, group: &Group) -> [u32; 2] {
+        let mut bits = [0; 2];
+        for (slot, number) in self.relevance.surfaces.iter().enumerate() {
+            let side = group.lie.sides.iter().find(|(n, _)| usize::from(*n) == *number);
+            if let Some((_, side)) = side {
+                bits[0] |= 1 << slot;
+                bits[1] |= u32::from(*side == Side::Removed) << slot;
+            }
+        }
+        bits
+    }
+
+    /// The table of groups.
+    pub fn settled(&mut self) -> Binding {
+        self.uploaded("settled", Role::Uniform, Clock::Cut, |r| {
+            let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
+            for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
+                let [surfaces, removed] = r.bits_of(group);
+                *row = SettledGroup {
+                    place: r.relevance.place_of(rank) as u32,
+                    surfaces,
+                    removed,
+                    doubled: u32::from(group.lie.is_doubled),
+                };
+            }
+            Contents::of(&table)
+        })
+    }
+
+    /// The indices of all parts in a frame, with settled triangles at the end of each.
+    pub(super) fn indices(&mut self) -> ResourceId {
+        match &self.model.settled {
+            Some(settled) if self.settles() => {
+                let contents = settled.indices.clone();
+                let sorted =
+                    self.uploaded("sorted indices", Role::Index, Clock::Cut, |_| contents);
+                sorted.resource
+            }
+            _ => self.solid_indices(),
+        }
+    }
+
+    /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.
+    pub fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
+        let mut draws = self.draws_of(ranks);
+        if self.settles() {
+            let groups = self.settled_groups();
+            for (draw, rank) in draws.iter_mut().zip(ranks) {
+                let first = groups.iter().find(|(r, _)| r == rank);
+                if let Some((_, group)) = first {
+                    draw.indices.end = group.indices.start;
+                }
+            }
+            draws.retain(|d| !d.indices.is_empty());
+        }
+        draws
+    }
+
+    /// The draws of the groups of some parts, by rank; the instance is the number of the group.
+    pub fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
+        if !self.settles() {
+            return Vec::new();
+        }
+        let numbered = self.settled_groups().into_iter().enumerate();
+        numbered
+            .filter(|(_, (rank, _))| ranks.contains(rank))
+            .map(|(number, (rank, group))| Draw {
+                indices: group.indices.clone(),
+                instance: number as u32,
+                ..self.draws_of(&[rank]).remove(0)
+            })
+            .collect()
+    }
+}
