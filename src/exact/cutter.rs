@@ -134,12 +134,19 @@ fn is_by_an_edge(at: DVec2, corners: [&Corner; 3]) -> bool {
     if corners.iter().any(|c| c.at.z <= 0.0) {
         return true;
     }
-    let points = corners.map(Corner::pixel);
-    (0..3).any(|i| {
-        let (from, to) = (points[i], points[(i + 1) % 3]);
-        let share = (at - from).dot(to - from) / from.distance_squared(to);
-        from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= NEAR_PX
-    })
+    (0..3).any(|edge| is_by_edge(at, corners, edge))
+}
+
+/// Whether a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may find the next triangle;
+/// also where the edge reaches behind the eye.
+pub(super) fn is_by_edge(at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
+    let ends = [corners[edge], corners[(edge + 1) % 3]];
+    if ends.iter().any(|c| c.at.z <= 0.0) {
+        return true;
+    }
+    let [from, to] = ends.map(Corner::pixel);
+    let share = (at - from).dot(to - from) / from.distance_squared(to);
+    from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= NEAR_PX
 }
 
 /// Whether a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those

@@ -39,9 +39,10 @@ use self::clip::{Clip, Ray};
 use self::cutter::Cutters;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
+use self::settle::SettledFaces;
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
-use crate::scene::{Prepared, Settled, View};
+use crate::scene::{Prepared, View};
 
 pub use winding::Windings;
 
@@ -125,7 +126,7 @@ struct Lines<'a> {
     /// By number; those of cutters are not asked.
     clips: Vec<Clip>,
     /// By rank.
-    settled: Vec<Vec<Settled>>,
+    settled: Vec<SettledFaces>,
     triangles: Bands,
     outlines: Vec<Vec<Outline>>,
     outline_bands: Bands,
@@ -180,7 +181,9 @@ impl<'a> Lines<'a> {
                 .enumerate()
                 .map(|(i, s)| Clip::of(i as u16, s, radius))
                 .collect(),
-            settled: prepared.parts.iter().map(|p| prepared.settled(p)).collect(),
+            settled: (prepared.parts.par_iter())
+                .map(|p| SettledFaces::of(prepared, p))
+                .collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
             cutters: Cutters::of(prepared),

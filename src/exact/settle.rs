@@ -2,10 +2,13 @@
 //!
 //! A triangle close to a flat clip-surface lies on one side of it ([`Settled`]): a crossing with it that rounding has put on the
 //! other side of the surface's root gets the depth of that root bit for bit, and its place before it or behind. So all of a face in
-//! a clip-surface is kept or removed alike, in every view.
+//! a clip-surface is kept or removed alike, in every view. A sample by the rim of what lies alike may, moved a little, meet a triangle
+//! of another side: there the order is as open as any.
 //!
 //! A face of a part in a face of a cutter is before the cutter where the ray leaves the part by it, behind where it enters; only
 //! exact coincidence counts there, and what is merely close is left to [`super::ambiguity`].
+
+use std::collections::BTreeMap;
 
 use glam::DVec2;
 
@@ -13,22 +16,60 @@ use super::bench::Bench;
 use super::clip::{Ray, Root};
 use super::raster::Crossing;
 use super::{Lines, ambiguity, cutter};
-use crate::scene::{Settled, Side};
+use crate::scene::{Prepared, PreparedPart, Settled, Side};
 
-impl Lines<'_> {
-    /// What settles a triangle of a part.
-    fn settled_by(&self, rank: u16, triangle: u32) -> &[Settled] {
-        let of_part = &self.settled[usize::from(rank)];
-        let first = of_part.partition_point(|s| s.triangle < triangle);
-        let after = of_part[first..].partition_point(|s| s.triangle == triangle);
-        &of_part[first..first + after]
+/// What is settled of the triangles of a part.
+pub(super) struct SettledFaces {
+    /// By triangle.
+    all: Vec<Settled>,
+    /// Of each, whether the edges from its corners on are at its rim: whether the next triangle is on another side, or may be.
+    rims: Vec<[bool; 3]>,
+}
+
+impl SettledFaces {
+    /// That of a part.
+    pub(super) fn of(prepared: &Prepared, part: &PreparedPart) -> Self {
+        let all = prepared.settled(part);
+        let edges = |s: &Settled| {
+            let corners = part.triangles[s.triangle as usize];
+            [0, 1, 2].map(|i| {
+                let (a, b) = (corners[i], corners[(i + 1) % 3]);
+                (a.min(b), a.max(b), s.surface, s.side)
+            })
+        };
+        let mut uses: BTreeMap<_, u32> = BTreeMap::new();
+        for edge in all.iter().flat_map(edges) {
+            *uses.entry(edge).or_default() += 1;
+        }
+        Self {
+            rims: (all.iter())
+                .map(|s| edges(s).map(|e| uses[&e] != 2))
+                .collect(),
+            all,
+        }
     }
 
+    /// What settles a triangle, and where its rim is.
+    fn by(&self, triangle: u32) -> impl Iterator<Item = (&Settled, [bool; 3])> {
+        let first = self.all.partition_point(|s| s.triangle < triangle);
+        let after = self.all[first..].partition_point(|s| s.triangle == triangle);
+        let range = first..first + after;
+        self.all[range.clone()].iter().zip(self.rims[range].iter().copied())
+    }
+}
+
+impl Lines<'_> {
     /// Puts crossings on the side of each clip-surface that their triangles are known to lie on.
     pub(super) fn settle(&self, at: DVec2, ray: &Ray, bench: &mut Bench) {
         for (index, crossing) in bench.crossings.iter_mut().enumerate() {
-            for settled in self.settled_by(crossing.rank, crossing.triangle) {
-                bench.settled.push((index as u32, settled.surface));
+            let rank = usize::from(crossing.rank);
+            for (settled, rim) in self.settled[rank].by(crossing.triangle) {
+                let corners = self.parts[rank].corners(crossing.triangle);
+                let is_by_the_rim =
+                    (0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e));
+                if !is_by_the_rim {
+                    bench.settled.push((index as u32, settled.surface));
+                }
                 let mut roots = bench.roots.iter();
                 if let Some(root) = roots.find(|r| r.surface == settled.surface) {
                     let is_behind = (settled.side == Side::Kept) == root.to_kept;
