@@ -23,3 +23,10 @@ struct SettledGroups {
 fn of_doubled(z: f32, group: u32, front: bool) -> f32 {
     return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), settled.groups[group].doubled != 0u && front);
 }
+
+// Depth-buffer value of a fragment at `z` that is known to lie before a crossing, or behind it: that of the crossing, or the value next to
+// it, where it is found on the other side.
+fn beside(z: f32, crossing: f32, is_before: bool) -> f32 {
+    let behind = bitcast<f32>(max(bitcast<u32>(crossing), 1u) - 1u);
+    return select(min(z, behind), max(z, crossing), is_before);
+}

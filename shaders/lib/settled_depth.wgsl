@@ -7,12 +7,7 @@
 #define_import_path cutaway::settled_depth
 
 #import cutaway::crossings::{crossing_heads, listed, surface_at, z_at}
-#import cutaway::settled::{of_doubled, settled}
-
-// The value before a positive one.
-fn behind(z: f32) -> f32 {
-    return bitcast<f32>(max(bitcast<u32>(z), 1u) - 1u);
-}
+#import cutaway::settled::{beside, of_doubled, settled}
 
 // Depth-buffer value of a fragment of a group, which rasterising found at `z`.
 fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
@@ -28,7 +23,7 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
         if (surfaces & surface) != 0u {
             let crossing = z_at(i, pixel);
             let is_before = (sides & surface) == (removed & surface);
-            moved = select(min(moved, behind(crossing)), max(moved, crossing), is_before);
+            moved = beside(moved, crossing, is_before);
         }
         sides ^= surface;
     }

@@ -54,7 +54,9 @@ impl SettledFaces {
         let first = self.all.partition_point(|s| s.triangle < triangle);
         let after = self.all[first..].partition_point(|s| s.triangle == triangle);
         let range = first..first + after;
-        self.all[range.clone()].iter().zip(self.rims[range].iter().copied())
+        self.all[range.clone()]
+            .iter()
+            .zip(self.rims[range].iter().copied())
     }
 }
 
@@ -65,8 +67,7 @@ impl Lines<'_> {
             let rank = usize::from(crossing.rank);
             for (settled, rim) in self.settled[rank].by(crossing.triangle) {
                 let corners = self.parts[rank].corners(crossing.triangle);
-                let is_by_the_rim =
-                    (0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e));
+                let is_by_the_rim = (0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e));
                 if !is_by_the_rim {
                     bench.settled.push((index as u32, settled.surface));
                 }
@@ -94,8 +95,7 @@ impl Lines<'_> {
     /// Whether a crossing is with a face that lies in the face of a cutter, to the last bit.
     fn coincides(&self, ray: &Ray, root: &Root, crossing: &Crossing) -> bool {
         let distance = (crossing.depth - root.depth).abs();
-        let close =
-            ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
+        let close = ambiguity::rounding(self.view, root.depth) + root.depth_change(self.view, ray);
         distance <= close
             && root.face.is_some_and(|face| {
                 let of_part = self.parts[usize::from(crossing.rank)].facet(crossing.triangle);

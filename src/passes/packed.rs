@@ -221,9 +221,9 @@ pub(super) fn rooms(packed: &[Packed], before: &[Room]) -> Vec<Room> {
 
 /// The vertices and the indices of all parts; `changes` says that they will not stay as they are.
 pub(super) fn contents(packed: &[Packed], rooms: &[Room], changes: bool) -> [Contents; 2] {
-    let end = rooms.last().map_or([0, 0], |r| {
-        [r.first_vertex + r.vertices, r.end_index()]
-    });
+    let end = rooms
+        .last()
+        .map_or([0, 0], |r| [r.first_vertex + r.vertices, r.end_index()]);
     let piece = |offset: u64, bytes: &Arc<[u8]>| Piece {
         offset,
         bytes: bytes.clone(),

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::plan::pack::pack_normal;
 use crate::plan::Contents;
+use crate::plan::pack::pack_normal;
 use crate::scene::{Bounds, Motion, Part, Prepared, Scene, SceneSpace, facing_out};
 
 use super::model::Vertex;

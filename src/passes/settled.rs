@@ -21,9 +21,7 @@ use glam::Vec3;
 use super::Recorder;
 use super::packed::{Packed, Room};
 use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
-use crate::plan::{
-    Binding, Clock, Contents, Draw, INDEX_BYTES, Piece, ResourceId, Role,
-};
+use crate::plan::{Binding, Clock, Contents, Draw, INDEX_BYTES, Piece, ResourceId, Role};
 use crate::scene::{FlatSurface, Prepared, PreparedPart, Side};
 
 /// A flat clip-surface with its number.
@@ -65,7 +63,10 @@ impl Sorted {
         let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
         for (number, flat) in surfaces {
             for (triangle, side) in flat.settled(positions, triangles) {
-                lies.entry(triangle).or_default().sides.push((*number, side));
+                lies.entry(triangle)
+                    .or_default()
+                    .sides
+                    .push((*number, side));
             }
         }
         for triangle in doubled {
@@ -191,7 +192,11 @@ impl Recorder<'_> {
     fn bits_of(&self, group: &Group) -> [u32; 2] {
         let mut bits = [0; 2];
         for (slot, number) in self.relevance.surfaces.iter().enumerate() {
-            let side = group.lie.sides.iter().find(|(n, _)| usize::from(*n) == *number);
+            let side = group
+                .lie
+                .sides
+                .iter()
+                .find(|(n, _)| usize::from(*n) == *number);
             if let Some((_, side)) = side {
                 bits[0] |= 1 << slot;
                 bits[1] |= u32::from(*side == Side::Removed) << slot;
@@ -222,8 +227,7 @@ impl Recorder<'_> {
         match &self.model.settled {
             Some(settled) if self.settles() => {
                 let contents = settled.indices.clone();
-                let sorted =
-                    self.uploaded("sorted indices", Role::Index, Clock::Cut, |_| contents);
+                let sorted = self.uploaded("sorted indices", Role::Index, Clock::Cut, |_| contents);
                 sorted.resource
             }
             _ => self.solid_indices(),

@@ -190,12 +190,7 @@ fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
 
 impl PackedSection {
     /// `faces` lie in the plane and are in the section, and make no cap: drawn once more, they take away what the section says there.
-    fn of(
-        section: &Section,
-        plane: &SlicePlane,
-        faces: &[[DVec3; 3]],
-        bounds: &Bounds,
-    ) -> Self {
+    fn of(section: &Section, plane: &SlicePlane, faces: &[[DVec3; 3]], bounds: &Bounds) -> Self {
         let doubted = match is_doubtful(section, bounds) {
             true => plane.across(&with_margin(bounds)),
             false => Vec::new(),

@@ -62,8 +62,8 @@ pub use prepared::{
 pub(crate) use regions::in_common;
 pub use regions::{Block, Face, Wedge};
 pub use relief::{ReliefSpec, apply_relief};
-pub use settled::{FlatSurface, Settled, Side};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
+pub use settled::{FlatSurface, Settled, Side};
 pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
 pub use timeline::Timeline;
 pub use topology::{DepthComplexity, Extent, Topology};

@@ -2,7 +2,6 @@
 
 use glam::{DVec2, DVec3};
 
-
 use super::slicer::share;
 use crate::scene::{Bounds, ClipSurface, FlatSurface, PreparedSurface, Side, SurfaceFrame};
 

@@ -3,7 +3,7 @@
 #import cutaway::cuts::parts
 #import cutaway::lone_plane::{is_kept, lone_plane_at}
 #import cutaway::mesh::Vertex
-#import cutaway::settled::{of_doubled, settled}
+#import cutaway::settled::{beside, of_doubled, settled}
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
 struct Surface {
@@ -19,9 +19,14 @@ fn vertex(v: Vertex) -> Corner {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
     let group = settled.groups[corner.rank];
-    let z = of_doubled(corner.position.z, corner.rank, front);
-    let is_known = group.surfaces != 0u;
-    if select(!is_kept(lone_plane_at(corner.position.xy), z), group.removed != 0u, is_known) {
+    let plane = lone_plane_at(corner.position.xy);
+    var z = of_doubled(corner.position.z, corner.rank, front);
+    var is_removed = !is_kept(plane, z);
+    if group.surfaces != 0u {
+        is_removed = group.removed != 0u;
+        z = beside(z, plane.z, is_removed == plane.begins_removed);
+    }
+    if is_removed {
         discard;
     }
     return Surface(surface_words(corner, 0u, parts[group.place].part, front), z);
