@@ -3,7 +3,7 @@
 use super::figures::{percent, ranged, times};
 use crate::experiment::Record;
 use crate::report::derived::{
-    Harm, Ranked, Situation, Spread, harms, has_defect, has_other_truth, ranked, usage,
+    Harm, Ranked, Situation, Spread, TOO_MUCH, harms, has_defect, has_other_truth, ranked, usage,
 };
 use crate::report::document::{Cell, Tone};
 
@@ -69,8 +69,15 @@ fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     };
     let found = |h: &Harm| format!("{} wrong, {} unmarked", share(h.wrong), share(h.unmarked));
     let Some(first) = drawn.first() else {
-        let none = Cell::from("none loses less than half of the cap").toned(Tone::Bad);
-        return [none, Cell::default(), compared_cell(&compared)];
+        let none = Cell::from(format!(
+            "none draws all points with less than {} of the cap lost",
+            percent(TOO_MUCH)
+        ));
+        return [
+            none.toned(Tone::Bad),
+            Cell::default(),
+            compared_cell(&compared),
+        ];
     };
     let marked = share(first.marked);
     let text = format!("{}: {}, {marked} marked", name(first), found(first));

@@ -112,7 +112,7 @@ fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Bloc
 
 /// The note of a chart, and which points it shows: each run with the values that its axes have there.
 fn note(asked: &ChartDefinition, placed: &[Placed<'_>]) -> String {
-    let mut runs: Vec<(&str, Vec<(&str, Vec<&str>)>)> = Vec::new();
+    let mut runs: Named<'_, Named<'_, Vec<&str>>> = Vec::new();
     for record in placed.iter().map(|p| p.row.record) {
         let run = place_of(&mut runs, record.run.as_str());
         for axis in &record.axes {
@@ -136,8 +136,11 @@ fn note(asked: &ChartDefinition, placed: &[Placed<'_>]) -> String {
     }
 }
 
+/// A list by names, in their order.
+type Named<'n, T> = Vec<(&'n str, T)>;
+
 /// What a list has under a name, added where it has nothing.
-fn place_of<'l, 'n, T: Default>(list: &'l mut Vec<(&'n str, T)>, name: &'n str) -> &'l mut T {
+fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'l mut T {
     let place = list.iter().position(|(n, _)| *n == name);
     let place = place.unwrap_or_else(|| {
         list.push((name, T::default()));
