@@ -13,7 +13,7 @@ use crate::report::document::{Block, Cell, Grid, Tone};
 fn how_to_read() -> String {
     let (between_runs, too_much) = (percent(BETWEEN_RUNS), percent(TOO_MUCH));
     format!(
-        "A row for each kind of input that some run stands for.
+        "Each row is a kind of input that some run stands for.
 
 - `use` is the cheapest of the strategies that are exact wherever they drew, at more than half of the points, by the clocks that are paid for what
   moves. Cheapest is the least time over that of the fastest at each point, in the median. It is written as `cutaway render --strategy` takes
@@ -36,7 +36,7 @@ struct Input<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of a bench, with its explanation where it is the first; nothing where no run stands for anything.
+/// The table of a bench and its explanation; nothing where no run stands for anything.
 pub(super) fn blocks(points: &Points<'_>, bench: &Bench<'_>) -> Vec<Block> {
     let on_it = points.on(bench);
     let inputs = inputs(&on_it);
@@ -50,7 +50,7 @@ pub(super) fn blocks(points: &Points<'_>, bench: &Bench<'_>) -> Vec<Block> {
     for input in &inputs {
         grid.row(row(input));
     }
-    vec![Block::Prose(how_to_read()), Block::Grid(grid)]
+    vec![Block::Grid(grid), Block::Prose(how_to_read())]
 }
 
 fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
