@@ -276,7 +276,9 @@ fn pictures_are_inside_linked_or_said_to_be_missing() {
     let small = report(&[&folder.path("run")], PNG.len() as u64).html;
     assert_eq!(small.matches(embedded).count(), 1, "one fits");
     assert_eq!(
-        small.matches("the page would be too large").count(),
+        small
+            .matches("Not in this page, which would be too large (see --link): exact.")
+            .count(),
         1,
         "the other is said to be left out"
     );
@@ -289,7 +291,10 @@ fn pictures_are_inside_linked_or_said_to_be_missing() {
     );
     fs::remove_file(folder.path(&format!("run/{NAME}/exact.png"))).unwrap();
     let gone = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).html;
-    assert!(gone.contains("exact (the file is gone)"));
+    let said = "2 pictures of 2 points are not beside the records";
+    assert_eq!(gone.matches(said).count(), 1, "said once for all points");
+    assert!(!inside.contains("not beside the records"), "the control");
+    assert!(!gone.contains("class=\"gallery\""), "no empty galleries");
 }
 
 #[test]

@@ -57,7 +57,7 @@ fn each_input_has_an_answer() {
     assert_eq!(
         rows(&view, "sawn wood"),
         [
-            "| sawn wood | only the view moves | 2 | raycast+mask@compute | ×3.00 | raycast+mask ×4.00 | ×2.00 | 550 (up to 1000) |"
+            "| sawn wood | only the view moves | 2 | raycast+mask --rasteriser compute | ×3.00 | raycast+mask ×4.00 | ×2.00 | 550 (up to 1000) |"
         ]
     );
     let heading = view.find("What should I use for what I have?").unwrap();
@@ -74,7 +74,7 @@ fn each_input_has_an_answer() {
     assert_eq!(
         rows(&mesh, "sawn wood"),
         [
-            "| sawn wood | the mesh moves | 2 | raycast+mask | ×10.5 | raycast+mask@compute ×23.0 | ×8.50 | 550 (up to 1000) |"
+            "| sawn wood | the mesh moves | 2 | raycast+mask | ×10.5 | raycast+mask --rasteriser compute ×23.0 | ×8.50 | 550 (up to 1000) |"
         ]
     );
     // One wrong pixel at one point, and a strategy is out.
@@ -93,19 +93,25 @@ fn broken_meshes_are_told_apart() {
     let mut all = records();
     let mut whole = record(
         "5%",
-        vec![drawn("raycast+mask", 4, 4.0), drawn("winding", 2, 90.0)],
+        vec![
+            drawn("raycast+mask", 4, 4.0),
+            drawn("winding", 2, 90.0),
+            drawn("planar", 1, 2.0),
+        ],
     );
     whole.measurement.exact.cap_px = 200;
-    for (index, unmarked) in [(0, 0), (1, 2)] {
+    for (index, unmarked, marked) in [(0, 0, 6), (1, 2, 0), (2, 0, 190)] {
         let found = &mut whole.measurement.strategies[index];
-        found.comparison.as_mut().unwrap().unmarked_wrong_px = unmarked;
+        let comparison = found.comparison.as_mut().unwrap();
+        comparison.unmarked_wrong_px = unmarked;
+        comparison.odd_parity_px = marked;
     }
     whole.words = vec!["--defect=holes:amount=5%".to_owned()];
     all.push(whole);
     let control = told(&folder, &all, &json!({}));
     let exact = |page: &str| rows(page, "raycast+mask")[0].to_owned();
     assert!(exact(&control).starts_with("| raycast+mask | 3 | 3 | 2 | 4 |"));
-    assert!(!control.contains("Who copes with broken meshes"));
+    assert!(!control.contains("Which strategies cope with broken meshes"));
 
     all[2].truth = Some(vec!["shape:crank".to_owned()]);
     let page = told(&folder, &all, &json!({}));
@@ -115,22 +121,63 @@ fn broken_meshes_are_told_apart() {
     assert_eq!(
         broken,
         [
-            "| crank | winding | 1 | 1 | 1.00 % (up to 1.00 %) | 2 (up to 2) | ×90.0 | least wrong |",
-            "| crank | raycast+mask | 1 | 1 | 2.00 % (up to 2.00 %) | 0 (up to 0) | ×4.00 | least unmarked |",
+            "| crank | winding | 1 | 1 | 1.00 % (up to 1.00 %) | 2 (up to 2) | 0 % (up to 0 %) | ×90.0 | least wrong, by compare alone |",
+            "| crank | raycast+mask | 1 | 1 | 2.00 % (up to 2.00 %) | 0 (up to 0) | 3.00 % (up to 3.00 %) | ×4.00 | use |",
+            "| crank | planar | 1 | 1 | 0.50 % (up to 0.50 %) | 0 (up to 0) | 95 % (up to 95 %) | ×2.00 | too much is lost |",
         ]
     );
-    // As an input: nothing is exact, and both are named.
+    // As an input: nothing is exact. What `render` takes is named, what marks nearly everything is not, and `winding` comes with its command.
     let alone = Scratch::new("answers-broken-alone");
     let input = told(&alone, &all[2..], &json!({ "input": "what was scanned" }));
     let row = rows(&input, "what was scanned")[0].to_owned();
     assert!(
-        row.contains("| winding: 1.00 % wrong | ×90.0 | raycast+mask: 0 % wrong unmarked |"),
+        row.contains(
+            "| raycast+mask: 2.00 % wrong, 0 % unmarked, 3.00 % marked | ×4.00 | winding: 1.00 % wrong; draws no picture, ask by \
+             `cutaway compare --strategies winding` |"
+        ),
         "{row}"
     );
     // With nothing broken there is nothing to cope with.
     all[2].words = vec!["--defect=holes:amount=0%".to_owned()];
     let unbroken = told(&folder, &all, &json!({}));
     assert!(rows(&unbroken, "crank").is_empty());
+}
+
+/// Points at which one of two strategies is twice as fast, by turns.
+fn in_turns() -> Vec<Record> {
+    let point = |(size, ratio): (&str, f64)| {
+        let strategies = vec![
+            drawn("stencil", 0, ratio),
+            drawn("raycast+mask@compute", 0, 2.0),
+        ];
+        let mut point = record(size, strategies);
+        point.words = ["shape:crank", "--section=x=1"].map(str::to_owned).into();
+        point
+    };
+    let all = [("1", 1.0), ("2", 1.0), ("3", 4.0), ("4", 4.0)];
+    all.map(point).into()
+}
+
+#[test]
+fn all_tables_have_one_ranking_and_the_ratio_of_what_they_name() {
+    let folder = Scratch::new("answers-ranking");
+    let page = told(&folder, &in_turns(), &json!({ "input": "sawn wood" }));
+    // The median of the stencil is 2.5; that of whichever is faster at each point would be 1.5.
+    let best = "| raycast+mask --rasteriser compute | ×2.00 | stencil (one plane, eye outside the cut) ×2.50, a draw |";
+    for start in [
+        "sawn wood | only the view moves | 4",
+        "one plane | only the view moves | 4 of 4",
+        "01-fixture: What does &lt;it> cost? | only the view moves | 4 | 4 of 4",
+    ] {
+        let found = rows(&page, start);
+        assert_eq!(found.len(), 1, "{start} in\n{page}");
+        assert!(found[0].contains(best), "{found:?}");
+    }
+    // Faster at three points of four is no draw.
+    let mut all = in_turns();
+    all[1] = record("2", all[2].measurement.strategies.clone());
+    let page = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    assert!(rows(&page, "sawn wood")[0].contains("eye outside the cut) ×4.00 |"));
 }
 
 #[test]

@@ -1,10 +1,13 @@
 //! A report for machines: a table of every figure, and all records joined.
+//!
+//! Spreadsheets run what begins like a formula: an apostrophe before such a cell makes it text, as OWASP advises against CSV injection.
+//! Numbers are left as they are; to read a text back, take off one apostrophe where it stands before one of [`MARKED`].
 
 use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::derived::{Row, Situation, Standing, has_other_truth, rows, standings, winner};
+use super::derived::{Row, Situation, Standing, has_other_truth, ranked, rows, standings};
 use super::recorded::{Definition, Experiment, Folder, PeerRecord, Recorded};
 use crate::experiment::{CaseRecords, Record, Run};
 
@@ -92,9 +95,21 @@ pub(super) fn csv(recorded: &Recorded) -> String {
     text
 }
 
+/// By what a formula may begin, and the apostrophe itself, so that one can always be taken off.
+const MARKED: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\''];
+
+/// A cell that no spreadsheet takes for a formula.
+fn inert(cell: String) -> String {
+    match cell.starts_with(MARKED) && !cell.parse().is_ok_and(f64::is_finite) {
+        true => format!("'{cell}"),
+        false => cell,
+    }
+}
+
 /// RFC 4180, with line feeds alone.
 fn line(cells: impl Iterator<Item = String>) -> String {
     let cells: Vec<String> = cells
+        .map(inert)
         .map(|cell| match cell.contains([',', '"', '\n', '\r']) {
             true => format!("\"{}\"", cell.replace('"', "\"\"")),
             false => cell,
@@ -134,8 +149,8 @@ struct DerivedPoint<'a> {
     run: &'a str,
     parameters: &'a crate::experiment::Parameters,
     adapter: &'a str,
-    /// The fastest exact strategy when only the view, the cut, or the mesh moves.
-    fastest_exact: [Option<&'a str>; 3],
+    /// The first of the ranking when only the view, the cut, or the mesh moves: the fastest exact strategy that `cutaway render` takes.
+    fastest_exact: [Option<String>; 3],
 }
 
 /// A strategy over all points of one folder, adapter and kind of run that are judged by their own exact image.
@@ -193,8 +208,10 @@ fn derived<'a>(folder: &Folder, record: &'a Record) -> DerivedPoint<'a> {
         run: &record.run,
         parameters: &record.parameters,
         adapter: &m.adapter.name,
-        fastest_exact: Situation::ALL
-            .map(|s| winner(record, s).map(|i| m.strategies[i].name.as_str())),
+        fastest_exact: Situation::ALL.map(|s| {
+            let first = ranked(&[record], s).into_iter().next();
+            first.map(|r| r.name)
+        }),
     }
 }
 
@@ -228,6 +245,17 @@ fn standings_of(folder: &Folder, records: &[&Record]) -> Vec<DerivedStanding> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cells_are_no_formulas_and_numbers_stay() {
+        let cells = [
+            "=1+1", "+x", "-z=50%", "@a", "\tx", "-1.5", "-2e-3", "a=b", "'=1",
+        ];
+        assert_eq!(
+            line(cells.map(str::to_owned).into_iter()),
+            "'=1+1,'+x,'-z=50%,'@a,'\tx,-1.5,-2e-3,a=b,''=1\n"
+        );
+    }
 
     #[test]
     fn cells_are_quoted_where_they_must_be() {

@@ -1,12 +1,52 @@
-//! A report as Markdown.
+//! A report as Markdown, and how words get into Markdown: text between backticks is code, and nothing else in it is markup.
 
 use super::Figure;
+use super::document::stretches;
 use super::text::{errors, shortfalls, times};
 use crate::experiment::{Measurement, Timing};
 
+/// Words in which nothing is markup but the code between backticks.
+pub(super) fn words(text: &str) -> String {
+    stretches(text)
+        .map(|(is_code, piece)| match is_code {
+            true => format!("`{piece}`"),
+            false => escaped(piece),
+        })
+        .collect()
+}
+
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => escaped.push_str("&lt;"),
+            '&' => escaped.push_str("&amp;"),
+            '\\' | '*' | '[' | ']' | '`' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            '\n' => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// Text as code, whatever backticks it has.
+fn code(text: &str) -> String {
+    let mut fence = "`".to_owned();
+    while text.contains(&fence) {
+        fence.push('`');
+    }
+    match fence.len() {
+        1 => format!("`{text}`"),
+        _ => format!("{fence} {text} {fence}"),
+    }
+}
+
 /// The report as a page; the figures are referred to by their file names.
 pub fn markdown(title: &str, report: &Measurement, figures: &[Figure<'_>]) -> String {
-    let mut page = format!("# {title}\n\n");
+    let mut page = format!("# {}\n\n", words(title));
     page.push_str(&facts(report));
     page.push_str("\n## Error against exact\n\n");
     page.push_str(&errors(report).to_markdown());
@@ -17,7 +57,7 @@ pub fn markdown(title: &str, report: &Measurement, figures: &[Figure<'_>]) -> St
         report.rounds, timing(report)
     ));
     for line in shortfalls(report) {
-        page.push_str(&format!("\n- {line}"));
+        page.push_str(&format!("\n- {}", words(&line)));
     }
     if !figures.is_empty() {
         page.push_str("\n## Pictures\n");
@@ -25,7 +65,10 @@ pub fn markdown(title: &str, report: &Measurement, figures: &[Figure<'_>]) -> St
     for figure in figures {
         page.push_str(&format!(
             "\n### {}\n\n![{}]({})\n\n{}\n",
-            figure.title, figure.title, figure.file, figure.caption
+            words(figure.title),
+            words(figure.title),
+            figure.file,
+            words(figure.caption)
         ));
     }
     page
@@ -51,9 +94,10 @@ fn facts(report: &Measurement) -> String {
             adapter.driver,
             if adapter.software { " (software)" } else { "" }
         ),
-        format!("cutaway {}, `{}`", report.version, report.command),
     ];
-    lines.iter().map(|l| format!("- {l}\n")).collect()
+    let lines = lines.iter().map(|l| format!("- {}\n", words(l)));
+    let made = format!("- cutaway {}, {}\n", report.version, code(&report.command));
+    lines.chain([made]).collect()
 }
 
 /// How time was taken, in words.
@@ -70,6 +114,15 @@ mod tests {
     use crate::experiment::example;
 
     #[test]
+    fn words_are_no_markup() {
+        assert_eq!(words("a <b> *c* `d<e`"), "a &lt;b> \\*c\\* `d<e`");
+        assert_eq!(words("one ` alone"), "one \\` alone");
+        assert_eq!(words("&lt; \\*"), "&amp;lt; \\\\\\*");
+        assert_eq!(code("a <b>"), "`a <b>`");
+        assert_eq!(code("a ` b"), "`` a ` b ``");
+    }
+
+    #[test]
     fn the_page_has_tables_and_figures() {
         let figure = Figure {
             title: "Exact",
@@ -83,6 +136,7 @@ mod tests {
             "| raycast+mask | 0 | 3 |",
             "![Exact](exact.png)",
             "refused: a relief | is no plane",
+            "planar+&lt;mask>",
         ] {
             assert!(page.contains(said), "{said} is missing from\n{page}");
         }

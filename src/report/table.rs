@@ -1,5 +1,7 @@
 //! A table of texts, laid out for a terminal or as Markdown.
 
+use super::markdown::words;
+
 /// Columns with a heading each; the first column is aligned left, the others right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {
@@ -57,10 +59,10 @@ impl Table {
         text
     }
 
-    /// As a table of GitHub's Markdown.
+    /// As a table of GitHub's Markdown, in which cells hold no markup but code between backticks.
     pub fn to_markdown(&self) -> String {
         let line = |cells: &[String]| {
-            let cells: Vec<String> = cells.iter().map(|c| c.replace('|', "\\|")).collect();
+            let cells: Vec<String> = cells.iter().map(|c| words(c).replace('|', "\\|")).collect();
             format!("| {} |\n", cells.join(" | "))
         };
         let mut text = line(&self.heading);
@@ -79,12 +81,12 @@ mod tests {
     #[test]
     fn columns_line_up() {
         let mut table = Table::new(["name", "µ"]);
-        table.row(["a|b", "1"]);
+        table.row(["a|<b", "1"]);
         table.row(["longer"]);
-        assert_eq!(table.to_text(), "name    µ\n---------\na|b     1\nlonger\n");
+        assert_eq!(table.to_text(), "name    µ\n---------\na|<b    1\nlonger\n");
         assert_eq!(
             table.to_markdown(),
-            "| name | µ |\n|---|---:|\n| a\\|b | 1 |\n| longer |  |\n"
+            "| name | µ |\n|---|---:|\n| a\\|&lt;b | 1 |\n| longer |  |\n"
         );
     }
 }

@@ -113,7 +113,7 @@ fn records_are_left_kept_and_measured_again() {
     assert_eq!(counts(&measure("").exits(0)), [1, 1], "one is missing");
     folder.write(
         "01-cube.toml",
-        &CUBE.replace("[\"2%\", \"5%\"]", "[\"2%\", \"6%\"]"),
+        &CUBE.replace("[\"2%\", \"5%\"]", "[\"2%\", \"10%\"]"),
     );
     let ran = measure("").exits(0);
     assert_eq!(counts(&ran), [1, 1], "one is another");
@@ -124,7 +124,8 @@ fn records_are_left_kept_and_measured_again() {
     assert!(others[0].exists(), "what was measured is not thrown away");
     assert_eq!(
         json(&folder, "out/01-cube/experiment.json")["points"],
-        serde_json::json!(["cube.2_", "cube.6_"])
+        serde_json::json!(["cube.2_", "cube.10_"]),
+        "in the order of the experiment"
     );
     let ran = measure("--prune").exits(0);
     assert_eq!(counts(&ran), [0, 2]);

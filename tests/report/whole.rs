@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway::experiment::Warning;
+use cutaway::experiment::{Picture, Sitting, Warning};
 use cutaway::report::PictureOptions;
 
 use super::command::Scratch;
@@ -34,6 +34,8 @@ fn points_that_are_not_there_are_said_aloud() {
         fs::remove_file(folder.path(&format!("run/{NAME}/{file}.json"))).unwrap();
         let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
         assert_eq!(page.matches(told).count(), 2, "{page}");
+        let command = "```sh\ncutaway measure 01-fixture.toml --out here\n```";
+        assert_eq!(page.matches(command).count(), 3, "{page}");
         assert!(page.contains(file), "{page}");
         assert!(!page.contains("Nothing was expected"), "{page}");
     }
@@ -119,6 +121,165 @@ fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
         pages
             .csv
             .contains(",shape:crank --section=x=1,shape:whole,")
+    );
+}
+
+#[test]
+fn all_commands_that_measured_are_named() {
+    let folder = Scratch::new("report-sittings");
+    let command = |files: &str| format!("cutaway measure {files} --out here");
+    let mut records = records();
+    for (record, began, files) in [(0, "T22", "second.toml"), (1, "T21", "first.toml")] {
+        records[record].sitting = Some(Sitting {
+            began: format!("2026-01-02{began}:00:00Z"),
+            load: Some(0.25),
+            command: command(files),
+        });
+    }
+    let page = report_of(&folder, &records).markdown;
+    let row = |began: &str, load: &str, points, files| {
+        let at = folder.path("run").display().to_string();
+        format!(
+            "| {at} | {began} | {load} | {points} | `{}` |\n",
+            command(files)
+        )
+    };
+    // The last is that of `run.json`, which measured no point of these.
+    let rows = [
+        row("2026-01-02T21:00:00Z", "0.25", 1, "first.toml"),
+        row("2026-01-02T22:00:00Z", "0.25", 1, "second.toml"),
+        row("", "", 0, "01-fixture.toml"),
+    ];
+    assert!(page.contains(&rows.concat()), "{page}");
+    for files in ["first.toml", "second.toml", "01-fixture.toml"] {
+        let to_copy = format!("```sh\n{}\n```", command(files));
+        assert_eq!(page.matches(&to_copy).count(), 1, "{files}");
+    }
+    assert!(page.contains("| took, all commands together | 7 s |"));
+    // Older records name no command: all are of that of `run.json`.
+    records.iter_mut().for_each(|r| r.sitting = None);
+    let page = report_of(&folder, &records).markdown;
+    let only = row("2026-01-02T03:04:05Z", "", 2, "01-fixture.toml");
+    assert!(page.contains(&only), "{page}");
+}
+
+#[test]
+fn points_are_in_the_order_of_the_experiment() {
+    let folder = Scratch::new("report-order");
+    let place = |page: &str, size: &str| page.find(&format!("<summary>size = {size}")).unwrap();
+    let natural = report_of(&folder, &records()).html;
+    assert!(
+        place(&natural, "2%") < place(&natural, "10%"),
+        "the control"
+    );
+    let listed = |records: &[cutaway::experiment::Record]| {
+        write(&folder.path("run"), records, None);
+        let file = folder.path(&format!("run/{NAME}/experiment.json"));
+        edit(&file, |v| {
+            v["points"] = serde_json::json!(["crank.10", "crank.2"])
+        });
+        report(&[&folder.path("run")], PictureOptions::MOST_BYTES).html
+    };
+    let page = listed(&records());
+    assert!(place(&page, "10%") < place(&page, "2%"));
+    assert!(page.contains("<details open><summary>size = 10%"));
+    // The open point is the one that has pictures.
+    let mut records = records();
+    records[1].pictures.clear();
+    let page = listed(&records);
+    assert!(page.contains("<details open><summary>size = 2%"));
+    assert!(page.contains("<details><summary>size = 10%"));
+}
+
+#[test]
+fn a_slider_opens_on_pictures_that_differ() {
+    let folder = Scratch::new("report-slider");
+    let mut records = records();
+    let drawers = ["exact", "raycast+mask", "grid:256+vds:1024", "grid:64+mask"];
+    records[0].pictures = drawers
+        .map(|drawer| Picture {
+            drawer: drawer.to_owned(),
+            file: "exact.png".to_owned(),
+            heatmap: None,
+        })
+        .into();
+    let page = report_of(&folder, &records[..1]).html;
+    assert!(page.contains("data-left=\"0\" data-right=\"3\""), "{page}");
+}
+
+#[test]
+fn answers_come_before_the_machine_and_the_words() {
+    let folder = Scratch::new("report-sections");
+    let page = report_of(&folder, &records()).markdown;
+    let place = |heading: &str| page.find(heading).unwrap();
+    let answers = place("\n## What should I use?");
+    assert!(
+        place("expectations were reached") < answers,
+        "what concerns all"
+    );
+    for later in ["\n## What the words mean", "\n## What was run"] {
+        assert!(answers < place(later), "{later}");
+    }
+}
+
+#[test]
+fn what_the_spread_covers_stands_beside_it() {
+    let folder = Scratch::new("report-spread");
+    let page = report_of(&folder, &records()).markdown;
+    for said in [
+        "3 rounds by timestamps of the device, over which ± is the spread (another run may differ by more)",
+        "frame, × draw only ± of the rounds",
+        "| what ± does not cover | how another run differs",
+    ] {
+        assert!(page.contains(said), "{said} is missing from\n{page}");
+    }
+}
+
+#[test]
+fn a_chart_says_which_points_it_shows() {
+    let folder = Scratch::new("report-captions");
+    let mut records = records();
+    records
+        .iter_mut()
+        .for_each(|r| r.axes = vec!["size".to_owned()]);
+    let page = report_of(&folder, &records).html;
+    for (title, shown) in [
+        ("Error against time (crank: size = 2%)", "size = 2%"),
+        ("Error against time (crank: size = 10%)", "size = 10%"),
+        ("By size", "size = 2%, 10%"),
+    ] {
+        let chart = page.split("<figure class=\"chart\">");
+        let chart = chart.into_iter().find(|c| c.contains(title)).unwrap();
+        let said = format!("Shown: run <code>crank</code>; {shown}.</p>");
+        assert!(chart.contains(&said), "{said} is missing from {chart}");
+    }
+}
+
+#[test]
+fn nothing_recorded_is_markup_or_a_formula() {
+    let folder = Scratch::new("report-inert");
+    let mut records = records();
+    records[0].measurement.scene = "=1+1".to_owned();
+    records[0].measurement.strategies[3].reason = Some("-1 < <b>2</b> & \\*".to_owned());
+    let pages = report_of(&folder, &records);
+    assert!(pages.csv.contains(",'=1+1,"), "{}", pages.csv);
+    assert!(
+        pages.csv.contains(",'-1 < <b>2</b> & \\*,"),
+        "{}",
+        pages.csv
+    );
+    let said = "-1 &lt; &lt;b>2&lt;/b> &amp; \\\\\\*";
+    assert!(pages.markdown.contains(said), "{}", pages.markdown);
+    for tag in ["<script>", "<b>", "<it>"] {
+        assert!(
+            !pages.markdown.contains(tag),
+            "{tag} is in\n{}",
+            pages.markdown
+        );
+    }
+    assert!(
+        pages.markdown.contains("&lt;script>alert(2)"),
+        "the analysis"
     );
 }
 

@@ -1,6 +1,5 @@
 //! The folder of a run: what is there is read, and what is measured is written, each file whole.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -69,13 +68,9 @@ impl Folder {
         write_json(&self.0.join("run.json"), run)
     }
 
-    /// Writes what was asked, with the names of all records that it makes as `points`: who reads the folder can tell what is missing,
-    /// and what is left from before.
-    pub(super) fn write_definition(
-        &self,
-        definition: &Definition,
-        stems: &BTreeSet<String>,
-    ) -> Result<()> {
+    /// Writes what was asked, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
+    /// folder can tell what is missing, and what is left from before.
+    pub(super) fn write_definition(&self, definition: &Definition, stems: &[String]) -> Result<()> {
         let mut json = definition.json.clone();
         json["points"] = serde_json::json!(stems);
         write_json(&self.of(&definition.name).join("experiment.json"), &json)
@@ -122,7 +117,7 @@ impl Folder {
 
     /// Records of this experiment that it no longer asks for, each as its file and those of its pictures. Files that are no records
     /// are none.
-    pub(super) fn others(&self, experiment: &str, stems: &BTreeSet<String>) -> Vec<Vec<PathBuf>> {
+    pub(super) fn others(&self, experiment: &str, stems: &[String]) -> Vec<Vec<PathBuf>> {
         let folder = self.of(experiment);
         let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
         let mut others = Vec::new();
@@ -131,7 +126,7 @@ impl Folder {
             let Some(stem) = name.strip_suffix(".json") else {
                 continue;
             };
-            if stems.contains(stem) || stem == "experiment" {
+            if stems.iter().any(|s| s == stem) || stem == "experiment" {
                 continue;
             }
             let pictures = match (read::<Record>(&path), read::<CaseRecords>(&path)) {

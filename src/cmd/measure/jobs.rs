@@ -302,8 +302,8 @@ pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
     text
 }
 
-/// Names of all records that an experiment asks for.
-pub(super) fn stems(definition: &Definition, is_quick: bool) -> BTreeSet<String> {
+/// Names of all records that an experiment asks for, in its order.
+pub(super) fn stems(definition: &Definition, is_quick: bool) -> Vec<String> {
     let jobs = definition
         .runs
         .iter()

@@ -1,9 +1,12 @@
 //! Points that are judged by the exact image of another scene: broken meshes, by that of the whole one.
 //!
-//! Nobody can be expected to be exact there, so that counts of exact points do not hold them. What is asked is who comes nearest, as a
-//! share of the cap there should be, and who marks what it cannot vouch for.
+//! No strategy can be expected to be exact there, so that counts of exact points leave them out. The question is how near a strategy
+//! comes, as a share of the cap there should be, and how much of what is wrong it marks as unreliable. A mark is a cost too: a pixel that
+//! is marked is of no use either, wrong or not. A strategy that loses [`TOO_MUCH`] in this way is not one to use.
 
+use super::standing::names;
 use super::{Spread, Standing};
+use crate::Comparison;
 use crate::experiment::Record;
 
 /// Whether the truth of a point is the exact image of another scene.
@@ -31,47 +34,69 @@ pub(crate) struct Harm {
     pub unmarked_px: Option<Spread>,
     /// The same over those of the exact cap.
     pub unmarked: Option<Spread>,
+    /// Pixels that are marked, wrong or not, over those of the exact cap.
+    pub marked: Option<Spread>,
+    /// Pixels that are marked, or wrong and not marked, over those of the exact cap.
+    pub lost: Option<Spread>,
 }
 
-/// Each strategy over some points: the least wrong first, those that refuse at some last.
-pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
-    let mut names: Vec<&str> = Vec::new();
-    for found in records.iter().flat_map(|r| &r.measurement.strategies) {
-        if !names.contains(&found.name.as_str()) {
-            names.push(&found.name);
-        }
+/// Share of the exact cap that may not be lost, in the median.
+pub(crate) const TOO_MUCH: f64 = 0.5;
+
+impl Harm {
+    /// Whether it drew at all points and leaves enough to be used.
+    pub(crate) fn is_usable(&self) -> bool {
+        self.standing.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
     }
-    let mut all: Vec<Harm> = names.iter().map(|name| harm(name, records)).collect();
+}
+
+/// Each strategy over some points: those that can be used first, of them the least wrong, the one that leaves least of it unmarked, the
+/// cheapest.
+pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
+    let all = names(records).into_iter();
+    let mut all: Vec<Harm> = all.map(|name| harm(name, records)).collect();
+    let key = |h: &Harm| {
+        let median = |s: Option<Spread>| s.map_or(f64::INFINITY, |s| s.median);
+        let most = |s: Option<Spread>| s.map_or(f64::INFINITY, |s| s.most);
+        [
+            f64::from(u8::from(!h.is_usable())),
+            median(h.wrong),
+            most(h.wrong),
+            median(h.unmarked),
+            most(h.unmarked),
+            median(h.standing.ratio),
+        ]
+    };
     all.sort_by(|a, b| {
-        let key = |h: &Harm| h.wrong.map_or(f64::INFINITY, |w| w.median);
-        let most = |h: &Harm| h.wrong.map_or(f64::INFINITY, |w| w.most);
-        (a.standing.refused() > 0)
-            .cmp(&(b.standing.refused() > 0))
-            .then(key(a).total_cmp(&key(b)))
-            .then(most(a).total_cmp(&most(b)))
+        let pairs = key(a).into_iter().zip(key(b));
+        pairs.fold(std::cmp::Ordering::Equal, |order, (a, b)| {
+            order.then(a.total_cmp(&b))
+        })
     });
     all
 }
 
 fn harm(name: &str, records: &[&Record]) -> Harm {
-    let (mut wrong, mut unmarked, mut unmarked_px) = (Vec::new(), Vec::new(), Vec::new());
-    for record in records {
-        let cap_px = record.measurement.exact.cap_px.max(1) as f64;
-        let found = record.measurement.strategies.iter();
-        for c in found
-            .filter(|s| s.name == name)
-            .filter_map(|s| s.comparison)
-        {
-            wrong.push(c.decided_wrong_px as f64 / cap_px);
-            unmarked.push(c.unmarked_wrong_px as f64 / cap_px);
-            unmarked_px.push(c.unmarked_wrong_px as f64);
-        }
-    }
+    let drawn: Vec<(Comparison, f64)> = (records.iter())
+        .flat_map(|record| {
+            let cap_px = record.measurement.exact.cap_px.max(1) as f64;
+            let found = record.measurement.strategies.iter();
+            let of_it = found.filter(|s| s.name == name);
+            of_it.filter_map(move |s| Some((s.comparison?, cap_px)))
+        })
+        .collect();
+    let share = |px: fn(&Comparison) -> usize| {
+        let shares = drawn.iter().map(|(c, cap_px)| px(c) as f64 / cap_px);
+        Spread::of(shares.collect())
+    };
+    let unmarked_px = drawn.iter().map(|(c, _)| c.unmarked_wrong_px as f64);
     Harm {
         standing: Standing::of(name, records.iter().copied()),
-        wrong: Spread::of(wrong),
-        unmarked_px: Spread::of(unmarked_px),
-        unmarked: Spread::of(unmarked),
+        wrong: share(|c| c.decided_wrong_px),
+        unmarked_px: Spread::of(unmarked_px.collect()),
+        unmarked: share(|c| c.unmarked_wrong_px),
+        marked: share(|c| c.odd_parity_px),
+        lost: share(|c| c.odd_parity_px + c.unmarked_wrong_px),
     }
 }
 
@@ -102,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_wrong_least_comes_first() {
+    fn the_least_wrong_comes_first() {
         let [a, b] = [broken([10, 4], "1%"), broken([2, 6], "5%")];
         let harms = harms(&[&a, &b, &b]);
         let told: Vec<(&str, f64, f64)> = (harms.iter())
@@ -120,13 +145,28 @@ mod tests {
     }
 
     #[test]
-    fn who_refuses_does_not_win() {
+    fn what_refuses_comes_last() {
         let mut a = broken([0, 4], "1%");
         let refused = &mut a.measurement.strategies[0];
         (refused.outcome, refused.comparison) = (Ending::Refused, None);
         let b = broken([0, 4], "1%");
         assert_eq!(harms(&[&b])[0].standing.name, "parity", "the control");
         assert_eq!(harms(&[&a, &b])[0].standing.name, "winding");
+    }
+
+    #[test]
+    fn what_marks_nearly_everything_comes_last() {
+        let mut a = broken([2, 4], "1%");
+        let marked = |record: &mut Record, px| {
+            let comparison = &mut record.measurement.strategies[0].comparison;
+            comparison.as_mut().unwrap().odd_parity_px = px;
+        };
+        marked(&mut a, 98);
+        assert_eq!(harms(&[&a])[0].standing.name, "parity", "the control");
+        // Half of the 200 pixels of the cap: 99 marked, and 1 wrong and unmarked.
+        marked(&mut a, 99);
+        assert_eq!(harms(&[&a])[0].standing.name, "winding");
+        assert!(!harms(&[&a])[1].is_usable());
     }
 
     #[test]

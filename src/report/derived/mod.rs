@@ -4,26 +4,32 @@
 //! |---|---|
 //! | figures of a strategy at a point by name | [`Row`] |
 //! | the front of error against cost, and the price of each tenfold | [`front`], [`steps`] |
-//! | what a strategy costs in each situation, and who is the fastest exact one | [`Situation`], [`winner`] |
-//! | who is exact wherever it drew, and cheapest, over the points of one input | [`advised`] |
-//! | who draws broken meshes least wrong, and who says so | [`Harm`] |
+//! | what a strategy costs in each situation | [`Situation`] |
+//! | which strategies are exact wherever they drew, and which of them is the cheapest | [`ranked`] |
+//! | how a strategy is asked for, and what it is limited to | [`usage`] |
+//! | how wrong broken meshes are drawn, and how much of that is marked | [`Harm`] |
+//! | which commands measured a run | [`sittings`] |
 //! | which strategies are the paper's path | [`papers`] |
 //! | how often a strategy is exact, refused, overflowed | [`Standing`] |
 
-mod advice;
 mod broken;
 mod front;
 mod order;
 mod paper;
+mod ranking;
 mod row;
+mod sitting;
 mod situation;
 mod standing;
+mod usage;
 
-pub(super) use advice::{Advised, advised};
-pub(super) use broken::{Harm, harms, has_defect, has_other_truth};
+pub(super) use broken::{Harm, TOO_MUCH, harms, has_defect, has_other_truth};
 pub(super) use front::{Offer, Price, front, steps};
 pub(super) use order::{natural, number_of};
 pub(super) use paper::papers;
+pub(super) use ranking::{BETWEEN_RUNS, Ranked, ranked};
 pub(super) use row::{Row, rows, rows_by_maker};
-pub(super) use situation::{Kind, Situation, is_exact, winner};
+pub(super) use sitting::sittings;
+pub(super) use situation::{Kind, Situation, is_exact};
 pub(super) use standing::{Spread, Standing, standings};
+pub(super) use usage::{Usage, usage};

@@ -1,4 +1,4 @@
-//! What has to be drawn anew, and who is the fastest exact strategy then.
+//! What has to be drawn anew, and what that costs.
 //!
 //! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
 //! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
@@ -70,11 +70,6 @@ impl Situation {
         ))
     }
 
-    /// Its time in the middle.
-    pub(crate) fn ms(self, found: &StrategyMeasurement) -> Option<f64> {
-        self.samples(found).map(|s| s.median)
-    }
-
     /// That time over drawing the uncut scene, quotient by quotient of the rounds.
     pub(crate) fn ratios(self, record: &Record, found: &StrategyMeasurement) -> Option<Samples> {
         let ratios = self.samples(found)?.over(&record.measurement.draw_only_ms);
@@ -92,30 +87,22 @@ pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
 
-/// Index of the fastest exact strategy of a point; none where none is exact or nothing was timed.
-pub(crate) fn winner(record: &Record, situation: Situation) -> Option<usize> {
-    let strategies = record.measurement.strategies.iter().enumerate();
-    strategies
-        .filter(|(_, s)| is_exact(s))
-        .filter_map(|(i, s)| Some((i, situation.ms(s)?)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(i, _)| i)
-}
-
 /// By what a scene is cut, as far as its words tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
+    /// One plane alone.
+    Plane,
+    /// Several planes, or what is made of planes.
+    Planes,
     /// At least one relief.
     Relief,
-    /// Planes alone.
-    Planes,
     /// What a scene file says.
     SceneFile,
 }
 
 impl Kind {
     /// All.
-    pub(crate) const ALL: [Self; 3] = [Self::Planes, Self::Relief, Self::SceneFile];
+    pub(crate) const ALL: [Self; 4] = [Self::Plane, Self::Planes, Self::Relief, Self::SceneFile];
 
     /// Of the scene of a point.
     pub(crate) fn of(record: &Record) -> Self {
@@ -130,6 +117,8 @@ impl Kind {
             Self::Relief
         } else if words.iter().any(is_file) {
             Self::SceneFile
+        } else if words.iter().filter(|w| w.starts_with("--section")).count() == 1 {
+            Self::Plane
         } else {
             Self::Planes
         }
@@ -139,7 +128,8 @@ impl Kind {
     pub(crate) fn told(self) -> &'static str {
         match self {
             Self::Relief => "reliefs",
-            Self::Planes => "planes only",
+            Self::Plane => "one plane",
+            Self::Planes => "several planes",
             Self::SceneFile => "scene files",
         }
     }
@@ -150,38 +140,18 @@ mod tests {
     use super::*;
     use crate::experiment::{PerClock, Samples, example};
 
-    /// Two exact strategies: one slow in the frame, one with much to build.
+    /// A strategy that has something to do on each clock.
     fn record() -> Record {
         let mut measurement = example();
-        let mut strategy = |name: &str, [solid, cut, frame]: [f64; 3], wrong: usize| {
-            let mut found = measurement.strategies[0].clone();
-            found.name = name.to_owned();
-            let at = |ms| Samples::of(vec![ms]);
-            found.time_ms = PerClock {
-                solid: at(solid),
-                cut: at(cut),
-                frame: at(frame),
-            };
-            if let Some(c) = &mut found.comparison {
-                c.decided_wrong_px = wrong;
-            }
-            measurement.strategies.push(found);
-        };
-        strategy("steady", [0.0, 0.0, 8.0], 0);
-        strategy("built", [50.0, 3.0, 4.0], 0);
-        strategy("wrong", [0.0, 0.0, 1.0], 1);
-        measurement.strategies.drain(..2);
+        let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::of(vec![ms]));
+        measurement.strategies[0].time_ms = PerClock { solid, cut, frame };
         super::super::standing::tests::record_of(measurement)
     }
 
     #[test]
-    fn who_wins_depends_on_what_moves() {
+    fn what_is_paid_depends_on_what_moves() {
         let record = record();
-        assert_eq!(
-            Situation::ALL.map(|s| winner(&record, s)),
-            [Some(1), Some(1), Some(0)]
-        );
-        let ratios = Situation::ALL.map(|s| s.ratio(&record, &record.measurement.strategies[1]));
+        let ratios = Situation::ALL.map(|s| s.ratio(&record, &record.measurement.strategies[0]));
         // Drawing the uncut scene takes 2 ms.
         assert_eq!(ratios, [Some(2.0), Some(3.5), Some(28.5)]);
     }
@@ -192,20 +162,14 @@ mod tests {
         record.measurement.command = "cutaway measure experiments/a.toml --only=b".to_owned();
         assert_eq!(Kind::of(&record), Kind::SceneFile, "no words: a guess");
         for (words, kind) in [
-            (["shape:crank", "--section=x=1"], Kind::Planes),
-            (["shape:crank", "--relief=waves"], Kind::Relief),
-            (["a/scene.toml", "--time=1"], Kind::SceneFile),
+            ("shape:crank --section=x=1", Kind::Plane),
+            ("shape:crank --section=x=1 --section=y=1", Kind::Planes),
+            ("shape:crank --wedge=x", Kind::Planes),
+            ("shape:crank --section=x=1 --relief=waves", Kind::Relief),
+            ("a/scene.toml --time=1", Kind::SceneFile),
         ] {
-            record.words = words.map(str::to_owned).to_vec();
+            record.words = words.split(' ').map(str::to_owned).collect();
             assert_eq!(Kind::of(&record), kind, "{words:?}");
         }
-    }
-
-    #[test]
-    fn what_is_wrong_or_overflowed_does_not_win() {
-        let mut record = record();
-        record.measurement.strategies[0].outcome = Ending::Overflowed;
-        record.measurement.strategies[1].outcome = Ending::Overflowed;
-        assert_eq!(winner(&record, Situation::View), None);
     }
 }

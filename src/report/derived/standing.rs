@@ -103,6 +103,17 @@ impl Standing {
     }
 }
 
+/// Names of all strategies of some points, each once.
+pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for found in records.iter().flat_map(|r| &r.measurement.strategies) {
+        if !names.contains(&found.name.as_str()) {
+            names.push(&found.name);
+        }
+    }
+    names
+}
+
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
 /// parameters. The exact ones come first, then the least wrong, then the cheapest; those that never drew are last.
 pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {

@@ -9,6 +9,8 @@ pub(crate) struct Gallery {
     pub label: String,
     /// The pictures, exact first.
     pub shots: Vec<Shot>,
+    /// Which two lie under the slider at first, left and right.
+    pub opens_at: [usize; 2],
     /// What the colours of heat maps mean: `#rrggbb` and a name.
     pub(crate) legend: Vec<(String, String)>,
     /// Names of pictures that did not fit into the page.
@@ -78,8 +80,9 @@ impl Gallery {
         } else {
             format!("<ul class=\"legend\" aria-label=\"colours of heat maps\">\n{colors}</ul>\n")
         };
+        let [left, right] = self.opens_at;
         format!(
-            "<div class=\"gallery\" role=\"group\" aria-label=\"{}\">\n{legend}<div class=\"shots\">\n{shots}</div>\n</div>\n",
+            "<div class=\"gallery\" role=\"group\" data-left=\"{left}\" data-right=\"{right}\" aria-label=\"{}\">\n{legend}<div class=\"shots\">\n{shots}</div>\n</div>\n",
             escape(&self.label)
         )
     }

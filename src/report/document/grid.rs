@@ -103,10 +103,10 @@ impl Grid {
         self.rows.push(cells);
     }
 
-    /// The texts alone, each passed through `word`.
-    pub(super) fn to_table(&self, word: impl Fn(&str) -> String) -> Table {
+    /// The texts alone.
+    pub(super) fn to_table(&self) -> Table {
         let words =
-            |cells: &[Cell]| -> Vec<String> { cells.iter().map(|c| word(&c.text)).collect() };
+            |cells: &[Cell]| -> Vec<String> { cells.iter().map(|c| c.text.clone()).collect() };
         let mut table = Table::new(words(&self.heading));
         self.rows.iter().for_each(|r| table.row(words(r)));
         table

@@ -1,6 +1,7 @@
 //! A report as Markdown, as code forges show it.
 
-use super::{Block, Document, Gallery, gallery, stretches};
+use super::{Block, Document, Gallery, gallery};
+use crate::report::markdown::words;
 
 /// The report as text.
 pub(crate) fn markdown(document: &Document) -> String {
@@ -18,8 +19,11 @@ fn write(text: &mut String, blocks: &[Block]) {
                 text.push_str(&format!("{marks} {}\n", words(heading)));
             }
             Block::Text(paragraph) => text.push_str(&format!("{}\n", words(paragraph))),
-            Block::Prose(prose) => text.push_str(&format!("{}\n", prose.trim())),
-            Block::Grid(grid) => text.push_str(&grid.to_table(words).to_markdown()),
+            Block::Prose(prose) => {
+                let prose = super::prose::without_html(prose.trim());
+                text.push_str(&format!("{prose}\n"));
+            }
+            Block::Grid(grid) => text.push_str(&grid.to_table().to_markdown()),
             Block::Notice(tone, notice) => {
                 text.push_str(&format!("> **{}**: {}\n", mood(*tone), words(notice)));
             }
@@ -34,7 +38,7 @@ fn write(text: &mut String, blocks: &[Block]) {
                     words(note)
                 ));
             }
-            Block::Bars(bars) => text.push_str(&bars.grid().to_table(words).to_markdown()),
+            Block::Bars(bars) => text.push_str(&bars.grid().to_table().to_markdown()),
             Block::Gallery(gallery) => pictures(text, gallery),
             Block::Folded {
                 summary, blocks, ..
@@ -55,11 +59,10 @@ fn mood(tone: super::Tone) -> &'static str {
 }
 
 fn fenced(command: &str) -> String {
-    let fence = if command.contains("```") {
-        "~~~"
-    } else {
-        "```"
-    };
+    let mut fence = "```".to_owned();
+    while command.contains(&fence) {
+        fence.push('`');
+    }
     format!("{fence}sh\n{command}\n{fence}\n")
 }
 
@@ -74,40 +77,12 @@ fn pictures(text: &mut String, gallery: &Gallery) {
     }
 }
 
-/// Words in which nothing is markup but the code between backticks.
-fn words(text: &str) -> String {
-    stretches(text)
-        .map(|(is_code, piece)| match is_code {
-            true => format!("`{piece}`"),
-            false => escaped(piece),
-        })
-        .collect()
-}
-
-fn escaped(text: &str) -> String {
-    let mut told = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '<' => told.push_str("&lt;"),
-            '*' | '[' | ']' | '`' => {
-                told.push('\\');
-                told.push(c);
-            }
-            '\n' => told.push(' '),
-            c => told.push(c),
-        }
-    }
-    told
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn words_are_no_markup() {
-        assert_eq!(words("a <b> *c* `d<e`"), "a &lt;b> \\*c\\* `d<e`");
-        assert_eq!(words("one ` alone"), "one \\` alone");
-        assert_eq!(fenced("a ``` b"), "~~~sh\na ``` b\n~~~\n");
+    fn commands_stay_in_their_fence() {
+        assert_eq!(fenced("a ``` b"), "````sh\na ``` b\n````\n");
     }
 }

@@ -65,7 +65,7 @@ pub(super) enum Block {
 }
 
 /// Stretches of a text: code or not.
-fn stretches(text: &str) -> impl Iterator<Item = (bool, &str)> {
+pub(super) fn stretches(text: &str) -> impl Iterator<Item = (bool, &str)> {
     // A lone backtick is one.
     let is_paired = text.matches('`').count().is_multiple_of(2);
     let pieces: Vec<&str> = if is_paired {

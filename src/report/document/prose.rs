@@ -1,4 +1,5 @@
-//! Markdown that people wrote, as HTML that can do nothing: no tags of its own, no pictures from elsewhere, no links but to the web.
+//! Markdown that people wrote, as HTML that can do nothing: no tags of its own, no pictures from elsewhere, no links but to the web; or as
+//! Markdown without HTML.
 
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
@@ -8,6 +9,20 @@ pub(super) fn prose(text: &str) -> String {
     let mut page = String::new();
     html::push_html(&mut page, events);
     page
+}
+
+/// The prose as it is, but that tags in it are text.
+pub(super) fn without_html(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    let mut end = 0;
+    for (event, range) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
+        if matches!(event, Event::Html(_) | Event::InlineHtml(_)) {
+            escaped.push_str(&text[end..range.start]);
+            escaped.push_str(&text[range.clone()].replace('<', "&lt;"));
+            end = range.end;
+        }
+    }
+    escaped + &text[end..]
 }
 
 fn tame(event: Event<'_>) -> Option<Event<'_>> {
@@ -44,6 +59,14 @@ fn tame(event: Event<'_>) -> Option<Event<'_>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tags_in_prose_are_text() {
+        assert_eq!(
+            without_html("Read *down*: `a<b` <b>x</b>\n\n<script>alert(1)</script>\n\n    1 < 2\n"),
+            "Read *down*: `a<b` &lt;b>x&lt;/b>\n\n&lt;script>alert(1)&lt;/script>\n\n    1 < 2\n"
+        );
+    }
 
     #[test]
     fn prose_is_set_and_tamed() {

@@ -71,11 +71,11 @@
     const pick = (label, chosen) => {
       const select = make("select");
       shots.forEach((shot, i) => select.append(make("option", { value: String(i), textContent: name(shot) })));
-      select.value = String(chosen);
+      select.value = chosen;
       return [make("label", {}, `${label} `, select), select];
     };
-    const [leftLabel, left] = pick("left", 0);
-    const [rightLabel, right] = pick("right", 1);
+    const [leftLabel, left] = pick("left", gallery.dataset.left);
+    const [rightLabel, right] = pick("right", gallery.dataset.right);
     const under = make("img", { className: "under" });
     const over = make("img", { className: "over" });
     const range = make("input", { type: "range", min: "0", max: "100", step: "0.5", value: "50" });

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::{Definition, MISSING, PeerRecord, read_json, read_numbered};
-use crate::experiment::{CaseRecords, Record, Run};
-use crate::report::derived::natural;
+use crate::experiment::{CaseRecords, Record, Run, Sitting};
+use crate::report::derived::{natural, sittings};
 use crate::{Error, Result};
 
 /// A folder of a run.
@@ -25,7 +25,8 @@ pub struct Folder {
 pub struct Experiment {
     /// What was asked.
     pub definition: Definition,
-    /// Its points: runs in the order of the definition, and in them by their parameters.
+    /// Its points: runs in the order of the definition, and in them as it lists its points; those that it does not list come after, by
+    /// their parameters.
     pub records: Vec<Record>,
     /// Hard cases and searches.
     pub cases: Vec<CaseRecords>,
@@ -82,6 +83,11 @@ impl Folder {
         })
     }
 
+    /// The commands that measured it, the earliest first, each with the number of its points.
+    pub(in crate::report) fn sittings(&self) -> Vec<(Sitting, usize)> {
+        sittings(&self.run, self.experiments.iter().flat_map(|e| &e.records))
+    }
+
     /// The folder of an experiment's pictures.
     pub fn pictures(&self, experiment: &Experiment) -> PathBuf {
         self.path.join(&experiment.definition.name)
@@ -91,12 +97,13 @@ impl Folder {
 impl Experiment {
     fn read(path: &Path) -> Result<Self> {
         let definition: Definition = read_json(&path.join(EXPERIMENT_FILE))?;
-        let mut records: Vec<Record> = Vec::new();
+        let mut records: Vec<(usize, Record)> = Vec::new();
         let mut cases: Vec<CaseRecords> = Vec::new();
         let mut missing = definition.points.clone();
         for file in json_files(path)? {
             let stem = file.file_stem().unwrap_or_default().to_string_lossy();
             missing.retain(|point| *point != stem);
+            let place = definition.points.iter().position(|point| *point == stem);
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             if name == EXPERIMENT_FILE {
                 continue;
@@ -107,8 +114,8 @@ impl Experiment {
             } else {
                 let record = read_numbered(&file, Record::FORMAT)?;
                 is_at_one(&file, &record)?;
-                records.push(record);
-                records.last().map(|r| &r.experiment)
+                records.push((place.unwrap_or(definition.points.len()), record));
+                records.last().map(|(_, r)| &r.experiment)
             };
             if experiment != Some(&definition.name) {
                 return Err(Error::file(
@@ -122,19 +129,19 @@ impl Experiment {
                 ));
             }
         }
-        records.sort_by(|a, b| {
-            let place = |r: &Record| definition.place_of(&r.run);
+        records.sort_by(|(a_place, a), (b_place, b)| {
+            let of_run = |r: &Record| definition.place_of(&r.run);
             let values = a.parameters.values().zip(b.parameters.values());
             let by_values = values.map(|(a, b)| natural(a, b));
-            place(a)
-                .cmp(&place(b))
+            (of_run(a).cmp(&of_run(b)))
                 .then_with(|| a.run.cmp(&b.run))
+                .then(a_place.cmp(b_place))
                 .then_with(|| by_values.fold(std::cmp::Ordering::Equal, |o, by| o.then(by)))
         });
         cases.sort_by_key(|c| definition.place_of(&c.run));
         Ok(Self {
             definition,
-            records,
+            records: records.into_iter().map(|(_, record)| record).collect(),
             cases,
             missing,
         })

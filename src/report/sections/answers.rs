@@ -2,10 +2,10 @@
 
 use super::figures::{ranged, times};
 use super::point::{Bench, Point, Points};
-use super::{broken, counted, figures, inputs};
+use super::{best, broken, counted, figures, inputs};
 use crate::experiment::Record;
 use crate::report::derived::{
-    Kind, Situation, Spread, Standing, has_other_truth, is_exact, papers, standings, winner,
+    Kind, Situation, Spread, Standing, has_other_truth, is_exact, papers, standings,
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::strategies::Strategy;
@@ -54,8 +54,8 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
     }));
     blocks.push(heading("Which one for what moves?"));
     blocks.push(Block::Text(
-        "Among the strategies that are exact at a point, the one whose frame is cheapest there when only the view moves (clock of the frame), \
-         the cut moves (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy with times."
+        "The same ranking as for inputs, over all points of one kind of cut, when only the view moves (clock of the frame), the cut moves \
+         (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
     for bench in points.benches() {
@@ -63,10 +63,10 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
         blocks.push(Block::Grid(by_situation(&sound(points.on(bench)))));
     }
     if others > 0 {
-        blocks.push(heading("Who copes with broken meshes, and who says so?"));
+        blocks.push(heading("Which strategies cope with broken meshes?"));
         blocks.push(Block::Text(
             "A row for each defect and strategy: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
-             something is broken, and how many of them a strategy vouches for."
+             something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not."
                 .to_owned(),
         ));
     }
@@ -208,83 +208,51 @@ fn papers_path(bench: &str, records: &[&Record]) -> String {
     )
 }
 
-/// How often each strategy is the fastest exact one, the most often first.
-fn wins<'a>(records: &[&'a Record], situation: Situation) -> Vec<(&'a str, usize)> {
-    let mut wins: Vec<(&str, usize)> = Vec::new();
-    for record in records {
-        let Some(index) = winner(record, situation) else {
-            continue;
-        };
-        let name = record.measurement.strategies[index].name.as_str();
-        match wins.iter_mut().find(|(n, _)| *n == name) {
-            Some((_, count)) => *count += 1,
-            None => wins.push((name, 1)),
-        }
-    }
-    wins.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
-    wins
-}
-
-/// What the fastest exact strategy of each point costs.
-fn best_ratios(records: &[&Record], situation: Situation) -> Option<Spread> {
-    let ratios = records.iter().filter_map(|record| {
-        let found = &record.measurement.strategies[winner(record, situation)?];
-        situation.ratio(record, found)
-    });
-    Spread::of(ratios.collect())
-}
-
-fn told_wins(wins: &[(&str, usize)]) -> String {
-    let words: Vec<String> = wins.iter().map(|(n, c)| format!("{n} ({c})")).collect();
-    words.join(", ")
+/// How many points have an exact strategy.
+fn exact_count(records: &[&Record]) -> usize {
+    let has_exact = |r: &&&Record| r.measurement.strategies.iter().any(is_exact);
+    records.iter().filter(has_exact).count()
 }
 
 fn by_situation(points: &[Point<'_>]) -> Grid {
-    let heading = [
-        "cut by",
-        "situation",
-        "exact at",
-        "fastest exact (points)",
-        "at, × draw only",
-        "next (points)",
-    ];
+    let heading = ["cut by", "situation", "exact at"];
+    let heading = heading.into_iter().chain(best::COLUMNS);
     let mut grid = Grid::new("the fastest exact strategy by situation", heading);
     for kind in Kind::ALL {
         let of_kind: Vec<&Record> = (points.iter().map(|p| p.record))
             .filter(|r| Kind::of(r) == kind)
             .collect();
+        let exact = exact_count(&of_kind);
+        if exact == 0 {
+            continue;
+        }
         for situation in Situation::ALL {
-            let wins = wins(&of_kind, situation);
-            let Some((first, others)) = wins.split_first() else {
-                continue;
-            };
-            let count: usize = wins.iter().map(|(_, count)| count).sum();
-            grid.row([
+            let first = [
                 Cell::from(kind.told()),
                 Cell::from(situation.told()),
-                Cell::number(format!("{count} of {}", of_kind.len()), count as f64),
-                Cell::from(told_wins(&[*first])).toned(Tone::Good),
-                ranged(best_ratios(&of_kind, situation)),
-                Cell::from(told_wins(&others[..others.len().min(2)])),
-            ]);
+                Cell::number(format!("{exact} of {}", of_kind.len()), exact as f64),
+            ];
+            grid.row(first.into_iter().chain(best::cells(&of_kind, situation)));
         }
     }
     grid
 }
 
+/// What moves in an experiment: what its runs say where they agree, else the view.
+fn situation_of(points: &[Point<'_>]) -> Situation {
+    let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
+    let first = all.next().unwrap_or_default();
+    match all.all(|moves| moves == first) {
+        true => first.into(),
+        false => Situation::View,
+    }
+}
+
 fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
-    let mut grid = Grid::new(
-        "answers by question",
-        [
-            "question",
-            "points",
-            "an exact one at",
-            "fastest exact (points)",
-            "at, × draw only",
-            "the paper's at, × draw only",
-            "the paper's worst: decided wrong px",
-        ],
-    );
+    let heading = ["question", "what moves", "points", "exact at"];
+    let heading = heading.into_iter().chain(best::COLUMNS);
+    let heading = heading.chain(inputs::PAPER_COLUMNS);
+    let mut grid = Grid::new("answers by question", heading);
     for (name, of_it) in points.by_experiment() {
         let records: Vec<&Record> = (of_it.iter())
             .filter(|p| on_it.iter().any(|q| std::ptr::eq(p.record, q.record)))
@@ -296,25 +264,17 @@ fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
         let question = of_it
             .first()
             .map_or("", |p| p.experiment.definition.question.as_str());
-        let exact = records
-            .iter()
-            .filter(|r| r.measurement.strategies.iter().any(is_exact));
-        let exact = exact.count();
-        let standing = papers_standing(&records);
-        let wins = wins(&records, Situation::View);
-        let worst = match standing.drawn {
-            0 => Cell::default(),
-            _ => figures::wrong_px(standing.worst_px),
-        };
-        grid.row([
+        let exact = exact_count(&records);
+        let situation = situation_of(&of_it);
+        let first = [
             Cell::from(format!("{name}: {question}")),
+            Cell::from(situation.told()),
             Cell::number(records.len().to_string(), records.len() as f64),
-            Cell::number(exact.to_string(), exact as f64),
-            Cell::from(told_wins(&wins[..wins.len().min(2)])),
-            ranged(best_ratios(&records, Situation::View)),
-            ranged(standing.ratio),
-            worst,
-        ]);
+            Cell::number(format!("{exact} of {}", records.len()), exact as f64),
+        ];
+        let best = best::cells(&records, situation);
+        let paper = inputs::paper(&records, situation);
+        grid.row(first.into_iter().chain(best).chain(paper));
     }
     grid
 }

@@ -1,10 +1,9 @@
-//! Broken meshes: who is wrong least, and who says so.
+//! Broken meshes: which strategy is wrong least, and how much of that it marks.
 
 use super::figures::{counts, ranged, shares};
-use super::inputs::best_marker;
 use super::point::Point;
 use crate::experiment::Record;
-use crate::report::derived::{harms, has_defect};
+use crate::report::derived::{harms, has_defect, usage};
 use crate::report::document::{Cell, Grid, Tone};
 
 /// A row for each defect and strategy; none where no point has another scene for its truth.
@@ -18,8 +17,9 @@ pub(super) fn grid(points: &[Point<'_>]) -> Option<Grid> {
             "drawn",
             "wrong, of the exact cap",
             "wrong and unmarked px",
+            "marked, of the exact cap",
             "frame, × draw only",
-            "best",
+            "verdict",
         ],
     );
     let mut runs: Vec<(&str, &str, Vec<&Record>)> = Vec::new();
@@ -35,28 +35,28 @@ pub(super) fn grid(points: &[Point<'_>]) -> Option<Grid> {
     }
     for (experiment, run, records) in &runs {
         let harms = harms(records);
-        let marker = best_marker(&harms).map(|h| &h.standing.name);
+        let used = harms
+            .iter()
+            .position(|h| h.is_usable() && usage(&h.standing.name).is_some());
         for (place, harm) in harms.iter().enumerate() {
             let standing = &harm.standing;
             let count = |n: usize| Cell::number(n.to_string(), n as f64);
-            let is_least = place == 0 && standing.refused() == 0;
-            let is_marker = marker == Some(&standing.name);
-            let tone = |is_best: bool| if is_best { Tone::Good } else { Tone::Plain };
-            let best = match (is_least, is_marker) {
-                (true, true) => "least wrong, least unmarked",
-                (true, false) => "least wrong",
-                (false, true) => "least unmarked",
-                (false, false) => "",
+            let (word, tone) = match (harm.is_usable(), usage(&standing.name)) {
+                (true, _) if used == Some(place) => ("use", Tone::Good),
+                (true, None) if place == 0 => ("least wrong, by compare alone", Tone::Good),
+                (false, _) if standing.refused() == 0 => ("too much is lost", Tone::Faint),
+                _ => ("", Tone::Plain),
             };
             grid.row([
                 Cell::from(*run).titled(format!("{experiment}, run {run}")),
                 Cell::from(standing.name.as_str()),
                 count(standing.asked),
                 count(standing.drawn),
-                shares(harm.wrong).toned(tone(is_least)),
-                counts(harm.unmarked_px).toned(tone(is_marker)),
+                shares(harm.wrong).toned(tone),
+                counts(harm.unmarked_px),
+                shares(harm.marked),
                 ranged(standing.ratio),
-                Cell::from(best),
+                Cell::from(word),
             ]);
         }
     }

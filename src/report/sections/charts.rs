@@ -83,7 +83,7 @@ fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Bloc
             "" => asked.title.clone(),
             facet => format!("{} ({facet})", asked.title),
         },
-        note: asked.note.clone(),
+        note: Some(note(asked, &placed)),
         x: Axis {
             label: label(&asked.x),
             is_log: is_log("x") && categories.is_empty(),
@@ -108,6 +108,45 @@ fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Bloc
     let mut blocks = vec![Block::Chart(chart)];
     blocks.extend(prices.into_iter().map(Block::Grid));
     blocks
+}
+
+/// The note of a chart, and which points it shows: each run with the values that its axes have there.
+fn note(asked: &ChartDefinition, placed: &[Placed<'_>]) -> String {
+    let mut runs: Named<'_, Named<'_, Vec<&str>>> = Vec::new();
+    for record in placed.iter().map(|p| p.row.record) {
+        let run = place_of(&mut runs, record.run.as_str());
+        for axis in &record.axes {
+            let values = place_of(run, axis.as_str());
+            let value = record.parameters.get(axis).map(String::as_str);
+            values.extend(value.filter(|v| !values.contains(v)));
+        }
+    }
+    let shown = runs.into_iter().map(|(run, axes)| {
+        let axes = axes.iter();
+        let words = axes.map(|(name, values)| format!("{name} = {}", values.join(", ")));
+        std::iter::once(format!("run `{run}`"))
+            .chain(words)
+            .collect::<Vec<_>>()
+            .join("; ")
+    });
+    let shown = shown.collect::<Vec<_>>().join("; ");
+    match asked.note.as_deref().map(|n| n.trim_end_matches('.')) {
+        None => format!("Shown: {shown}."),
+        Some(note) => format!("{note}. Shown: {shown}."),
+    }
+}
+
+/// A list by names, in their order.
+type Named<'n, T> = Vec<(&'n str, T)>;
+
+/// What a list has under a name, added where it has nothing.
+fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'l mut T {
+    let place = list.iter().position(|(n, _)| *n == name);
+    let place = place.unwrap_or_else(|| {
+        list.push((name, T::default()));
+        list.len() - 1
+    });
+    &mut list[place].1
 }
 
 /// Values of the x axis in order, where they are not all numbers.

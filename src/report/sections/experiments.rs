@@ -47,9 +47,11 @@ pub(super) fn section(
             if let Some(about) = about.and_then(|r| r.about.as_ref()) {
                 blocks.push(Block::Text(about.clone()));
             }
-            let of_run = of_it.iter().filter(|p| p.record.run == run);
-            for (index, point) in of_run.enumerate() {
-                blocks.push(folded(points, point, pictures, index == 0));
+            let of_run: Vec<&Point<'_>> = of_it.iter().filter(|p| p.record.run == run).collect();
+            let pictured = of_run.iter().position(|p| pictures.has(p));
+            for (index, point) in of_run.into_iter().enumerate() {
+                let is_open = index == pictured.unwrap_or(0);
+                blocks.push(folded(points, point, pictures, is_open));
             }
         }
     }
@@ -60,7 +62,7 @@ fn folded(
     points: &Points<'_>,
     point: &Point<'_>,
     pictures: &pictures::Chosen,
-    is_first: bool,
+    is_open: bool,
 ) -> Block {
     let record = point.record;
     let missed = record.expectations.iter().filter(|r| !r.holds).count();
@@ -74,7 +76,7 @@ fn folded(
     };
     Block::Folded {
         summary: format!("{parameters}{}{missed_words}", points.on_whom(point)),
-        open: is_first || missed > 0,
+        open: is_open || missed > 0,
         blocks: one(points, point, pictures),
     }
 }
@@ -127,10 +129,10 @@ fn facts(record: &Record) -> String {
     let (m, exact) = (&record.measurement, &record.measurement.exact);
     let times = match m.timing {
         crate::experiment::Timing::Timestamps => "timestamps of the device",
-        crate::experiment::Timing::Wall => "the clock of the wall",
+        crate::experiment::Timing::Wall => "wall time",
     };
     format!(
-        "{}, {} triangles, {} × {} pixels on {}; {} by {}. The reference has {} cap, {} surface and {} undecided pixels ({:.0} ms on the CPU).",
+        "{}, {} triangles, {} × {} pixels on {}; {} by {}, over which ± is the spread (another run may differ by more). The reference has {} cap, {} surface and {} undecided pixels ({:.0} ms on the CPU).",
         m.scene,
         m.triangles,
         m.resolution[0],

@@ -1,5 +1,7 @@
 //! What the words of the tables mean, in one short table.
 
+use super::figures::percent;
+use crate::report::derived::BETWEEN_RUNS;
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::recorded::Recorded;
 
@@ -38,11 +40,11 @@ const WORDS: [[&str; 2]; 13] = [
     ],
     [
         "unreliable (marked)",
-        "a pixel that the strategy itself does not vouch for, wrong or not",
+        "a pixel that the strategy itself marks as one that it may have got wrong, whether it has or not",
     ],
     [
         "unmarked wrong",
-        "a decided wrong pixel that the strategy vouches for: nobody is told",
+        "a decided wrong pixel that the strategy does not mark: only a reference shows it",
     ],
     [
         "sums",
@@ -54,7 +56,7 @@ const WORDS: [[&str; 2]; 13] = [
     ],
     [
         "MAD, ±",
-        "median of the distances of all rounds from their median",
+        "median absolute deviation: the median of the distances of the rounds of one point from their median, in one run",
     ],
 ];
 
@@ -68,5 +70,13 @@ pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
     for words in WORDS {
         grid.row(words.map(Cell::from));
     }
+    grid.row([
+        "what ± does not cover".to_owned(),
+        format!(
+            "how another run differs: by the load, the clock rate and the caches of the machine, by the order of the points. Two runs of the curated \
+             experiments on one machine differed by up to {} in a ratio, where the deviation within each run was 5 %",
+            percent(BETWEEN_RUNS)
+        ),
+    ]);
     vec![Block::Grid(grid)]
 }

@@ -1,11 +1,16 @@
-//! What was run, on what, and what concerns all of it.
+//! What concerns all of a report, which stands before everything else; and what was run, on what.
 
-use super::counted;
 use super::point::Points;
+use super::{counted, pictures};
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Experiment, Folder, Recorded};
 
-pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
+/// How much was measured, what of it is missing or was missed, and what to know of all figures.
+pub(super) fn notices(
+    recorded: &Recorded,
+    points: &Points<'_>,
+    pictures: &pictures::Chosen,
+) -> Vec<Block> {
     let experiments = points.by_experiment().len();
     let strategies: usize = (points.all.iter())
         .map(|p| p.record.measurement.strategies.len())
@@ -46,8 +51,41 @@ pub(super) fn section(recorded: &Recorded, points: &Points<'_>) -> Vec<Block> {
             blocks.push(Block::Notice(Tone::Fair, text));
         }
     }
-    blocks.push(Block::Grid(facts(recorded)));
+    blocks.extend(pictures.gone());
     blocks
+}
+
+/// Where and by which commands each folder was measured.
+pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+    vec![
+        Block::Grid(facts(recorded)),
+        Block::Text(
+            "Each record names the command that measured it; those of hard cases do not. The last command may have kept all points that it asked for."
+                .to_owned(),
+        ),
+        Block::Grid(commands(recorded)),
+    ]
+}
+
+/// A row for each command of each folder.
+fn commands(recorded: &Recorded) -> Grid {
+    let heading = ["folder", "began", "load before", "points", "command"];
+    let mut grid = Grid::new("the commands that measured", heading);
+    for folder in &recorded.folders {
+        for (sitting, points) in folder.sittings() {
+            let load = sitting
+                .load
+                .map_or_else(Cell::default, |l| Cell::number(format!("{l:.2}"), l));
+            grid.row([
+                Cell::from(folder.path.display().to_string()),
+                Cell::from(sitting.began),
+                load,
+                Cell::number(points.to_string(), points as f64),
+                Cell::from(format!("`{}`", sitting.command)),
+            ]);
+        }
+    }
+    grid
 }
 
 /// How many expectations were reached, of points, of cases, and of areas beside outside baselines; nothing where what was expected is not
@@ -85,7 +123,7 @@ fn reached(recorded: &Recorded) -> Option<Block> {
     Some(block)
 }
 
-/// What was to be measured in a folder and was not, and the command that goes on; nothing where all was.
+/// What was to be measured in a folder and was not, and the commands that go on; nothing where all was.
 pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
     let lacking = &experiment.missing;
     if lacking.is_empty() {
@@ -103,19 +141,21 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
         folder.path.display(),
         lacking.join(", ")
     );
-    vec![
-        Block::Notice(Tone::Bad, text),
-        Block::Command(folder.run.command.clone()),
-    ]
+    let commands = folder.sittings().into_iter();
+    let commands = commands.map(|(sitting, _)| Block::Command(sitting.command));
+    std::iter::once(Block::Notice(Tone::Bad, text))
+        .chain(commands)
+        .collect()
 }
 
 /// A column for each folder.
 fn facts(recorded: &Recorded) -> Grid {
     type Fact = (&'static str, fn(&Folder) -> String);
-    const FACTS: [Fact; 13] = [
-        ("command", |f| format!("`{}`", f.run.command)),
+    const FACTS: [Fact; 11] = [
         ("began", |f| f.run.began.clone()),
-        ("took", |f| format!("{:.0} s", f.run.took_s)),
+        ("took, all commands together", |f| {
+            format!("{:.0} s", f.run.took_s)
+        }),
         ("measured", |f| {
             if f.run.is_quick { "quick" } else { "in full" }.to_owned()
         }),
@@ -146,13 +186,6 @@ fn facts(recorded: &Recorded) -> Grid {
                 .machine
                 .memory
                 .map_or_else(|| "not known".to_owned(), gib)
-        }),
-        ("load before", |f| {
-            let load = |l: f64| format!("{l:.2}");
-            f.run
-                .machine
-                .load
-                .map_or_else(|| "not known".to_owned(), load)
         }),
     ];
     let folders = recorded.folders.iter();

@@ -10,6 +10,7 @@ const BIAS: &str = "\
 - `decided` leaves out pixels where sampling is ambiguous within the error of f32: no answer can be called wrong there.
 - Ratios refer to drawing the uncut scene by the GPU's own rasteriser on the same adapter. On a software adapter that rasteriser is slow, which flatters every ratio.
 - All strategies are ours. The paper's path is built after its text, not its authors' code; what they tuned and did not write down is missing.
+- The spread beside a time or a ratio is that of the rounds of one run. It does not cover how runs differ: compare two runs before a small difference counts.
 - Medians of interleaved rounds do not see rare hitches. Times of clocks are added where several run; what a driver overlaps is counted twice.
 - The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
 ";
@@ -28,7 +29,8 @@ pub(super) fn section(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
             "`{}` was measured by",
             folder.path.display()
         )));
-        blocks.push(Block::Command(folder.run.command.clone()));
+        let commands = folder.sittings().into_iter();
+        blocks.extend(commands.map(|(sitting, _)| Block::Command(sitting.command)));
         let mut limits = Grid::new(
             "limits",
             ["limit of the device that plans are made for", "value"],
@@ -45,7 +47,7 @@ pub(super) fn section(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
     }
     blocks.push(Block::Text(
         "Every figure is in `report.json`, with all records, and in `report.csv`, one row for each point and strategy. \
-         Times differ from run to run; errors do not."
+         Cells of the CSV that a spreadsheet could take for a formula begin with an apostrophe. Times differ from run to run, errors do not."
             .to_owned(),
     ));
     blocks

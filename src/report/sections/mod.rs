@@ -1,6 +1,7 @@
 //! What a report says, one file for each section; how it looks is the business of [`super::document`].
 
 mod answers;
+mod best;
 mod broken;
 mod cases;
 mod charts;
@@ -27,10 +28,8 @@ use point::Points;
 pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Document {
     let points = Points::of(recorded);
     let pictures = pictures::Chosen::of(&points, options);
-    let mut blocks = Vec::new();
+    let mut blocks = head::notices(recorded, &points, &pictures);
     for (heading, section) in [
-        ("What was run", head::section(recorded, &points)),
-        ("What the words mean", glossary::section(recorded)),
         ("What should I use?", answers::section(&points)),
         ("Strategies by scenes", matrix::section(&points)),
         (
@@ -39,6 +38,8 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
         ),
         ("Hard cases", cases::section(recorded)),
         ("Outside baselines", outside::section(recorded)),
+        ("What the words mean", glossary::section(recorded)),
+        ("What was run", head::section(recorded)),
         ("How it was made", made::section(recorded, &pictures)),
     ] {
         if !section.is_empty() {

@@ -6,9 +6,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::counted;
 use super::point::{Point, Points};
 use crate::compare::legend;
-use crate::report::document::{Block, Gallery, Shot, Source};
+use crate::report::document::{Block, Gallery, Shot, Source, Tone};
 
 /// How pictures come into the page.
 #[derive(Clone, Debug)]
@@ -31,6 +32,8 @@ pub(super) struct Chosen {
     galleries: Vec<Gallery>,
     /// Which point each is of: run folder, experiment, identity of the record.
     of: Vec<(PathBuf, String, String)>,
+    /// How many pictures each names whose files are not there.
+    gone: Vec<usize>,
 }
 
 /// A picture before it is known whether it fits.
@@ -38,6 +41,16 @@ struct Wanted {
     name: String,
     caption: String,
     path: PathBuf,
+    /// Decided wrong pixels in it; none of the reference and of heat maps.
+    wrong_px: Option<usize>,
+}
+
+/// Why a picture is not in the page.
+enum Lack {
+    /// There is no such file.
+    Gone,
+    /// There is no room.
+    TooLarge,
 }
 
 impl Chosen {
@@ -47,12 +60,14 @@ impl Chosen {
         let mut chosen = Self {
             galleries: Vec::new(),
             of: Vec::new(),
+            gone: Vec::new(),
         };
         for point in with() {
             let share = left / waiting.max(1);
-            let (gallery, used) = gallery(points, point, options, share);
+            let (gallery, used, gone) = gallery(points, point, options, share);
             left = left.saturating_sub(used);
             waiting -= 1;
+            chosen.gone.push(gone);
             chosen.galleries.push(gallery);
             chosen.of.push(key(point));
         }
@@ -71,11 +86,37 @@ impl Chosen {
         }
         if !gallery.left_out.is_empty() {
             blocks.push(Block::Text(format!(
-                "Not in this page: {}.",
+                "Not in this page, which would be too large (see --link): {}.",
                 gallery.left_out.join(", ")
             )));
         }
         blocks
+    }
+
+    /// Whether there are pictures of a point.
+    pub(super) fn has(&self, point: &Point<'_>) -> bool {
+        let index = self.of.iter().position(|k| *k == key(point));
+        index.is_some_and(|index| !self.galleries[index].shots.is_empty())
+    }
+
+    /// How many pictures have no file, and how to make them; nothing where all are there.
+    pub(super) fn gone(&self) -> Option<Block> {
+        let gone: usize = self.gone.iter().sum();
+        let points = self.gone.iter().filter(|gone| **gone > 0).count();
+        (gone > 0).then(|| {
+            Block::Notice(
+                Tone::Plain,
+                format!(
+                    "{} of {} not beside the records, and not in this page. The commands that measured make them in a folder of their own: give another \
+                     --out. For one point, add `--heatmaps DIR` to its `cutaway compare`.",
+                    counted(gone, "picture"),
+                    match points {
+                        1 => "1 point is".to_owned(),
+                        points => format!("{points} points are"),
+                    },
+                ),
+            )
+        })
     }
 
     /// How many pictures are in the page or linked, and how many are not.
@@ -93,33 +134,50 @@ fn key(point: &Point<'_>) -> (PathBuf, String, String) {
     (point.folder.path.clone(), record.experiment.clone(), name)
 }
 
-/// The pictures of a point within a share of the budget, and how much of it they take.
+/// The pictures of a point within a share of the budget, how much of it they take, and how many have no file.
 fn gallery(
     points: &Points<'_>,
     point: &Point<'_>,
     options: &PictureOptions,
     share: u64,
-) -> (Gallery, u64) {
+) -> (Gallery, u64, usize) {
     let mut gallery = Gallery {
         label: format!("pictures of {}{}", point.name(), points.on_whom(point)),
         ..Gallery::default()
     };
-    let mut used = 0;
+    let (mut used, mut gone) = (0, 0);
+    let mut wrong_px: Vec<Option<usize>> = Vec::new();
     for wanted in wanted(point) {
         let name = wanted.name.clone();
+        let wrong = wanted.wrong_px;
         match shot(wanted, options, share - used) {
             Ok((shot, bytes)) => {
                 gallery.shots.push(shot);
+                wrong_px.push(wrong);
                 used += bytes;
             }
-            Err(why) => gallery.left_out.push(format!("{name} ({why})")),
+            Err(Lack::Gone) => gone += 1,
+            Err(Lack::TooLarge) => gallery.left_out.push(name),
         }
     }
+    gallery.opens_at = opens_at(&wrong_px);
     let has_heatmaps = (point.record.pictures.iter()).any(|p| p.heatmap.is_some());
     if has_heatmaps && !gallery.shots.is_empty() {
         gallery.legend = colors();
     }
-    (gallery, used)
+    (gallery, used, gone)
+}
+
+/// The two pictures that a slider opens on: the first, which is the reference where that is there, and the one with most wrong pixels.
+fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
+    let strategies = wrong_px.iter().enumerate().skip(1);
+    let worst = strategies
+        .filter_map(|(index, wrong)| Some((index, (*wrong)?)))
+        .fold(None, |worst: Option<(usize, usize)>, next| match worst {
+            Some(worst) if worst.1 >= next.1 => Some(worst),
+            _ => Some(next),
+        });
+    [0, worst.map_or(1, |(index, _)| index)]
 }
 
 fn wanted(point: &Point<'_>) -> Vec<Wanted> {
@@ -137,21 +195,22 @@ fn wanted(point: &Point<'_>) -> Vec<Wanted> {
                 Some(px) => format!("{px} decided pixels are wrong"),
             },
             path: folder.join(&picture.file),
+            wrong_px: wrong,
         });
         if let Some(file) = &picture.heatmap {
             wanted.push(Wanted {
                 name: format!("{}: where it is wrong", picture.drawer),
                 caption: String::new(),
                 path: folder.join(file),
+                wrong_px: None,
             });
         }
     }
     wanted
 }
 
-fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u64), &'static str> {
-    let missing = "the file is gone";
-    let bytes = fs::metadata(&wanted.path).map_err(|_| missing)?.len();
+fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u64), Lack> {
+    let bytes = fs::metadata(&wanted.path).map_err(|_| Lack::Gone)?.len();
     let shot = |source| Shot {
         link: relative(&options.out, &wanted.path),
         name: wanted.name.clone(),
@@ -162,9 +221,9 @@ fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u6
         return Ok((shot(Source::Beside), 0));
     }
     if bytes > left {
-        return Err("the page would be too large; see --link");
+        return Err(Lack::TooLarge);
     }
-    let png = fs::read(&wanted.path).map_err(|_| missing)?;
+    let png = fs::read(&wanted.path).map_err(|_| Lack::Gone)?;
     Ok((shot(Source::Inside(png)), bytes))
 }
 
@@ -213,6 +272,15 @@ pub(super) fn key_of_colors() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_slider_opens_on_what_differs_most() {
+        // The reference, an exact strategy, a wrong one with its heat map, one that is more wrong, one that is as wrong.
+        let all = [None, Some(0), Some(7), None, Some(90), Some(90)];
+        assert_eq!(opens_at(&all), [0, 4]);
+        assert_eq!(opens_at(&all[..2]), [0, 1], "all are exact");
+        assert_eq!(opens_at(&[]), [0, 1]);
+    }
 
     #[test]
     fn links_go_up_and_down() {

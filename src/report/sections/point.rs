@@ -13,9 +13,11 @@ pub(super) struct Point<'a> {
 }
 
 impl Point<'_> {
-    /// Its parameters: `amplitude = 1%, size = 2 k`.
+    /// Its parameters: `amplitude = 1%, size = 2 k`; where it is known which are axes, without those that only go along with one.
     pub(super) fn parameters(&self) -> String {
+        let axes = &self.record.axes;
         let words: Vec<String> = (self.record.parameters.iter())
+            .filter(|(name, _)| axes.is_empty() || axes.contains(name))
             .map(|(name, value)| format!("{name} = {value}"))
             .collect();
         words.join(", ")

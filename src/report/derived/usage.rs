@@ -1,0 +1,88 @@
+//! How a strategy of a record is asked for on the command line, and what it is limited to.
+//!
+//! Records name what `cutaway compare` takes, which is more than `cutaway render` does: `winding` draws no picture, and after an `@` stand
+//! means that are options there.
+
+use crate::experiment::Contender;
+use crate::passes::{Rasteriser, ReliefWalk};
+use crate::scene::HeightFilter;
+use crate::strategies::{CapSurface, InsideTest, Strategy};
+
+/// What to write after `cutaway render --strategy`, and what to know beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Usage {
+    /// The name, and the options for its means.
+    pub words: String,
+    /// What the strategy is limited to.
+    pub limit: Option<&'static str>,
+}
+
+/// The usage of a strategy by the name that records have for it; none where `cutaway render` cannot draw it.
+///
+/// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it is told beside the name.
+pub(crate) fn usage(name: &str) -> Option<Usage> {
+    let Ok(Contender::Strategy(drawn)) = name.parse() else {
+        return None;
+    };
+    if drawn.is_narrow {
+        return None;
+    }
+    let mut words = drawn.strategy.to_string();
+    if drawn.rasteriser == Some(Rasteriser::Compute) {
+        words.push_str(" --rasteriser compute");
+    }
+    if drawn.height_filter == Some(HeightFilter::Hardware) {
+        words.push_str(" --height-filter hardware");
+    }
+    let limit = match drawn.relief_walk {
+        Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
+        Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
+        None => limit(drawn.strategy),
+    };
+    Some(Usage { words, limit })
+}
+
+/// What a strategy is limited to, in a few words.
+fn limit(strategy: Strategy) -> Option<&'static str> {
+    match (strategy.surface, strategy.inside) {
+        (CapSurface::Planar, _) => Some("planes only"),
+        (CapSurface::Alone, InsideTest::Stencil) => Some("one plane, eye outside the cut"),
+        (_, InsideTest::KBuffer { .. }) => Some("as many layers as it stores"),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_records_become_words_of_render() {
+        for (name, words, limit) in [
+            ("raycast+mask", "raycast+mask", None),
+            (
+                "raycast+mask@compute",
+                "raycast+mask --rasteriser compute",
+                None,
+            ),
+            ("stencil", "stencil", Some("one plane, eye outside the cut")),
+            ("planar", "planar", Some("planes only")),
+            (
+                "raycast+mask@pyramid",
+                "raycast+mask",
+                Some("over the pyramid, as it does by itself where that pays"),
+            ),
+            (
+                "grid:64+vds:512@hardware-filter",
+                "grid:64+vds:512 --height-filter hardware",
+                None,
+            ),
+        ] {
+            let words = words.to_owned();
+            assert_eq!(usage(name), Some(Usage { words, limit }), "{name}");
+        }
+        for name in ["winding", "raycast+mask@compute,32-bit", "no such thing"] {
+            assert_eq!(usage(name), None, "{name}");
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! The table of README, worked out again from the committed record.
+
+use std::fs;
+
+use cutaway::Comparison;
+use cutaway::experiment::{Record, Samples, StrategyMeasurement};
+
+use super::{RECORDED, root};
+
+const PAPER: &str = "grid:256+vds:1024";
+const MASK: &str = "raycast+mask";
+const COMPUTE: &str = "raycast+mask@compute";
+
+/// Points of a run of an experiment, all runs where none is named, that have one of the values of an axis.
+fn points(experiment: &str, run: &str, axis: &str, values: &[&str]) -> Vec<&'static Record> {
+    let mut experiments = RECORDED.folders[0].experiments.iter();
+    let found = experiments.find(|e| e.definition.name == experiment);
+    let records = found.unwrap().records.iter();
+    let is_it = |r: &&Record| {
+        let is_value = |v: &str| r.parameters.get(axis).is_some_and(|p| p == v);
+        (run.is_empty() || r.run == run)
+            && (values.is_empty() || values.iter().any(|v| is_value(v)))
+    };
+    let found: Vec<&Record> = records.filter(is_it).collect();
+    assert!(!found.is_empty(), "{experiment}, {run}: {values:?}");
+    found
+}
+
+/// What was found of a strategy at some points.
+fn of<'a>(points: &[&'a Record], name: &str) -> Vec<(&'a Record, &'a StrategyMeasurement)> {
+    let all = points.iter().map(|point| {
+        let mut strategies = point.measurement.strategies.iter();
+        (*point, strategies.find(|s| s.name == name).unwrap())
+    });
+    all.collect()
+}
+
+fn frames(points: &[&Record], name: &str) -> Vec<f64> {
+    let all = of(points, name).into_iter();
+    all.map(|(_, s)| s.frame_over_draw_only.unwrap()).collect()
+}
+
+/// Ratios where all clocks are paid.
+fn all_clocks(points: &[&Record], name: &str) -> Vec<f64> {
+    let ratio = |(point, s): (&Record, &StrategyMeasurement)| {
+        let time = &s.time_ms;
+        let sum = Samples::sum(&[&time.solid, &time.cut, &time.frame]);
+        sum.over(&point.measurement.draw_only_ms).median
+    };
+    of(points, name).into_iter().map(ratio).collect()
+}
+
+fn wrong(points: &[&Record], name: &str) -> Vec<f64> {
+    let all = of(points, name).into_iter();
+    all.map(|(_, s)| s.comparison.unwrap().decided_wrong_px as f64)
+        .collect()
+}
+
+/// Percent of the exact cap, in the median.
+fn share(points: &[&Record], name: &str, px: fn(&Comparison) -> usize) -> f64 {
+    let percent = |(point, s): (&Record, &StrategyMeasurement)| {
+        let cap_px = point.measurement.exact.cap_px as f64;
+        100.0 * px(&s.comparison.unwrap()) as f64 / cap_px
+    };
+    median(of(points, name).into_iter().map(percent).collect())
+}
+
+fn median(values: Vec<f64>) -> f64 {
+    Samples::of(values).median
+}
+
+/// `1.3 to 1.4`, or one number where both are written so.
+fn range(values: &[f64], digits: usize) -> String {
+    let [least, most] = Samples::of(values.into()).range();
+    let (least, most) = (format!("{least:.digits$}"), format!("{most:.digits$}"));
+    match least == most {
+        true => least,
+        false => format!("{least} to {most}"),
+    }
+}
+
+/// The row of README that begins with a text holds texts in this order.
+fn check(start: &str, texts: &[String]) {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let row = readme
+        .lines()
+        .find(|l| l.starts_with(&format!("| {start} |")));
+    let row = row.unwrap_or_else(|| panic!("README has no row {start}"));
+    let mut rest = row;
+    for text in texts {
+        let Some(at) = rest.find(text.as_str()) else {
+            panic!("`{text}` is by the record, and not in its place in README: {row}");
+        };
+        rest = &rest[at + text.len()..];
+    }
+}
+
+#[test]
+fn readme_has_the_figures_of_planes_and_reliefs() {
+    let one = points("06-planar", "", "", &[]);
+    let ratio = format!("| {} |", range(&frames(&one, "stencil"), 1));
+    let paper = format!("× {}", range(&frames(&one, PAPER), 1));
+    let px = format!("{} px", range(&wrong(&one, PAPER), 0));
+    check("one plane", &[ratio, paper, px]);
+
+    let several = points("07-surfaces", "planes", "surfaces", &["2", "4", "6"]);
+    let ratio = format!("| {} |", range(&frames(&several, COMPUTE), 1));
+    let hardware = format!("rasteriser {} |", range(&frames(&several, MASK), 1));
+    let paper = format!("× {}", range(&frames(&several, PAPER), 1));
+    let px = format!("{} px", range(&wrong(&several, PAPER), 0));
+    check("several planes", &[ratio, hardware, paper, px]);
+
+    let mut reliefs = points("07-surfaces", "reliefs", "surfaces", &["1", "2"]);
+    reliefs.extend(points("01-paper", "", "", &[]));
+    let three = points("07-surfaces", "reliefs", "surfaces", &["3"]);
+    let ratio = format!("| {} |", range(&frames(&reliefs, COMPUTE), 1));
+    let of_three = format!("three take {}", range(&frames(&three, COMPUTE), 1));
+    let hardware = format!("rasteriser {} |", range(&frames(&reliefs, MASK), 1));
+    let paper = format!("× {}", range(&frames(&reliefs, PAPER), 1));
+    let px = format!("{} px", range(&wrong(&reliefs, PAPER), 0));
+    let paper_three = format!("three: {}", range(&frames(&three, PAPER), 1));
+    check(
+        "one or two reliefs",
+        &[ratio, of_three, hardware, paper, px, paper_three],
+    );
+
+    let grazing = points("10-grazing", "", "", &[]);
+    let [pyramid, cells, paper] = ["raycast+mask@pyramid", "raycast+mask@cells", PAPER]
+        .map(|name| format!("{:.1}", median(frames(&grazing, name))));
+    let [.., most] = Samples::of(wrong(&grazing, PAPER)).range();
+    check(
+        "a relief seen at grazing angles, a map of many texels",
+        &[
+            format!("| {pyramid} |"),
+            format!("{cells} without"),
+            format!("× {paper}, up to {most:.0} px"),
+        ],
+    );
+}
+
+#[test]
+fn readme_has_the_figures_of_moving_deep_and_huge_meshes() {
+    let moving = points("04-moving", "faces", "", &[]);
+    let [stencil, compute, paper] =
+        ["stencil", COMPUTE, PAPER].map(|name| range(&all_clocks(&moving, name), 1));
+    check(
+        "a mesh that moves in every frame, one plane",
+        &[
+            format!("| {stencil}, {compute} |"),
+            format!("× {paper} with"),
+        ],
+    );
+
+    let deep = points("05-depth", "", "teeth", &["128"]);
+    let [stencil, planar, mask, abuffer, paper] =
+        ["stencil", "planar", MASK, "raycast+abuffer", PAPER]
+            .map(|name| range(&frames(&deep, name), 1));
+    let px = range(&wrong(&deep, PAPER), 0);
+    check(
+        "many layers (256)",
+        &[
+            format!("| {stencil}, {planar}, {mask} |"),
+            format!("A-buffer takes {abuffer},"),
+            format!("× {paper}, {px} px"),
+        ],
+    );
+
+    let huge = points("13-huge", "", "", &[]);
+    let [compute, narrow, paper] =
+        [COMPUTE, "raycast+mask@compute,32-bit", PAPER].map(|name| range(&frames(&huge, name), 1));
+    let largest = points("13-huge", "", "faces", &["5000000"]);
+    let sprite_ms = of(&largest, PAPER)[0].1.time_ms.solid.median;
+    check(
+        "millions of faces",
+        &[
+            format!("| {compute} |"),
+            format!("atomics {narrow} |"),
+            format!("× {paper}, {sprite_ms:.0} ms more"),
+        ],
+    );
+
+    let sections = [points("06-planar", "", "", &[]), huge].concat();
+    let large = points("13-huge", "", "faces", &["2000000", "5000000"]);
+    let slices = of(&large, "planar").into_iter();
+    let slices: Vec<f64> = slices.map(|(_, s)| s.time_ms.cut.median).collect();
+    check(
+        "an outline, an area, a drawing",
+        &[
+            format!("| {} |", range(&frames(&sections, "planar"), 1)),
+            format!("{} ms of CPU time", range(&slices, 0)),
+        ],
+    );
+}
+
+#[test]
+fn readme_has_the_figures_of_meshes_with_holes() {
+    let holes = points("09-broken", "holes", "amount", &["1", "5", "10"]);
+    let all = |c: &Comparison| c.decided_wrong_px;
+    let unmarked = |c: &Comparison| c.unmarked_wrong_px;
+    let sprite = "grid:256+vds:512";
+    check(
+        "a mesh with holes",
+        &[
+            format!("| {:.1} |", median(frames(&holes, MASK))),
+            format!("{:.1} % of the cap are wrong", share(&holes, MASK, all)),
+            format!("{:.1} % unmarked", share(&holes, MASK, unmarked)),
+            format!("{:.1} % for", share(&holes, "winding", all)),
+            format!("{:.1} |", median(frames(&holes, "winding"))),
+            format!(
+                "`{sprite}`: {:.0} %, unmarked",
+                share(&holes, sprite, unmarked)
+            ),
+        ],
+    );
+}

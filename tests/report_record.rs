@@ -1,0 +1,150 @@
+//! The report of the committed record, and the figures that README takes from it.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use cutaway::report::{Pages, PictureOptions, Recorded, pages};
+use serde_json::Value;
+
+#[path = "report/readme.rs"]
+mod readme;
+
+const RECORD: &str = "experiments/record/2026-11-21-llvmpipe";
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+static RECORDED: LazyLock<Recorded> =
+    LazyLock::new(|| Recorded::read(&[root().join(RECORD)]).unwrap());
+
+static PAGES: LazyLock<Pages> = LazyLock::new(|| {
+    let options = PictureOptions {
+        out: PathBuf::from("/"),
+        link: false,
+        most_bytes: PictureOptions::MOST_BYTES,
+    };
+    pages(&RECORDED, &options)
+});
+
+/// Cells of a row of the page that begins with a text.
+fn row(start: &str) -> Vec<&'static str> {
+    let mut rows = PAGES.markdown.lines();
+    let row = rows.find(|l| l.starts_with(&format!("| {start} |")));
+    let row = row.unwrap_or_else(|| panic!("no row begins with {start}"));
+    row.trim_matches('|').split('|').map(str::trim).collect()
+}
+
+#[test]
+fn one_plane_has_one_answer() {
+    let stencil = "stencil (one plane, eye outside the cut";
+    for start in ["plane cuts", "one plane | only the view moves"] {
+        assert!(row(start)[3].starts_with(stencil), "{:?}", row(start));
+    }
+    // Where there are several planes it has no say.
+    let several = row("several planes | only the view moves");
+    assert!(
+        several.iter().all(|c| !c.contains("stencil")),
+        "{several:?}"
+    );
+}
+
+#[test]
+fn what_is_recommended_can_be_drawn() {
+    let broken = row("broken meshes");
+    assert!(broken[3].starts_with("raycast+mask: "), "{broken:?}");
+    assert!(broken[5].starts_with("winding: "), "{broken:?}");
+    assert!(broken[5].contains("draws no picture"), "{broken:?}");
+    let page = &PAGES.markdown;
+    let used = page.lines().filter(|l| l.ends_with("| use |"));
+    let names: Vec<&str> = used.map(|l| l.split(" | ").nth(1).unwrap()).collect();
+    assert!(names.len() > 4, "{names:?}");
+    assert!(!names.contains(&"winding"), "{names:?}");
+    // It leaves no pixel of the holes unmarked, for it marks more than there is of the cap.
+    let holes = page.lines().find(|l| l.starts_with("| holes | planar |"));
+    assert!(
+        holes.unwrap().ends_with("| too much is lost |"),
+        "{holes:?}"
+    );
+}
+
+#[test]
+fn all_commands_are_there_and_missing_pictures_are_said_once() {
+    let page = &PAGES.markdown;
+    let sittings = page.lines().filter(|l| l.contains("| `cutaway measure "));
+    let points: Vec<&str> = sittings.map(|l| l.split(" | ").nth(3).unwrap()).collect();
+    assert_eq!(points, ["109", "7", "0"], "of three commands");
+    assert!(page.contains("01-paper.toml experiments/curated/02-accuracy.toml"));
+    assert!(page.contains("| took, all commands together | 1263 s |"));
+    let pictures: usize = (RECORDED.folders[0].experiments.iter())
+        .flat_map(|e| &e.records)
+        .flat_map(|r| r.pictures.iter().map(|p| p.files().count()))
+        .sum();
+    let said = format!("{pictures} pictures of ");
+    assert_eq!(page.matches(&said).count(), 1, "{said}");
+    assert_eq!(page.matches("not beside the records").count(), 1);
+}
+
+/// What values of sweeps are called.
+fn swept(definition: &Value) -> Vec<&str> {
+    let runs = definition["run"].as_array().unwrap().iter();
+    let axes = runs.filter_map(|r| r.get("sweep")?.as_object());
+    let values = axes.flat_map(|s| s.values().flat_map(|v| v.as_array().unwrap()));
+    values
+        .filter_map(|v| v.get("is").unwrap_or(v).as_str())
+        .collect()
+}
+
+/// A chart whose title or note names a value that is swept, and so is not that of all it shows.
+fn misnamed(definition: &Value) -> Option<String> {
+    let charts = definition.get("chart")?.as_array()?.iter();
+    let mut texts = charts.flat_map(|c| [c.get("title"), c.get("note")].into_iter().flatten());
+    let names = |text: &&Value| {
+        let mut words = text.as_str().unwrap().split([' ', ',', '.']);
+        words.any(|word| swept(definition).contains(&word))
+    };
+    texts.find(names).map(ToString::to_string)
+}
+
+#[test]
+fn titles_name_no_scene_that_the_chart_does_not_show() {
+    let read = |file: &Path| fs::read_to_string(file).unwrap();
+    for entry in fs::read_dir(root().join("experiments/curated")).unwrap() {
+        let file = entry.unwrap().path();
+        let curated: Value = toml::from_str(&read(&file)).unwrap();
+        assert_eq!(misnamed(&curated), None, "{}", file.display());
+        let recorded = root().join(RECORD).join(file.file_stem().unwrap());
+        let recorded: Value =
+            serde_json::from_str(&read(&recorded.join("experiment.json"))).unwrap();
+        assert_eq!(
+            misnamed(&recorded),
+            None,
+            "the record of {}",
+            file.display()
+        );
+    }
+    let planted = serde_json::json!({
+        "run": [{ "sweep": { "model": [{ "is": "crank" }, { "is": "earth" }] } }],
+        "chart": [{ "title": "Error against cost, crank" }],
+    });
+    assert!(misnamed(&planted).is_some(), "the control");
+}
+
+#[test]
+fn a_chart_of_one_point_is_called_by_it() {
+    // In the order of the experiment's file.
+    let models = ["crank", "gears", "earth", "sponge"];
+    let titles = PAGES
+        .markdown
+        .lines()
+        .filter(|l| l.starts_with("**Error against cost") && l.contains("model = "));
+    let titles: Vec<&str> = titles.map(|l| l.split("**").nth(1).unwrap()).collect();
+    assert_eq!(titles.len(), models.len(), "{titles:?}");
+    for (title, model) in titles.iter().zip(models) {
+        let named = models.into_iter().filter(|m| title.contains(m));
+        assert_eq!(named.collect::<Vec<_>>(), [model], "{title}");
+    }
+}
