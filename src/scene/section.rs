@@ -12,6 +12,7 @@
 
 use glam::DVec3;
 
+use super::range::LARGEST;
 use super::{Bounds, ClipSurface};
 use crate::error::{Error, Result};
 
@@ -40,6 +41,9 @@ impl Amount {
             .map_err(|_| format!("`{text}` is not a number"))?;
         if !value.is_finite() {
             return Err(format!("`{text}` is not finite"));
+        }
+        if value.abs() > LARGEST {
+            return Err(format!("`{text}` is more than {LARGEST:.0e}"));
         }
         Ok(if percent {
             Self::Percent(value)

@@ -209,15 +209,15 @@ fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
     } else {
         in_full(&entry.table(FULL)?, context)?
     };
-    sound(&surface, entry)?;
+    sound(&surface, &context.bounds, entry)?;
     let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
     Ok(if flip { surface.flipped() } else { surface })
 }
 
 /// Refuses what is no clip-surface.
-pub(super) fn sound(surface: &ClipSurface, entry: &Entry<'_>) -> Result<()> {
+pub(super) fn sound(surface: &ClipSurface, model: &Bounds, entry: &Entry<'_>) -> Result<()> {
     let mend = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
-    match surface.defect() {
+    match surface.defect_beside(model) {
         Some(what) => Err(entry.fault(what, mend)),
         None => Ok(()),
     }
