@@ -3,6 +3,8 @@
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
 
+use std::path::{Path, PathBuf};
+
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use super::console::Console;
@@ -177,6 +179,15 @@ impl SectionArgs {
         }
         scene.cuts.extend(cuts);
         Ok(())
+    }
+
+    /// The images of reliefs.
+    pub(super) fn images(&self) -> Vec<PathBuf> {
+        let words = self.sections.iter().filter_map(|s| s.relief.as_ref());
+        let specs = words.filter_map(|words| ReliefSpec::parse(words).ok());
+        specs
+            .filter_map(|spec| spec.relief.image().map(Path::to_owned))
+            .collect()
     }
 
     /// Adds a cut by each closed mesh, which `open` opens.
