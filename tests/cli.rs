@@ -453,7 +453,7 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --section z=1e155",
-            vec!["z=1e155", "1e100", "mend:"],
+            vec!["z=1e155", "too far", "mend:"],
         ),
         (
             "render shape:cube -o out.png --sectoin z=0",

@@ -286,3 +286,26 @@ rounds = 1
         "nothing is written"
     );
 }
+
+#[test]
+fn a_report_keeps_the_records_it_is_made_of() {
+    let folder = Scratch::new("places-report");
+    fs::create_dir_all(folder.path("run/mine")).unwrap();
+    for file in [
+        "run/run.json",
+        "run/mine/experiment.json",
+        "run/mine/report.json",
+    ] {
+        folder.write(file, "{}");
+    }
+    let ran = folder.run("report run --out run/mine").exits(2);
+    for told in ["--out run/mine/report.json", "overwritten"] {
+        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    }
+    assert_eq!(fs::read_dir(folder.path("run/mine")).unwrap().count(), 2);
+    // The control: a report beside the records is replaced by the next; that these are no records is found out after that.
+    fs::create_dir_all(folder.path("run/pages")).unwrap();
+    folder.write("run/pages/report.json", "{}");
+    let ran = folder.run("report run --out run/pages").exits(2);
+    assert!(!ran.stderr.contains("overwritten"), "{}", ran.stderr);
+}

@@ -45,7 +45,10 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
         entries.map(|e| e.path()).collect::<Vec<_>>()
     };
-    let folders = of(folder).into_iter().filter(|path| path.is_dir());
+    // Other folders are of something else, of an earlier report perhaps.
+    let is_read =
+        |path: &PathBuf| path.ends_with("peers") || path.join("experiment.json").is_file();
+    let folders = of(folder).into_iter().filter(is_read);
     let records = folders.flat_map(|folder| of(&folder));
     let all = records.chain([folder.join("run.json")]);
     all.filter(|path| path.is_file()).collect()
@@ -55,12 +58,12 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 3);
     console.step("reading records");
-    let recorded = Recorded::read(&args.folders)?;
     let out = args.out.as_ref().unwrap_or(&args.folders[0]);
-    checked_folder("--out", out)?;
     let inputs = InputFiles::default();
     inputs.add(args.folders.iter().flat_map(|folder| files_below(folder)));
     inputs.keep_from(NAMES.map(|name| ("--out", out.join(name))))?;
+    let recorded = Recorded::read(&args.folders)?;
+    checked_folder("--out", out)?;
     console.step("making pages");
     let pages = pages(
         &recorded,

@@ -174,6 +174,13 @@ impl SectionArgs {
             alternatives.into_iter().map(cut)
         });
         let mut cuts: Vec<Cut> = cuts.collect();
+        for cut in &cuts {
+            let mut defects = cut.surfaces.iter().filter_map(|s| s.defect_beside(&bounds));
+            if let Some(what) = defects.next() {
+                let mend = "give positions and lengths near those of the model";
+                return Err(Error::input(format!("section {}", cut.name), what, mend));
+            }
+        }
         for cut in &mut cuts {
             cut.except.clone_from(&self.exclude);
         }

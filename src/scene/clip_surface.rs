@@ -90,6 +90,13 @@ impl ClipSurface {
         if let Some(what) = self.defect() {
             return Some(what);
         }
+        let farthest = self.origin.abs().max_element();
+        if farthest > range::LARGEST {
+            return Some(format!(
+                "its origin is {farthest:.0e} away, more than {:.0e}",
+                range::LARGEST
+            ));
+        }
         let map = self.relief.as_ref()?;
         let [low, high] = map.range().map(|h| f64::from(h).abs());
         for height in [self.scale.z, self.scale.z * low.max(high)] {

@@ -42,9 +42,6 @@ impl Amount {
         if !value.is_finite() {
             return Err(format!("`{text}` is not finite"));
         }
-        if value.abs() > LARGEST {
-            return Err(format!("`{text}` is more than {LARGEST:.0e}"));
-        }
         Ok(if percent {
             Self::Percent(value)
         } else {
@@ -116,7 +113,8 @@ impl SectionSpec {
             }
             Plane::Offset { normal, offset } => (foot(middle, normal, offset), unit(normal)),
         };
-        if !origin.is_finite() {
+        // Nor is NaN at most that much.
+        if !origin.to_array().iter().all(|c| c.abs() <= LARGEST) {
             return fault(
                 "the plane is too far away to be computed with",
                 "use a longer normal or a smaller distance",

@@ -17,7 +17,7 @@ use crate::error::{Result, did_you_mean};
 use crate::scene::cut::glob_matches;
 use crate::scene::relief::{Placement, parse_wrap, place_map};
 use crate::scene::section::{Amount, section_surface};
-use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap};
+use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap, range};
 
 const KEYS: &[&str] = &[
     "name",
@@ -152,6 +152,9 @@ fn offsets_of(
             Amount::Units(v) => v,
             Amount::Percent(p) => diagonal * p / 100.0,
         };
+        if let Some(what) = range::beside(keeps, &context.bounds) {
+            return Err(value.fault(format!("it is {what}"), "give a smaller offset"));
+        }
         offsets.push(Offset {
             parts: glob.to_owned(),
             keeps,
