@@ -11,6 +11,8 @@ use std::fs;
 mod encoders;
 #[path = "animate/ffmpeg.rs"]
 mod ffmpeg;
+#[path = "animate/numbered.rs"]
+mod numbered;
 #[path = "animate/options.rs"]
 mod options;
 #[path = "animate/reading.rs"]

@@ -262,6 +262,7 @@ fn inspect_gives_each_part_and_the_total() {
         for field in [
             "vertices",
             "faces",
+            "coincident_faces",
             "boundary_edges",
             "non_manifold_edges",
             "inconsistent_edges",
@@ -288,6 +289,26 @@ fn inspect_gives_each_part_and_the_total() {
         "{}",
         text.text()
     );
+
+    // Each face twice, once turned: closed by parity, and nothing is inside.
+    let faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 3 1 2\nf 2 1 4\nf 4 3 2\nf 1 4 3\n";
+    folder.write(
+        "twice.obj",
+        &format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n{faces}"),
+    );
+    let json = folder.run("inspect twice.obj --json -").exits(0).json();
+    assert_eq!(json["parts"][0]["closed"], true);
+    assert_eq!(json["parts"][0]["coincident_faces"], 8);
+    assert_eq!(json["total"]["coincident_faces"], 8);
+    let text = folder.run("inspect twice.obj").exits(0);
+    assert!(
+        text.text()
+            .contains("twice has 8 faces that lie on another"),
+        "{}",
+        text.text()
+    );
+    let once = folder.run("inspect shape:cube").exits(0);
+    assert!(!once.text().contains("lie on another"), "{}", once.text());
 }
 
 #[test]
@@ -417,6 +438,22 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         (
             "render shape:cube -o out.png --camera-focal-point 0,0,0",
             vec!["--camera-position"],
+        ),
+        (
+            "render shape:cube -o out.png --camera-position 1e50,0,0",
+            vec!["camera", "radii from the model", "mend:"],
+        ),
+        (
+            "render shape:cube -o out.png --camera-position 1e155,0,0",
+            vec!["--camera-position", "1e100"],
+        ),
+        (
+            "render shape:cube -o out.png --section z=50% --relief waves:period=1e-320",
+            vec!["waves:period=1e-320", "period", "mend:"],
+        ),
+        (
+            "render shape:cube -o out.png --section z=1e155",
+            vec!["z=1e155", "too far", "mend:"],
         ),
         (
             "render shape:cube -o out.png --sectoin z=0",

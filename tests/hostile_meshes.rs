@@ -14,6 +14,11 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use cutaway::scene::{Topology, load_mesh_file};
 
+#[path = "hostile_meshes/lenient.rs"]
+mod lenient;
+#[path = "hostile_meshes/limits.rs"]
+mod limits;
+
 /// A folder that is removed again.
 struct Folder(PathBuf);
 

@@ -193,7 +193,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     ),
     (
         "translate = [0, 0, 0]",
-        "translate = [1e308, 1e308, 1e400]",
+        "translate = [1e99, 1e99, 1e400]",
         "part.crank.translate.2",
         "finite",
     ),
@@ -215,7 +215,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "part.crank.translate",
         "matrix",
     ),
-    ("scale = 1.5", "scale = 1e308\n", "part.crank", "infinity"),
+    ("scale = 1.5", "scale = 1e308\n", "part.crank", "1e100"),
     (
         "[0, 0, 1, 0], [0, 0, 0, 1]]",
         "[0, 0, 0, 0], [0, 0, 0, 1]]",
@@ -384,7 +384,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "u = [1, 0, 0]",
         "u = [1e200, 0, 0]",
         "cut.front.surfaces.0",
-        "too long",
+        "1e100",
     ),
     ("u = [1, 0, 0], ", "", "cut.front.surfaces.0", "`u`"),
     (
@@ -502,6 +502,47 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "duplicate key",
     ),
     ("near = 0.1", "near = = 0.1", ":9", "TOML"),
+    // What overflows where it is computed with.
+    ("period = 3 }", "period = 1e-320 }", "cut.front", "period"),
+    ("scale = 1.5", "scale = 1e101", "part.crank.scale", "1e100"),
+    (
+        "translate = [0, 0, 0]",
+        "translate = [1e155, 0, 0]",
+        "part.crank.translate",
+        "1e100",
+    ),
+    (
+        "matrix = [[1, 0, 0, 0]",
+        "matrix = [[9e99, 0, 0, 9e99]",
+        "part.bolt",
+        "once it is placed",
+    ),
+    ("scale = 1.5", "scale = 1e-120", "part.crank", "wide"),
+    (
+        "position = [0, 0, 5]",
+        "position = [0, 1e155, 5]",
+        "camera.position",
+        "1e100",
+    ),
+    ("near = 0.1", "near = 1e-320", "camera.near", "at least"),
+    (
+        "scale = [4, 4, 0.1]",
+        "scale = [1e60, 4, 0.1]",
+        "cut.front",
+        "repeats",
+    ),
+    (
+        "scale = [4, 4, 0.1]",
+        "scale = [4, 4, 1e60]",
+        "cut.front",
+        "high",
+    ),
+    (
+        "amplitude = \"5%\"",
+        "amplitude = \"1e99%\"",
+        "cut.front",
+        "amplitude",
+    ),
 ];
 
 fn solid(name: &str) -> Part {
@@ -675,6 +716,7 @@ fn sections_that_make_no_sense_are_refused() {
         ("0,0,1@1,2", "2 coordinates"),
         ("0,0,1@", "not a number"),
         ("1e-300,0,0,1e300", "too far"),
+        ("1e-300,0,0,1e99", "too far"),
         ("0,nan,1,2", "finite"),
     ] {
         let message = section_surface(text, &unit_box())
@@ -719,11 +761,15 @@ fn reliefs_that_make_no_sense_are_refused() {
         ("fractal:amplitude=inf", "finite"),
         ("fractal:period=0", "above 0"),
         ("fractal:period=-5%", "above 0"),
+        ("fractal:period=1e-320", "period"),
+        ("fractal:period=1e-320%", "period"),
+        ("fractal:amplitude=1e99", "amplitude"),
+        ("fractal:amplitude=1e300", "amplitude"),
         ("fractal:wrap=rpeat", "did you mean `repeat`?"),
         ("sawtooth:seed=1", "`seed`"),
-        ("none.png", "cannot be opened"),
+        ("none.png", "cannot be read"),
         ("none.png:seed=1", "`seed`"),
-        ("./none.exr", "cannot be opened"),
+        ("./none.exr", "cannot be read"),
     ] {
         let message = apply(text, unit_box()).expect_err(text).to_string();
         assert!(

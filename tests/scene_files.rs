@@ -11,6 +11,9 @@ use cutaway::scene::{
 };
 use glam::{DVec3, Vec3};
 
+#[path = "scene_files/tiff.rs"]
+mod grey_tiff;
+
 /// A folder of its own for each test, removed at the end.
 struct Folder(PathBuf);
 

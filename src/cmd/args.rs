@@ -7,6 +7,7 @@ use super::defects::DefectArgs;
 use super::sections::SectionArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
+use crate::scene::range::LARGEST;
 use crate::scene::{
     Bounds, Camera, Cut, Fill, HeightFilter, Projection, Up, Viewpoint, parse_color,
 };
@@ -365,8 +366,11 @@ pub(super) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
 }
 
 pub(super) fn parse_finite(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-    number.ok_or_else(|| "it must be a finite number, for example 1.5".to_owned())
+    let number = text.trim().parse::<f64>().ok();
+    let number = number.filter(|n| n.abs() <= LARGEST);
+    number.ok_or_else(|| {
+        format!("it must be a finite number, {LARGEST:.0e} at most, for example 1.5")
+    })
 }
 
 fn parse_zoom(text: &str) -> Result<f64, String> {

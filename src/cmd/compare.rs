@@ -12,6 +12,7 @@ use super::judge::{self, judge};
 use super::open::{Opened, open};
 use super::output::{Output, checked_folder, write_file, write_stdout};
 use super::picture;
+use super::places::paths_of;
 use super::when::TimeArgs;
 use crate::compare::legend;
 use crate::experiment::{Contender, Judgement, Measurement, Shown};
@@ -83,6 +84,17 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 1 + judge::steps(contenders.len(), rounds));
     console.step("opening");
     let opened = open(&args.scene, &args.when, &console)?;
+    let written = args
+        .heatmaps
+        .as_deref()
+        .map(|folder| files_of(folder, &contenders));
+    let written = written
+        .into_iter()
+        .flatten()
+        .map(|path| ("--heatmaps", path));
+    opened
+        .files
+        .keep_from(written.chain(paths_of(&[("--json", json.as_ref())])))?;
     let mut session = args.device.open()?;
     session.set_options(opened.options(session.options()));
     let shown = Shown::of(&opened.scene);
@@ -163,6 +175,20 @@ fn split_list(list: &str) -> Vec<&str> {
 /// A file name for a strategy: `grid-256+vds-1024`.
 pub(super) fn file_stem(name: &impl ToString) -> String {
     name.to_string().replace([':', ',', '@'], "-")
+}
+
+/// The files that [`write_pictures`] may write.
+fn files_of(folder: &Path, contenders: &[Contender]) -> Vec<PathBuf> {
+    let of_contender = |contender: &Contender| {
+        let stem = file_stem(contender);
+        [format!("{stem}.png"), format!("{stem}.heatmap.png")]
+    };
+    let names = ["exact.png", "legend.png", "legend.txt"].map(str::to_owned);
+    (names
+        .into_iter()
+        .chain(contenders.iter().flat_map(of_contender)))
+    .map(|name| folder.join(name))
+    .collect()
 }
 
 fn write_pictures(

@@ -14,6 +14,9 @@ use crate::experiment::run::Remark;
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 
+/// So many notes about inputs are shown without being asked for.
+const MOST_NOTES: usize = 5;
+
 /// How much is said.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct ConsoleArgs {
@@ -152,6 +155,28 @@ impl Console {
     pub(super) fn note(&self, text: impl AsRef<str>) {
         if !self.keeps(false, text.as_ref()) && !self.args.quiet {
             self.say(&format!("note: {}", text.as_ref()));
+        }
+    }
+
+    /// Notes of one kind, of which nobody reads many: the first few, and how many more there are.
+    pub(super) fn notes(&self, notes: &[String]) {
+        let most = if self.args.verbose {
+            notes.len()
+        } else {
+            MOST_NOTES
+        };
+        // One line more says no less than that there is one.
+        let shown = if notes.len() <= most + 1 {
+            notes.len()
+        } else {
+            most
+        };
+        notes[..shown].iter().for_each(|note| self.note(note));
+        if shown < notes.len() {
+            let left = notes.len() - shown;
+            self.note(format!(
+                "{left} more notes about the inputs; --verbose shows all"
+            ));
         }
     }
 

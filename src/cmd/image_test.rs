@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use image::{Rgba, RgbaImage};
 
+use crate::scene::input_file;
 use crate::{Error, Result};
 
 /// What an image test found.
@@ -25,6 +26,9 @@ pub(super) enum Finding {
 
 /// The reference, read before the work starts.
 pub(super) fn open(path: &Path) -> Result<RgbaImage> {
+    if path.exists() {
+        input_file::check(path)?;
+    }
     let reader = image::ImageReader::open(path)
         .and_then(image::ImageReader::with_guessed_format)
         .map_err(|e| {

@@ -8,6 +8,7 @@ use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::open::Inputs;
 use super::output::{Output, write_stdout};
+use super::places::paths_of;
 use super::sections::round;
 use super::when::TimeArgs;
 use crate::report::Table;
@@ -22,8 +23,9 @@ Examples:
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
-A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Depth complexity
-is how often axis-parallel rays cross the surface.";
+A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Coincident
+faces lie on the same three positions as another face, turned either way; in total also those of different parts. Depth
+complexity is how often axis-parallel rays cross the surface.";
 
 /// Options of `inspect`.
 #[derive(Args)]
@@ -52,6 +54,9 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 2);
     console.step("opening");
     let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
+    inputs
+        .files
+        .keep_from(paths_of(&[("--json", json.as_ref())]))?;
     let (mut scene, timeline) = inputs.at(&args.when)?;
     args.defects.apply_and_say(&mut scene, &console)?;
     args.when.note_of_still(&timeline, &console);
@@ -111,6 +116,7 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
         "vertices",
         "faces",
         "closed",
+        "coincident",
         "boundary",
         "non-manifold",
         "inconsistent",
@@ -150,6 +156,12 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
                 round(at.z)
             ));
         }
+        if facts.coincident_faces > 0 {
+            text.push_str(&format!(
+                "{name} has {} faces that lie on another: two of them cancel, and the solid has no inside there\n",
+                facts.coincident_faces
+            ));
+        }
         if facts.closed && facts.volume < 0.0 {
             text.push_str(&format!(
                 "{} is inside out: its volume is negative\n",
@@ -167,6 +179,7 @@ fn row(name: &str, facts: &Topology) -> Vec<String> {
         facts.vertices.to_string(),
         facts.faces.to_string(),
         if facts.closed { "yes" } else { "no" }.to_owned(),
+        facts.coincident_faces.to_string(),
         facts.boundary_edges.to_string(),
         facts.non_manifold_edges.to_string(),
         facts.inconsistent_edges.to_string(),

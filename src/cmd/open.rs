@@ -8,13 +8,14 @@ use glam::Vec3;
 use super::args::{CameraArgs, SceneArgs, bytes_of};
 use super::console::Console;
 use super::defects::DefectArgs;
+use super::places::InputFiles;
 use super::sections::warn_of_misses;
 use super::when::TimeArgs;
 use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::scene::shapes::shape;
 use crate::scene::{
-    Camera, Cut, Fill, HeightFilter, Material, OpenedMesh, Part, Prepared, Scene, Timeline,
-    Topology, View, load_mesh_file, load_scene_file,
+    Bounds, Camera, Cut, Fill, HeightFilter, Material, OpenedMesh, Part, Prepared, Scene,
+    SceneSpace, Timeline, Topology, View, load_mesh_file, load_scene_file,
 };
 use crate::strategies::FrameOptions;
 use crate::{Error, Result};
@@ -44,6 +45,8 @@ pub(super) struct Opened {
     defects: DefectArgs,
     /// Cuts of the command line, the same at all times.
     cuts: Vec<Cut>,
+    /// All files that were read.
+    pub(super) files: InputFiles,
     /// Camera of the command line, where the scene has none of its own.
     usual_camera: Option<Camera>,
     camera: CameraArgs,
@@ -84,6 +87,7 @@ impl Opened {
             Some(camera) => camera,
             None => self.camera.apply(scene.camera, &scene.bounds())?,
         };
+        check_view(&scene, self.size_px)?;
         Ok(scene)
     }
 }
@@ -102,15 +106,14 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     args.defects.apply_and_say(&mut scene, console)?;
     let of_file = scene.cuts.len();
     fill_by(&mut scene, args.fill);
-    for part in &scene.parts {
-        note_what_nonzero_hears(part, console);
-    }
+    note_what_nonzero_hears(&scene.parts, console);
     args.sections.apply(&mut scene)?;
     args.sections.add_cutters(&mut scene, |input| {
-        let (parts, notes) = open_model(input)?;
-        notes.iter().for_each(|note| console.note(note));
+        let (parts, notes) = open_model(input, &inputs.files)?;
+        console.notes(&notes);
         Ok(parts)
     })?;
+    inputs.files.add(args.sections.images());
     let bounds = scene.bounds();
     let cuts = scene.cuts[of_file..].to_vec();
     let usual_camera = if args.inputs.iter().any(|i| is_scene(i)) {
@@ -121,20 +124,21 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
         Some(scene.camera)
     };
     warn_of_misses(&scene, console);
+    let size_px = args.resolution.or(inputs.resolution);
+    let size_px = size_px.unwrap_or(USUAL_SIZE_PX);
+    check_view(&scene, size_px)?;
     Ok(Opened {
         scene,
         timeline,
         strategy: inputs.strategy,
-        size_px: args
-            .resolution
-            .or(inputs.resolution)
-            .unwrap_or(USUAL_SIZE_PX),
+        size_px,
         background: inputs.background,
         interference: args.interference.or(inputs.interference),
         height_filter: inputs.height_filter,
         fill: args.fill,
         defects: args.defects.clone(),
         cuts,
+        files: inputs.files,
         usual_camera,
         camera: args.camera.clone(),
     })
@@ -151,6 +155,8 @@ pub(super) struct Inputs {
     background: Option<Vec3>,
     interference: Option<[u8; 3]>,
     height_filter: Option<HeightFilter>,
+    /// All files that were read.
+    pub(super) files: InputFiles,
 }
 
 impl Inputs {
@@ -172,10 +178,14 @@ impl Inputs {
     }
 
     fn of_scene_file(input: &str, console: &Console) -> Result<Self> {
+        let files = InputFiles::default();
+        let open_mesh = |path: &Path| open_mesh(path, &files);
         let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
-        for note in &file.notes {
-            console.note(format!("{input}: {note}"));
-        }
+        let notes: Vec<String> = (file.notes.iter())
+            .map(|n| format!("{input}: {n}"))
+            .collect();
+        console.notes(&notes);
+        files.add(file.files);
         Ok(Self {
             rest: file.scene,
             timeline: Some(file.timeline),
@@ -184,6 +194,7 @@ impl Inputs {
             background: file.background,
             interference: file.interference.map(bytes_of),
             height_filter: file.height_filter,
+            files,
         })
     }
 
@@ -191,17 +202,19 @@ impl Inputs {
         let names: Vec<String> = inputs.iter().map(|i| short_name(i)).collect();
         let is_sequence = |input: &&String| Pattern::is_in(input) && !Path::new(input).exists();
         let (numbered, single): (Vec<&String>, Vec<&String>) = inputs.iter().partition(is_sequence);
+        let files = InputFiles::default();
         let mut rest = Scene {
             name: names.join("+"),
-            parts: open_parts(&single, console)?,
+            parts: open_parts(&single, &files, console)?,
             ..Scene::default()
         };
         let mut timeline = None;
         if !numbered.is_empty() {
             let mut played = Timeline::of_scene(rest);
             for pattern in numbered {
-                let sequence = Sequence::open(pattern, played_fps)?;
-                (sequence.notes().iter()).for_each(|note| console.note(note));
+                let open_mesh = |path: &Path| open_mesh(path, &files);
+                let sequence = Sequence::open_by(pattern, played_fps, &open_mesh)?;
+                console.notes(sequence.notes());
                 played.add_sequence(sequence)?;
             }
             rest = played.at(0.0)?;
@@ -216,6 +229,7 @@ impl Inputs {
             background: None,
             interference: None,
             height_filter: None,
+            files,
         })
     }
 
@@ -238,6 +252,21 @@ impl Inputs {
     }
 }
 
+/// Refuses a camera whose rays would be no numbers.
+fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
+    let bounds = scene.bounds();
+    let space = SceneSpace::of(&bounds);
+    let in_scene = Bounds::of([bounds.min, bounds.max].map(|p| space.point(p)));
+    let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
+    match view.defect() {
+        Some(what) => {
+            let mend = "move it nearer to the model, and let it look at another point than its own";
+            Err(Error::input("camera", what, mend))
+        }
+        None => Ok(()),
+    }
+}
+
 /// Fills all parts by the rule that the options say.
 fn fill_by(scene: &mut Scene, rule: Option<Fill>) {
     for part in &mut scene.parts {
@@ -245,29 +274,36 @@ fn fill_by(scene: &mut Scene, rule: Option<Fill>) {
     }
 }
 
-/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes.
-fn note_what_nonzero_hears(part: &Part, console: &Console) {
-    if part.fill == Fill::EvenOdd {
+/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes. All such parts are one note.
+fn note_what_nonzero_hears(parts: &[Part], console: &Console) {
+    let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
+    let edges = filled.map(|p| (p, Topology::of(&p.mesh).inconsistent_edges));
+    let doubtful: Vec<(&Part, usize)> = edges.filter(|(_, edges)| *edges > 0).collect();
+    let worst = doubtful.iter().max_by_key(|(_, edges)| *edges);
+    let Some((part, edges)) = worst else {
         return;
-    }
-    let edges = Topology::of(&part.mesh).inconsistent_edges;
-    if edges > 0 {
-        console.note(format!(
-            "{}: fill is nonzero, but at {edges} edges the faces do not agree which side is out: caps can be wrong there, \
-             and are marked\n  mend: turn the faces, or use even-odd, which hears of no side",
+    };
+    let place = match doubtful.len() {
+        1 => format!("{}: fill is nonzero, but at {edges} edges", part.name),
+        count => format!(
+            "{count} parts: fill is nonzero, but at edges (worst: {}, {edges})",
             part.name
-        ));
-    }
+        ),
+    };
+    console.note(format!(
+        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  mend: turn the faces, or \
+         use even-odd, which hears of no side"
+    ));
 }
 
 /// The parts of meshes and shapes, with names that tell them apart.
-fn open_parts(inputs: &[&String], console: &Console) -> Result<Vec<Part>> {
+fn open_parts(inputs: &[&String], files: &InputFiles, console: &Console) -> Result<Vec<Part>> {
     let mut parts: Vec<Part> = Vec::new();
     let mut names = BTreeSet::new();
+    let mut notes = Vec::new();
     for input in inputs {
-        let (mut of_input, notes) = open_model(input)?;
-        // Notes of loaders begin with the file they are about.
-        notes.iter().for_each(|note| console.note(note));
+        let (mut of_input, said) = open_model(input, files)?;
+        notes.extend(said);
         for part in &mut of_input {
             if part.material == Material::default() {
                 part.material = Material::of_index(names.len());
@@ -281,6 +317,7 @@ fn open_parts(inputs: &[&String], console: &Console) -> Result<Vec<Part>> {
         }
         parts.append(&mut of_input);
     }
+    console.notes(&notes);
     Ok(parts)
 }
 
@@ -292,8 +329,8 @@ fn is_scene(input: &str) -> bool {
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
 }
 
-/// The parts of a mesh or a shape, and notes about them.
-pub(super) fn open_model(input: &str) -> OpenedMesh {
+/// The parts of a mesh or a shape, and notes about them; files that are read are added to `files`.
+pub(super) fn open_model(input: &str, files: &InputFiles) -> OpenedMesh {
     if input.starts_with("shape:") {
         return Ok((shape(input)?, Vec::new()));
     }
@@ -302,11 +339,12 @@ pub(super) fn open_model(input: &str) -> OpenedMesh {
         let mend = format!("write shape:{input} for the built-in shape");
         return Err(Error::file(path, "there is no such file", mend));
     }
-    open_mesh(path)
+    open_mesh(path, files)
 }
 
-fn open_mesh(path: &Path) -> OpenedMesh {
+fn open_mesh(path: &Path, files: &InputFiles) -> OpenedMesh {
     let loaded = load_mesh_file(path)?;
+    files.add(loaded.files);
     Ok((loaded.parts, loaded.notes))
 }
 

@@ -3,10 +3,13 @@
 //! A file is written beside its place under another name and then renamed, so that nobody ever reads half of it and an
 //! older one survives a failure. Devices and pipes cannot be renamed onto; they are written to directly.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::places::is_special;
 use crate::{Error, Result};
 
 /// A destination.
@@ -71,44 +74,6 @@ pub(super) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     check_folder(&culprit, path)
 }
 
-/// The file that a path names, by whichever words.
-fn place_of(path: &Path) -> PathBuf {
-    let folder = fs::canonicalize(folder_of(path)).unwrap_or_else(|_| folder_of(path).to_owned());
-    folder.join(path.file_name().unwrap_or_default())
-}
-
-/// Every result has a place of its own: one at most is on standard output, and none replaces another.
-pub(super) fn no_place_twice(outputs: &[(&str, Option<&Output>)]) -> Result<()> {
-    for (i, (option, output)) in outputs.iter().enumerate() {
-        let place = |o: Option<&Output>| o.and_then(Output::path).map(place_of);
-        let same = |(_, o): &&(&str, Option<&Output>)| place(*o) == place(*output);
-        if let (Some(path), Some((first, _))) = (
-            output.and_then(Output::path),
-            outputs[..i].iter().find(same),
-        ) && !is_special(path)
-        {
-            return Err(Error::input(
-                format!("{option} {}", path.display()),
-                format!("it is the file of {first}"),
-                "give each its own name",
-            ));
-        }
-    }
-    let taken: Vec<&str> = outputs
-        .iter()
-        .filter(|(_, o)| *o == Some(&Output::Stdout))
-        .map(|(option, _)| *option)
-        .collect();
-    match taken.as_slice() {
-        [_, second, ..] => Err(Error::input(
-            format!("{second} -"),
-            format!("standard output already carries {}", taken[0]),
-            "write one of them to a file",
-        )),
-        _ => Ok(()),
-    }
-}
-
 /// Writes text or bytes to standard output. A reader that has gone away, as `head` does, is no error.
 pub(super) fn write_stdout(bytes: &[u8]) -> Result<()> {
     let mut out = std::io::stdout().lock();
@@ -138,6 +103,21 @@ pub(super) fn begun_with(path: &Path, bytes: &[u8]) -> Result<Pending> {
     Ok(pending)
 }
 
+/// Files that are begun and not in their places: what Ctrl-C removes where nothing is dropped any more.
+static PENDING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn pending_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all files that are not whole, before the process ends on the spot.
+pub(super) fn remove_pending() {
+    for beside in &*pending_files() {
+        // There is nobody left to tell.
+        let _ = fs::remove_file(beside);
+    }
+}
+
 /// A file that is written piece by piece beside its place and takes it at the end. Dropped before that, it leaves nothing
 /// behind.
 pub(super) struct Pending {
@@ -157,6 +137,7 @@ impl Pending {
         match fs::create_dir_all(folder).and_then(|()| fs::File::create(&beside)) {
             Err(e) => Err(cannot_write(&path, &e)),
             Ok(file) => {
+                pending_files().insert(beside.clone());
                 let pending = Self {
                     path,
                     beside,
@@ -187,6 +168,7 @@ impl Pending {
 
 impl Drop for Pending {
     fn drop(&mut self) {
+        pending_files().remove(&self.beside);
         if !self.is_placed {
             // What went wrong is being said; a rest that cannot be removed changes nothing about it.
             let _ = fs::remove_file(&self.beside);
@@ -200,11 +182,6 @@ fn cannot_write(path: &Path, e: &std::io::Error) -> Error {
         format!("cannot be written: {e}"),
         "check the folder's permissions and the room on the disk",
     )
-}
-
-/// A device or a pipe.
-fn is_special(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
 
 fn folder_of(path: &Path) -> &Path {
@@ -289,27 +266,6 @@ mod tests {
         checked_folder("--out", &folder.join("new")).unwrap();
         assert!(!folder.join("new").exists(), "checking makes nothing");
         fs::remove_dir_all(folder).unwrap();
-    }
-
-    #[test]
-    fn standard_output_carries_one_result() {
-        let (file, stdout) = (Output::File("a".into()), Output::Stdout);
-        assert!(no_place_twice(&[("-o", Some(&file)), ("--json", Some(&stdout))]).is_ok());
-        assert!(no_place_twice(&[("-o", None), ("--json", Some(&stdout))]).is_ok());
-        let both = no_place_twice(&[("-o", Some(&stdout)), ("--json", Some(&stdout))]);
-        assert!(both.unwrap_err().to_string().contains("--json -"));
-    }
-
-    #[test]
-    fn no_result_replaces_another() {
-        let (plain, dotted) = (Output::File("a".into()), Output::File("./a".into()));
-        let message = no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&dotted))])
-            .unwrap_err()
-            .to_string();
-        assert!(message.contains("the file of -o"), "{message}");
-        let other = Output::File("b/a".into());
-        assert!(no_place_twice(&[("-o", Some(&plain)), ("--json", Some(&other))]).is_ok());
-        assert!(no_place_twice(&[("-o", None), ("--json", None)]).is_ok());
     }
 
     #[cfg(unix)]

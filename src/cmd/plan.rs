@@ -8,6 +8,7 @@ use super::console::{Console, ConsoleArgs};
 use super::open::open;
 use super::output::{Output, write_stdout};
 use super::picture::{Drawer, refused};
+use super::places::paths_of;
 use super::when::TimeArgs;
 use crate::experiment::Shown;
 use crate::plan::Capacities;
@@ -54,6 +55,9 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 1);
     console.step("opening");
     let opened = open(&args.scene, &args.when, &console)?;
+    opened
+        .files
+        .keep_from(paths_of(&[("--json", json.as_ref())]))?;
     let strategy = match (asked, &opened.strategy) {
         (Some(strategy), _) => strategy,
         (None, Some(name)) => parse(name)?,

@@ -1,5 +1,7 @@
 //! `render`: a cut model as a picture.
 
+use std::path::PathBuf;
+
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -11,8 +13,9 @@ use super::layers_file;
 use super::look::LookArgs;
 use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use super::open::{Opened, open};
-use super::output::{Output, no_place_twice, write_file};
+use super::output::{Output, write_file};
 use super::picture::{self, Drawer};
+use super::places::{no_place_twice, paths_of};
 use super::when::TimeArgs;
 use crate::exact::evaluate;
 use crate::experiment::{PerClock, Shown, Stopwatch};
@@ -53,7 +56,7 @@ pub(super) struct RenderArgs {
     layers: Option<String>,
     /// Compare the picture with this one: exit 1 and a .diff.png beside the output where it differs
     #[arg(long, value_name = "IMAGE", help_heading = "Test")]
-    reference: Option<std::path::PathBuf>,
+    reference: Option<PathBuf>,
     /// Largest allowed difference of a channel of any pixel, 0 to 1
     #[arg(
         long,
@@ -81,6 +84,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         .transpose()?;
     args.look.asked()?;
     let opened = open(&args.scene, &args.when, &console)?;
+    opened.files.add(args.reference.clone());
+    opened.files.keep_from(outputs.paths.clone())?;
     let drawer = args.look.drawer(&opened)?;
     let mut session = args.device.open()?;
     session.set_options(opened.options(session.options()));
@@ -139,6 +144,8 @@ struct Outputs {
     picture: Output,
     json: Option<Output>,
     layers: Option<Output>,
+    /// Those that are files, by the options that name them.
+    paths: Vec<(&'static str, PathBuf)>,
 }
 
 impl Outputs {
@@ -149,24 +156,35 @@ impl Outputs {
                 .map(|v| Output::checked(option, v, extensions));
             checked.transpose()
         };
-        let outputs = Self {
-            picture: Output::checked("--output", &args.output, &["png"])?,
-            json: optional("--json", &args.json, &[])?,
-            layers: optional("--layers", &args.layers, &["exr"])?,
+        let picture = Output::checked("--output", &args.output, &["png"])?;
+        let json = optional("--json", &args.json, &[])?;
+        let layers = optional("--layers", &args.layers, &["exr"])?;
+        // The difference image takes the place beside the picture.
+        let difference = match (&args.reference, picture.path()) {
+            (Some(_), Some(path)) => Some(Output::File(image_test::difference_path(path))),
+            (Some(_), None) => {
+                return Err(Error::input(
+                    "--reference",
+                    "there is no place for the difference image beside standard output",
+                    "write the picture to a file: --output FILE.png",
+                ));
+            }
+            (None, _) => None,
         };
-        no_place_twice(&[
-            ("--output", Some(&outputs.picture)),
-            ("--json", outputs.json.as_ref()),
-            ("--layers", outputs.layers.as_ref()),
-        ])?;
-        if args.reference.is_some() && outputs.picture == Output::Stdout {
-            return Err(Error::input(
-                "--reference",
-                "there is no place for the difference image beside standard output",
-                "write the picture to a file: --output FILE.png",
-            ));
-        }
-        Ok(outputs)
+        let named = [
+            ("--output", Some(&picture)),
+            ("--json", json.as_ref()),
+            ("--layers", layers.as_ref()),
+            ("--output's difference image", difference.as_ref()),
+        ];
+        no_place_twice(&named)?;
+        let paths = paths_of(&named).collect();
+        Ok(Self {
+            picture,
+            json,
+            layers,
+            paths,
+        })
     }
 
     fn want_facts(&self) -> bool {

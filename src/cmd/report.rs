@@ -1,12 +1,13 @@
 //! `report`: pages and tables of what was measured. Needs no graphics adapter.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::output::{checked_folder, write_file, write_stdout};
+use super::places::InputFiles;
 use crate::Result;
 use crate::report::{PictureOptions, Recorded, pages};
 
@@ -35,12 +36,33 @@ pub(super) struct ReportArgs {
     console: ConsoleArgs,
 }
 
+/// The files of a report.
+const NAMES: [&str; 4] = ["report.html", "report.md", "report.csv", "report.json"];
+
+/// The files of the folders in a folder of a run: records and their pictures. Beside `run.json` an earlier report may be.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let of = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        entries.map(|e| e.path()).collect::<Vec<_>>()
+    };
+    // Other folders are of something else, of an earlier report perhaps.
+    let is_read =
+        |path: &PathBuf| path.ends_with("peers") || path.join("experiment.json").is_file();
+    let folders = of(folder).into_iter().filter(is_read);
+    let records = folders.flat_map(|folder| of(&folder));
+    let all = records.chain([folder.join("run.json")]);
+    all.filter(|path| path.is_file()).collect()
+}
+
 /// Runs `report`.
 pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 3);
     console.step("reading records");
-    let recorded = Recorded::read(&args.folders)?;
     let out = args.out.as_ref().unwrap_or(&args.folders[0]);
+    let inputs = InputFiles::default();
+    inputs.add(args.folders.iter().flat_map(|folder| files_below(folder)));
+    inputs.keep_from(NAMES.map(|name| ("--out", out.join(name))))?;
+    let recorded = Recorded::read(&args.folders)?;
     checked_folder("--out", out)?;
     console.step("making pages");
     let pages = pages(
@@ -53,12 +75,8 @@ pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
     );
     console.step("writing");
     let mut written = String::new();
-    for (name, text) in [
-        ("report.html", &pages.html),
-        ("report.md", &pages.markdown),
-        ("report.csv", &pages.csv),
-        ("report.json", &pages.json),
-    ] {
+    let texts = [&pages.html, &pages.markdown, &pages.csv, &pages.json];
+    for (name, text) in NAMES.into_iter().zip(texts) {
         let path = out.join(name);
         write_file(&path, text.as_bytes())?;
         written.push_str(&format!("{}\n", path.display()));

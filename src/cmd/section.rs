@@ -4,6 +4,7 @@
 //! pose. Nothing is rounded to what a GPU draws.
 
 use std::cmp::Reverse;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
@@ -14,7 +15,8 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::open::{Inputs, open_model};
-use super::output::{Output, no_place_twice, write_stdout};
+use super::output::{Output, write_stdout};
+use super::places::{no_place_twice, paths_of};
 use super::sections::{SectionArgs, round, warn_of_misses};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
@@ -100,7 +102,9 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     args.sections.apply(&mut scene)?;
     // To be refused as those of scene files are: by the name of the cut.
     args.sections
-        .add_cutters(&mut scene, |input| Ok(open_model(input)?.0))?;
+        .add_cutters(&mut scene, |input| Ok(open_model(input, &inputs.files)?.0))?;
+    inputs.files.add(args.sections.images());
+    inputs.files.keep_from(outputs.paths.clone())?;
     let planes = planes(&scene)?;
     warn_of_misses(&scene, &console);
 
@@ -127,6 +131,8 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
 struct Outputs {
     drawing: Option<Output>,
     json: Option<Output>,
+    /// Those that are files, by the options that name them.
+    paths: Vec<(&'static str, PathBuf)>,
 }
 
 impl Outputs {
@@ -138,7 +144,9 @@ impl Outputs {
             .as_ref()
             .map(|v| Output::checked("--json", v, &[]));
         let (output, json) = (output.transpose()?, json.transpose()?);
-        no_place_twice(&[("--output", output.as_ref()), ("--json", json.as_ref())])?;
+        let named = [("--output", output.as_ref()), ("--json", json.as_ref())];
+        no_place_twice(&named)?;
+        let paths = paths_of(&named).collect();
         let is_json = |o: &Output| {
             let extension = o.path().and_then(|p| p.extension());
             extension.is_some_and(|e| e.eq_ignore_ascii_case("json"))
@@ -152,8 +160,13 @@ impl Outputs {
             Some(output) if is_json(&output) => Ok(Self {
                 drawing: None,
                 json: Some(output),
+                paths,
             }),
-            drawing => Ok(Self { drawing, json }),
+            drawing => Ok(Self {
+                drawing,
+                json,
+                paths,
+            }),
         }
     }
 }

@@ -3,6 +3,8 @@
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
 
+use std::path::{Path, PathBuf};
+
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
 use super::console::Console;
@@ -172,11 +174,27 @@ impl SectionArgs {
             alternatives.into_iter().map(cut)
         });
         let mut cuts: Vec<Cut> = cuts.collect();
+        for cut in &cuts {
+            let mut defects = cut.surfaces.iter().filter_map(|s| s.defect_beside(&bounds));
+            if let Some(what) = defects.next() {
+                let mend = "give positions and lengths near those of the model";
+                return Err(Error::input(format!("section {}", cut.name), what, mend));
+            }
+        }
         for cut in &mut cuts {
             cut.except.clone_from(&self.exclude);
         }
         scene.cuts.extend(cuts);
         Ok(())
+    }
+
+    /// The images of reliefs.
+    pub(super) fn images(&self) -> Vec<PathBuf> {
+        let words = self.sections.iter().filter_map(|s| s.relief.as_ref());
+        let specs = words.filter_map(|words| ReliefSpec::parse(words).ok());
+        specs
+            .filter_map(|spec| spec.relief.image().map(Path::to_owned))
+            .collect()
     }
 
     /// Adds a cut by each closed mesh, which `open` opens.

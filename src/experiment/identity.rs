@@ -42,37 +42,12 @@ impl Identity {
 
     /// Adds words of the command line, with the files that they name.
     pub fn add_words(&mut self, words: &[String]) {
-        let mut files = BTreeSet::new();
-        for word in words {
-            self.add(word);
-            for name in pieces(word) {
-                follow(Path::new(name), &mut files);
-            }
-        }
-        for file in &files {
-            if file.is_file() {
-                self.add_file(file);
-            } else {
-                self.add_neighbours(file);
-            }
-        }
-    }
-
-    /// Names and lengths of the files that could be frames of a pattern.
-    fn add_neighbours(&mut self, pattern: &Path) {
-        let name = pattern.file_name().unwrap_or_default().to_string_lossy();
-        let start = name.split('%').next().unwrap_or_default().to_owned();
-        let folder = match pattern.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-        let frames = entries.filter_map(|e| {
-            let name = e.file_name().to_string_lossy().into_owned();
-            let bytes = e.metadata().map_or(0, |m| m.len());
-            name.starts_with(&start).then_some((name, bytes))
-        });
-        for (name, bytes) in frames.collect::<BTreeSet<_>>() {
+        words.iter().for_each(|word| self.add(word));
+        let (files, patterns) = followed(words);
+        files.iter().for_each(|file| self.add_file(file));
+        for frame in patterns.iter().flat_map(|pattern| frames_of(pattern)) {
+            let bytes = frame.metadata().map_or(0, |m| m.len());
+            let name = frame.file_name().unwrap_or_default().to_string_lossy();
             self.add(format!("{name} {bytes}"));
         }
     }
@@ -83,12 +58,48 @@ impl Identity {
     }
 }
 
+/// The files that words of the command line name, and those that they name in turn.
+pub fn files_of(words: &[String]) -> BTreeSet<PathBuf> {
+    let (mut files, patterns) = followed(words);
+    files.extend(patterns.iter().flat_map(|pattern| frames_of(pattern)));
+    files
+}
+
+/// Files, and patterns of numbered ones.
+fn followed(words: &[String]) -> (BTreeSet<PathBuf>, BTreeSet<PathBuf>) {
+    let mut all = BTreeSet::new();
+    for name in words.iter().flat_map(|word| pieces(word)) {
+        follow(Path::new(name), &mut all);
+    }
+    all.into_iter().partition(|path| path.is_file())
+}
+
+/// The files that could be frames of a pattern, by name.
+fn frames_of(pattern: &Path) -> BTreeSet<PathBuf> {
+    let name = pattern.file_name().unwrap_or_default().to_string_lossy();
+    let start = name.split('%').next().unwrap_or_default();
+    let folder = match pattern.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let frames = entries.filter(|e| e.file_name().to_string_lossy().starts_with(start));
+    frames.map(|e| e.path()).collect()
+}
+
 /// A word, and the parts of it that may be names.
 fn pieces(word: &str) -> impl Iterator<Item = &str> {
     let after = word
         .match_indices(['=', ':', ','])
         .map(|(at, _)| &word[at + 1..]);
-    let after = after.flat_map(|rest| [rest, rest.split(',').next().unwrap_or(rest)]);
+    let until = |rest: &'_ str, ends: &[char]| rest.find(ends).unwrap_or(rest.len());
+    let after = after.flat_map(move |rest| {
+        [
+            rest,
+            &rest[..until(rest, &[','])],
+            &rest[..until(rest, &[',', ':'])],
+        ]
+    });
     std::iter::once(word).chain(after)
 }
 
@@ -156,6 +167,7 @@ mod tests {
                 "b.stl",
             ),
             (format!("--relief={}", path("b.stl")), "b.stl"),
+            (format!("--relief={}:wrap=mirror", path("b.stl")), "b.stl"),
             (path("a.toml"), "a.toml"),
             (path("a.toml"), "b.stl"),
             (path("walk_%d.ply"), "walk_2.ply"),

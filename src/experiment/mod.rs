@@ -22,7 +22,7 @@ mod warnings;
 
 pub use contender::{Contender, Drawn};
 pub use definition::Definition;
-pub use identity::Identity;
+pub use identity::{Identity, files_of};
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,

@@ -125,6 +125,35 @@ pub struct View {
     pub band: [u32; 2],
 }
 
+impl View {
+    /// Why the view cannot be drawn, if it cannot: rays are computed in f32, in radii of the model, and lengths are squared.
+    pub fn defect(&self) -> Option<String> {
+        let axes = [self.right, self.up, self.forward];
+        if let Some(axis) = axes
+            .iter()
+            .find(|a| (a.length() - 1.0).abs() > 1e-6 || !a.is_finite())
+        {
+            return Some(format!("it has the direction {axis}"));
+        }
+        let far = self.eye.abs().max_element();
+        if !(0.0..=FARTHEST_EYE).contains(&far) {
+            return Some(format!(
+                "it is {far:.0e} radii from the model, more than {FARTHEST_EYE:.0e}"
+            ));
+        }
+        let extents = 1.0 / FARTHEST_EYE..=FARTHEST_EYE;
+        (!extents.contains(&self.half_height)).then(|| {
+            format!(
+                "the picture is {:.0e} high in radii of the model",
+                self.half_height
+            )
+        })
+    }
+}
+
+/// So many radii of the model the eye may be away.
+const FARTHEST_EYE: f64 = 1e15;
+
 /// Smallest near distance, as a share of the scene's radius: nearer points are not drawn.
 const NEAR_SHARE: f64 = 1e-3;
 

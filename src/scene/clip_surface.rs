@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{OffsetMap, Wrap};
+use super::{Bounds, OffsetMap, Wrap, range};
 
 /// One clip-surface in world space.
 #[derive(Clone, Debug)]
@@ -81,6 +81,34 @@ impl ClipSurface {
                 "u and v must be orthogonal, but the angle between them is {:.3}°",
                 cosine.acos().to_degrees()
             )
+        })
+    }
+
+    /// Why the surface cannot be drawn beside a model with these bounds, if it cannot: devices compute in radii of the model and in
+    /// f32, which repeats of the map and heights must fit.
+    pub fn defect_beside(&self, model: &Bounds) -> Option<String> {
+        if let Some(what) = self.defect() {
+            return Some(what);
+        }
+        let farthest = self.origin.abs().max_element();
+        if farthest > range::LARGEST {
+            return Some(format!(
+                "its origin is {farthest:.0e} away, more than {:.0e}",
+                range::LARGEST
+            ));
+        }
+        let map = self.relief.as_ref()?;
+        let [low, high] = map.range().map(|h| f64::from(h).abs());
+        for height in [self.scale.z, self.scale.z * low.max(high)] {
+            if let Some(what) = range::beside(height, model) {
+                return Some(format!("its relief is {height:.2e} high, {what}"));
+            }
+        }
+        let per_unit = (self.scale.x / self.u.length()).abs();
+        let repeats = per_unit.max((self.scale.y / self.v.length()).abs()) * model.radius();
+        (!(0.0..=range::MOST_RADII).contains(&repeats)).then(|| {
+            let most = range::MOST_RADII;
+            format!("its relief repeats {repeats:.0e} times across the model, more than {most:.0e}")
         })
     }
 

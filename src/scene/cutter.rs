@@ -12,11 +12,8 @@ use std::sync::Arc;
 use glam::DAffine3;
 
 use super::topology::Edges;
-use super::{Bounds, Mesh, Part};
+use super::{Bounds, Mesh, Part, range};
 use crate::error::{Error, Result};
-
-/// So many radii of the model a cutter may reach: farther away its coordinates are no f32 in the space of the model.
-const FARTHEST: f64 = 1e30;
 
 /// Why the bounds of a cutter are more than can be drawn beside a model, if they are.
 pub(super) fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
@@ -25,10 +22,7 @@ pub(super) fn too_far(cutter: &Bounds, model: &Bounds) -> Option<String> {
     }
     let middle = model.centre();
     let reach = (cutter.min - middle).abs().max((cutter.max - middle).abs());
-    let radius = model.radius();
-    let radii = reach.max_element() / if radius > 0.0 { radius } else { 1.0 };
-    (radii > FARTHEST)
-        .then(|| format!("reaches {radii:.0e} radii of the model, more than {FARTHEST:.0e},"))
+    range::beside(reach.max_element(), model).map(|what| format!("reaches {what},"))
 }
 
 /// A closed mesh with a place in the world.

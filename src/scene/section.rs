@@ -12,6 +12,7 @@
 
 use glam::DVec3;
 
+use super::range::LARGEST;
 use super::{Bounds, ClipSurface};
 use crate::error::{Error, Result};
 
@@ -112,7 +113,8 @@ impl SectionSpec {
             }
             Plane::Offset { normal, offset } => (foot(middle, normal, offset), unit(normal)),
         };
-        if !origin.is_finite() {
+        // Nor is NaN at most that much.
+        if !origin.to_array().iter().all(|c| c.abs() <= LARGEST) {
             return fault(
                 "the plane is too far away to be computed with",
                 "use a longer normal or a smaller distance",

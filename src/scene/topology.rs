@@ -3,8 +3,9 @@
 //! An edge is an unordered pair of vertex indices; its *uses* are the triangles that have it. Only vertices that a
 //! triangle names count.
 //!
-//! Cost: one parallel sort of three keys per triangle and three passes over the triangles. Limit: 2^31 vertices.
+//! Cost: parallel sorts of three keys per triangle, of the positions and of the triangles, and three passes over the triangles. Limit: 2^31 vertices.
 
+mod coincident;
 mod edges;
 mod rays;
 
@@ -30,6 +31,9 @@ pub struct Topology {
     /// Every edge has an even number of uses, hence every ray crosses the surface an even number of times and the solid
     /// is well defined by parity. A closed mesh may still have non-manifold or inconsistent edges.
     pub closed: bool,
+    /// Faces on the same three positions as another face, turned either way; both of a pair count. A mesh may be closed with them,
+    /// and has no inside where they are.
+    pub coincident_faces: usize,
     /// Edges with one use.
     pub boundary_edges: usize,
     /// Edges with more than two uses.
@@ -91,6 +95,7 @@ impl Topology {
             vertices,
             faces: mesh.triangles.len(),
             closed: count.open == 0,
+            coincident_faces: coincident::faces(mesh),
             boundary_edges: count.boundary,
             non_manifold_edges: count.non_manifold,
             inconsistent_edges: count.inconsistent,
@@ -140,6 +145,7 @@ impl Topology {
         for t in of {
             sum.vertices += t.vertices;
             sum.faces += t.faces;
+            sum.coincident_faces += t.coincident_faces;
             sum.boundary_edges += t.boundary_edges;
             sum.non_manifold_edges += t.non_manifold_edges;
             sum.inconsistent_edges += t.inconsistent_edges;
@@ -319,6 +325,21 @@ mod tests {
             "the hole is at x = 1"
         );
         assert!(t.odd_ray_share > 0.0);
+    }
+
+    #[test]
+    fn faces_on_each_other_are_counted_by_position_whichever_way_they_face() {
+        let cube = cuboid(DVec3::ZERO, DVec3::ONE);
+        assert_eq!(Topology::of(&cube).coincident_faces, 0);
+        // An own copy of all vertices, two of its triangles in another order, one of them turned.
+        let mut doubled = joined(&cube, &cube);
+        doubled.positions[8].x = -0.0;
+        doubled.triangles[12].rotate_left(1);
+        doubled.triangles[13].swap(0, 1);
+        let t = Topology::of(&doubled);
+        assert_eq!((t.coincident_faces, t.closed), (24, true));
+        doubled.triangles.truncate(13);
+        assert_eq!(Topology::of(&doubled).coincident_faces, 2, "both of a pair");
     }
 
     #[test]

@@ -5,6 +5,10 @@ use std::process::Output;
 use super::command::{Ran, Scratch};
 use super::{CUT_CUBE, fs};
 
+/// Prints the boxes of an MP4 file without frames.
+#[cfg(unix)]
+const WHOLE: &str = "printf '\\0\\0\\0\\010ftyp\\0\\0\\0\\010mdat\\0\\0\\0\\010moov'";
+
 /// Runs the command with nothing but the folder's `bin` to find programs in.
 fn run(folder: &Scratch, line: &str) -> Ran {
     let output: Output = folder
@@ -56,7 +60,7 @@ fn ffmpeg_is_given_every_pixel_of_every_frame() {
     stand_in(
         &folder,
         "libx264",
-        "echo \"$@\" > told.txt; /bin/cat > \"$file\"",
+        &format!("echo \"$@\" > told.txt; /bin/cat > raw.bin; {WHOLE} > \"$file\""),
     );
     let odd = CUT_CUBE.replace("64,48", "63,47");
     let ran = run(
@@ -82,10 +86,10 @@ fn ffmpeg_is_given_every_pixel_of_every_frame() {
     }
     assert_eq!(
         folder.files(),
-        ["bin", "out.mp4", "told.txt"],
+        ["bin", "out.mp4", "raw.bin", "told.txt"],
         "in its place, and nothing beside it"
     );
-    let raw = fs::read(folder.path("out.mp4")).unwrap();
+    let raw = fs::read(folder.path("raw.bin")).unwrap();
     assert_eq!(raw.len(), 64 * 48 * 3 * 3);
     folder.run(&format!("render {odd} -o one.png")).exits(0);
     let one = super::reading::still(&folder.path("one.png"));
@@ -108,7 +112,11 @@ fn an_ffmpeg_that_fails_is_quoted_and_leaves_what_was_there() {
             "no such colour",
         ),
         ("echo I will not >&2; exit 1", "I will not"),
-        ("/bin/cat > /dev/null", "wrote nothing"),
+        ("/bin/cat > /dev/null", "it is empty"),
+        (
+            "/bin/cat > /dev/null; printf '\\0\\0\\0\\010ftyp\\0\\0\\0\\011mdat' > \"$file\"",
+            "cannot be played",
+        ),
     ] {
         stand_in(&folder, "mpeg4", script);
         folder.write("out.mp4", "old");

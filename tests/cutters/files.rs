@@ -84,7 +84,7 @@ fn what_cannot_be_a_cutter_is_refused_by_name() {
         ("volume = \"bite.obj\"", "volume = 3", "cut.bite.volume"),
         ("volume = \"bite.obj\"", "", "cut.bite.translate"),
         ("scale = 2", "scale = 0", "cut.bite.scale"),
-        ("scale = 2", "scale = 1e300", "reaches to infinity"),
+        ("scale = 2", "scale = 1e300", "cut.bite.scale"),
         ("scale = 2", "scale = 1e40", "radii of the model"),
         (
             "translate = [1, 0, 0]",

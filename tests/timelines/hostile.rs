@@ -242,7 +242,7 @@ const BROKEN: &[(&str, &str, &[&str])] = &[
     ),
     (
         "[0, 90, 0]]",
-        "[0, 1e308, 1e309]]",
+        "[0, 1e99, 1e309]]",
         &["key.1.values.1.2", "finite"],
     ),
     // Deformers.
@@ -294,7 +294,17 @@ const BROKEN: &[(&str, &str, &[&str])] = &[
     (
         "amplitude = \"2%\"",
         "amplitude = 1e308, phase_deg = 90",
-        &["part `bar`", "infinity"],
+        &["part.bar.deform.1.amplitude", "1e100"],
+    ),
+    (
+        "period = 0.5",
+        "period = 1e-320",
+        &["part.bar.deform.1.period", "above 0"],
+    ),
+    (
+        "by = 0.1",
+        "by = 1e60",
+        &["part.bar.deform.", "radii of the model"],
     ),
     (
         "period = 0.5",

@@ -97,7 +97,7 @@ fn delay(fps: f64) -> (u16, u16) {
 }
 
 impl Encoder for Apng {
-    fn add(&mut self, frame: &RgbaImage) -> Result<()> {
+    fn add(&mut self, _: u32, frame: &RgbaImage, _: bool) -> Result<()> {
         self.write(frame)
             .map_err(|e| cannot_encode(&self.path, e))?;
         self.last = Some(frame.clone());

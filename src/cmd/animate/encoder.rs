@@ -13,11 +13,17 @@ use super::numbered::Numbered;
 use super::target::Target;
 use super::times::Times;
 use crate::Result;
+use crate::experiment::Identity;
 
-/// A format that is being written. Dropped before its end, it leaves no file.
+/// A format that is being written. Dropped before its end, it leaves no file that is not whole.
 pub(super) trait Encoder {
-    /// Adds a frame; all have the size of the first.
-    fn add(&mut self, frame: &RgbaImage) -> Result<()>;
+    /// Whether a frame, counted from 0, is in its place already and need not be added.
+    fn has(&self, _number: u32) -> bool {
+        false
+    }
+
+    /// Adds a frame by its number; all have the size of the first. One that is not complete may be written, but is not kept.
+    fn add(&mut self, number: u32, frame: &RgbaImage, is_complete: bool) -> Result<()>;
 
     /// Puts the animation into its place.
     fn finish(self: Box<Self>, console: &Console) -> Result<()>;
@@ -29,12 +35,13 @@ pub(super) fn encoder(
     size_px: [u32; 2],
     times: &Times,
     plays: Plays,
+    run: Identity,
 ) -> Result<Box<dyn Encoder>> {
     Ok(match target {
         Target::Gif(path) => Box::new(Gif::begin(path, size_px, times, plays)?),
         Target::Apng(path) => Box::new(Apng::begin(path, size_px, times, plays)?),
         Target::Mp4(path, program) => Box::new(Ffmpeg::begin(program, path, size_px, times.fps)?),
-        Target::Numbered(pattern) => Box::new(Numbered::new(pattern.clone())),
+        Target::Numbered(pattern) => Box::new(Numbered::new(pattern.clone(), times.count, run)),
     })
 }
 

@@ -14,6 +14,7 @@ use image::RgbaImage;
 use super::super::console::Console;
 use super::super::output::Pending;
 use super::encoder::{Encoder, cannot_encode};
+use super::mp4;
 use crate::{Error, Result};
 
 /// The program, and how it is told to compress.
@@ -108,7 +109,7 @@ impl Ffmpeg {
         let [width, height] = even(size_px);
         let mut command = Command::new("ffmpeg");
         command
-            .args(["-hide_banner", "-loglevel", "error", "-y"])
+            .args(["-hide_banner", "-loglevel", "error", "-xerror", "-y"])
             .args(["-f", "rawvideo", "-pixel_format", "rgb24"])
             .args(["-video_size", &format!("{width}x{height}")])
             .args(["-framerate", &fps.to_string(), "-i", "pipe:0", "-an"])
@@ -154,13 +155,13 @@ impl Ffmpeg {
         Error::file(
             &self.path,
             format!("ffmpeg {how}: {}", last.unwrap_or("it does not say why")),
-            "see whether ffmpeg works by itself, or write a .gif or a .png",
+            "check the room on the disk and whether ffmpeg works by itself, or write a .gif or a .png",
         )
     }
 }
 
 impl Encoder for Ffmpeg {
-    fn add(&mut self, frame: &RgbaImage) -> Result<()> {
+    fn add(&mut self, _: u32, frame: &RgbaImage, _: bool) -> Result<()> {
         let bytes = rgb_of_even_size(frame, self.size_px);
         let written = match &mut self.running.0.stdin {
             Some(stdin) => stdin.write_all(&bytes),
@@ -181,9 +182,13 @@ impl Encoder for Ffmpeg {
             Ok(status) => return Err(self.stopped(&format!("failed ({status})"))),
             Err(e) => return Err(self.stopped(&format!("was lost ({e})"))),
         }
-        let written = std::fs::metadata(self.pending.beside()).map_or(0, |m| m.len());
-        if written == 0 {
-            return Err(self.stopped("wrote nothing"));
+        match mp4::missing(self.pending.beside()) {
+            Ok(None) => {}
+            Ok(Some(missing)) => {
+                let how = format!("left a file that cannot be played, for {missing}");
+                return Err(self.stopped(&how));
+            }
+            Err(e) => return Err(self.stopped(&format!("left a file that cannot be read ({e})"))),
         }
         let Self { pending, .. } = *self;
         pending.place()

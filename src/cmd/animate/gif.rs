@@ -78,7 +78,7 @@ impl Gif {
 }
 
 impl Encoder for Gif {
-    fn add(&mut self, frame: &RgbaImage) -> Result<()> {
+    fn add(&mut self, _: u32, frame: &RgbaImage, _: bool) -> Result<()> {
         self.sampler.look(frame);
         self.has_holes |= !frame.chunks_exact(4).all(is_opaque);
         let mut packer = DeflateEncoder::new(Vec::new(), Compression::fast());

@@ -6,7 +6,10 @@
 mod apng;
 mod encoder;
 mod ffmpeg;
+mod film;
 mod gif;
+mod identity;
+mod mp4;
 mod numbered;
 mod palette;
 mod report;
@@ -17,26 +20,26 @@ mod turntable;
 use std::str::FromStr;
 
 use clap::Args;
-use serde_json::json;
 
 use super::Verdict;
 use super::args::{DeviceArgs, SceneArgs, parse_finite};
 use super::console::{Console, ConsoleArgs};
+use super::interrupt::Interrupt;
 use super::look::LookArgs;
-use super::notes::warn_of_doubt;
 use super::open::{Opened, open_at};
-use super::output::{Output, no_place_twice};
-use super::picture::{self, Drawer};
+use super::output::Output;
+use super::picture::Drawer;
+use super::places::{no_place_twice, paths_of};
 use super::when::{ClipArgs, TimeArgs};
-use crate::experiment::{Shown, Stopwatch};
+use crate::experiment::{Identity, Shown};
 use crate::scene::frames::USUAL_FPS;
-use crate::session::{Outcome, Session};
+use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
+use film::Film;
 use report::FrameReport;
 use target::Target;
 use times::{Times, TimesArgs};
-use turntable::turned;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -45,7 +48,8 @@ Examples:
   cutaway animate scene.toml --duration 6 --fps 30 --loop 1 -o scene.png     # an animated PNG, without loss
   cutaway animate part.stl --section z=50% --turntable=90 --frames 12 -o 'frames/%04d.png'
 
-What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.";
+What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
+Ctrl-C ends after the present frame. Numbered frames that are there stay, and the same command goes on from them.";
 
 /// The usual rate for GIF: 24 a second would be delays of 4 1/6 hundredths.
 const USUAL_GIF_FPS: f64 = 25.0;
@@ -147,7 +151,18 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let mut session = args.device.open()?;
     session.set_options(opened.options(session.options()));
     let plays = args.plays.unwrap_or(Plays::Forever);
-    let mut encoder = encoder(&target, opened.size_px, &times, plays)?;
+    let files = target.files(times.count).into_iter();
+    let files = files.map(|file| ("--output", file));
+    opened
+        .files
+        .keep_from(files.chain(paths_of(&[("--json", json.as_ref())])))?;
+    // Its files are read once more for it, which only numbered frames have any use for.
+    let run = match target {
+        Target::Numbered(_) => identity::of(args, &opened, &session),
+        _ => Identity::default(),
+    };
+    let mut encoder = encoder(&target, opened.size_px, &times, plays, run)?;
+    let interrupt = Interrupt::listen("animate", "frame")?;
     console.expect_frames(times.count);
     let mut film = Film {
         args,
@@ -159,10 +174,33 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     };
     let mut frames = Vec::with_capacity(times.count as usize);
     for frame in 0..times.count {
-        let (image, report) = film.draw(frame, &mut session, &console)?;
-        encoder.add(&image)?;
+        if interrupt.is_wanted() {
+            break;
+        }
+        let report = if encoder.has(frame) {
+            FrameReport::kept(times.at(frame))
+        } else {
+            let (image, report) = film.draw(frame, &mut session, &console)?;
+            match encoder.add(frame, &image, report.outcome == Outcome::Complete) {
+                // An encoder of its own process may have ended by the same Ctrl-C.
+                Err(_) if interrupt.is_wanted() => break,
+                added => added?,
+            }
+            report
+        };
         frames.push(report);
         console.frame_done();
+    }
+    if interrupt.is_wanted() && frames.len() < times.count as usize {
+        console.note(match &target {
+            Target::Numbered(_) => format!(
+                "{} of {} frames are there: the same command goes on from them",
+                frames.len(),
+                times.count
+            ),
+            _ => "interrupted: no file was written".to_owned(),
+        });
+        return Ok(Verdict::Interrupted);
     }
     encoder.finish(&console)?;
     if let Some(output) = &json {
@@ -254,102 +292,6 @@ fn note_of_even_size(target: &Target, opened: &Opened, console: &Console) {
     if matches!(target, Target::Mp4(..)) && [width, height] != opened.size_px {
         console.note(format!(
             "sizes of an MP4 are even: it becomes {width} x {height}, continued at its border"
-        ));
-    }
-}
-
-/// All that frames are drawn from.
-struct Film<'a> {
-    args: &'a AnimateArgs,
-    opened: &'a Opened,
-    times: Times,
-    drawer: Drawer,
-    /// The scene at the time of the last frame.
-    shown: Shown,
-    camera: crate::scene::Camera,
-}
-
-impl Film<'_> {
-    fn draw(
-        &mut self,
-        frame: u32,
-        session: &mut Session,
-        console: &Console,
-    ) -> Result<(image::RgbaImage, FrameReport)> {
-        let watch = Stopwatch::start();
-        let (opened, time_s) = (self.opened, self.times.at(frame));
-        // The first was opened, and what stands still stays as it is.
-        if frame > 0 && opened.timeline.moves() {
-            let scene = opened.at(time_s)?;
-            self.camera = scene.camera;
-            self.shown = self.shown.updated(&scene);
-        }
-        let camera = match self.args.turn_deg {
-            Some(turn_deg) => {
-                let share = self.times.share(frame);
-                turned(
-                    &self.camera,
-                    &opened.scene.bounds(),
-                    opened.size_px,
-                    turn_deg,
-                    share,
-                )
-            }
-            None => self.camera,
-        };
-        let view = opened.view_of(&self.shown.model.prepared, &camera);
-        let style = self.args.look.style(opened);
-        let drawn = picture::draw(session, &self.shown, &view, self.drawer, style)?;
-        let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
-        if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
-        {
-            warn_of_doubt(&session.layers(&strategy)?, console);
-        }
-        Ok((drawn.image, report))
-    }
-
-    fn json(
-        &self,
-        session: &Session,
-        target: &Target,
-        frames: &[FrameReport],
-    ) -> serde_json::Value {
-        json!({
-            "scene": self.opened.scene.name,
-            "output": target.path(),
-            "format": target.name(),
-            "resolution": self.opened.size_px,
-            "supersample": self.args.look.supersample,
-            "fps": self.times.fps,
-            "start_s": self.times.start_s,
-            "duration_s": self.times.duration_s(),
-            "clip": self.args.clip.clip,
-            "turntable_deg": self.args.turn_deg,
-            "adapter": session.gpu().report(),
-            "strategy": self.drawer.to_string(),
-            "rasteriser": session.options().rasteriser.to_string(),
-            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
-            "median_drawn_ms": report::median_ms(frames),
-            "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
-        })
-    }
-
-    /// All of it in a line.
-    fn say(&self, frames: &[FrameReport], console: &Console) {
-        let round = super::sections::round;
-        let [width, height] = self.opened.size_px;
-        let clocks = report::clocks(frames);
-        let clocks = if clocks.is_empty() {
-            clocks
-        } else {
-            format!("; clocks that ran: {clocks}")
-        };
-        console.note(format!(
-            "{} frames of {width} x {height}, {} s at {} a second, drawn in {:.0} ms each{clocks}",
-            frames.len(),
-            round(self.times.duration_s()),
-            round(self.times.fps),
-            report::median_ms(frames),
         ));
     }
 }

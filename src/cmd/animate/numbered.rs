@@ -1,51 +1,68 @@
 //! A PNG for each frame, under names that count from 1: `frames/%04d.png`.
 //!
-//! All files take their places at the end together, so that a run that fails leaves none; until then they lie beside them
-//! under hidden names.
+//! Each file takes its place as soon as it is whole. It says of which run it is, in a text chunk, so that the same command can go on
+//! where it stopped; a frame of any other run is drawn again.
 
+use std::fs::File;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use image::RgbaImage;
+use png::{BitDepth, ColorType};
 
 use super::super::console::Console;
-use super::super::output::{Pending, begun_with};
-use super::super::picture::png;
-use super::encoder::Encoder;
+use super::super::output::write_file;
+use super::encoder::{Encoder, cannot_encode};
 use crate::Result;
+use crate::experiment::Identity;
 use crate::scene::frames::Pattern;
 
-/// Frames that wait for the last.
+/// The keyword of the text chunk.
+const KEYWORD: &str = "cutaway frame";
+
+/// Frames that are written one by one.
 pub(super) struct Numbered {
     pattern: Pattern,
-    frames: Vec<Pending>,
+    count: u32,
+    run: Identity,
 }
 
 impl Numbered {
-    /// Frames with names of a pattern.
-    pub(super) fn new(pattern: Pattern) -> Self {
+    /// So many frames of a run with names of a pattern.
+    pub(super) fn new(pattern: Pattern, count: u32, run: Identity) -> Self {
         Self {
             pattern,
-            frames: Vec::new(),
+            count,
+            run,
         }
     }
 
-    fn next(&self) -> PathBuf {
-        self.pattern.file(self.frames.len() as u32 + 1)
+    fn file(&self, number: u32) -> PathBuf {
+        self.pattern.file(number + 1)
+    }
+
+    /// What the text chunk of a frame says.
+    fn identity(&self, number: u32) -> String {
+        let mut identity = self.run;
+        identity.add(format!("{number} of {}", self.count));
+        identity.text()
     }
 }
 
 impl Encoder for Numbered {
-    fn add(&mut self, frame: &RgbaImage) -> Result<()> {
-        let path: &Path = &self.next();
-        self.frames.push(begun_with(path, &png(frame)?)?);
-        Ok(())
+    fn has(&self, number: u32) -> bool {
+        identity_of(&self.file(number)).is_some_and(|found| found == self.identity(number))
+    }
+
+    fn add(&mut self, number: u32, frame: &RgbaImage, is_complete: bool) -> Result<()> {
+        let path = self.file(number);
+        let identity = is_complete.then(|| self.identity(number));
+        let bytes = encoded(frame, identity.as_deref()).map_err(|e| cannot_encode(&path, e))?;
+        write_file(&path, &bytes)
     }
 
     fn finish(self: Box<Self>, console: &Console) -> Result<()> {
-        let next = self.next();
-        for frame in self.frames {
-            frame.place()?;
-        }
+        let next = self.file(self.count);
         if next.exists() {
             console.warn(format!(
                 "{} is from before and does not belong to this animation\n  mend: remove it and those after it",
@@ -53,5 +70,63 @@ impl Encoder for Numbered {
             ));
         }
         Ok(())
+    }
+}
+
+fn encoded(frame: &RgbaImage, identity: Option<&str>) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let (width, height) = frame.dimensions();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(ColorType::Rgba);
+    encoder.set_depth(BitDepth::Eight);
+    if let Some(identity) = identity {
+        encoder.add_text_chunk(KEYWORD.to_owned(), identity.to_owned())?;
+    }
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(frame)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// The text chunk of a picture that can be read to its end.
+fn identity_of(path: &Path) -> Option<String> {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
+        .read_info()
+        .ok()?;
+    let mut pixels = vec![0; reader.output_buffer_size()?];
+    reader.next_frame(&mut pixels).ok()?;
+    reader.finish().ok()?;
+    let texts = &reader.info().uncompressed_latin1_text;
+    let text = texts.iter().find(|text| text.keyword == KEYWORD)?;
+    Some(text.text.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_whole_frames_of_the_same_run_are_kept() {
+        let name = format!("cutaway-numbered-{}-%d.png", std::process::id());
+        let pattern = std::env::temp_dir().join(name);
+        let of_run = |words: &str| {
+            let mut run = Identity::default();
+            run.add(words);
+            Numbered::new(Pattern::parse(&pattern.to_string_lossy()).unwrap(), 2, run)
+        };
+        let (mut numbered, frame) = (of_run("a"), RgbaImage::new(64, 48));
+        assert!(!numbered.has(0), "nothing is there");
+        numbered.add(0, &frame, true).unwrap();
+        numbered.add(1, &frame, false).unwrap();
+        assert_eq!([0, 1].map(|n| numbered.has(n)), [true, false]);
+        assert!(!of_run("b").has(0), "another run");
+        let first = numbered.file(0);
+        assert_eq!(image::open(&first).unwrap().to_rgba8(), frame);
+        let bytes = std::fs::read(&first).unwrap();
+        std::fs::write(&first, &bytes[..bytes.len() - 9]).unwrap();
+        assert!(!numbered.has(0), "it is cut off");
+        for number in [0, 1] {
+            std::fs::remove_file(numbered.file(number)).unwrap();
+        }
     }
 }

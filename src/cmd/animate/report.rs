@@ -18,7 +18,8 @@ pub(super) struct FrameReport {
     /// Milliseconds of each clock, the mean over the samples for which it ran.
     time_ms: PerClock<Option<f64>>,
     /// Milliseconds from the scene to the picture, by the clock of the wall.
-    drawn_ms: f64,
+    /// None of a frame that was there already.
+    drawn_ms: Option<f64>,
 }
 
 impl FrameReport {
@@ -39,8 +40,21 @@ impl FrameReport {
                 .iter()
                 .fold(ClockSet::NONE, |all, f| all.union(f.clocks)),
             time_ms: PerClock::of(mean),
-            drawn_ms,
+            drawn_ms: Some(drawn_ms),
         }
+    }
+
+    /// A frame that an earlier run left whole.
+    pub(super) fn kept(time_s: f64) -> Self {
+        Self {
+            drawn_ms: None,
+            ..Self::of(time_s, &[], 0.0)
+        }
+    }
+
+    /// Whether it was there already.
+    pub(super) fn is_kept(&self) -> bool {
+        self.drawn_ms.is_none()
     }
 
     fn ran(&self) -> Vec<&'static str> {
@@ -57,13 +71,14 @@ impl FrameReport {
             "clocks": self.ran(),
             "time_ms": self.time_ms,
             "drawn_ms": self.drawn_ms,
+            "kept": self.is_kept(),
         })
     }
 }
 
-/// Median time from a scene to its picture.
+/// Median time from a scene to its picture, of the frames that were drawn.
 pub(super) fn median_ms(frames: &[FrameReport]) -> f64 {
-    Samples::of(frames.iter().map(|f| f.drawn_ms).collect()).median
+    Samples::of(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
 }
 
 /// How often each clock ran, in words; none of exact.

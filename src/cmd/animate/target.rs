@@ -92,6 +92,14 @@ impl Target {
         }
     }
 
+    /// All files of so many frames.
+    pub(super) fn files(&self, count: u32) -> Vec<PathBuf> {
+        match self {
+            Self::Numbered(pattern) => (1..=count).map(|number| pattern.file(number)).collect(),
+            _ => vec![self.path()],
+        }
+    }
+
     /// Whether it says by itself how often it plays.
     pub(super) fn counts_plays(&self) -> bool {
         matches!(self, Self::Gif(_) | Self::Apng(_))

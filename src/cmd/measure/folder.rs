@@ -22,6 +22,25 @@ impl Folder {
         Ok(Self(path.to_owned()))
     }
 
+    /// The files that are there and that a run of an experiment replaces: its definition, and by the names of its records these and
+    /// their pictures.
+    pub(super) fn replaced(&self, experiment: &str, stems: &BTreeSet<String>) -> Vec<PathBuf> {
+        let is_replaced = |name: &str| {
+            let of_stem = |stem: &String| {
+                let rest = name.strip_prefix(stem.as_str());
+                rest.is_some_and(|r| r == ".json" || (r.starts_with('.') && r.ends_with(".png")))
+            };
+            name == "experiment.json" || stems.iter().any(of_stem)
+        };
+        let entries = std::fs::read_dir(self.of(experiment)).into_iter().flatten();
+        let files = entries.flatten();
+        let files = files.filter(|e| is_replaced(&e.file_name().to_string_lossy()));
+        files
+            .map(|e| e.path())
+            .chain([self.0.join("run.json")])
+            .collect()
+    }
+
     /// The run that is there, if one is. One of another device, or in full where this is quick, is not to be mixed with this one:
     /// refused unless all is measured again.
     pub(super) fn earlier(

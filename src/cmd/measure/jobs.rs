@@ -3,13 +3,15 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use super::folder::Folder;
 use super::{MeasureArgs, cases, words};
 use crate::cmd::judge::quoted;
+use crate::cmd::places::InputFiles;
 use crate::error::did_you_mean;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
 use crate::experiment::run::file_stem;
 use crate::experiment::sweep::Point;
-use crate::experiment::{Definition, Identity};
+use crate::experiment::{Definition, Identity, files_of};
 use crate::gpu::AdapterReport;
 use crate::scene::glob_matches;
 use crate::{Error, Result};
@@ -171,6 +173,29 @@ impl Job<'_> {
         }
         identity.text()
     }
+}
+
+/// Refuses a folder where records would replace the experiments' own files, or what their points name.
+pub(super) fn keep_inputs(
+    definitions: &[Definition],
+    jobs: &[Job<'_>],
+    folder: &Folder,
+    is_quick: bool,
+) -> Result<()> {
+    let files = InputFiles::default();
+    files.add(definitions.iter().map(|d| d.path.clone()));
+    for job in jobs {
+        if let Task::Point(_, point, _) = job.task {
+            let words = std::iter::once(&point.scene).chain(&point.truth);
+            words.for_each(|words| files.add(files_of(words)));
+        }
+    }
+    for definition in definitions {
+        let stems = stems(definition, is_quick);
+        let replaced = folder.replaced(&definition.name, &stems).into_iter();
+        files.keep_from(replaced.map(|path| ("--out", path)))?;
+    }
+    Ok(())
 }
 
 /// The experiments of some files, each name once.

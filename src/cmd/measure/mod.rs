@@ -5,7 +5,6 @@
 
 mod cases;
 mod folder;
-mod interrupt;
 mod jobs;
 mod machine;
 mod tally;
@@ -19,6 +18,7 @@ use clap::Args;
 use super::Verdict;
 use super::args::AdapterArgs;
 use super::console::{Console, ConsoleArgs};
+use super::interrupt::Interrupt;
 use super::judge::command_line;
 use super::output::write_stdout;
 use crate::Result;
@@ -28,7 +28,6 @@ use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Sitting, Sto
 use crate::gpu::Gpu;
 use crate::session::Session;
 use folder::Folder;
-use interrupt::Interrupt;
 use jobs::{Job, Task};
 use tally::Tally;
 
@@ -84,6 +83,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         return Ok(Verdict::Done);
     }
     let folder = Folder::checked(&args.out)?;
+    jobs::keep_inputs(&definitions, &jobs, &folder, args.quick)?;
     let machine = machine::machine();
     let gpu = args.device.open()?;
     let earlier = folder.earlier(gpu.report(), args.quick, args.force)?;
@@ -101,7 +101,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         run: described(&gpu, earlier, machine.clone(), args.quick),
         machine,
         program: jobs::program(),
-        interrupt: Interrupt::listen()?,
+        interrupt: Interrupt::listen("measure", "round")?,
         watch: Stopwatch::start(),
         session: Session::new(gpu),
         console,

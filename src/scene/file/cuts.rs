@@ -17,7 +17,7 @@ use crate::error::{Result, did_you_mean};
 use crate::scene::cut::glob_matches;
 use crate::scene::relief::{Placement, parse_wrap, place_map};
 use crate::scene::section::{Amount, section_surface};
-use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap};
+use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap, range};
 
 const KEYS: &[&str] = &[
     "name",
@@ -152,6 +152,9 @@ fn offsets_of(
             Amount::Units(v) => v,
             Amount::Percent(p) => diagonal * p / 100.0,
         };
+        if let Some(what) = range::beside(keeps, &context.bounds) {
+            return Err(value.fault(format!("it is {what}"), "give a smaller offset"));
+        }
         offsets.push(Offset {
             parts: glob.to_owned(),
             keeps,
@@ -209,15 +212,15 @@ fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
     } else {
         in_full(&entry.table(FULL)?, context)?
     };
-    sound(&surface, entry)?;
+    sound(&surface, &context.bounds, entry)?;
     let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
     Ok(if flip { surface.flipped() } else { surface })
 }
 
 /// Refuses what is no clip-surface.
-pub(super) fn sound(surface: &ClipSurface, entry: &Entry<'_>) -> Result<()> {
+pub(super) fn sound(surface: &ClipSurface, model: &Bounds, entry: &Entry<'_>) -> Result<()> {
     let mend = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
-    match surface.defect() {
+    match surface.defect_beside(model) {
         Some(what) => Err(entry.fault(what, mend)),
         None => Ok(()),
     }

@@ -10,7 +10,7 @@ use super::reader::{Entry, Table};
 use crate::error::Result;
 use crate::scene::regions::next_axis;
 use crate::scene::section::Amount;
-use crate::scene::{Axis, Bounds, Deformer};
+use crate::scene::{Axis, Bounds, Deformer, range};
 
 /// What a deformer that is wanted by name needs.
 #[derive(Clone, Copy)]
@@ -53,10 +53,14 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
     let open = entry.open_table()?;
     let kind = open.need("kind", "\"twist\"")?.choice(&KINDS)?;
     let length = |entry: &Entry<'_>| {
-        Ok(match entry.amount()? {
+        let length = match entry.amount()? {
             Amount::Units(v) => v,
             Amount::Percent(p) => bounds.size().length() * p / 100.0,
-        })
+        };
+        match range::beside(length, &bounds) {
+            Some(what) => Err(entry.fault(format!("it is {what}"), "use a smaller one")),
+            None => Ok(length),
+        }
     };
     if let Kind::Inflate = kind {
         let by = entry.table(INFLATE)?.need("by", "\"2%\"")?;
@@ -78,8 +82,10 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
         let period = match table.get("period") {
             Some(period) => {
                 let length = length(&period)?;
-                if length <= 0.0 {
-                    return Err(period.fault("it must be above 0", "write for example \"25%\""));
+                if length <= extent / range::MOST_RADII {
+                    let least = range::MOST_RADII;
+                    let what = format!("it must be above 0, more than a {least:.0e}th of the part");
+                    return Err(period.fault(what, "write for example \"25%\""));
                 }
                 length
             }
@@ -94,6 +100,10 @@ fn read_one(entry: &Entry<'_>, bounds: Bounds) -> Result<Deformer> {
         });
     }
     let turn = table.need("turn_deg", "90")?.number()?.to_radians();
+    if turn.abs() > range::MOST_RADII {
+        let what = format!("it turns by more than {:.0e}", range::MOST_RADII);
+        return Err(entry.fault(what, "write for example `turn_deg = 90`"));
+    }
     let turn_per_unit = turn / extent;
     Ok(match kind {
         Kind::Bend => Deformer::Bend {

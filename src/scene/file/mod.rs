@@ -101,7 +101,7 @@ mod stock;
 mod target;
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use glam::Vec3;
@@ -112,7 +112,7 @@ use reader::{Entry, Source, Table};
 pub(super) use script::Script;
 
 use super::motion::Outwards;
-use super::{Bounds, Camera, HeightFilter, Part, Scene, Timeline};
+use super::{Bounds, Camera, HeightFilter, Part, Scene, Timeline, input_file};
 use crate::error::{Error, Result};
 
 const KEYS: &[&str] = &[
@@ -149,6 +149,8 @@ pub struct SceneFile {
     pub keys: Vec<Key>,
     /// What the user should know: what was mended in a mesh, and what was read without effect.
     pub notes: Vec<String>,
+    /// Files that were read here: its own, and the images of its reliefs. Those of meshes are known to their reader.
+    pub files: Vec<PathBuf>,
 }
 
 /// What the reader of a mesh file gives: the parts, and notes about what was mended in them.
@@ -170,10 +172,12 @@ pub fn load_scene_file(
     open_mesh: &OpenMesh<'_>,
     open_shape: &dyn Fn(&str) -> Result<Vec<Part>>,
 ) -> Result<SceneFile> {
-    let text = std::fs::read_to_string(path).map_err(|e| {
-        let mend = "check the path; a scene file is TOML text in UTF-8";
-        Error::file(path, format!("cannot be read: {e}"), mend)
+    let text = String::from_utf8(input_file::read(path)?).map_err(|e| {
+        let what = format!("byte {} is not text in UTF-8", e.utf8_error().valid_up_to());
+        Error::file(path, what, "save the scene file as TOML text in UTF-8")
     })?;
+    // Editors on Windows put a byte order mark before the text.
+    let text = text.trim_start_matches('\u{feff}').to_owned();
     let source = Source { path, text: &text };
     let loaders = Loaders {
         open_mesh,
@@ -228,6 +232,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
             .transpose()?,
         keys: script.keys().cloned().collect(),
         notes,
+        files: script.files(),
         timeline: Timeline::of_script(Arc::new(script))?,
     })
 }

@@ -7,7 +7,7 @@ use super::reader::{Entry, Table};
 use super::stock::Held;
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::motion::Outwards;
-use crate::scene::{Bounds, Fill, Part, Role};
+use crate::scene::{Bounds, Fill, Part, Role, range};
 
 /// Keys of a part.
 pub(super) const KEYS: &[&str] = &[
@@ -93,10 +93,15 @@ pub(super) fn read(
         let reach = deformers.fold(*rest, |reach, deformer| deformer.bounds(reach));
         let corners = reach.corners();
         let corners = corners.map(|c| part.world_from_part.transform_point3(c));
-        let diagonal = Bounds::of(corners).size().length();
-        if !(diagonal.is_finite() && corners.iter().all(|c| c.is_finite())) {
-            let what = format!("part `{}` reaches to infinity once it is placed", part.name);
-            return Err(entry.fault(what, "use a smaller scale, translation or deformation"));
+        let is_finite = corners.iter().all(|c| c.is_finite());
+        let what = if is_finite {
+            range::defect(&Bounds::of(corners))
+        } else {
+            Some("reaches to infinity".to_owned())
+        };
+        if let Some(what) = what {
+            let what = format!("part `{}` {what} once it is placed", part.name);
+            return Err(entry.fault(what, "use another scale, translation or deformation"));
         }
     }
     if let Some(hatch) = look.and_then(|l| l.hatch) {

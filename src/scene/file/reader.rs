@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::target::Shape;
 use crate::error::{Error, Result, did_you_mean};
+use crate::scene::range::{LARGEST, SMALLEST};
 use crate::scene::section::Amount;
 
 /// The text of a file, for finding lines.
@@ -100,18 +101,20 @@ impl<'a> Entry<'a> {
                 .map(|i| i as f64),
             _ => None,
         };
-        value
-            .filter(|v: &f64| v.is_finite())
-            .ok_or_else(|| self.expected("a finite number", "1.5"))
+        value.filter(|v: &f64| v.abs() <= LARGEST).ok_or_else(|| {
+            let expected = format!("a finite number, {LARGEST:.0e} at most");
+            self.expected(&expected, "1.5")
+        })
     }
 
     /// A number above zero.
     pub(crate) fn positive(&self) -> Result<f64> {
         let value = self.number()?;
-        if value > 0.0 {
+        if value >= SMALLEST {
             Ok(value)
         } else {
-            Err(self.expected("a number above 0", "1.5"))
+            let expected = format!("a number above 0, {SMALLEST:.0e} at least");
+            Err(self.expected(&expected, "1.5"))
         }
     }
 

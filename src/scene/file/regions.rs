@@ -211,7 +211,7 @@ fn ruffled(
         } else {
             face.plane
         };
-        sound(&surface, &table.entry)?;
+        sound(&surface, &context.bounds, &table.entry)?;
         Ok(surface)
     });
     surfaces.collect()

@@ -45,6 +45,11 @@ pub(super) struct Resolved {
 }
 
 impl Resolved {
+    /// The files of those that are images.
+    pub(super) fn images(&self) -> impl Iterator<Item = &Path> {
+        self.described.values().filter_map(Relief::image)
+    }
+
     /// Whether a relief, and all that it is blended from, is what it was.
     fn still_holds(&self, name: &str, described: &BTreeMap<String, Relief>) -> bool {
         let relief = described.get(name);

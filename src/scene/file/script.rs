@@ -3,7 +3,7 @@
 //! At a time the numbers that keys move are written into the text, and the text is read by the same readers, from the same
 //! meshes. Cost: that of reading the text, which is short, and of whatever relief changed; nothing is opened again.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::keys::Keyed;
@@ -42,6 +42,13 @@ impl Script {
     /// The keys, as the file has them.
     pub(in crate::scene) fn keys(&self) -> impl Iterator<Item = &Key> {
         self.keys.iter().map(|k| &k.key)
+    }
+
+    /// The file, and the images of its reliefs.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        let reliefs = self.reliefs.lock().unwrap_or_else(PoisonError::into_inner);
+        let images = reliefs.images().map(Path::to_owned);
+        std::iter::once(self.path.clone()).chain(images).collect()
     }
 
     /// The sequences of all parts.

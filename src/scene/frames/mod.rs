@@ -41,8 +41,13 @@ impl Sequence {
             let loaded = load_mesh_file(path)?;
             Ok((loaded.parts, loaded.notes))
         };
+        Self::open_by(pattern, fps, &open_mesh)
+    }
+
+    /// As [`Sequence::open`], by another reader of mesh files.
+    pub fn open_by(pattern: &str, fps: f64, open_mesh: &OpenMesh<'_>) -> Result<Self> {
         let pattern = Pattern::parse(pattern)?;
-        Self::open_with(&pattern, None, &open_mesh)?.timed(fps, true)
+        Self::open_with(&pattern, None, open_mesh)?.timed(fps, true)
     }
 
     /// Opens all files of a pattern, counted up from `first`, by a reader of mesh files.

@@ -12,9 +12,11 @@ use glam::{DVec3, Vec3};
 use crate::error::{Error, Result};
 use crate::scene::topology::{Edges, Sets};
 use crate::scene::weld::{has_three, thousands, weld};
-use crate::scene::{Mesh, MeshDefect, Motion};
+use crate::scene::{Mesh, MeshDefect, Motion, range};
 
 use super::welded;
+
+pub(super) const UNITS: &str = "scale it, or export it in another unit of length";
 
 /// Indices of vertices must leave one bit of 32 for the direction of an edge.
 const MOST_VERTICES: usize = 1 << 31;
@@ -233,7 +235,10 @@ fn refuse_defects(path: &Path, mesh: &Mesh) -> Result<()> {
         ));
     }
     let Some(defect) = mesh.defect() else {
-        return Ok(());
+        return match range::defect(&mesh.bounds()) {
+            Some(what) => Err(Error::file(path, format!("the mesh {what}"), UNITS)),
+            None => Ok(()),
+        };
     };
     let mend = match &defect {
         MeshDefect::Empty => "export it with faces; points, lines and curves are not cut",

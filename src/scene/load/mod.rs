@@ -4,6 +4,8 @@
 //! is not a mesh by file, line and reason. Everything that is decided about the mesh is decided once, in `draft`: what is
 //! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
 //! could not use it says in [`Loaded::notes`].
+//!
+//! Only regular files are read, up to limits that [`input_file`] states, and a glTF file may name files of its own folder and below.
 
 mod draft;
 mod gltf;
@@ -14,15 +16,13 @@ mod stl;
 mod welded;
 
 use std::collections::HashSet;
-use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use flate2::read::MultiGzDecoder;
 use glam::{DAffine3, Vec3};
 
 use super::topology::Edges;
-use super::{Driver, Material, Mesh, Part};
+use super::{Driver, Material, Mesh, Part, input_file, range};
 use crate::error::{Error, Result, did_you_mean};
 
 use draft::{Draft, Group, Solid};
@@ -34,13 +34,12 @@ pub struct Loaded {
     pub parts: Vec<Part>,
     /// What was welded, left out, missing or left open, a sentence each.
     pub notes: Vec<String>,
+    /// The file and all that it names and that were read: material libraries, buffers.
+    pub files: Vec<PathBuf>,
 }
 
 /// Extensions of the formats that are read.
 const KNOWN: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
-
-/// A gzipped file may not unpack to more: a few kilobytes can claim to be any size.
-const LARGEST_UNPACKED_BYTES: u64 = 8 << 30;
 
 /// Loads a mesh file; its extension names the format.
 ///
@@ -59,16 +58,21 @@ pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
 pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> Result<Loaded> {
     let (format, stem) = format_and_stem(path)?;
     stage("reading");
-    let bytes = read(path)?;
+    let bytes = input_file::read_unpacked(path)?;
+    if bytes.is_empty() {
+        let mend = "export or download it again";
+        return Err(Error::file(path, "the file is empty", mend));
+    }
     stage("parsing");
     let mut notes = Vec::new();
+    let mut files = vec![path.to_owned()];
     let placed = if format == "glb" || format == "gltf" {
-        gltf::read(path, &bytes, &mut notes, stage)?
+        gltf::read(path, &bytes, (&mut notes, &mut files), stage)?
     } else {
         let draft = match format.as_str() {
-            "obj" => obj::read(path, &bytes, &mut notes)?,
+            "obj" => obj::read(path, &bytes, &mut notes, &mut files)?,
             "stl" => stl::read(path, &bytes, &mut notes)?,
-            _ => ply::read(path, &bytes)?,
+            _ => ply::read(path, &bytes, &mut notes)?,
         };
         drop(bytes);
         stage("welding");
@@ -76,28 +80,59 @@ pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> 
         solids.into_iter().map(Placed::of).collect()
     };
     let parts = parts_of(placed, &stem);
-    notes.extend(parts.iter().filter_map(|part| doubt(path, part)));
-    Ok(Loaded { parts, notes })
+    check_range(path, &parts)?;
+    let file = path.display().to_string();
+    for note in notes.iter_mut().filter(|n| !n.starts_with(&file)) {
+        *note = format!("{file}: {note}");
+    }
+    notes.extend(doubt(path, &parts));
+    Ok(Loaded {
+        parts,
+        notes,
+        files,
+    })
 }
 
-/// What makes inside and outside of a part a matter of opinion: open edges, and how many, and where one is.
-fn doubt(path: &Path, part: &Part) -> Option<String> {
-    let edges = Edges::of(&part.mesh.triangles);
+/// What makes inside and outside of parts a matter of opinion: open edges, how many, and of one part where one is.
+fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
+    const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
+    let edges = parts
+        .iter()
+        .map(|part| (part, Edges::of(&part.mesh.triangles)));
+    let open: Vec<(&Part, Edges)> = edges.filter(|(_, e)| e.open().next().is_some()).collect();
+    let worst = (open.iter())
+        .enumerate()
+        .max_by_key(|(i, (_, edges))| (edges.count().open, std::cmp::Reverse(*i)));
+    let (_, (part, edges)) = worst?;
+    let (file, name, count) = (path.display(), &part.name, edges.count().open);
+    if open.len() > 1 {
+        let (all, open) = (parts.len(), open.len());
+        return Some(format!(
+            "{file}: {all} parts, {open} open (worst: {name}, {count} open edges); `cutaway inspect` lists them: {DOUBT}"
+        ));
+    }
     let [a, b] = edges
         .open()
         .next()?
         .map(|i| part.mesh.positions[i as usize]);
     let middle = part.world_from_part.transform_point3((a + b) * 0.5);
     Some(format!(
-        "{}: part {} is open at {} edges, one near ({:.4}, {:.4}, {:.4}): where a ray passes a hole, inside and outside are \
-         a guess, and such pixels are marked as unreliable",
-        path.display(),
-        part.name,
-        edges.count().open,
-        middle.x,
-        middle.y,
-        middle.z
+        "{file}: part {name} is open at {count} edges, one near ({:.4}, {:.4}, {:.4}): {DOUBT}",
+        middle.x, middle.y, middle.z
     ))
+}
+
+/// Refuses parts that stand where nothing can be computed.
+fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
+    let mut defects =
+        (parts.iter()).filter_map(|p| Some((p, range::defect(&p.bounds_in_world())?)));
+    match defects.next() {
+        Some((part, what)) => {
+            let what = format!("part {} {what}", part.name);
+            Err(Error::file(path, what, draft::UNITS))
+        }
+        None => Ok(()),
+    }
 }
 
 /// A solid where the file puts it.
@@ -181,45 +216,9 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
     Ok((format.to_owned(), stem))
 }
 
-/// The bytes of a file, unpacked if they are gzipped, whatever the name says.
-fn read(path: &Path) -> Result<Vec<u8>> {
-    let bytes = std::fs::read(path).map_err(|e| {
-        let mend = match e.kind() {
-            std::io::ErrorKind::NotFound => "check the spelling and the folder",
-            std::io::ErrorKind::PermissionDenied => "make the file readable",
-            _ => "check that it is a file that can be read",
-        };
-        Error::file(path, format!("cannot be read: {e}"), mend)
-    })?;
-    if bytes.is_empty() {
-        return Err(Error::file(
-            path,
-            "the file is empty",
-            "export or download it again",
-        ));
-    }
-    if !bytes.starts_with(&[0x1f, 0x8b]) {
-        return Ok(bytes);
-    }
-    let mut unpacked = Vec::new();
-    MultiGzDecoder::new(bytes.as_slice())
-        .take(LARGEST_UNPACKED_BYTES + 1)
-        .read_to_end(&mut unpacked)
-        .map_err(|e| {
-            Error::file(
-                path,
-                format!("gzip: {e} after {} bytes", unpacked.len()),
-                "the archive is cut off or damaged: get it again",
-            )
-        })?;
-    if unpacked.len() as u64 > LARGEST_UNPACKED_BYTES {
-        return Err(Error::file(
-            path,
-            format!("unpacks to more than {LARGEST_UNPACKED_BYTES} bytes"),
-            "gunzip it and load the result, if that is meant",
-        ));
-    }
-    Ok(unpacked)
+/// Text without the byte order mark that editors on Windows put before it.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 #[cfg(test)]

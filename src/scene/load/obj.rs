@@ -3,18 +3,38 @@
 //! Written here because topology needs what the ready-made readers drop: positions stay shared by their index in the file
 //! across objects, groups and materials, and every complaint knows its line. Polygons become fans from their first corner:
 //! a concave one may overlap itself, its outline and thus the parity of every ray stay the same. Numbers after the third
-//! of a `v` (weights, colours) are passed over.
+//! of a `v` (weights, colours) are passed over. Positions are all that a face needs: texture indices are not read, and a
+//! normal index that names no normal is dropped with a note. So is a line whose first word is unknown.
 //!
 //! Cost: one pass over the text. A file cut off between two lines cannot be told from a whole one, unless a face names a
 //! vertex that never comes.
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 
-use super::{Draft, Group, mtl};
+use super::{Draft, Group, mtl, without_mark};
 use crate::error::{Error, Result};
+use crate::scene::input_file;
+
+/// First words of lines without effect on the surface: texture and parameter coordinates, smoothing, points, lines, display.
+const PASSED_OVER: [&str; 14] = [
+    "",
+    "vt",
+    "vp",
+    "s",
+    "mg",
+    "p",
+    "l",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "maplib",
+    "usemap",
+    "shadow_obj",
+];
 
 /// What tells groups apart.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -26,6 +46,20 @@ struct Label {
 
 /// The largest index named before it was defined, and the line of the face that did.
 type Ahead = Option<(usize, usize)>;
+
+/// Something that is left out: where first, what it was there, and how often in all.
+#[derive(Debug, Default)]
+struct LeftOut {
+    first: Option<(usize, String)>,
+    count: usize,
+}
+
+impl LeftOut {
+    fn add(&mut self, line: usize, what: &str) {
+        self.first.get_or_insert_with(|| (line, what.to_owned()));
+        self.count += 1;
+    }
+}
 
 struct Reader<'a> {
     path: &'a Path,
@@ -39,10 +73,21 @@ struct Reader<'a> {
     group: Option<u32>,
     libraries: Vec<String>,
     ahead: [Ahead; 2],
+    unknown_words: LeftOut,
+    no_normals: LeftOut,
 }
 
-pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
-    let text = String::from_utf8_lossy(bytes);
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    notes: &mut Vec<String>,
+    files: &mut Vec<PathBuf>,
+) -> Result<Draft> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        let what = "the text is encoded in UTF-16";
+        return Err(Error::file(path, what, "save it as plain text in UTF-8"));
+    }
+    let text = String::from_utf8_lossy(without_mark(bytes));
     let mut reader = Reader {
         path,
         draft: Draft::default(),
@@ -54,6 +99,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
         group: None,
         libraries: Vec::new(),
         ahead: [None; 2],
+        unknown_words: LeftOut::default(),
+        no_normals: LeftOut::default(),
     };
     let mut continued = String::new();
     for (number, line) in (1..).zip(text.lines()) {
@@ -67,7 +114,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
             reader.line(number, &std::mem::take(&mut continued))?;
         }
     }
-    reader.finish(notes)
+    reader.finish(notes, files)
 }
 
 impl Reader<'_> {
@@ -89,7 +136,8 @@ impl Reader<'_> {
             "g" => self.relabel(|l| l.group = rest.to_owned()),
             "usemtl" => self.relabel(|l| l.material = rest.to_owned()),
             "mtllib" => self.libraries.push(rest.to_owned()),
-            _ => {}
+            _ if PASSED_OVER.contains(&word) => {}
+            _ => self.unknown_words.add(number, word),
         }
         Ok(())
     }
@@ -151,34 +199,46 @@ impl Reader<'_> {
         if fields.next().is_some() {
             return Err(self.error(line, format!("`{word}` has more than two slashes")));
         }
-        let v = self.index(line, position, self.draft.mesh.positions.len(), 0)?;
-        let n = normal
-            .map(|n| self.index(line, n, self.normals.len(), 1))
-            .transpose()?;
+        let v = self.position(line, position)?;
+        let n = normal.and_then(|n| self.normal(line, n));
         Ok((v, n))
     }
 
-    /// From 1, or backwards from -1, to from 0.
-    fn index(&mut self, line: usize, word: &str, known: usize, kind: usize) -> Result<u32> {
-        let of = ["vertex", "normal"][kind];
+    /// The index of a normal; none where there cannot be such a normal.
+    fn normal(&mut self, line: usize, word: &str) -> Option<u32> {
+        let known = self.normals.len();
+        let from_zero = word.parse().ok().and_then(|index| from_zero(index, known));
+        match from_zero {
+            Some(index) => {
+                self.note_ahead(1, index, known, line);
+                u32::try_from(index).ok()
+            }
+            None => {
+                self.no_normals.add(line, word);
+                None
+            }
+        }
+    }
+
+    fn position(&mut self, line: usize, word: &str) -> Result<u32> {
+        let known = self.draft.mesh.positions.len();
         let index: i64 = word
             .parse()
-            .map_err(|_| self.error(line, format!("`{word}` is not the index of a {of}")))?;
-        let from_zero = if index > 0 {
-            index - 1
-        } else {
-            index + known as i64
-        };
-        if index == 0 || from_zero < 0 {
-            let what = format!("a face refers to {of} {index}, {known} are defined so far");
+            .map_err(|_| self.error(line, format!("`{word}` is not the index of a vertex")))?;
+        let Some(from_zero) = from_zero(index, known) else {
+            let what = format!("a face refers to vertex {index}, {known} are defined so far");
             return Err(self.error(line, what));
-        }
-        if from_zero as usize >= known && self.ahead[kind].is_none_or(|a| a.0 < from_zero as usize)
-        {
-            self.ahead[kind] = Some((from_zero as usize, line));
-        }
+        };
+        self.note_ahead(0, from_zero, known, line);
         u32::try_from(from_zero)
-            .map_err(|_| self.error(line, format!("a face refers to {of} {index}")))
+            .map_err(|_| self.error(line, format!("a face refers to vertex {index}")))
+    }
+
+    /// Remembers an index of what may still be defined.
+    fn note_ahead(&mut self, kind: usize, index: usize, known: usize, line: usize) {
+        if index >= known && self.ahead[kind].is_none_or(|a| a.0 < index) {
+            self.ahead[kind] = Some((index, line));
+        }
     }
 
     fn current_group(&mut self) -> u32 {
@@ -205,29 +265,77 @@ impl Reader<'_> {
         group
     }
 
-    fn finish(mut self, notes: &mut Vec<String>) -> Result<Draft> {
-        let known = [self.draft.mesh.positions.len(), self.normals.len()];
-        for (kind, of) in ["vertex", "normal"].into_iter().enumerate() {
-            if let Some((index, line)) = self.ahead[kind].filter(|a| a.0 >= known[kind]) {
-                let (index, there) = (index + 1, known[kind]);
-                let what = format!("a face refers to {of} {index}, but there are only {there}");
-                return Err(self.error(line, what));
+    /// Takes the normals from faces that name some which never came.
+    fn drop_missing_normals(&mut self) {
+        let there = self.normals.len();
+        let Some((_, line)) = self.ahead[1].filter(|a| a.0 >= there) else {
+            return;
+        };
+        for normals in &mut self.normal_of_corner {
+            let missing = |all: &[u32; 3]| all.iter().find(|i| **i as usize >= there).copied();
+            if let Some(index) = normals.as_ref().and_then(missing) {
+                *normals = None;
+                self.no_normals.add(line, &(index + 1).to_string());
             }
         }
+    }
+
+    fn notes_of_left_out(&self) -> Vec<String> {
+        let and_more = |count: usize| match count {
+            1 => String::new(),
+            count => format!(" (and {} more)", count - 1),
+        };
+        let path = self.path.display();
+        let mut notes = Vec::new();
+        if let Some((line, word)) = &self.unknown_words.first {
+            let more = and_more(self.unknown_words.count);
+            let word: String = word.chars().take(40).collect();
+            notes.push(format!(
+                "{path}:{line}: passed over the line: {word:?} is no word of OBJ meshes{more}"
+            ));
+        }
+        if let Some((line, index)) = &self.no_normals.first {
+            let (there, more) = (self.normals.len(), and_more(self.no_normals.count));
+            notes.push(format!(
+                "{path}:{line}: a face refers to normal {index}, but there are {there}{more}: the file's normals are not used"
+            ));
+        }
+        notes
+    }
+
+    fn finish(mut self, notes: &mut Vec<String>, files: &mut Vec<PathBuf>) -> Result<Draft> {
+        let vertices = self.draft.mesh.positions.len();
+        if let Some((index, line)) = self.ahead[0].filter(|a| a.0 >= vertices) {
+            let index = index + 1;
+            let what = format!("a face refers to vertex {index}, but there are only {vertices}");
+            return Err(self.error(line, what));
+        }
+        self.drop_missing_normals();
+        notes.extend(self.notes_of_left_out());
         let with_normals = self.normal_of_corner.iter().flatten().count();
         if with_normals == self.normal_of_corner.len() {
             let pick = |t: &[u32; 3]| t.map(|i| self.normals[i as usize]);
             self.corner_normals = self.normal_of_corner.iter().flatten().map(pick).collect();
             self.draft.mesh.corner_normals = Some(self.corner_normals);
-        } else if with_normals > 0 {
+        } else if with_normals > 0 && self.no_normals.count == 0 {
             notes.push("the file gives normals to some faces only: they are not used".to_owned());
         }
-        let colors = read_libraries(self.path, &self.libraries, notes);
+        let colors = read_libraries(self.path, &self.libraries, notes, files);
         for (label, group) in sorted(self.labels) {
             self.draft.groups[group as usize].color = colors.get(&label.material).copied();
         }
         Ok(self.draft)
     }
+}
+
+/// An index from 1, or backwards from -1, as one from 0.
+fn from_zero(index: i64, known: usize) -> Option<usize> {
+    let from_zero = if index > 0 {
+        index - 1
+    } else {
+        index + known as i64
+    };
+    (index != 0).then_some(from_zero)?.try_into().ok()
 }
 
 fn sorted(labels: HashMap<Label, u32>) -> Vec<(Label, u32)> {
@@ -237,7 +345,12 @@ fn sorted(labels: HashMap<Label, u32>) -> Vec<(Label, u32)> {
 }
 
 /// Colours by material name. `mtllib` takes one name with spaces or several without.
-fn read_libraries(obj: &Path, lines: &[String], notes: &mut Vec<String>) -> HashMap<String, Vec3> {
+fn read_libraries(
+    obj: &Path,
+    lines: &[String],
+    notes: &mut Vec<String>,
+    files: &mut Vec<PathBuf>,
+) -> HashMap<String, Vec3> {
     let folder = obj.parent().unwrap_or(Path::new(""));
     let mut colors = HashMap::new();
     for line in lines {
@@ -249,14 +362,19 @@ fn read_libraries(obj: &Path, lines: &[String], notes: &mut Vec<String>) -> Hash
         for name in names {
             // Written on Windows, read anywhere.
             let path = folder.join(name.replace('\\', "/"));
-            match std::fs::read(&path) {
+            match input_file::read(&path) {
                 Ok(bytes) => {
-                    let all = mtl::colors(&String::from_utf8_lossy(&bytes));
+                    files.push(path);
+                    let all = mtl::colors(&String::from_utf8_lossy(without_mark(&bytes)));
                     colors.extend(all.into_iter().filter_map(|(n, c)| Some((n, c?))));
                 }
-                Err(e) => notes.push(format!(
-                    "material library {name} cannot be read ({e}): default colours"
-                )),
+                Err(e) => {
+                    let why = match e {
+                        Error::File { what, .. } => what,
+                        other => other.to_string(),
+                    };
+                    notes.push(format!("material library {name} {why}: default colours"));
+                }
             }
         }
     }
@@ -268,7 +386,12 @@ mod tests {
     use super::*;
 
     fn parse(text: &str) -> Result<Draft> {
-        read(Path::new("t.obj"), text.as_bytes(), &mut Vec::new())
+        read(
+            Path::new("t.obj"),
+            text.as_bytes(),
+            &mut Vec::new(),
+            &mut Vec::new(),
+        )
     }
 
     #[test]
@@ -290,6 +413,32 @@ mod tests {
     }
 
     #[test]
+    fn normals_that_are_not_there_are_dropped_with_a_note() {
+        let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+        for (face, is_noted) in [
+            ("f 1//1 2//1 3//1", false),
+            ("f 1/7/1 2/8/1 3/9/1", false),
+            ("f 1//1 2//2 3//1", true),
+            ("f 1//1 2//-2 3//1", true),
+            ("f 1//0 2//1 3//1", true),
+            ("f 1//x 2//1 3//1", true),
+        ] {
+            let (text, mut notes) = (format!("{vertices}{face}\n"), Vec::new());
+            let draft = read(
+                Path::new("t.obj"),
+                text.as_bytes(),
+                &mut notes,
+                &mut Vec::new(),
+            )
+            .unwrap();
+            assert_eq!(draft.mesh.triangles, [[0, 1, 2]], "{face}");
+            assert_eq!(draft.mesh.corner_normals.is_none(), is_noted, "{face}");
+            let told = notes.iter().any(|n| n.starts_with("t.obj:5: "));
+            assert_eq!(told, is_noted, "{face}: {notes:?}");
+        }
+    }
+
+    #[test]
     fn complaints_name_the_line() {
         for (text, line, word) in [
             ("v 0 0 0\nv 1 0 x\n", 2, "`x`"),
@@ -299,7 +448,6 @@ mod tests {
             ("v 0 0 0\nf 1 0 1\n", 2, "vertex 0"),
             ("v 0 0 0\nf 1 -2 1\n", 2, "vertex -2"),
             ("v 0 0 0\nf 1 1\n", 2, "2 corners"),
-            ("v 0 0 0\nf 1//1 1//1 1//1\n", 2, "normal 1"),
             ("v 0 0 0\nf 1/1/1/1 1 1\n", 2, "slashes"),
             ("v 0 0 0\nf 1 1 99999999999999999999\n", 2, "not the index"),
         ] {

@@ -1,18 +1,38 @@
 //! PLY, ASCII and binary of either byte order, through `ply-rs-bw`.
 //!
 //! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type) and `face` (`vertex_indices` or
-//! `vertex_index`, polygons become fans from their first corner). Other elements are parsed and dropped.
+//! `vertex_index`, polygons become fans from their first corner). Other elements are parsed and dropped. A line of the
+//! header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
+//! versions of Blender wrote such lines.
 
-use std::io::ErrorKind;
+use std::borrow::Cow;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use glam::{DVec3, Vec3};
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
 
-use super::Draft;
+use super::{Draft, without_mark};
 use crate::error::{Error, Result};
 use crate::scene::Mesh;
+
+/// First words of the lines of a header.
+const HEADER_WORDS: [&str; 7] = [
+    "ply",
+    "format",
+    "comment",
+    "obj_info",
+    "element",
+    "property",
+    "end_header",
+];
+
+/// A header is looked for in so many bytes.
+const LONGEST_HEADER: usize = 1 << 20;
+
+/// A word that is as similar to one of [`HEADER_WORDS`] is that word misspelt.
+const MISSPELT: f64 = 0.8;
 
 #[derive(Debug, Default)]
 struct Vertex {
@@ -100,8 +120,42 @@ fn is_corner_list(name: &str) -> bool {
     name == "vertex_indices" || name == "vertex_index"
 }
 
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Draft> {
-    let mut reader = Reader::new(bytes);
+/// Header and payload; lines of text that nothing introduces have become comments, each on its line.
+fn with_comments<'a>(path: &Path, bytes: &'a [u8], notes: &mut Vec<String>) -> [Cow<'a, [u8]>; 2] {
+    const END: &[u8] = b"\nend_header";
+    let head = &bytes[..bytes.len().min(LONGEST_HEADER)];
+    let end = head.windows(END.len()).position(|w| w == END);
+    let Some((header, payload)) = end.map(|end| bytes.split_at(end)) else {
+        return [Cow::Borrowed(bytes), Cow::Borrowed(&[])];
+    };
+    let is_bare = |line: &str| {
+        let word = line.split_whitespace().next().unwrap_or("").to_lowercase();
+        let is_like = |known: &str| strsim::jaro_winkler(known, &word) > MISSPELT;
+        !word.is_empty() && !HEADER_WORDS.iter().any(|known| is_like(known))
+    };
+    let Some(text) = std::str::from_utf8(header)
+        .ok()
+        .filter(|t| t.lines().any(is_bare))
+    else {
+        return [Cow::Borrowed(header), Cow::Borrowed(payload)];
+    };
+    let mut commented = Vec::with_capacity(text.len() + 64);
+    for (number, line) in (1..).zip(text.split_inclusive('\n')) {
+        if is_bare(line) {
+            let shown: String = line.trim().chars().take(40).collect();
+            let file = path.display();
+            notes.push(format!("{file}:{number}: read as a comment: {shown:?}"));
+            commented.extend(b"comment ");
+        }
+        commented.extend(line.bytes());
+    }
+    [Cow::Owned(commented), Cow::Borrowed(payload)]
+}
+
+pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
+    let bytes = without_mark(bytes);
+    let [header, payload] = with_comments(path, bytes, notes);
+    let mut reader = Reader::new(header.as_ref().chain(payload.as_ref()));
     let header = Parser::<Ignored>::new()
         .read_header(&mut reader)
         .map_err(|e| wrong(path, bytes, &e, true))?;
@@ -279,7 +333,11 @@ mod tests {
 
     #[test]
     fn all_encodings_say_the_same() {
-        let of = |bytes: &[u8]| read(Path::new("t.ply"), bytes).unwrap().mesh;
+        let of = |bytes: &[u8]| {
+            read(Path::new("t.ply"), bytes, &mut Vec::new())
+                .unwrap()
+                .mesh
+        };
         let mesh = of(ascii().as_bytes());
         assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
         assert_eq!(mesh.positions[3], DVec3::new(0.1, 1.0, 2.0));
@@ -288,8 +346,32 @@ mod tests {
     }
 
     #[test]
+    fn bare_text_is_a_comment_and_misspelt_words_are_refused() {
+        for (line, is_read) in [
+            ("Created by Blender3D 2.42, source file: a.blend", true),
+            ("www.blender.org", true),
+            ("elemnet edge 3", false),
+            ("propert float x", false),
+        ] {
+            for whole in [ascii().into_bytes(), binary(true)] {
+                let at = whole.iter().position(|b| *b == b'\n').unwrap() + 1;
+                let at = at + whole[at..].iter().position(|b| *b == b'\n').unwrap() + 1;
+                let bytes = [&whole[..at], line.as_bytes(), b"\n", &whole[at..]].concat();
+                let mut notes = Vec::new();
+                let draft = read(Path::new("t.ply"), &bytes, &mut notes);
+                assert_eq!(draft.is_ok(), is_read, "{line}");
+                assert_eq!(notes.len(), usize::from(is_read), "{notes:?}");
+                if let Ok(draft) = draft {
+                    assert_eq!(draft.mesh.triangles.len(), 3, "{line}");
+                    assert!(notes[0].starts_with("t.ply:3: "), "{notes:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn cut_off_and_odd_files_are_refused() {
-        let of = |bytes: &[u8]| read(Path::new("t.ply"), bytes);
+        let of = |bytes: &[u8]| read(Path::new("t.ply"), bytes, &mut Vec::new());
         let whole = binary(false);
         for length in [0, 3, 40, whole.len() - 60, whole.len() - 1] {
             assert!(of(&whole[..length]).is_err(), "{length} bytes");

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::{Draft, Group};
+use super::{Draft, Group, without_mark};
 use crate::error::{Error, Result};
 use crate::scene::Mesh;
 use crate::scene::weld::thousands;
@@ -20,8 +20,9 @@ const CUT_OFF: &str = "the file is cut off or damaged: export or download it aga
 pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
     let stated = stated_facets(bytes);
     let whole = stated.is_some_and(|n| bytes.len() == HEADER_BYTES + FACET_BYTES * n);
-    if !whole && is_text(bytes) {
-        return ascii(path, &String::from_utf8_lossy(bytes));
+    let text = without_mark(bytes);
+    if !whole && is_text(text) {
+        return ascii(path, &String::from_utf8_lossy(text));
     }
     let Some(stated) = stated else {
         let what = format!(

@@ -1,34 +1,41 @@
 //! Offset maps from image files.
 //!
 //! Heights are data, not colours: integer samples are divided by their greatest value and nothing is linearised, so the
-//! sRGB curve of a PNG plays no part. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float files (EXR, float
-//! TIFF) give their values as they are. The top row of the image is the row at `t = 0`, so `V` points down the picture.
+//! sRGB curve of a PNG plays no part. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float files (EXR, TIFF of
+//! 16, 32 or 64 bits) give their values as they are. The top row of the image is the row at `t = 0`, so `V` points down the picture.
 
 use std::path::Path;
 
-use image::{DynamicImage, ImageReader};
+use image::{DynamicImage, ImageFormat, ImageReader};
 
-use super::MAX_TEXELS;
+use super::{MAX_TEXELS, grey_tiff};
 use crate::error::{Error, Result};
-use crate::scene::OffsetMap;
+use crate::scene::{OffsetMap, input_file};
 
 const FORMATS: &str = "give a PNG, JPEG, TIFF, BMP, PNM, TGA or EXR file";
 
 /// Reads an image as heights.
 pub fn read_offset_map(path: &Path) -> Result<OffsetMap> {
-    let opened = ImageReader::open(path).map_err(|e| {
-        let mend = "check the path; in a scene file it is relative to that file";
-        Error::file(path, format!("cannot be opened: {e}"), mend)
-    })?;
+    input_file::check(path)?;
+    let undecodable = |e: String| Error::file(path, format!("cannot be decoded: {e}"), FORMATS);
     let extension = path.extension().unwrap_or_default();
     let (size, texels) = if extension.eq_ignore_ascii_case("exr") {
         read_exr(path)?
     } else {
-        let guessed = opened.with_guessed_format().map_err(|e| e.to_string());
-        let picture = guessed
-            .and_then(|reader| reader.decode().map_err(|e| e.to_string()))
-            .map_err(|e| Error::file(path, format!("cannot be decoded: {e}"), FORMATS))?;
-        ([picture.width(), picture.height()], heights(&picture))
+        let reader = ImageReader::open(path)
+            .and_then(ImageReader::with_guessed_format)
+            .map_err(|e| undecodable(e.to_string()))?;
+        let grey = match reader.format() {
+            Some(ImageFormat::Tiff) => grey_tiff::read(path).map_err(undecodable)?,
+            _ => None,
+        };
+        match grey {
+            Some(map) => map,
+            None => {
+                let picture = reader.decode().map_err(|e| undecodable(e.to_string()))?;
+                ([picture.width(), picture.height()], heights(&picture))
+            }
+        }
     };
     if u64::from(size[0]) * u64::from(size[1]) > MAX_TEXELS {
         let what = format!("{} x {} is more than {MAX_TEXELS} texels", size[0], size[1]);

@@ -4,6 +4,7 @@
 //! [`ReliefSpec`] is the form of the command line: a relief, and how high and wide it stands on a section.
 
 mod blend;
+mod grey_tiff;
 mod heights;
 mod image;
 mod layers;
@@ -12,7 +13,7 @@ mod procedures;
 mod spec;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use blend::BlendOp;
@@ -53,6 +54,14 @@ pub enum Relief {
 }
 
 impl Relief {
+    /// The file of an image.
+    pub fn image(&self) -> Option<&Path> {
+        match self {
+            Self::Image(path) => Some(path),
+            _ => None,
+        }
+    }
+
     /// Names of the reliefs that it is made of.
     pub fn of(&self) -> &[String] {
         match self {

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use super::{Procedure, Relief, resolve};
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::section::Amount;
-use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap};
+use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap, range};
 
 const EXAMPLE: &str =
     "write for example `fractal:amplitude=5%,period=20,seed=7` or `rock.png:wrap=mirror`";
@@ -205,6 +205,17 @@ pub fn place_map(
             "amplitude {amplitude} and period {period} make no relief"
         ));
     }
+    let shortest = lengths[0].min(lengths[1]);
+    if let Some(what) = range::beside(amplitude, bounds) {
+        return Err(format!("the amplitude {amplitude:.2e} is {what}"));
+    }
+    // As many repeats of the map lie across the model.
+    if diagonal > 0.0 && shortest < diagonal / range::MOST_RADII {
+        let (most, shortest) = (range::MOST_RADII, shortest);
+        return Err(format!(
+            "the period {shortest:.2e} is less than a {most:.0e}th of the bounds' diagonal"
+        ));
+    }
     let [lo, hi] = map.range().map(f64::from);
     let frame = surface.frame();
     let (u, v) = (frame.u_hat * lengths[0], frame.v_hat * lengths[1]);
@@ -217,7 +228,7 @@ pub fn place_map(
     } else {
         amplitude
     };
-    Ok(ClipSurface {
+    let surface = ClipSurface {
         // The surface lies at -f.Sz along N: the middle height must come to lie on the plane.
         origin: middle - (u + v) * 0.5 + frame.normal * (height * (lo + hi) * 0.5),
         u,
@@ -225,7 +236,11 @@ pub fn place_map(
         scale: glam::DVec3::new(1.0, 1.0, height),
         relief: Some(map),
         wrap: placement.wrap,
-    })
+    };
+    match surface.defect_beside(bounds) {
+        Some(what) => Err(what),
+        None => Ok(surface),
+    }
 }
 
 #[cfg(test)]

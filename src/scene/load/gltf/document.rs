@@ -4,12 +4,13 @@
 //! are checked where they are read.
 
 use std::borrow::Cow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use gltf::json::{Animation, Root};
 use gltf::{Document, Glb};
 use serde_json::Value;
 
+use super::super::without_mark;
 use super::{DAMAGED, uri};
 use crate::error::{Error, Result};
 
@@ -22,8 +23,13 @@ pub(super) struct Opened {
     pub(super) animations: Vec<Animation>,
 }
 
-/// Opens a file. Animations that are not even JSON of the right form are left out with a note.
-pub(super) fn open(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Opened> {
+/// Opens a file, and adds those of its buffers to `files`. Animations that are not even JSON of the right form are left out with a note.
+pub(super) fn open(
+    path: &Path,
+    bytes: &[u8],
+    notes: &mut Vec<String>,
+    files: &mut Vec<PathBuf>,
+) -> Result<Opened> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     check_glb(bytes).map_err(wrong)?;
     let broken = |e: gltf::Error| wrong(format!("glTF: {}", reason(&e)));
@@ -31,7 +37,7 @@ pub(super) fn open(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
     check_attributes(&root).map_err(wrong)?;
     let animations = std::mem::take(&mut root.animations);
     let document = Document::from_json(root).map_err(broken)?;
-    let buffers = buffers(path, &document, blob)?;
+    let buffers = buffers(path, &document, blob, files)?;
     Ok(Opened {
         document,
         buffers,
@@ -44,7 +50,7 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
         let glb = Glb::from_slice(bytes)?;
         (glb.json, glb.bin.map(Cow::into_owned))
     } else {
-        (Cow::Borrowed(bytes), None)
+        (Cow::Borrowed(without_mark(bytes)), None)
     };
     let root = Root::from_slice(&json).or_else(|e| without_odd_clips(&json, notes).ok_or(e));
     Ok((root.map_err(gltf::Error::Deserialize)?, blob))
@@ -126,14 +132,19 @@ fn check_attributes(root: &Root) -> Result<(), String> {
     }
 }
 
-fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
+fn buffers(
+    path: &Path,
+    document: &Document,
+    blob: Option<Vec<u8>>,
+    files: &mut Vec<PathBuf>,
+) -> Result<Vec<Vec<u8>>> {
     let mut blob = blob;
     document
         .buffers()
         .map(|buffer| {
             let bytes = match buffer.source() {
                 gltf::buffer::Source::Bin => blob.take().unwrap_or_default(),
-                gltf::buffer::Source::Uri(at) => uri::read(path, at)?,
+                gltf::buffer::Source::Uri(at) => uri::read(path, at, files)?,
             };
             if bytes.len() < buffer.length() {
                 let what = format!(

@@ -12,13 +12,14 @@ mod clips;
 mod document;
 mod follow;
 mod nodes;
+mod notes;
 mod primitives;
 mod skin;
 mod uri;
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gltf::Node;
@@ -35,11 +36,11 @@ const DAMAGED: &str =
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
-    notes: &mut Vec<String>,
+    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Vec<Placed>> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
-    let opened = document::open(path, bytes, notes)?;
+    let opened = document::open(path, bytes, notes, files)?;
     stage("welding");
     let Opened {
         document, buffers, ..
@@ -57,6 +58,7 @@ pub(super) fn read(
     .read(&opened.animations, &mut rig, notes);
     let rig = Arc::new(rig);
     let mut placed = Vec::new();
+    let mut said_of_nodes = Vec::new();
     let mut shared: BTreeMap<(usize, Option<usize>), Vec<Shape>> = BTreeMap::new();
     for (place, node) in nodes.nodes.iter().enumerate() {
         let Some(mesh) = node.mesh() else { continue };
@@ -86,8 +88,9 @@ pub(super) fn read(
                 wrong(format!("{label}: it is bent to places that are not finite"))
             })?);
         }
-        notes.extend(said.into_iter().map(|s| format!("{label}: {s}")));
+        said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
     }
+    notes.extend(notes::grouped(said_of_nodes));
     if placed.is_empty() {
         return Err(Error::file(
             path,

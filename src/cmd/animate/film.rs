@@ -1,0 +1,114 @@
+//! The frames of an animation: drawn one after the other by one session, and accounted for.
+
+use serde_json::{Value, json};
+
+use super::super::console::Console;
+use super::super::notes::warn_of_doubt;
+use super::super::open::Opened;
+use super::super::picture::{self, Drawer};
+use super::super::sections::round;
+use super::AnimateArgs;
+use super::report::{self, FrameReport};
+use super::target::Target;
+use super::times::Times;
+use super::turntable::turned;
+use crate::Result;
+use crate::experiment::{Shown, Stopwatch};
+use crate::scene::Camera;
+use crate::session::{Outcome, Session};
+
+/// All that frames are drawn from.
+pub(super) struct Film<'a> {
+    pub(super) args: &'a AnimateArgs,
+    pub(super) opened: &'a Opened,
+    pub(super) times: Times,
+    pub(super) drawer: Drawer,
+    /// The scene at the time of the last frame.
+    pub(super) shown: Shown,
+    pub(super) camera: Camera,
+}
+
+impl Film<'_> {
+    /// A frame, and what there is to say of it.
+    pub(super) fn draw(
+        &mut self,
+        frame: u32,
+        session: &mut Session,
+        console: &Console,
+    ) -> Result<(image::RgbaImage, FrameReport)> {
+        let watch = Stopwatch::start();
+        let (opened, time_s) = (self.opened, self.times.at(frame));
+        // The first was opened, and what stands still stays as it is.
+        if frame > 0 && opened.timeline.moves() {
+            let scene = opened.at(time_s)?;
+            self.camera = scene.camera;
+            self.shown = self.shown.updated(&scene);
+        }
+        let camera = match self.args.turn_deg {
+            Some(turn_deg) => {
+                let share = self.times.share(frame);
+                turned(
+                    &self.camera,
+                    &opened.scene.bounds(),
+                    opened.size_px,
+                    turn_deg,
+                    share,
+                )
+            }
+            None => self.camera,
+        };
+        let view = opened.view_of(&self.shown.model.prepared, &camera);
+        let style = self.args.look.style(opened);
+        let drawn = picture::draw(session, &self.shown, &view, self.drawer, style)?;
+        let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
+        if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
+        {
+            warn_of_doubt(&session.layers(&strategy)?, console);
+        }
+        Ok((drawn.image, report))
+    }
+
+    /// The run and its frames as JSON.
+    pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
+        json!({
+            "scene": self.opened.scene.name,
+            "output": target.path(),
+            "format": target.name(),
+            "resolution": self.opened.size_px,
+            "supersample": self.args.look.supersample,
+            "fps": self.times.fps,
+            "start_s": self.times.start_s,
+            "duration_s": self.times.duration_s(),
+            "clip": self.args.clip.clip,
+            "turntable_deg": self.args.turn_deg,
+            "adapter": session.gpu().report(),
+            "strategy": self.drawer.to_string(),
+            "rasteriser": session.options().rasteriser.to_string(),
+            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
+            "median_drawn_ms": report::median_ms(frames),
+            "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
+        })
+    }
+
+    /// All of it in a line.
+    pub(super) fn say(&self, frames: &[FrameReport], console: &Console) {
+        let [width, height] = self.opened.size_px;
+        let clocks = report::clocks(frames);
+        let clocks = if clocks.is_empty() {
+            clocks
+        } else {
+            format!("; clocks that ran: {clocks}")
+        };
+        let kept = match frames.iter().filter(|f| f.is_kept()).count() {
+            0 => String::new(),
+            kept => format!("; {kept} were there from an earlier run of this command"),
+        };
+        console.note(format!(
+            "{} frames of {width} x {height}, {} s at {} a second, drawn in {:.0} ms each{clocks}{kept}",
+            frames.len(),
+            round(self.times.duration_s()),
+            round(self.times.fps),
+            report::median_ms(frames),
+        ));
+    }
+}

@@ -1,0 +1,44 @@
+//! What is said of many nodes alike is said once.
+
+/// Notes about labelled nodes, those that differ only in their numbers as one: that of the first, and how many others have it.
+pub(super) fn grouped(said: Vec<(String, String)>) -> Vec<String> {
+    let kind = |note: &str| note.replace(|c: char| c.is_ascii_digit() || c == ',' || c == '.', "");
+    let mut groups: Vec<(String, String, usize)> = Vec::new();
+    for (label, note) in said {
+        let of = kind(&note);
+        match groups.iter_mut().find(|(known, ..)| *known == of) {
+            Some((.., others)) => *others += 1,
+            None => groups.push((of, format!("{label}: {note}"), 0)),
+        }
+    }
+    let told = groups.into_iter().map(|(_, note, others)| match others {
+        0 => note,
+        1 => format!("{note} (and another node likewise)"),
+        others => format!("{note} (and {others} more nodes likewise)"),
+    });
+    told.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_of_one_kind_are_one() {
+        let said = [
+            ("a", "welded 1,024 corners"),
+            ("b", "no skin"),
+            ("c", "welded 7 corners"),
+            ("d", "welded 9 corners"),
+            ("e", "no skin"),
+        ];
+        let said = said.map(|(label, note)| (label.to_owned(), note.to_owned()));
+        assert_eq!(
+            grouped(said.into()),
+            [
+                "a: welded 1,024 corners (and 2 more nodes likewise)",
+                "b: no skin (and another node likewise)",
+            ]
+        );
+    }
+}
