@@ -13,6 +13,8 @@ mod membership;
 mod meshes;
 #[path = "exact/planes.rs"]
 mod planes;
+#[path = "exact/priorities.rs"]
+mod priorities;
 #[path = "exact/reliefs.rs"]
 mod reliefs;
 #[path = "exact/solids.rs"]
