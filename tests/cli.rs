@@ -7,6 +7,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
+#[path = "cli/cameras.rs"]
+mod cameras;
 #[path = "common/command.rs"]
 mod command;
 

@@ -21,3 +21,5 @@ mod reliefs;
 mod solids;
 #[path = "exact/undecided.rs"]
 mod undecided;
+#[path = "exact/upright.rs"]
+mod upright;

@@ -44,7 +44,7 @@ pub(super) struct Opened {
     defects: DefectArgs,
     /// Cuts of the command line, the same at all times.
     cuts: Vec<Cut>,
-    /// Camera of the command line, where the scene has none of its own.
+    /// The camera at all times, where the inputs bring none: turned to where the cuts are seen.
     usual_camera: Option<Camera>,
     camera: CameraArgs,
 }
@@ -105,6 +105,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     for part in &scene.parts {
         note_what_nonzero_hears(part, console);
     }
+    scene.camera.up = args.camera.up_axis(scene.camera.up);
     args.sections.apply(&mut scene)?;
     args.sections.add_cutters(&mut scene, |input| {
         let (parts, notes) = open_model(input)?;
@@ -113,7 +114,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     })?;
     let bounds = scene.bounds();
     let cuts = scene.cuts[of_file..].to_vec();
-    let usual_camera = if args.inputs.iter().any(|i| is_scene(i)) {
+    let usual_camera = if inputs.has_camera {
         scene.camera = args.camera.apply(scene.camera, &bounds)?;
         None
     } else {
@@ -144,6 +145,8 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
 pub(super) struct Inputs {
     /// The scene at rest.
     rest: Scene,
+    /// Whether they say where it is seen from.
+    has_camera: bool,
     /// What is known of how it moves, beyond the clips of its parts.
     timeline: Option<Timeline>,
     strategy: Option<String>,
@@ -178,6 +181,7 @@ impl Inputs {
         }
         Ok(Self {
             rest: file.scene,
+            has_camera: file.has_camera,
             timeline: Some(file.timeline),
             strategy: file.strategy,
             resolution: file.resolution,
@@ -210,6 +214,7 @@ impl Inputs {
         }
         Ok(Self {
             rest,
+            has_camera: false,
             timeline,
             strategy: None,
             resolution: None,

@@ -135,6 +135,8 @@ pub struct SceneFile {
     pub scene: Scene,
     /// The scene at any time.
     pub timeline: Timeline,
+    /// Whether it says where the scene is seen from: without `[camera]` that is for others to choose.
+    pub has_camera: bool,
     /// Name of the strategy it asks for; whether there is such a one is for others to say.
     pub strategy: Option<String>,
     /// Width and height in pixels it asks for.
@@ -209,6 +211,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
     let script = Script { keys, ..script };
     Ok(SceneFile {
         scene,
+        has_camera: root.get("camera").is_some(),
         strategy,
         resolution: root.get("resolution").map(|e| resolution(&e)).transpose()?,
         background: root
@@ -291,6 +294,7 @@ fn read_scene(
     };
     let context = cuts::Context {
         bounds: scene.bounds(),
+        up: scene.camera.up,
         parts: &scene.parts,
         names: &contents.names,
         maps: &maps,
