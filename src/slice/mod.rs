@@ -25,13 +25,17 @@
 
 mod exact_sum;
 mod fill;
+mod half_plane;
 mod loops;
 mod outline;
 mod plane;
 mod section;
 mod slicer;
 mod tree;
+mod trim;
 
+pub use half_plane::HalfPlane;
 pub use plane::SlicePlane;
 pub use section::{Loop, Section, SectionDefect};
 pub use slicer::Slicer;
+pub use trim::Trim;
