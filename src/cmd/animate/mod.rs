@@ -22,6 +22,7 @@ use serde_json::json;
 use super::Verdict;
 use super::args::{DeviceArgs, SceneArgs, parse_finite};
 use super::console::{Console, ConsoleArgs};
+use super::doubt::may_be_wrong;
 use super::look::LookArgs;
 use super::notes::warn_of_doubt;
 use super::open::{Opened, open_at};
@@ -303,7 +304,9 @@ impl Film<'_> {
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
         if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
         {
-            warn_of_doubt(&session.layers(&strategy)?, console);
+            let layers = session.layers(&strategy)?;
+            let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
+            warn_of_doubt(&doubted, self.drawer, console);
         }
         Ok((drawn.image, report))
     }
