@@ -300,16 +300,19 @@ impl<'a> Recorder<'a> {
                 counted(ranks.len(), "part")
             )
         };
+        let mut constants = Vec::new();
+        if ranked {
+            constants.push(("place", UNRANKED));
+        }
+        if !self.view.near_cap {
+            constants.push(("passes_exits", 1.0));
+        }
         self.draw(DrawPass {
             name: "surface".to_owned(),
             reason,
             shader: "passes/surface.wgsl".into(),
             bindings,
-            constants: if ranked {
-                vec![("place", UNRANKED)]
-            } else {
-                Vec::new()
-            },
+            constants,
             vertices,
             indices,
             draws: self.draws_of(&ranks),
