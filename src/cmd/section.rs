@@ -283,7 +283,7 @@ fn to_text(report: &SectionReport) -> String {
         }
         if plane.parts.len() != 1 {
             let all = match plane.parts.len() {
-                0 if plane.trimmed => "nothing is left by the other clip-surfaces".to_owned(),
+                0 if plane.trimmed => "nothing is left (--whole shows all of it)".to_owned(),
                 0 => "meets no part".to_owned(),
                 count => format!("all {count} parts"),
             };
