@@ -75,6 +75,17 @@ impl Layers {
         self.pixels.iter().filter(|p| p.overlap).count()
     }
 
+    /// Some of the rows, as a frame of their own.
+    #[must_use]
+    pub fn rows(&self, first: u32, count: u32) -> Self {
+        let width = self.size_px[0] as usize;
+        let (first, rows) = (first as usize * width, count as usize * width);
+        Self {
+            size_px: [self.size_px[0], count],
+            pixels: self.pixels[first..first + rows].to_vec(),
+        }
+    }
+
     /// The pixel in column `x` and row `y`.
     pub fn at(&self, x: u32, y: u32) -> &Layer {
         &self.pixels[(y * self.size_px[0] + x) as usize]

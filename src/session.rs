@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
-use crate::plan::{Clock, Plan};
+use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
 use crate::strategies::{self, FrameOptions, Strategy};
 use crate::{Error, Result};
@@ -23,6 +23,9 @@ use bands::{Band, Slot};
 
 /// How often a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
+
+/// The slot of frames with nothing cut: no strategy has such a name.
+const UNCUT: &str = "uncut";
 
 /// How a frame ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -124,6 +127,23 @@ impl Session {
         })
     }
 
+    /// Draws a frame with nothing cut, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one piece.
+    pub fn draw_uncut(&mut self, model: &Model, view: &View) -> Result<Drawn> {
+        let model = model.without_cuts();
+        let slot = self.slots.entry(UNCUT.to_owned()).or_default();
+        // Where there is nothing to cut, all strategies record the same plan.
+        slot.draw(&self.gpu, &model, view, |view, capacities| {
+            strategies::record(&model, view, &Strategy::RAYCAST_MASK, capacities)
+        })
+    }
+
+    /// Runs the last frame with nothing cut again on some clocks, for its times.
+    pub fn repeat_uncut(&self, clocks: ClockSet) -> Result<RunTimes> {
+        let slot = self.slots.get(UNCUT);
+        let slot = slot.ok_or_else(|| Error::Plan("no frame was drawn with nothing cut".into()))?;
+        slot.repeat(&self.gpu, clocks)
+    }
+
     /// Gives back what the programs hold on the device; the next frame of each strategy is built anew.
     pub fn forget(&mut self) {
         self.slots.clear();
@@ -131,11 +151,7 @@ impl Session {
 
     /// Runs the last frame of a strategy again on some clocks, for its times.
     pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
-        let mut times = RunTimes::default();
-        for band in &self.slot(strategy)?.bands {
-            times.add(band.program.run(&self.gpu, clocks)?);
-        }
-        Ok(times)
+        self.slot(strategy)?.repeat(&self.gpu, clocks)
     }
 
     /// The layers of the last frame of a strategy.
@@ -184,8 +200,24 @@ impl Session {
         Ok(bands.map(|b| b.program.allocated_on(clock, is_scene)).sum())
     }
 
-    /// Shades layers that come from elsewhere, by the same pass as a strategy's.
+    /// Shades layers that come from elsewhere, by the same pass as a strategy's; in halves, where they are too large in one piece.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
+        let rows = layers.size_px[1];
+        match self.shade_at_once(model, view, layers) {
+            Err(Error::Limit(_)) if rows > Capacities::FEWEST_ROWS => {
+                let upper = rows / 2;
+                let mut picture = Vec::new();
+                for (first, count) in [(0, upper), (upper, rows - upper)] {
+                    let (view, layers) = (view.rows(first, count), layers.rows(first, count));
+                    picture.extend(self.shade(model, &view, &layers)?);
+                }
+                Ok(picture)
+            }
+            shaded => shaded,
+        }
+    }
+
+    fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let mut recorder = Recorder::new(model, view).map_err(Error::Plan)?;
         recorder.interference = self.options.interference;
         recorder.given_layers(&crate::gpu::words_from_layers(layers));

@@ -4,6 +4,8 @@ mod common;
 
 #[path = "agree/corpus.rs"]
 mod corpus;
+#[path = "agree/near_caps.rs"]
+mod near_caps;
 #[path = "agree/random.rs"]
 mod random;
 #[path = "agree/regressions.rs"]

@@ -7,6 +7,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
+#[path = "cli/cameras.rs"]
+mod cameras;
 #[path = "common/command.rs"]
 mod command;
 
@@ -663,7 +665,12 @@ fn an_open_mesh_is_drawn_with_a_warning() {
         let ran = folder
             .run("render open.obj --section -z=30% --resolution 64,48 -o out.png")
             .exits(0);
-        assert_eq!(ran.stderr.contains("vouched"), warned, "{}", ran.stderr);
+        assert_eq!(
+            ran.stderr.contains("px may be wrong"),
+            warned,
+            "{}",
+            ran.stderr
+        );
     }
 }
 

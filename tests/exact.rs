@@ -13,9 +13,13 @@ mod membership;
 mod meshes;
 #[path = "exact/planes.rs"]
 mod planes;
+#[path = "exact/priorities.rs"]
+mod priorities;
 #[path = "exact/reliefs.rs"]
 mod reliefs;
 #[path = "exact/solids.rs"]
 mod solids;
 #[path = "exact/undecided.rs"]
 mod undecided;
+#[path = "exact/upright.rs"]
+mod upright;

@@ -13,6 +13,8 @@ mod command;
 mod hostile;
 #[path = "section/svg.rs"]
 mod svg;
+#[path = "section/trimmed.rs"]
+mod trimmed;
 
 use command::Scratch;
 

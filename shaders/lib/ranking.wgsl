@@ -4,13 +4,15 @@
 
 #import cutaway::crossings::rank_of
 #import cutaway::cuts::is_removed
+#import cutaway::exits::is_passed
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::store::store
 #import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
 
 // Whether a sample lies on a side that its part keeps.
 fn is_kept(sample: Sample) -> bool {
-    return !is_removed(rank_of(sample.z, sample.pixel).sides, drawn_parts.parts[sample.row].cuts);
+    let sides = rank_of(sample.z, sample.pixel).sides;
+    return !is_removed(sides, drawn_parts.parts[sample.row].cuts) && !is_passed(sample.front);
 }
 
 // Ranks a sample in its pixel's list, leaves to the inside test what that wants of it, and says whether it is kept.
@@ -21,5 +23,5 @@ fn rank_and_store(sample: Sample) -> bool {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
         store(Fragment(sample.pixel, lane, part.place, sample.z, rank.behind, sample.front));
     }
-    return !is_removed(rank.sides, part.cuts);
+    return !is_removed(rank.sides, part.cuts) && !is_passed(sample.front);
 }

@@ -2,11 +2,13 @@
 // seen. The instance is the number of the group.
 
 #import cutaway::cuts::parts
+#import cutaway::exits::is_passed
 #import cutaway::mesh::Vertex
 #import cutaway::settled::{of_doubled, settled}
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
 override place: u32 = 0u;
+override passes_exits: bool = false;
 
 struct Surface {
     @location(0) words: vec2<u32>,
@@ -20,6 +22,9 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+    if passes_exits && is_passed(front) {
+        discard;
+    }
     let part = parts[settled.groups[corner.rank].place].part;
     return Surface(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.rank, front));
 }

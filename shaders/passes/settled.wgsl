@@ -3,6 +3,7 @@
 
 #import cutaway::crossings::rank_of
 #import cutaway::cuts::{is_removed, parts}
+#import cutaway::exits::is_passed
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::layers::UNRANKED
@@ -33,7 +34,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
     let part = parts[place];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
     store(Fragment(pixel, lane, place, z, rank.behind, front));
-    if is_removed(rank.sides, part.cuts) {
+    if is_removed(rank.sides, part.cuts) || is_passed(front) {
         discard;
     }
     return Surface(surface_words(corner, min(rank.behind, UNRANKED), part.part, front), z);

@@ -4,6 +4,7 @@
 
 #import cutaway::crossings::rank_of
 #import cutaway::cuts::{is_removed, parts}
+#import cutaway::exits::is_passed
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::layers::UNRANKED
@@ -25,7 +26,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let part = parts[corner.rank];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
     store(Fragment(pixel, lane, corner.rank, corner.position.z, rank.behind, front));
-    if is_removed(rank.sides, part.cuts) {
+    if is_removed(rank.sides, part.cuts) || is_passed(front) {
         discard;
     }
     // A place that does not fit its bits is looked for again by who decides.

@@ -1,11 +1,14 @@
 // Draws solids as they are: what `draw_only` measures and what remains when nothing is cut.
 
 #import cutaway::cuts::parts
+#import cutaway::exits::is_passed
 #import cutaway::mesh::Vertex
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
 // What to write in the place of the clip-surface: 0, or UNRANKED where a later pass must find the surface's place among crossings.
 override place: u32 = 0u;
+// Without a cap at the near plane: else nothing is discarded, so that depth is tested early.
+override passes_exits: bool = false;
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
@@ -14,5 +17,8 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
+    if passes_exits && is_passed(front) {
+        discard;
+    }
     return surface_words(corner, place, parts[corner.rank].part, front);
 }

@@ -167,7 +167,9 @@ impl CameraArgs {
                 };
                 let camera = Camera { viewpoint, ..plain };
                 let forward = camera.view(|p| p, 1.0, *bounds, [1, 1]).forward;
-                let seen = (cuts.iter().flat_map(|c| &c.surfaces))
+                let enabled = cuts.iter().filter(|c| c.enabled);
+                let seen = enabled
+                    .flat_map(|c| &c.surfaces)
                     .filter(|s| s.frame().normal.dot(forward) > LEAST_COSINE)
                     .count();
                 if seen > best.0 {
@@ -178,14 +180,18 @@ impl CameraArgs {
         Ok(best.1)
     }
 
+    /// The axis that is up: what the option says, or else that of the scene.
+    pub(super) fn up_axis(&self, of_scene: Up) -> Up {
+        match self.up {
+            Some(UpAxis::PlusY) => Up::PlusY,
+            Some(UpAxis::PlusZ) => Up::PlusZ,
+            None => of_scene,
+        }
+    }
+
     /// The scene's camera with what the options say instead.
     pub(super) fn apply(&self, mut camera: Camera, bounds: &Bounds) -> Result<Camera> {
-        if let Some(up) = self.up {
-            camera.up = match up {
-                UpAxis::PlusY => Up::PlusY,
-                UpAxis::PlusZ => Up::PlusZ,
-            };
-        }
+        camera.up = self.up_axis(camera.up);
         if self.orthographic && !matches!(camera.projection, Projection::Orthographic { .. }) {
             camera.projection = Projection::Orthographic { height: None };
         }

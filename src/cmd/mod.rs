@@ -13,6 +13,7 @@ mod compare;
 mod console;
 mod defects;
 mod demo;
+mod doubt;
 mod environment;
 mod image_test;
 mod inspect;

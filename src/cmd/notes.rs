@@ -2,23 +2,29 @@
 
 use super::console::Console;
 use super::open::Opened;
+use super::picture::Drawer;
 use super::sections::{misses, words_of};
 use crate::layers::{Kind, Layers};
 
-/// Pixels that the strategy does not vouch for.
+/// Pixels that the strategy marks: crossings along their rays do not tell inside from outside, or a buffer was too small.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
     layers.pixels.iter().filter(|p| p.unreliable).count()
 }
 
-/// Warns of pixels that nobody vouches for.
-pub(super) fn warn_of_doubt(layers: &Layers, console: &Console) {
-    match unreliable_px(layers) {
-        0 => {}
-        unreliable => console.warn(format!(
-            "{unreliable} pixels cannot be vouched for: along their rays the mesh is open, or a buffer was too small\n  mend: \
-             `cutaway inspect` says where it is open; close the holes"
-        )),
+/// Warns of pixels that may be wrong because the mesh is open along their rays.
+pub(super) fn warn_of_doubt(may_be_wrong: &[bool], drawer: Drawer, console: &Console) {
+    let count = may_be_wrong.iter().filter(|w| **w).count();
+    if count == 0 {
+        return;
     }
+    let other = match drawer {
+        Drawer::Exact => "",
+        Drawer::By(_) => ", or see whether --strategy exact shows what you expect",
+    };
+    console.warn(format!(
+        "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \
+         none\n  help: close the holes (`cutaway inspect` says where they are){other}"
+    ));
 }
 
 /// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.

@@ -47,7 +47,7 @@ pub(super) struct Opened {
     cuts: Vec<Cut>,
     /// All files that were read.
     pub(super) files: InputFiles,
-    /// Camera of the command line, where the scene has none of its own.
+    /// The camera at all times, where the inputs bring none: turned to where the cuts are seen.
     usual_camera: Option<Camera>,
     camera: CameraArgs,
 }
@@ -107,6 +107,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     let of_file = scene.cuts.len();
     fill_by(&mut scene, args.fill);
     note_what_nonzero_hears(&scene.parts, console);
+    scene.camera.up = args.camera.up_axis(scene.camera.up);
     args.sections.apply(&mut scene)?;
     args.sections.add_cutters(&mut scene, |input| {
         let (parts, notes) = open_model(input, &inputs.files)?;
@@ -116,7 +117,7 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
     inputs.files.add(args.sections.images());
     let bounds = scene.bounds();
     let cuts = scene.cuts[of_file..].to_vec();
-    let usual_camera = if args.inputs.iter().any(|i| is_scene(i)) {
+    let usual_camera = if inputs.has_camera {
         scene.camera = args.camera.apply(scene.camera, &bounds)?;
         None
     } else {
@@ -148,6 +149,8 @@ pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> R
 pub(super) struct Inputs {
     /// The scene at rest.
     rest: Scene,
+    /// Whether they say where it is seen from.
+    has_camera: bool,
     /// What is known of how it moves, beyond the clips of its parts.
     timeline: Option<Timeline>,
     strategy: Option<String>,
@@ -188,6 +191,7 @@ impl Inputs {
         files.add(file.files);
         Ok(Self {
             rest: file.scene,
+            has_camera: file.has_camera,
             timeline: Some(file.timeline),
             strategy: file.strategy,
             resolution: file.resolution,
@@ -223,6 +227,7 @@ impl Inputs {
         }
         Ok(Self {
             rest,
+            has_camera: false,
             timeline,
             strategy: None,
             resolution: None,

@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::sections::HEADING;
-use crate::scene::{Block, Bounds, ClipSurface, Face, Wedge};
+use crate::scene::{Block, Bounds, ClipSurface, Face, Up, Wedge};
 use crate::{Error, Result};
 
 #[derive(Args, Clone, Debug, Default)]
@@ -26,8 +26,8 @@ impl RegionArgs {
         self.boxes.is_empty() && self.wedges.is_empty()
     }
 
-    /// The regions, boxes first.
-    pub(super) fn read(&self, bounds: &Bounds) -> Result<Vec<Named>> {
+    /// The regions, boxes first, with faces that are upright for an up axis.
+    pub(super) fn read(&self, bounds: &Bounds, up: Up) -> Result<Vec<Named>> {
         let planes = |faces: Vec<Face>| faces.into_iter().map(|f| f.plane).collect();
         let hollow = |option: &str, text: &str| {
             let mend = "let the first end be less than the second";
@@ -38,7 +38,7 @@ impl RegionArgs {
             if block.is_empty() {
                 return Err(hollow("--box", text));
             }
-            let faces = block.faces(bounds.centre());
+            let faces = block.faces(bounds.centre(), up);
             Ok((format!("box {text}"), vec![planes(faces)]))
         });
         let wedges = self.wedges.iter().map(|text| {
@@ -46,7 +46,7 @@ impl RegionArgs {
             if wedge.is_empty() {
                 return Err(hollow("--wedge", text));
             }
-            let alternatives = wedge.alternatives(false).into_iter().map(planes);
+            let alternatives = wedge.alternatives(false, up).into_iter().map(planes);
             Ok((format!("wedge {text}"), alternatives.collect()))
         });
         boxes.chain(wedges).collect()

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::Verdict;
 use super::args::{DeviceArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
+use super::doubt::may_be_wrong;
 use super::image_test::{self, Finding};
 use super::layers_file;
 use super::look::LookArgs;
@@ -51,7 +52,8 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     /// Depth (infinite where nothing is), kind (0 nothing, 1 surface, 2 cap), part and clip-surface (numbered from 0; -1
-    /// is none) and normal of every pixel, .exr
+    /// is none), normal of every pixel and whether it may be wrong, .exr; names of the parts, the camera and the units are
+    /// its attributes
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     layers: Option<String>,
     /// Compare the picture with this one: exit 1 and a .diff.png beside the output where it differs
@@ -102,7 +104,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     if let Some(layers) = &facts.layers {
         // What a full buffer dropped is told below, and need not be a fault of the mesh.
         if facts.outcome == Outcome::Complete {
-            warn_of_doubt(layers, &console);
+            warn_of_doubt(&facts.may_be_wrong, drawer, &console);
         }
         note_what_is_not_seen(layers, &opened, &console);
     }
@@ -113,7 +115,13 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
-        output.write(&layers_file::exr(layers, shown.model.prepared.scale)?)?;
+        let about = layers_file::About {
+            scene: &opened.scene,
+            prepared: &shown.model.prepared,
+            view: &view,
+            may_be_wrong: &facts.may_be_wrong,
+        };
+        output.write(&layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
         let json = facts.json(&opened, &session, &shown.model, drawer, args);
@@ -197,6 +205,8 @@ struct Facts {
     outcome: Outcome,
     /// None where nobody asked for what only a second, exact evaluation could tell.
     layers: Option<Layers>,
+    /// Of the layers, which pixels may be wrong.
+    may_be_wrong: Vec<bool>,
     times: Value,
     bytes: PerClock<u64>,
 }
@@ -209,17 +219,18 @@ impl Facts {
         drawer: Drawer,
         outputs: &Outputs,
     ) -> Result<Self> {
-        match drawer {
+        let mut facts = match drawer {
             Drawer::Exact => {
                 let watch = Stopwatch::start();
                 let truth = shown.truth()?;
                 let exact = (outputs.want_facts()).then(|| evaluate(truth, view));
-                Ok(Self {
+                Self {
                     outcome: Outcome::Complete,
                     layers: exact.map(|e| e.layers),
+                    may_be_wrong: Vec::new(),
                     times: json!({ "exact": watch.ms() }),
                     bytes: PerClock::default(),
-                })
+                }
             }
             Drawer::By(strategy) => {
                 let drawn = session.draw(&shown.model, view, &strategy)?;
@@ -227,16 +238,21 @@ impl Facts {
                     return Err(picture::refused(drawer, reason));
                 }
                 let bytes = session.bytes(&strategy)?;
-                Ok(Self {
+                Self {
                     bytes: PerClock::of(|clock| bytes[clock as usize]),
                     times: json!(PerClock::of(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),
                     layers: Some(session.layers(&strategy)?),
+                    may_be_wrong: Vec::new(),
                     outcome: drawn.outcome,
-                })
+                }
             }
+        };
+        if let Some(layers) = &facts.layers {
+            facts.may_be_wrong = may_be_wrong(layers, &shown.model.prepared, view);
         }
+        Ok(facts)
     }
 
     fn json(
@@ -265,6 +281,7 @@ impl Facts {
             "background_px": count(Kind::Background),
             "overlap_px": self.layers.as_ref().map(Layers::overlap_px),
             "odd_parity_px": self.layers.as_ref().map_or(0, unreliable_px),
+            "may_be_wrong_px": self.may_be_wrong.iter().filter(|w| **w).count(),
             "bytes": self.bytes,
             "time_ms": self.times,
         })

@@ -1,7 +1,7 @@
 //! `section`: what planes cut out of a model, as a drawing, as data, or as a table of areas. Needs no adapter.
 //!
-//! Every part is sliced by every plane of the cuts that apply to it, whole, whatever else is cut away: in f64, in world space, in its
-//! pose. Nothing is rounded to what a GPU draws.
+//! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose. Nothing is rounded to what a
+//! GPU draws. A section is the cap: what the rest of its cut and the other cuts leave of the plane ([`planes`]).
 
 use std::cmp::Reverse;
 use std::path::PathBuf;
@@ -11,6 +11,9 @@ use clap::{Args, ValueEnum};
 use glam::DVec3;
 use rayon::prelude::*;
 
+mod planes;
+
+use self::planes::{Plane, planes};
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
@@ -20,19 +23,21 @@ use super::places::{no_place_twice, paths_of};
 use super::sections::{SectionArgs, round, warn_of_misses};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
-use crate::scene::{Bounds, ClipSurface, Fill, Part, Scene, who_wins};
-use crate::slice::{SlicePlane, Slicer};
+use crate::scene::{Bounds, Fill, Part, Scene, who_wins};
+use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   cutaway section bracket.stl --section z=50%                                # a table of areas
   cutaway section bracket.stl --section z=50% -o cut.svg --unit mm           # a drawing in the size of the model
-  cutaway section shape:gears --section z=10% --section z=90% -o gears.svg   # both in one drawing, side by side
+  cutaway section bracket.stl --box 0,0,0: -o corner.svg                     # the three faces of a corner that is cut out
+  cutaway section shape:gears --section z=10% --section z=90% --whole -o gears.svg   # two sections of all of it
   cutaway section engine.glb --section x=50% --exclude 'bolt*' --json - | jq '.sections[0].area'
   cutaway section walk.glb --clip run --time 0.5 --section y=30% -o step.json
 
-A drawing shows a plane as it is seen from the side that is removed, as `cutaway render` shows the cap. Areas and lengths are in
+A section is the cap: what the other planes of its cut and the other cuts leave of a plane. A drawing shows it as it is seen from
+the side that is removed, as `cutaway render` does. Areas and lengths are in
 units of the model. Exit code 1 where an outline does not close, because the mesh is open there: the area is then that of what
 closes.";
 
@@ -51,6 +56,9 @@ pub(super) struct SectionCommandArgs {
     /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = super::args::parse_fill)]
     fill: Option<Fill>,
+    /// Slice all of the model by every plane, whatever the rest of its cut keeps and other cuts remove
+    #[arg(long)]
+    whole: bool,
     /// The drawing, .svg, or the data, .json; `-` for a drawing on standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: Option<String>,
@@ -109,7 +117,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     warn_of_misses(&scene, &console);
 
     console.step("slicing");
-    let report = sliced(&scene, &planes);
+    let report = sliced(&scene, &planes, args.whole);
     console.step("writing");
     if let Some(output) = &outputs.drawing {
         output.write(svg(&report, args.unit.map(Into::into)).as_bytes())?;
@@ -171,108 +179,55 @@ impl Outputs {
     }
 }
 
-/// A plane, the cut that it belongs to, and its number in the scene.
-struct Plane {
-    cut: usize,
-    number: usize,
-    plane: SlicePlane,
-}
-
-impl Plane {
-    /// Where the plane cuts a part, whose middle is given: the cut may be offset for it.
-    fn for_part(&self, scene: &Scene, part: &Part, middle: DVec3) -> SlicePlane {
-        let offset = scene.cuts[self.cut].offset_for(part);
-        self.plane.keeping(offset).seen_from(middle)
-    }
-}
-
-/// The planes of all cuts; the culprit where there is none, or where one is no plane.
-fn planes(scene: &Scene) -> Result<Vec<Plane>> {
-    let mut planes = Vec::new();
-    // Clip-surfaces of a cut that is off keep their numbers, and a cutter is one after the others of its cut.
-    let mut next = 0;
-    for (index, cut) in scene.cuts.iter().enumerate() {
-        let first = next;
-        next += cut.surfaces.len() + usize::from(cut.volume.is_some());
-        if !cut.enabled {
-            continue;
-        }
-        if let Some(cutter) = &cut.volume {
-            return Err(Error::input(
-                format!("cut `{}`", cut.name),
-                format!(
-                    "{} is a mesh that cuts, and a section is flat",
-                    cutter.name()
-                ),
-                "leave it out, or see the cap with `cutaway render`",
-            ));
-        }
-        for (number, surface) in (first..).zip(&cut.surfaces) {
-            let Some(plane) = plane_of(surface) else {
-                return Err(Error::input(
-                    format!("cut `{}`", cut.name),
-                    format!("clip-surface {number} has a relief, and a section is flat"),
-                    "leave the relief out, or see the ragged cap with `cutaway render`",
-                ));
-            };
-            planes.push(Plane {
-                cut: index,
-                number,
-                plane,
-            });
-        }
-    }
-    if planes.is_empty() {
-        return Err(Error::input(
-            "section",
-            "there is no plane to cut by",
-            "add --section SPEC, for example --section z=50%",
-        ));
-    }
-    Ok(planes)
-}
-
-/// The plane of a clip-surface, where a relief does not bend it.
-fn plane_of(surface: &ClipSurface) -> Option<SlicePlane> {
-    let plane = SlicePlane::from(surface);
-    if let Some(map) = &surface.relief {
-        let [low, high] = map.range().map(|h| f64::from(h) * surface.scale.z);
-        if low != high {
-            return None;
-        }
-        return Some(plane.keeping(low));
-    }
-    Some(plane)
-}
-
-fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
+fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
     let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
-    // Who wins where solids share a point is drawn last, over the others: of equals the first.
+    // The part that is shown where solids share a point is drawn last, over the others: of equals the first.
     parts.sort_by_cached_key(|(index, p)| {
         Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
     });
     let drawn: Vec<Drawn> = (planes.iter())
         .map(|p| Drawn::of(&p.plane, scene.camera.up))
         .collect();
-    let of_parts: Vec<Vec<Option<PartReport>>> = (parts.par_iter())
+    let of_parts: Vec<Vec<Sliced>> = (parts.par_iter())
         .map(|(_, part)| {
             let is_cut = |p: &&Plane| scene.cuts[p.cut].applies_to(part);
             if !planes.iter().any(|p| is_cut(&p)) {
-                return planes.iter().map(|_| None).collect();
+                return planes.iter().map(|_| Sliced::Missed).collect();
             }
-            let (slicer, middle) = slicer_of(part);
+            let (slicer, bounds) = slicer_of(part);
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
-                let plane = is_cut(&p).then(|| p.for_part(scene, part, middle))?;
-                let section = slicer.section_by(&plane, part.fill);
-                let is_met = !section.is_empty() || !section.defects.is_empty();
-                is_met.then(|| PartReport::of(part, &section, &plane, drawn))
+                if !is_cut(&p) {
+                    return Sliced::Missed;
+                }
+                let at = p.for_part(scene, part).seen_from(bounds.centre());
+                let whole = slicer.section_by(&at, part.fill);
+                if is_nothing(&whole) {
+                    return Sliced::Missed;
+                }
+                let all = is_whole.then(Trim::default);
+                let size = bounds.radius();
+                let trim = all.or_else(|| p.trim((scene, planes), part, &at, size));
+                let Some(trim) = trim else {
+                    return Sliced::Trimmed(None);
+                };
+                let Some(section) = trim.of(&whole, &at) else {
+                    return Sliced::Whole(PartReport::of(part, &whole, &at, drawn));
+                };
+                let report = || PartReport::of(part, &section, &at, drawn);
+                Sliced::Trimmed((!is_nothing(&section)).then(report))
             };
             planes.iter().zip(&drawn).map(of_plane).collect()
         })
         .collect();
     let of_plane = |(i, (p, drawn)): (usize, (&Plane, &Drawn))| {
-        let met = of_parts.iter().filter_map(|all| all[i].clone()).collect();
-        PlaneReport::of(&scene.cuts[p.cut].name, p.number, *drawn, met)
+        let of_plane = || of_parts.iter().map(|all| &all[i]);
+        let is_trimmed = of_plane().any(|s| matches!(s, Sliced::Trimmed(_)));
+        let met = of_plane().filter_map(Sliced::report).cloned().collect();
+        let name = &scene.cuts[p.cut].name;
+        PlaneReport {
+            trimmed: is_trimmed,
+            ..PlaneReport::of(name, p.face.clone(), p.number, *drawn, met)
+        }
     };
     SectionReport {
         scene: scene.name.clone(),
@@ -282,16 +237,40 @@ fn sliced(scene: &Scene, planes: &[Plane]) -> SectionReport {
     }
 }
 
-/// The slicer of a part as it stands in the world, and the middle of its bounds.
-fn slicer_of(part: &Part) -> (Slicer, DVec3) {
+/// What a plane cuts out of a part.
+enum Sliced {
+    /// Nothing: it passes the part by, or is not for it.
+    Missed,
+    /// All that there is in the plane.
+    Whole(PartReport),
+    /// What the rest of its cut and other cuts leave of that, if anything.
+    Trimmed(Option<PartReport>),
+}
+
+impl Sliced {
+    fn report(&self) -> Option<&PartReport> {
+        match self {
+            Self::Missed => None,
+            Self::Whole(report) => Some(report),
+            Self::Trimmed(report) => report.as_ref(),
+        }
+    }
+}
+
+fn is_nothing(section: &Section) -> bool {
+    section.is_empty() && section.defects.is_empty()
+}
+
+/// The slicer of a part as it stands in the world, and its bounds.
+fn slicer_of(part: &Part) -> (Slicer, Bounds) {
     let mesh = part.posed_mesh();
     let placed = part.world_from_part;
     let positions: Vec<DVec3> = (mesh.positions.par_iter())
         .map(|p| placed.transform_point3(*p))
         .collect();
-    let middle = Bounds::of(positions.iter().copied()).centre();
+    let bounds = Bounds::of(positions.iter().copied());
     if placed.matrix3.determinant() >= 0.0 {
-        return (Slicer::of(Arc::new(positions), &mesh.triangles), middle);
+        return (Slicer::of(Arc::new(positions), &mesh.triangles), bounds);
     }
     // What a placement mirrors is turned round, so that outside stays outside.
     let turned: Vec<[u32; 3]> = mesh
@@ -299,7 +278,7 @@ fn slicer_of(part: &Part) -> (Slicer, DVec3) {
         .iter()
         .map(|[a, b, c]| [*a, *c, *b])
         .collect();
-    (Slicer::of(Arc::new(positions), &turned), middle)
+    (Slicer::of(Arc::new(positions), &turned), bounds)
 }
 
 fn to_text(report: &SectionReport) -> String {
@@ -307,7 +286,7 @@ fn to_text(report: &SectionReport) -> String {
     for plane in &report.sections {
         for part in &plane.parts {
             table.row([
-                plane.cut.clone(),
+                plane.name(),
                 part.part.clone(),
                 round(part.area),
                 round(part.perimeter),
@@ -317,11 +296,12 @@ fn to_text(report: &SectionReport) -> String {
         }
         if plane.parts.len() != 1 {
             let all = match plane.parts.len() {
+                0 if plane.trimmed => "nothing is left (--whole shows all of it)".to_owned(),
                 0 => "meets no part".to_owned(),
                 count => format!("all {count} parts"),
             };
             let (area, perimeter) = (round(plane.area), round(plane.perimeter));
-            table.row([plane.cut.clone(), all, area, perimeter]);
+            table.row([plane.name(), all, area, perimeter]);
         }
     }
     table.to_text()
@@ -335,7 +315,7 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
             let told = format!(
                 "{} by {}: {}",
                 part.part,
-                plane.cut,
+                plane.name(),
                 part.defects.join("; ")
             );
             if !part.closed {

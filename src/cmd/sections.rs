@@ -11,7 +11,7 @@ use super::console::Console;
 use super::regions::{Named, RegionArgs};
 use crate::error::did_you_mean;
 use crate::scene::{
-    Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, apply_relief,
+    Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, Up, apply_relief,
     in_common, section_misses,
 };
 use crate::{Error, Result};
@@ -151,7 +151,7 @@ impl FromArgMatches for SectionArgs {
 }
 
 impl SectionArgs {
-    /// Adds the cuts to a scene.
+    /// Adds the cuts to a scene, whose camera says which axis is up.
     pub(super) fn apply(&self, scene: &mut Scene) -> Result<()> {
         if let Some(stray) = &self.stray {
             let (culprit, what) = stray.split_once(": ").unwrap_or((stray, ""));
@@ -159,13 +159,13 @@ impl SectionArgs {
             return Err(Error::input(culprit, what, mend));
         }
         self.check_excluded(scene)?;
-        let bounds = scene.bounds();
+        let (bounds, up) = (scene.bounds(), scene.camera.up);
         let mut named: Vec<Named> = Vec::new();
         for words in &self.sections {
-            let surface = words.surface(&bounds)?;
+            let surface = words.surface(&bounds, up)?;
             named.push((words.section.clone(), vec![vec![surface]]));
         }
-        named.extend(self.regions.read(&bounds)?);
+        named.extend(self.regions.read(&bounds, up)?);
         if self.combination == Combination::Intersection {
             named = named.into_iter().reduce(both).into_iter().collect();
         }
@@ -236,8 +236,8 @@ impl SectionArgs {
 }
 
 impl Section {
-    fn surface(&self, bounds: &Bounds) -> Result<ClipSurface> {
-        let mut surface = SectionSpec::parse(&self.section)?.surface(bounds)?;
+    fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
+        let mut surface = SectionSpec::parse(&self.section)?.surface(bounds, up)?;
         if let Some(relief) = &self.relief {
             surface = apply_relief(surface, &ReliefSpec::parse(relief)?, bounds)?;
         }

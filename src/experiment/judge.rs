@@ -16,13 +16,13 @@ use super::measurement::{
 use super::{Contender, Samples, Shown, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
 use crate::exact::{Exact, Windings, evaluate};
-use crate::gpu::{ClockSet, PassTime as TimeOfPass, Program, RunTimes};
+use crate::gpu::{ClockSet, PassTime as TimeOfPass, RunTimes};
 use crate::layers::Layers;
 use crate::passes::Model;
-use crate::plan::{Capacities, Clock};
+use crate::plan::Clock;
 use crate::scene::{Prepared, View};
 use crate::session::{Outcome, Session};
-use crate::strategies::{self, FrameOptions, Strategy};
+use crate::strategies::FrameOptions;
 use crate::{Error, Result};
 
 /// A frame that is asked for, and what the truth about it is asked of.
@@ -171,8 +171,8 @@ pub fn times(
     goes_on: &dyn Fn() -> bool,
 ) -> Result<bool> {
     let usual = judgement.usual;
-    let uncut = uncut(session, question)?;
-    let mut runners = vec![Runner::Uncut(&uncut)];
+    draw_uncut(session, question)?;
+    let mut runners = vec![Runner::Uncut];
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
     runners.extend(drawn.map(|f| Runner::Contender(f.contender)));
     let runs = in_turns(session, question, usual, &runners, rounds, step, goes_on);
@@ -241,14 +241,14 @@ fn drawn(
 }
 
 /// What runs in turns.
-enum Runner<'a> {
+enum Runner {
     /// The scene with nothing cut.
-    Uncut(&'a Program),
+    Uncut,
     /// The last frame of a contender.
     Contender(Contender),
 }
 
-impl Runner<'_> {
+impl Runner {
     /// Runs all clocks.
     fn run(
         &self,
@@ -257,7 +257,7 @@ impl Runner<'_> {
         usual: FrameOptions,
     ) -> Result<RunTimes> {
         match self {
-            Self::Uncut(program) => program.run(session.gpu(), ClockSet::ALL),
+            Self::Uncut => session.repeat_uncut(ClockSet::ALL),
             Self::Contender(contender) => match contender.strategy() {
                 Some(strategy) => {
                     session.set_options(contender.options(usual));
@@ -298,7 +298,7 @@ fn in_turns(
     session: &mut Session,
     question: &Question<'_>,
     usual: FrameOptions,
-    runners: &[Runner<'_>],
+    runners: &[Runner],
     rounds: usize,
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
@@ -321,20 +321,13 @@ fn in_turns(
     Ok(Some(runs))
 }
 
-/// The program that draws the scene with nothing cut: where there is nothing to cut, all strategies record the same plan.
-fn uncut(session: &Session, question: &Question<'_>) -> Result<Program> {
-    let uncut = question.shown.model.without_cuts();
-    let plan = strategies::record(
-        &uncut,
-        &question.view,
-        &Strategy::RAYCAST_MASK,
-        &Capacities::UNKNOWN,
-    )
-    .map_err(|refusal| Error::Plan(refusal.to_string()))?;
-    let mut program = Program::default();
-    program.load(session.gpu(), plan)?;
-    program.run(session.gpu(), ClockSet::ALL)?;
-    Ok(program)
+/// Draws the scene with nothing cut, so that it can run in turns with the contenders.
+fn draw_uncut(session: &mut Session, question: &Question<'_>) -> Result<()> {
+    let drawn = session.draw_uncut(&question.shown.model, &question.view)?;
+    match drawn.outcome {
+        Outcome::Refused(reason) => Err(Error::Limit(reason)),
+        _ => Ok(()),
+    }
 }
 
 /// Times of a clock; none where the clock never runs.

@@ -21,26 +21,6 @@ pub(super) fn bounds(case: &str, entrant: &Entrant) -> Option<[f64; 2]> {
 const FOUND: &[Found] = &[
     ("plane in a face", "grid:256+ldi:512", [0.09001, 0.09001]),
     ("plane in a face", "grid:256+vds:512", [0.08708, 0.09001]),
-    (
-        "eye inside, kept side",
-        "grid:256+ldi:512",
-        [0.75000, 0.75000],
-    ),
-    (
-        "eye inside, kept side",
-        "grid:256+vds:512",
-        [0.75000, 0.75000],
-    ),
-    (
-        "near plane in the solid",
-        "grid:256+ldi:512",
-        [0.52737, 0.52737],
-    ),
-    (
-        "near plane in the solid",
-        "grid:256+vds:512",
-        [0.52737, 0.52740],
-    ),
     ("every face twice", "raycast+vds:512", [0.81991, 0.81991]),
     ("every face twice", "grid:256+vds:512", [0.81991, 0.84137]),
     (

@@ -51,7 +51,8 @@ pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
     apply_relief(plane, &spec, &bounds).unwrap_or_else(|e| panic!("{relief}: {e}"))
 }
 
-/// A plane with a map of heights: one repeat per `period` in both directions, centred on the origin.
+/// A plane with a map of heights: one repeat per `period` in both directions, centred on the origin. The map lies as Duff et al.
+/// (2017) lay it, for what was found of the cases depends on that.
 pub fn mapped(
     origin: DVec3,
     normal: DVec3,
@@ -60,8 +61,9 @@ pub fn mapped(
     wrap: Wrap,
 ) -> ClipSurface {
     let mut surface = ClipSurface::plane(origin, normal);
-    surface.u = surface.u.normalize() * period;
-    surface.v = surface.v.normalize() * period;
+    let (u, v) = normal.normalize_or(DVec3::Z).any_orthonormal_pair();
+    surface.u = u.normalize() * period;
+    surface.v = v.normalize() * period;
     surface.origin -= 0.5 * (surface.u + surface.v);
     surface.scale.z = height;
     surface.relief = Some(Arc::new(map));

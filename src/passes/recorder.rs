@@ -307,10 +307,13 @@ impl<'a> Recorder<'a> {
                 counted(ranks.len(), "part")
             )
         };
-        let constants = match ranked {
-            true => vec![("place", UNRANKED)],
-            false => Vec::new(),
-        };
+        let mut constants = Vec::new();
+        if ranked {
+            constants.push(("place", UNRANKED));
+        }
+        if !self.view.near_cap {
+            constants.push(("passes_exits", 1.0));
+        }
         self.draw(DrawPass {
             name: "surface".to_owned(),
             reason,

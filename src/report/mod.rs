@@ -26,7 +26,7 @@ pub use recorded::{
     ChartDefinition, Definition, Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded,
     RunDefinition,
 };
-pub use section::{Curve, Drawn, PartReport, PlaneReport, SectionReport};
+pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};
 pub use sections::PictureOptions;
 pub use svg::{Unit, svg};
 pub use table::Table;

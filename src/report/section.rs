@@ -25,16 +25,31 @@ pub struct SectionReport {
 pub struct PlaneReport {
     /// Name of the cut.
     pub cut: String,
+    /// Which face of the cut it is.
+    pub face: Face,
     /// Number of the clip-surface in the scene.
     pub clip_surface: usize,
     /// Where the plane is, and what is to the right and up in it.
     pub plane: Drawn,
+    /// Whether the other clip-surfaces of the cut, or other cuts, leave less of the section than the plane meets.
+    pub trimmed: bool,
     /// Sum over the parts.
     pub area: f64,
     /// Sum over the parts.
     pub perimeter: f64,
     /// The parts that the plane meets; who wins where they share a point comes last.
     pub parts: Vec<PartReport>,
+}
+
+/// One of the planes of a cut.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Face {
+    /// Counted from 1, in the order of the scene.
+    pub number: usize,
+    /// How many planes the cut has, with those of other cuts of its name.
+    pub of: usize,
+    /// The plane as `--section` takes it, rounded.
+    pub plane: String,
 }
 
 /// The section of one part by one plane.
@@ -126,15 +141,33 @@ impl Drawn {
 
 impl PlaneReport {
     /// The sections of parts by a plane, in the order that they are drawn in.
-    pub fn of(cut: &str, clip_surface: usize, plane: Drawn, parts: Vec<PartReport>) -> Self {
+    pub fn of(
+        cut: &str,
+        face: Face,
+        clip_surface: usize,
+        plane: Drawn,
+        parts: Vec<PartReport>,
+    ) -> Self {
         let total = |of: fn(&PartReport) -> f64| parts.iter().map(of).sum::<f64>() + 0.0;
         Self {
             cut: cut.to_owned(),
+            face,
+            trimmed: false,
             clip_surface,
             plane,
             area: total(|p| p.area),
             perimeter: total(|p| p.perimeter),
             parts,
+        }
+    }
+
+    /// The name of the cut, and which of its faces this is where it has several.
+    pub fn name(&self) -> String {
+        let Face { number, of, plane } = &self.face;
+        if *of == 1 {
+            self.cut.clone()
+        } else {
+            format!("{}, face {number} of {of} ({plane})", self.cut)
         }
     }
 }

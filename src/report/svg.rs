@@ -167,7 +167,7 @@ fn group(text: &mut String, index: usize, plane: &PlaneReport, by: [f64; 2], dec
         "<g id=\"section-{}\" transform=\"{moved}scale(1 -1)\">",
         index + 1
     );
-    let name = escape(&plane.cut);
+    let name = escape(&plane.name());
     let _ = writeln!(
         text,
         "<title>{name}: area {}, perimeter {}</title>",

@@ -76,8 +76,9 @@ pub struct Camera {
     pub up: Up,
     /// Distance of the near plane in world units; `None` picks one just before the model.
     pub near: Option<f64>,
-    /// Draw a cap where the near plane cuts a solid. Without it exact shows what such a ray *enters* next, by the letter of
-    /// the definition, while strategies show the wall by which it leaves the solid, as a back face.
+    /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
+    /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
+    /// exact by counting; they agree where faces face outward and no mesh overlaps itself.
     pub near_cap: bool,
 }
 

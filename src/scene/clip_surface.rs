@@ -11,7 +11,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Bounds, OffsetMap, Wrap, range};
+use super::upright::directions;
+use super::{Bounds, OffsetMap, Up, Wrap, range};
 
 /// One clip-surface in world space.
 #[derive(Clone, Debug)]
@@ -42,9 +43,16 @@ pub struct SurfaceFrame {
 }
 
 impl ClipSurface {
-    /// A plane through a point that keeps the side of its normal, with `U` and `V` chosen by the direction of `N` alone.
+    /// [`ClipSurface::upright`] where +Y is up.
     pub fn plane(origin: DVec3, normal: DVec3) -> Self {
-        let (u, v) = normal.normalize_or(DVec3::Z).any_orthonormal_pair();
+        Self::upright(origin, normal, Up::PlusY)
+    }
+
+    /// A plane through a point that keeps the side of its normal. `U` and `V` depend on the direction of the normal alone: seen
+    /// from the removed side `U` is to the right and `V` points down, so that an image on the plane stands upright and is not
+    /// mirrored. In a level plane `U` is the x axis.
+    pub fn upright(origin: DVec3, normal: DVec3, up: Up) -> Self {
+        let [u, v] = directions(normal.normalize_or(DVec3::Z), up);
         Self {
             origin,
             u,

@@ -33,6 +33,7 @@ pub mod shapes;
 mod smooth;
 mod timeline;
 mod topology;
+mod upright;
 mod weld;
 
 use std::borrow::Cow;

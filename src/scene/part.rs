@@ -30,7 +30,7 @@ pub struct Part {
     pub material: Material,
     /// Whether it is cut.
     pub role: Role,
-    /// Who wins where solids share a point: higher first; parts without one follow, the smaller solid first.
+    /// Which part is shown where solids share a point: the higher first. `None` counts as 0; of equals the smaller solid first.
     pub priority: Option<i32>,
     /// Which points its mesh encloses.
     pub fill: Fill,
@@ -42,10 +42,10 @@ pub struct Part {
     pub driver: Option<Arc<Driver>>,
 }
 
-/// Who wins where solids share a point, the winner first: higher priority, then the smaller solid as it is at rest, then the one
-/// that was named first.
+/// The order of parts where solids share a point, the one that is shown first: higher priority (0 where none is given), then
+/// the smaller solid as it is at rest, then the one that was named first.
 pub(crate) fn who_wins(of: &Part, volume_at_rest: f64, index: usize) -> impl Ord + use<> {
-    let priority = of.priority.map_or(i64::MIN, i64::from);
+    let priority = of.priority.unwrap_or(0);
     // Bits of numbers that are not negative are in their order.
     (Reverse(priority), volume_at_rest.to_bits(), index)
 }

@@ -10,7 +10,7 @@ mod spec;
 
 use glam::DVec3;
 
-use super::ClipSurface;
+use super::{ClipSurface, Up};
 
 /// What two unions of intersections of removed sides have in common, as such a union.
 pub(crate) fn in_common(a: &[Vec<ClipSurface>], b: &[Vec<ClipSurface>]) -> Vec<Vec<ClipSurface>> {
@@ -49,8 +49,8 @@ impl Block {
         (0..3).any(|i| matches!((self.min[i], self.max[i]), (Some(a), Some(b)) if a >= b))
     }
 
-    /// Its faces. Their planes begin as near to `middle` as they can.
-    pub fn faces(&self, middle: DVec3) -> Vec<Face> {
+    /// Its faces, upright for an up axis. Their planes begin as near to `middle` as they can.
+    pub fn faces(&self, middle: DVec3, up: Up) -> Vec<Face> {
         let faces = (0..6).filter_map(|i| {
             let (axis, upper) = (i / 2, i % 2 == 1);
             let at = if upper { self.max } else { self.min }[axis]?;
@@ -59,7 +59,7 @@ impl Block {
             let outward = DVec3::AXES[axis] * if upper { 1.0 } else { -1.0 };
             Some(Face {
                 name: ["-x", "+x", "-y", "+y", "-z", "+z"][i],
-                plane: ClipSurface::plane(origin, outward),
+                plane: ClipSurface::upright(origin, outward, up),
             })
         });
         faces.collect()
@@ -94,8 +94,8 @@ impl Wedge {
 
     /// Its faces, of which all together make the region; for more than half a turn those of two regions that make it up. A full
     /// turn has only the faces along the axis. Of half a turn `from` and `to` have one plane, which is there once unless
-    /// the two are `ragged`: their reliefs may differ.
-    pub fn alternatives(&self, ragged: bool) -> Vec<Vec<Face>> {
+    /// the two are `ragged`: their reliefs may differ. They are upright for an up axis.
+    pub fn alternatives(&self, ragged: bool, up: Up) -> Vec<Vec<Face>> {
         let turn_deg = self.to_deg - self.from_deg;
         let across = self.along.cross(self.zero);
         // Removed is what lies on from `from` and back from `to`: the kept side is the other one.
@@ -105,7 +105,7 @@ impl Wedge {
         };
         let face = |name, outward| Face {
             name,
-            plane: ClipSurface::plane(self.origin, outward),
+            plane: ClipSurface::upright(self.origin, outward, up),
         };
         let from = face("from", -tangent(self.from_deg));
         let to = face("to", tangent(self.to_deg));
@@ -120,9 +120,10 @@ impl Wedge {
         };
         let end = |name, at: f64, sign: f64| Face {
             name,
-            plane: ClipSurface::plane(
+            plane: ClipSurface::upright(
                 self.origin + self.along * (at - self.origin.dot(self.along)),
                 self.along * sign,
+                up,
             ),
         };
         for faces in &mut alternatives {
@@ -189,7 +190,7 @@ mod tests {
             (20.0, 20.0, 1),
         ] {
             let wedge = wedge(from, to);
-            let alternatives = wedge.alternatives(false);
+            let alternatives = wedge.alternatives(false, Up::PlusY);
             assert_eq!(alternatives.len(), count, "{from} to {to}");
             for step in 0..720 {
                 let degrees = f64::from(step) * 0.5 + 0.25;
@@ -208,7 +209,7 @@ mod tests {
     #[test]
     fn half_a_turn_has_both_faces_where_they_may_differ() {
         let names = |ragged| -> Vec<_> {
-            let faces = wedge(30.0, 210.0).alternatives(ragged).concat();
+            let faces = wedge(30.0, 210.0).alternatives(ragged, Up::PlusY).concat();
             faces.iter().map(|f| f.name).collect()
         };
         assert_eq!(names(false), ["from"]);
@@ -225,7 +226,7 @@ mod tests {
             (-90.0, DVec3::X),
             (450.0, DVec3::NEG_X),
         ] {
-            let faces = wedge(degrees - 40.0, degrees).alternatives(false);
+            let faces = wedge(degrees - 40.0, degrees).alternatives(false, Up::PlusY);
             let to = &faces[0][1];
             assert_eq!(to.name, "to");
             assert_eq!(to.plane.frame().normal, normal, "{degrees} degrees");
@@ -239,7 +240,7 @@ mod tests {
             max: Some(0.25),
             ..wedge(0.0, 300.0)
         };
-        let alternatives = ended.alternatives(false);
+        let alternatives = ended.alternatives(false, Up::PlusY);
         let beside = ended.origin.truncate() + glam::DVec2::new(0.5, 0.5);
         for (z, expected) in [(-1.1, false), (-0.9, true), (0.2, true), (0.3, false)] {
             let found = removes(&alternatives, beside.extend(z));
@@ -251,7 +252,7 @@ mod tests {
             ..ended
         };
         assert!(removes(
-            &disc.alternatives(false),
+            &disc.alternatives(false, Up::PlusY),
             DVec3::new(0.0, -3.0, 0.0)
         ));
     }
@@ -262,7 +263,7 @@ mod tests {
             min: [Some(-1.0), Some(0.0), None],
             max: [Some(1.0), None, Some(2.0)],
         };
-        let alternatives = [block.faces(DVec3::splat(7.0))];
+        let alternatives = [block.faces(DVec3::splat(7.0), Up::PlusY)];
         let names: Vec<_> = alternatives[0].iter().map(|f| f.name).collect();
         assert_eq!(names, ["-x", "+x", "-y", "+z"]);
         for (point, expected) in [

@@ -13,7 +13,7 @@
 use glam::DVec3;
 
 use super::range::LARGEST;
-use super::{Bounds, ClipSurface};
+use super::{Bounds, ClipSurface, Up};
 use crate::error::{Error, Result};
 
 const EXAMPLES: &str =
@@ -83,8 +83,9 @@ impl SectionSpec {
             .map_err(|what| Error::input(format!("section `{text}`"), what, EXAMPLES))
     }
 
-    /// The plane in world space. Where the spec leaves it open, the origin lies next to the middle of the bounds.
-    pub fn surface(&self, bounds: &Bounds) -> Result<ClipSurface> {
+    /// The plane in world space, upright for an up axis. Where the spec leaves it open, the origin lies next to the middle of
+    /// the bounds.
+    pub fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
         let percent = |a: &Amount| matches!(a, Amount::Percent(_));
         let relative = match &self.plane {
             Plane::Axis { at, .. } => percent(at),
@@ -120,13 +121,13 @@ impl SectionSpec {
                 "use a longer normal or a smaller distance",
             );
         }
-        Ok(ClipSurface::plane(origin, normal))
+        Ok(ClipSurface::upright(origin, normal, up))
     }
 }
 
-/// The clip-surface of a section spec: [`SectionSpec::parse`] and [`SectionSpec::surface`] in one.
+/// The clip-surface of a section spec where +Y is up: [`SectionSpec::parse`] and [`SectionSpec::surface`] in one.
 pub fn section_surface(text: &str, bounds: &Bounds) -> Result<ClipSurface> {
-    SectionSpec::parse(text)?.surface(bounds)
+    SectionSpec::parse(text)?.surface(bounds, Up::PlusY)
 }
 
 /// Whether a clip-surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes

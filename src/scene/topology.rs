@@ -5,7 +5,6 @@
 //!
 //! Cost: parallel sorts of three keys per triangle, of the positions and of the triangles, and three passes over the triangles. Limit: 2^31 vertices.
 
-mod coincident;
 mod edges;
 mod rays;
 
@@ -95,7 +94,7 @@ impl Topology {
             vertices,
             faces: mesh.triangles.len(),
             closed: count.open == 0,
-            coincident_faces: coincident::faces(mesh),
+            coincident_faces: super::doubled_faces(mesh).len(),
             boundary_edges: count.boundary,
             non_manifold_edges: count.non_manifold,
             inconsistent_edges: count.inconsistent,

@@ -94,6 +94,15 @@ impl Slot {
         }
     }
 
+    /// Runs the last frame again on some clocks, for its times.
+    pub(super) fn repeat(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
+        let mut times = RunTimes::default();
+        for band in &self.bands {
+            times.add(band.program.run(gpu, clocks)?);
+        }
+        Ok(times)
+    }
+
     fn cut_into(&mut self, count: u32) {
         let row = |band: u32| {
             let rows = u64::from(self.size_px[1]) * u64::from(band) / u64::from(count);

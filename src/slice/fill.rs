@@ -13,7 +13,6 @@ use glam::DVec2;
 use spade::Triangulation;
 
 use super::outline::{Edge, Mesh, Outline, is_first};
-use crate::scene::Fill;
 
 /// Times that crossing edges are cut. A star of 60 edges that all pass by its middle takes 40.
 const ROUNDS: usize = 64;
@@ -33,8 +32,8 @@ pub(super) struct Filled {
     pub(super) left_out: Vec<usize>,
 }
 
-/// Fills what loops enclose by a rule. Points must be finite.
-pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
+/// Fills the faces around which loops wind a number of times that `holds`. Points must be finite.
+pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
     let mut outline = Outline::of(points, loops);
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
@@ -45,7 +44,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
             break;
         };
         if drawn.failed.is_empty() {
-            return outline.filled(&drawn.mesh, rule);
+            return outline.filled(&drawn.mesh, holds);
         }
         round += 1;
         parts_drawn += outline.parts.len();
@@ -62,7 +61,7 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], rule: Fill) -> Filled {
 
 impl Outline {
     /// Counts from outside to every face, and takes those that the rule takes.
-    fn filled(self, mesh: &Mesh, rule: Fill) -> Filled {
+    fn filled(self, mesh: &Mesh, holds: impl Fn(i32) -> bool) -> Filled {
         let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
         let outer = mesh.outer_face().fix().index();
         windings[outer] = Some(0);
@@ -84,7 +83,7 @@ impl Outline {
                 (across, winding + passed(&across))
             }));
         }
-        let is_in = |face: usize| windings[face].is_some_and(|w| rule.holds(w));
+        let is_in = |face: usize| windings[face].is_some_and(&holds);
         let mut filled = Filled {
             added: self.added,
             left_out: self.left_out.into_iter().collect(),

@@ -24,13 +24,17 @@
 //! is not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
 
 mod fill;
+mod half_plane;
 mod loops;
 mod outline;
 mod plane;
 mod section;
 mod slicer;
 mod tree;
+mod trim;
 
+pub use half_plane::HalfPlane;
 pub use plane::SlicePlane;
 pub use section::{Loop, Section, SectionDefect};
 pub use slicer::Slicer;
+pub use trim::Trim;

@@ -74,7 +74,7 @@ impl Slicer {
             triangles,
             boundary,
             left_out,
-        } = fill(&points, &loops, rule);
+        } = fill(&points, &loops, |winding| rule.holds(winding));
 
         let at = |p: DVec2| plane.point(p);
         let mut tell = |defect| section.defects.push(defect);

@@ -1,5 +1,6 @@
 //! A picture that is too large for a limit is drawn in bands, and shows the same.
 
+use cutaway::experiment::{Contender, Question, Shown, errors, times};
 use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
@@ -174,4 +175,39 @@ fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
             "{rasteriser}: other classes"
         );
     }
+}
+
+#[test]
+fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
+    let scene = cut_scene();
+    let shown = Shown::of(&scene);
+    let view = shown.model.prepared.view(SIZE_PX);
+    let mut whole = session(Limits::CORE.storage_binding_bytes, Rasteriser::Hardware);
+    let layers = cutaway::exact::evaluate(&shown.model.truth(&scene), &view).layers;
+    let shade = |session: &mut Session| session.shade(&shown.model, &view, &layers);
+    let expected = shade(&mut whole).expect("a picture");
+    // Three words a pixel: half of the picture fits, all of it does not.
+    let pixels = u64::from(SIZE_PX[0]) * u64::from(SIZE_PX[1]);
+    let mut held = session(pixels * 12 - 1, Rasteriser::Hardware);
+    assert!(
+        shade(&mut held).expect("in halves") == expected,
+        "another picture"
+    );
+
+    let question = Question {
+        name: "bands".to_owned(),
+        shown: &shown,
+        view,
+        truth: None,
+        command: String::new(),
+    };
+    let contenders = [Contender::from(Strategy::RAYCAST_MASK)];
+    let step = &mut |_: String| {};
+    let mut judged = errors(&mut held, &question, &contenders, step).expect("errors");
+    let timed = times(&mut held, &question, &mut judged, 1, step, &|| true);
+    assert!(timed.expect("times"), "all rounds have run");
+    let found = &judged.measurement;
+    let comparison = found.strategies[0].comparison.as_ref().expect("a frame");
+    assert_eq!(comparison.decided_wrong_px, 0);
+    assert_eq!(found.draw_only_ms.samples.len(), 1);
 }

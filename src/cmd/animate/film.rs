@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::super::console::Console;
+use super::super::doubt::may_be_wrong;
 use super::super::notes::warn_of_doubt;
 use super::super::open::Opened;
 use super::super::picture::{self, Drawer};
@@ -63,7 +64,9 @@ impl Film<'_> {
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
         if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
         {
-            warn_of_doubt(&session.layers(&strategy)?, console);
+            let layers = session.layers(&strategy)?;
+            let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
+            warn_of_doubt(&doubted, self.drawer, console);
         }
         Ok((drawn.image, report))
     }

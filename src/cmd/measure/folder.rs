@@ -24,7 +24,7 @@ impl Folder {
 
     /// The files that are there and that a run of an experiment replaces: its definition, and by the names of its records these and
     /// their pictures.
-    pub(super) fn replaced(&self, experiment: &str, stems: &BTreeSet<String>) -> Vec<PathBuf> {
+    pub(super) fn replaced(&self, experiment: &str, stems: &[String]) -> Vec<PathBuf> {
         let is_replaced = |name: &str| {
             let of_stem = |stem: &String| {
                 let rest = name.strip_prefix(stem.as_str());

@@ -82,8 +82,10 @@ pub(super) const SOLIDS: &[Listed] = &[
     listed(
         "12",
         "near plane in the solid",
-        "a cap at the near plane, or the inner walls",
-        &["hard_cases case_12_without_the_near_cap_the_inner_walls_show_and_no_pixel_is_odd"],
+        "a cap at the near plane, or what the ray enters next",
+        &[
+            "hard_cases case_12_without_the_near_cap_the_ray_shows_what_it_enters_next_and_no_pixel_is_odd",
+        ],
     ),
     listed(
         "13",

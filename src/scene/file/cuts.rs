@@ -16,8 +16,10 @@ use super::reliefs::Maps;
 use crate::error::{Result, did_you_mean};
 use crate::scene::cut::glob_matches;
 use crate::scene::relief::{Placement, parse_wrap, place_map};
-use crate::scene::section::{Amount, section_surface};
-use crate::scene::{Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, Wrap, range};
+use crate::scene::section::Amount;
+use crate::scene::{
+    Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, SectionSpec, Up, Wrap, range,
+};
 
 const KEYS: &[&str] = &[
     "name",
@@ -54,6 +56,8 @@ pub(super) struct Context<'a> {
     /// Names of all parts that there are at any time.
     pub(super) names: &'a [String],
     pub(super) bounds: Bounds,
+    /// The up axis of the scene.
+    pub(super) up: Up,
     pub(super) maps: &'a Maps,
 }
 
@@ -197,8 +201,12 @@ fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
     let surface = if open.get("section").is_some() {
         let table = entry.table(SECTION)?;
         let section = table.need("section", "\"z=50%\"")?;
-        let plane = section_surface(section.text()?, &context.bounds);
-        on_plane(plane.map_err(|e| section.place(e))?, &table, context)?
+        let section_plane = plane(section.text()?, context);
+        on_plane(
+            section_plane.map_err(|e| section.place(e))?,
+            &table,
+            context,
+        )?
     } else if open.get("normal").is_some() {
         let table = entry.table(NORMAL)?;
         let normal = table.need("normal", "[0, 0, 1]")?;
@@ -207,14 +215,19 @@ fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSurface> {
             Some(origin) => origin.vector::<3>()?,
             None => context.bounds.centre().to_array(),
         };
-        let plane = section_surface(&format!("{x},{y},{z}@{px},{py},{pz}"), &context.bounds);
-        on_plane(plane.map_err(|e| normal.place(e))?, &table, context)?
+        let normal_plane = plane(&format!("{x},{y},{z}@{px},{py},{pz}"), context);
+        on_plane(normal_plane.map_err(|e| normal.place(e))?, &table, context)?
     } else {
         in_full(&entry.table(FULL)?, context)?
     };
     sound(&surface, &context.bounds, entry)?;
     let flip = open.get("flip").map_or(Ok(false), |f| f.flag())?;
     Ok(if flip { surface.flipped() } else { surface })
+}
+
+/// The plane of a section spec.
+fn plane(text: &str, context: &Context<'_>) -> Result<ClipSurface> {
+    SectionSpec::parse(text)?.surface(&context.bounds, context.up)
 }
 
 /// Refuses what is no clip-surface.

@@ -43,6 +43,22 @@
 //! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
 //! cut. Where several globs fit a part, its own name has to be there and counts.
 //!
+//! # The camera
+//!
+//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are seen. With it nothing is turned.
+//!
+//! ```toml
+//! [camera]
+//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`
+//! elevation_deg = 25
+//! up = "+Z"                              # images on sections stand upright by it
+//! near = 0.5                             # distance of the near plane
+//! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
+//! ```
+//!
+//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the wall by which it leaves the
+//! solid, but the next surface or cap that it enters.
+//!
 //! # How heights are read
 //!
 //! `height_filter = "hardware"`, before all tables, reads reliefs through the sampler of the GPU where a strategy asks for heights at
@@ -135,6 +151,8 @@ pub struct SceneFile {
     pub scene: Scene,
     /// The scene at any time.
     pub timeline: Timeline,
+    /// Whether it says where the scene is seen from: without `[camera]` that is for others to choose.
+    pub has_camera: bool,
     /// Name of the strategy it asks for; whether there is such a one is for others to say.
     pub strategy: Option<String>,
     /// Width and height in pixels it asks for.
@@ -213,6 +231,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
     let script = Script { keys, ..script };
     Ok(SceneFile {
         scene,
+        has_camera: root.get("camera").is_some(),
         strategy,
         resolution: root.get("resolution").map(|e| resolution(&e)).transpose()?,
         background: root
@@ -296,6 +315,7 @@ fn read_scene(
     };
     let context = cuts::Context {
         bounds: scene.bounds(),
+        up: scene.camera.up,
         parts: &scene.parts,
         names: &contents.names,
         maps: &maps,

@@ -85,7 +85,7 @@ pub(super) fn block(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
         let mend = "let every number of `min` be at most that of `max`, and no size be below 0";
         return Err(entry.fault(what, mend));
     }
-    let faces = block.faces(bounds.centre());
+    let faces = block.faces(bounds.centre(), context.up);
     if faces.is_empty() {
         let mend = "add for example `min = [0, 0, 0]`, or `centre` and `size`";
         return Err(entry.fault("it has no side", mend));
@@ -164,7 +164,7 @@ pub(super) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     present.extend(wedge.max.map(|_| "max"));
     let listed = listed(&present, &table)?;
     let ragged = listed.iter().any(|name| ["from", "to"].contains(name));
-    let alternatives = wedge.alternatives(ragged).into_iter();
+    let alternatives = wedge.alternatives(ragged, context.up).into_iter();
     let ruffled = alternatives.map(|faces| ruffled(faces, &listed, &table, context));
     Ok(Union {
         alternatives: ruffled.collect::<Result<_>>()?,

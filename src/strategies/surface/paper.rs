@@ -5,13 +5,14 @@
 //! runs straight where the clip test bends, and the *gap* shows what lies behind. No finite tessellation closes it where a solid
 //! meets the clip-surface at a grazing angle; it is counted (`crack_px`), not hidden.
 //!
-//! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Cannot: cap at the near
-//! plane; draw by the compute rasteriser.
+//! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Where the near
+//! plane meets a part, the image is asked once more at each pixel: the paper has no cap there. Cannot: draw by the compute rasteriser.
 
 use super::tessellation::{Tessellation, instance};
 use crate::passes::{DrawPass, Recorder, Volume, counted};
 use crate::plan::Vertices;
 use crate::shader::Shader;
+use crate::strategies::inside::stencil::full_screen;
 
 /// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the parts that it
 /// answers for.
@@ -21,17 +22,7 @@ pub fn record(
     images: impl FnOnce(&mut Recorder<'_>, &[usize]) -> Result<Vec<(Vec<usize>, Volume)>, String>,
 ) -> Result<(), String> {
     let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
-    // Parts that only the near plane opens have no clip-surface to draw triangles of.
-    let capped: Vec<usize> = ranks
-        .iter()
-        .copied()
-        .filter(|r| recorder.relevance.cuts_of(*r) != 0)
-        .collect();
-    let images = if capped.is_empty() {
-        Vec::new()
-    } else {
-        images(recorder, &capped)?
-    };
+    let images = images(recorder, &ranks)?;
 
     let (vertices, indices) = recorder.mesh();
     let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
@@ -52,16 +43,53 @@ pub fn record(
     });
     recorder.draw_plain_parts(false);
 
-    if images.is_empty() {
-        recorder.gather();
-        return Ok(());
+    // Parts that only the near plane opens have no clip-surface to draw triangles of.
+    if !recorder.relevance.surfaces.is_empty() {
+        let tessellation = tessellate(recorder)?;
+        for (ranks, volume) in &images {
+            caps(recorder, &tessellation, ranks, volume);
+        }
     }
-    let tessellation = tessellate(recorder)?;
-    for (ranks, volume) in images {
-        caps(recorder, &tessellation, &ranks, &volume);
+    for (ranks, volume) in &images {
+        near_caps(recorder, ranks, volume);
     }
     recorder.gather();
     Ok(())
+}
+
+/// Draws the caps that the near plane makes in the parts that an image of volumes answers for, by rank.
+fn near_caps(recorder: &mut Recorder<'_>, ranks: &[usize], volume: &Volume) {
+    let view = recorder.view;
+    let parts = &recorder.model.prepared.parts;
+    let is_met = |rank: &&usize| view.near_cap && view.near_plane_meets(&parts[**rank].bounds);
+    let places: Vec<u32> = (ranks.iter().filter(is_met))
+        .map(|rank| recorder.relevance.place_of(*rank) as u32)
+        .collect();
+    let Some(first) = places.first() else {
+        return;
+    };
+    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
+    bindings.extend(recorder.filtered_heights());
+    bindings.extend(volume.bindings.iter().cloned());
+    let (indices, draws): (Vec<_>, Vec<_>) = places
+        .iter()
+        .map(|place| full_screen(recorder, *place))
+        .unzip();
+    recorder.draw(DrawPass {
+        name: format!("near cap {first}"),
+        reason: format!(
+            "{}: the near plane meets it, and its image says where it is inside",
+            counted(places.len(), "part")
+        ),
+        shader: Shader::from("strategies/surface/paper/near.wgsl")
+            .with(volume.file)
+            .with(recorder.height_filter_file()),
+        bindings,
+        constants: Vec::new(),
+        vertices: Vertices::None,
+        indices: indices[0],
+        draws: draws.concat(),
+    });
 }
 
 /// Draws the caps of the parts that an image of volumes answers for.

@@ -1,6 +1,7 @@
 // Draws a solid with the clip test at every fragment (Trapp & Döllner 2013, section 4): chi decides, on the interpolated point.
 
 #import cutaway::cuts::{is_removed, parts}
+#import cutaway::exits::is_passed
 #import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::{Vertex, clip_position, facing}
 #import cutaway::sides::sides_of
@@ -20,7 +21,7 @@ fn vertex(v: Vertex) -> Corner {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
     let part = parts[corner.rank];
-    if is_removed(sides_of(corner.point), part.cuts) {
+    if is_removed(sides_of(corner.point), part.cuts) || is_passed(front) {
         discard;
     }
     let word = layer_word(SURFACE, 0u, part.part) | select(BACK_FACE, 0u, front);

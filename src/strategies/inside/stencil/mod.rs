@@ -259,7 +259,10 @@ const TO: [&str; BITS] = [
 ];
 
 /// Indices and draw of a triangle that covers the picture.
-fn full_screen(recorder: &mut Recorder<'_>, instance: u32) -> (ResourceId, Vec<Draw>) {
+pub(in crate::strategies) fn full_screen(
+    recorder: &mut Recorder<'_>,
+    instance: u32,
+) -> (ResourceId, Vec<Draw>) {
     let indices = recorder.once("screen indices", |_| {
         let contents = Contents::of(&[0_u32, 1, 2]);
         Resource::own_upload("screen indices", Role::Index, contents, Clock::Cut)
