@@ -25,8 +25,14 @@ struct Where {
 fn cover(a: Point, second: Point, third: Point, at: Where) {
     let first = first_pixel(min(a.steps, min(second.steps, third.steps)));
     let last = last_pixel(max(a.steps, max(second.steps, third.steps)));
+    let last_tile = last >> vec2<u32>(6u);
+    let first_tile = first >> vec2<u32>(6u);
+    let first_row = first_tile.y + ((at.tiles - first_tile.y) & 7);
+    if any(first > last) || first_row > last_tile.y {
+        return;
+    }
     let whole = wide_cross(second.steps - a.steps, third.steps - a.steps);
-    if any(first > last) || (whole.x | whole.y) == 0u {
+    if (whole.x | whole.y) == 0u {
         return;
     }
     let turned = wide_is_negative(whole);
@@ -37,9 +43,6 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
         c = second;
     }
     let plane = flat_through(a, b, c, abs(wide_float(whole)));
-    let last_tile = last >> vec2<u32>(6u);
-    let first_tile = first >> vec2<u32>(6u);
-    let first_row = first_tile.y + ((at.tiles - first_tile.y) & 7);
     for (var tile_y = first_row; tile_y <= last_tile.y; tile_y += 8) {
         for (var tile_x = first_tile.x; tile_x <= last_tile.x; tile_x++) {
             let from_px = max(64 * vec2<i32>(tile_x, tile_y), first);

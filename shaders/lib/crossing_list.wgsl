@@ -38,6 +38,11 @@ fn put(at: u32, z: f32, word: u32) {
     }
 }
 
+// Whether a crossing comes before one that is listed.
+fn comes_before(z: f32, enters_kept: bool, listed: f32) -> bool {
+    return is_behind(listed, z) || !(enters_kept || is_behind(z, listed));
+}
+
 // Adds a crossing at depth-buffer value z, of which `word` is kept (`crossing_words`). Of crossings at one depth those at which the ray
 // leaves what is kept come first: two cuts that share a plane leave no sheet between them.
 fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
@@ -48,14 +53,14 @@ fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     var i = stored;
     if stored == (*list).capacity {
         i = stored - 1u;
-        if !is_behind(crossing_z[i * stride + (*list).pixel], z) {
+        if !comes_before(z, enters_kept, crossing_z[i * stride + (*list).pixel]) {
             return;
         }
     }
     for (; i > 0u; i--) {
         let before = (i - 1u) * stride + (*list).pixel;
         let z_before = crossing_z[before];
-        if !is_behind(z_before, z) && (enters_kept || is_behind(z, z_before)) {
+        if !comes_before(z, enters_kept, z_before) {
             break;
         }
         var word_before = word;

@@ -2,7 +2,8 @@
 // samples. x to the right and y down; the sample of a pixel is at its centre, 128 steps into it.
 //
 // A point beyond a border cannot be snapped, and its triangles are clipped there: the near plane, and a guard band around the
-// picture that keeps every difference of two coordinates below 2^23 steps.
+// picture that keeps every difference of two coordinates below 2^23 steps. A triangle that has all of its points beyond one border, or
+// beyond one side of the picture, holds no sample.
 
 #define_import_path cutaway::screen
 
@@ -11,6 +12,8 @@
 // Half the width of the guard band, in pixels from the upper left corner.
 const GUARD_PX: f32 = 16000.0;
 const BORDERS: u32 = 5u;
+// Bits of the borders; those of the sides of the picture follow.
+const BEYOND_BORDERS: u32 = 31u;
 
 // How far a point inside the guard band may be from the middle of the picture, in halves of the picture.
 fn guard_reach() -> vec2<f32> {
@@ -38,6 +41,15 @@ fn borders_beyond(clip: vec4<f32>) -> u32 {
     return beyond;
 }
 
+// Bits of the sides of the picture that a point is beyond, by more than a pixel: what is snapped may come back by a small part of it.
+// Linear in clip space, so that it holds of what is between points that are beyond the same side, also where w is negative.
+fn sides_beyond(clip: vec4<f32>) -> u32 {
+    let reach = (1.0 + 2.0 / vec2<f32>(frame.size_px)) * clip.w;
+    let beyond = vec4<bool>(reach.x + clip.x < 0.0, reach.x - clip.x < 0.0, reach.y + clip.y < 0.0, reach.y - clip.y < 0.0);
+    let bits = select(vec4<u32>(0u), vec4<u32>(32u, 64u, 128u, 256u), beyond);
+    return bits.x | bits.y | bits.z | bits.w;
+}
+
 // A point of the picture.
 struct Point {
     // In pixels from the centre of the upper left one, where samples are at integers.
@@ -60,15 +72,21 @@ fn snapped(at: vec3<f32>) -> Point {
     return Point(at.xy, at.z, vec2<i32>(round(at.xy * 256.0)) + 128);
 }
 
-// A vertex as it is kept, as bits: on screen, or in clip space with the borders it is beyond. Of clip space three numbers are
+// A vertex as it is kept, as bits: on screen, or in clip space, with the borders and sides it is beyond. Of clip space three numbers are
 // kept: one of z and w is the same everywhere, w in parallel views, z in others.
 fn kept(clip: vec4<f32>) -> vec4<i32> {
     let beyond = borders_beyond(clip);
+    let sides = sides_beyond(clip);
     if beyond == 0u {
-        return vec4<i32>(bitcast<vec3<i32>>(on_screen(clip)), 0);
+        return vec4<i32>(bitcast<vec3<i32>>(on_screen(clip)), i32(sides));
     }
     let third = select(clip.w, clip.z, frame.orthographic != 0u);
-    return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond));
+    return vec4<i32>(bitcast<vec3<i32>>(vec3<f32>(clip.xy, third)), i32(beyond | sides));
+}
+
+// The borders that a kept vertex is beyond.
+fn borders_of(vertex: vec4<i32>) -> u32 {
+    return u32(vertex.w) & BEYOND_BORDERS;
 }
 
 // A vertex that is beyond no border.
@@ -79,7 +97,7 @@ fn point_of(vertex: vec4<i32>) -> Point {
 // Clip space of a vertex that was kept.
 fn clip_of_kept(vertex: vec4<i32>) -> vec4<f32> {
     let v = bitcast<vec3<f32>>(vertex.xyz);
-    if vertex.w != 0 {
+    if borders_of(vertex) != 0u {
         return select(vec4<f32>(v.xy, frame.near, v.z), vec4<f32>(v, 1.0), frame.orthographic != 0u);
     }
     let size = vec2<f32>(frame.size_px);

@@ -11,6 +11,9 @@ struct SettledGroup {
     removed: u32,
     // 1 where each triangle lies on another one.
     doubled: u32,
+    // Bits of the cutters in faces of which they lie.
+    cutters: u32,
+    padding: vec4<u32>,
 }
 
 struct SettledGroups {

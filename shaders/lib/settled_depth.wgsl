@@ -9,6 +9,27 @@
 #import cutaway::crossings::{crossing_heads, listed, surface_at, z_at}
 #import cutaway::settled::{beside, of_doubled, settled}
 
+// How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value.
+const SHARED: f32 = 0.000244140625;
+
+// A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
+// leaves. The crossing is the nearest one with that cutter, for a cutter's face ends where the next one begins.
+fn in_cutters(z: f32, pixel: u32, cutters: u32, front: bool) -> f32 {
+    let count = listed(crossing_heads[pixel].x);
+    var crossing = 0.0;
+    var nearest = SHARED * z;
+    for (var i = 0u; i < count; i++) {
+        if ((cutters >> surface_at(i, pixel)) & 1u) != 0u {
+            let distance = abs(z_at(i, pixel) - z);
+            if distance <= nearest {
+                nearest = distance;
+                crossing = z_at(i, pixel);
+            }
+        }
+    }
+    return select(z, beside(z, crossing, !front), crossing > 0.0);
+}
+
 // Depth-buffer value of a fragment of a group, which rasterising found at `z`.
 fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, group, front);
@@ -26,6 +47,9 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
             moved = beside(moved, crossing, is_before);
         }
         sides ^= surface;
+    }
+    if settled.groups[group].cutters != 0u {
+        return in_cutters(moved, pixel, settled.groups[group].cutters, front);
     }
     return moved;
 }

@@ -5,16 +5,15 @@
 //! is then a [`Root`] like that of any other clip-surface, with the triangle's normal for its gradient, and all that holds of
 //! ties and of events that are too close to order holds of it as well.
 //!
-//! A face of a part that lies in a face of the cutter is on the kept side, all of it ([`lies_in`]), as in a clip-plane. Unlike a plane
-//! the cutter's face ends: where a sample is too close to an edge of either triangle ([`share_the_sample`]) to say that both are met,
+//! A face of a part that lies in a face of the cutter is before it where the ray leaves the part by it, behind it where it enters
+//! ([`super::settle`]). Unlike a plane the cutter's face ends: where a sample is too close to an edge of either triangle ([`share_the_sample`]) to say that both are met,
 //! rather than one of them and the next triangle of the other, the order is as open as any.
 //!
 //! An outline of a cutter is what a graze of a relief is: a pair of crossings that a sample moved by a hair may have or
 //! not. It leaves a sample undecided where that could change what is seen: where some part that the cut applies to may be
 //! inside there, and neither another cut nor another surface of the same cut settles its fate ([`bites`]).
 
-use glam::{DVec2, DVec3};
-use robust::{Coord3D, orient3d};
+use glam::DVec2;
 
 use super::clip::{Face, Ray, Root};
 use super::outline::{Brush, NEAR_PX};
@@ -108,17 +107,6 @@ pub(super) fn meet(
         }
     }
     met
-}
-
-/// Whether three points are in the plane of a triangle, to the last bit.
-pub(super) fn lies_in(points: [DVec3; 3], face: [DVec3; 3]) -> bool {
-    let of = |p: DVec3| Coord3D {
-        x: p.x,
-        y: p.y,
-        z: p.z,
-    };
-    let [a, b, c] = face.map(of);
-    points.iter().all(|p| orient3d(a, b, c, of(*p)) == 0.0)
 }
 
 /// Whether two triangles in one plane are both met, whoever moves a sample a little.

@@ -16,7 +16,7 @@ use super::bench::Bench;
 use super::clip::{Ray, Root};
 use super::raster::Crossing;
 use super::{Lines, ambiguity, cutter};
-use crate::scene::{Prepared, PreparedPart, Settled, Side};
+use crate::scene::{Prepared, PreparedPart, Settled, Side, lies_in};
 
 /// What is settled of the triangles of a part.
 pub(super) struct SettledFaces {
@@ -100,7 +100,7 @@ impl Lines<'_> {
             && root.face.is_some_and(|face| {
                 let of_part = self.parts[usize::from(crossing.rank)].facet(crossing.triangle);
                 let of_cutter = self.mesh_of_cutter(root.surface).facet(face.triangle);
-                cutter::lies_in(of_part.points, of_cutter.points)
+                lies_in(of_part.points, of_cutter.points)
             })
     }
 

@@ -12,6 +12,7 @@ mod mask;
 mod model;
 mod packed;
 mod picture;
+
 mod pose;
 mod probe;
 mod pyramid;
@@ -28,6 +29,7 @@ mod settled;
 mod sheet;
 mod sliced;
 mod solid;
+mod surface;
 mod sweep;
 
 pub use crossings::Crossings;

@@ -10,9 +10,6 @@ use crate::plan::{
 use crate::scene::{HeightFilter, View};
 use crate::shader::Shader;
 
-/// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
-const UNRANKED: f64 = 254.0;
-
 /// Word of the need buffer for crossings per pixel: `shaders/lib/crossing_list.wgsl`.
 pub const NEED_OF_CROSSINGS: u32 = 0;
 /// Word for the cells of a relief along a ray: `shaders/lib/relief_crossing/`.
@@ -59,7 +56,7 @@ pub struct Recorder<'a> {
     pub keeps_pyramids: bool,
     /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
     pub interference: Option<[u8; 3]>,
-    drawn: bool,
+    pub(super) drawn: bool,
     /// What the compute rasteriser looked for the samples of the frame on.
     pub(super) screen_of_frame: Option<Screen>,
 }
@@ -287,57 +284,6 @@ impl<'a> Recorder<'a> {
                 draws,
             },
         });
-    }
-
-    /// Draws the parts that no cut reaches. `ranked` frames find such a surface's place among crossings later.
-    pub fn draw_plain_parts(&mut self, ranked: bool) {
-        let ranks = self.relevance.plain_parts().to_vec();
-        if ranks.is_empty() && self.drawn {
-            return;
-        }
-        let (vertices, indices) = self.mesh();
-        let bindings = vec![self.frame(), self.parts()];
-        let reason = if ranks.is_empty() {
-            "clears the targets: every part is removed or capped".to_owned()
-        } else if self.relevance.lanes == 0 {
-            "no part is cut open: the solids as they are".to_owned()
-        } else {
-            format!(
-                "no cut reaches {}: drawn plainly",
-                counted(ranks.len(), "part")
-            )
-        };
-        let mut constants = Vec::new();
-        if ranked {
-            constants.push(("place", UNRANKED));
-        }
-        if !self.view.near_cap {
-            constants.push(("passes_exits", 1.0));
-        }
-        self.draw(DrawPass {
-            name: "surface".to_owned(),
-            reason,
-            shader: "passes/surface.wgsl".into(),
-            bindings,
-            constants: constants.clone(),
-            vertices,
-            indices,
-            draws: self.draws_of_rest(&ranks),
-        });
-        let doubled = self.draws_of_groups(&ranks);
-        if !doubled.is_empty() {
-            let pass = DrawPass {
-                name: "surface doubled".to_owned(),
-                reason: "of faces that lie on each other the one that faces the eye".to_owned(),
-                shader: "passes/doubled.wgsl".into(),
-                bindings: vec![self.frame(), self.parts(), self.settled()],
-                constants,
-                vertices,
-                indices,
-                draws: doubled,
-            };
-            self.draw(pass);
-        }
     }
 
     /// A compute pass with one invocation per pixel (or texel) of a picture.

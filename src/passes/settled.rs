@@ -22,16 +22,37 @@ use super::Recorder;
 use super::packed::{Packed, Room};
 use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
 use crate::plan::{Binding, Clock, Contents, Draw, INDEX_BYTES, Piece, ResourceId, Role};
-use crate::scene::{FlatSurface, Prepared, PreparedPart, Side};
+use crate::scene::{FlatSurface, Prepared, PreparedPart, PreparedVolume, Side};
 
-/// A flat clip-surface with its number.
-pub(super) type Numbered = (u16, FlatSurface);
+/// What triangles may be settled by.
+#[derive(Clone, Debug)]
+pub(super) enum Settling {
+    /// A clip-surface without relief.
+    Flat(FlatSurface),
+    /// A cutter.
+    Volume(Arc<PreparedVolume>),
+}
+
+impl PartialEq for Settling {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Flat(a), Self::Flat(b)) => a == b,
+            (Self::Volume(a), Self::Volume(b)) => Arc::ptr_eq(&a.positions, &b.positions),
+            _ => false,
+        }
+    }
+}
+
+/// A clip-surface with its number.
+pub(super) type Numbered = (u16, Settling);
 
 /// How triangles lie.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Lie {
     /// Sides by number of the clip-surface.
     sides: Vec<(u16, Side)>,
+    /// Numbers of the cutters in faces of which they lie.
+    in_cutters: Vec<u16>,
     /// On other triangles.
     is_doubled: bool,
 }
@@ -61,12 +82,20 @@ impl Sorted {
         (indices, doubled): (&[u8], &[u32]),
     ) -> Option<Self> {
         let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
-        for (number, flat) in surfaces {
-            for (triangle, side) in flat.settled(positions, triangles) {
-                lies.entry(triangle)
-                    .or_default()
-                    .sides
-                    .push((*number, side));
+        for (number, surface) in surfaces {
+            match surface {
+                Settling::Flat(flat) => {
+                    for (triangle, side) in flat.settled(positions, triangles) {
+                        let lie = lies.entry(triangle).or_default();
+                        lie.sides.push((*number, side));
+                    }
+                }
+                Settling::Volume(volume) => {
+                    for triangle in volume.shared_faces(positions, triangles) {
+                        let lie = lies.entry(triangle).or_default();
+                        lie.in_cutters.push(*number);
+                    }
+                }
             }
         }
         for triangle in doubled {
@@ -116,7 +145,7 @@ impl SettledParts {
         before: Option<&Self>,
     ) -> Option<Self> {
         let sorted: Vec<_> = (prepared.parts.iter())
-            .map(|part| packed[part.part].sorted(part, &flat_surfaces(prepared, part)))
+            .map(|part| packed[part.part].sorted(part, &surfaces_near(prepared, part)))
             .collect();
         if sorted.iter().all(Option::is_none) {
             return None;
@@ -152,14 +181,24 @@ impl SettledParts {
     }
 }
 
-/// The flat clip-surfaces that pass by a part so close that they may settle some of it.
-fn flat_surfaces(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
+/// The clip-surfaces that pass by a part so close that they may settle some of it.
+fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
     if part.is_posed {
         return Vec::new();
     }
     let numbers = part.cuts.iter().flat_map(|c| &prepared.cuts[*c].surfaces);
-    let flat = numbers.filter_map(|n| Some((*n as u16, prepared.surfaces[*n].flat()?)));
-    flat.filter(|(_, flat)| flat.comes_near(&part.bounds))
+    let settling = |number: &usize| {
+        let surface = &prepared.surfaces[*number];
+        match &surface.volume {
+            Some(volume) => Some(Settling::Volume(volume.clone())),
+            None => {
+                let flat = surface.flat().filter(|f| f.comes_near(&part.bounds));
+                flat.map(Settling::Flat)
+            }
+        }
+    };
+    numbers
+        .filter_map(|n| Some((*n as u16, settling(n)?)))
         .collect()
 }
 
@@ -168,7 +207,10 @@ impl Recorder<'_> {
     pub fn settles(&self) -> bool {
         self.relevance.order.iter().any(|rank| {
             let mut groups = self.groups_of(*rank).iter();
-            groups.any(|g| g.lie.is_doubled || self.bits_of(g)[0] != 0)
+            groups.any(|g| {
+                let [surfaces, _, cutters] = self.bits_of(g);
+                g.lie.is_doubled || surfaces | cutters != 0
+            })
         })
     }
 
@@ -188,10 +230,12 @@ impl Recorder<'_> {
         all.take(MOST_SETTLED_GROUPS).collect()
     }
 
-    /// Bits of the clip-surfaces that settle a group, and of those it lies on the removed side of.
-    fn bits_of(&self, group: &Group) -> [u32; 2] {
-        let mut bits = [0; 2];
+    /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, and of cutters that it shares faces with.
+    fn bits_of(&self, group: &Group) -> [u32; 3] {
+        let mut bits = [0; 3];
         for (slot, number) in self.relevance.surfaces.iter().enumerate() {
+            let is_shared = group.lie.in_cutters.contains(&(*number as u16));
+            bits[2] |= u32::from(is_shared) << slot;
             let side = group
                 .lie
                 .sides
@@ -210,12 +254,14 @@ impl Recorder<'_> {
         self.uploaded("settled", Role::Uniform, Clock::Cut, |r| {
             let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
             for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
-                let [surfaces, removed] = r.bits_of(group);
+                let [surfaces, removed, cutters] = r.bits_of(group);
                 *row = SettledGroup {
                     place: r.relevance.place_of(rank) as u32,
                     surfaces,
                     removed,
                     doubled: u32::from(group.lie.is_doubled),
+                    cutters,
+                    padding: [0; 4],
                 };
             }
             Contents::of(&table)

@@ -214,6 +214,10 @@ shared! {
         removed: u32,
         /// 1 where each triangle lies on another one.
         doubled: u32,
+        /// Bits of the cutters in faces of which they lie.
+        cutters: u32,
+        /// Unused.
+        padding: [u32; 4],
     }
 }
 

@@ -75,7 +75,10 @@ mod tests {
     #[test]
     fn faces_on_each_other_are_found_whatever_their_lists_begin_with() {
         let mut mesh = (*shapes::shape("cube").unwrap_or_else(|e| panic!("{e}"))[0].mesh).clone();
-        assert!(doubled_faces(&mesh).is_empty(), "no face of a cube lies on another");
+        assert!(
+            doubled_faces(&mesh).is_empty(),
+            "no face of a cube lies on another"
+        );
         let count = mesh.triangles.len() as u32;
         let [a, b, c] = mesh.triangles[3];
         for (i, again) in [[a, b, c], [c, b, a], [b, a, c]].into_iter().enumerate() {

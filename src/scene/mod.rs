@@ -7,6 +7,7 @@
 mod bounds;
 mod camera;
 mod clip_surface;
+mod coincide;
 mod cut;
 mod cutter;
 pub mod defects;
@@ -42,6 +43,7 @@ use std::sync::Arc;
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
+pub(crate) use coincide::lies_in;
 pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
 pub use cutter::Cutter;

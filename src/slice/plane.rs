@@ -175,7 +175,7 @@ mod tests {
             let mut p = DVec3::splat(123.456);
             for (at, above) in [
                 (origin[axis].next_down(), false),
-                (origin[axis], true),
+                (origin[axis], false),
                 (origin[axis].next_up(), true),
             ] {
                 p[axis] = at;
@@ -194,7 +194,9 @@ mod tests {
         let rounded = (p - oblique.origin).dot(oblique.frame.normal);
         assert_eq!(rounded, 0.0, "f64 alone would do: the case proves nothing");
         assert!(!oblique.is_above(p), "below by an ulp of 0.3");
-        assert!(oblique.is_above(DVec3::new(0.3, 0.3, 5.0)), "on the plane");
+        assert!(!oblique.is_above(DVec3::new(0.3, 0.3, 5.0)), "on the plane");
+        let above = DVec3::new(0.3_f64.next_up(), 0.3, 5.0);
+        assert!(oblique.is_above(above), "above by an ulp of 0.3");
     }
 
     #[test]

@@ -201,7 +201,7 @@ fn shared_face(min: DVec3, max: DVec3) -> Scene {
 }
 
 #[test]
-fn a_shared_face_is_kept_as_a_whole() {
+fn a_shared_face_leaves_nothing_without_thickness() {
     let mut told = Vec::new();
     for (min, max) in [
         (DVec3::splat(-0.5), DVec3::splat(0.5)),
@@ -212,11 +212,9 @@ fn a_shared_face_is_kept_as_a_whole() {
             let mut scene = shared_face(min, max);
             scene.camera = cameras::orbit(30.0, 40.0, orthographic);
             let question = Question::of(&scene, SIZE);
-            assert_eq!(
-                question.exact.layers.count(Kind::Cap),
-                0,
-                "the shell is whole"
-            );
+            let is_pocket = (-0.4..0.5).contains(&min.z);
+            let caps = question.exact.layers.count(Kind::Cap);
+            assert_eq!(caps > 0, is_pocket, "{caps} pixels of caps: {min}");
             for of in EXACT {
                 let judged = question.answer(&strategy(of));
                 told.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));

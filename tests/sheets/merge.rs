@@ -200,7 +200,7 @@ const REMOVED: (f64, f64) = (5.0, 1e-4);
 /// Rays begin and end kept.
 const KEPT: (f64, f64) = (-1.0, 1e-4);
 
-/// How far a tie moves a crossing, and rounding with it.
+/// How far rounding may move a crossing.
 const MOVED: f64 = 1e-5;
 
 fn shuffled<T>(random: &mut Numbers, mut items: Vec<T>) -> Vec<T> {
@@ -262,7 +262,7 @@ fn crossings_are_sorted_and_the_first_says_where_the_ray_begins() {
 
 #[test]
 fn an_odd_number_says_it_by_all_of_them_together() {
-    // Far less than what a tie moves a crossing: rounding may have exchanged any two.
+    // As close as rounding brings them: it may have exchanged any two.
     let close = 1e-6;
     for (fragments, begins_kept) in [
         (vec![back(1.5), front(1.5 + close), front(2.0)], true),

@@ -8,15 +8,15 @@ use crate::meshes::{block, cells, joined, moved, shape, turned, with_degenerate,
 use crate::{near, section, section_nonzero};
 
 #[test]
-fn a_face_in_the_plane_is_cut_iff_the_solid_is_below() {
+fn a_face_in_the_plane_is_cut_iff_the_solid_is_above() {
     let cube = shape("cube");
     let up = 0.5_f64.next_up();
     let down = 0.5_f64.next_down();
     for (z, normal, area) in [
-        (0.5, DVec3::Z, 1.0),
-        (0.5, -DVec3::Z, 0.0),
-        (-0.5, DVec3::Z, 0.0),
-        (-0.5, -DVec3::Z, 1.0),
+        (0.5, DVec3::Z, 0.0),
+        (0.5, -DVec3::Z, 1.0),
+        (-0.5, DVec3::Z, 1.0),
+        (-0.5, -DVec3::Z, 0.0),
         (up, DVec3::Z, 0.0),
         (down, DVec3::Z, 1.0),
         (-up, -DVec3::Z, 0.0),
@@ -28,10 +28,10 @@ fn a_face_in_the_plane_is_cut_iff_the_solid_is_below() {
     }
     // A step: the wider layer below z = 1, the narrower one above.
     let step = cells(&[[0, 0, 0], [1, 0, 0], [0, 0, 1]], 1.0);
-    for (normal, area) in [(DVec3::Z, 2.0), (-DVec3::Z, 1.0)] {
+    for (normal, area) in [(DVec3::Z, 1.0), (-DVec3::Z, 2.0)] {
         let section = section(&step, DVec3::Z, normal);
         assert_eq!(section.defects, [], "{normal}");
-        near(section.area(), area, "the layer below the plane");
+        near(section.area(), area, "the layer above the plane");
     }
 }
 

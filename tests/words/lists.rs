@@ -7,8 +7,6 @@ use crate::{Random, answers, words_of};
 
 const SEED: u64 = 0x11_57;
 const MOST: usize = Capacities::MOST_CROSSINGS as usize;
-/// As `pack::frame` sets it in perspective: 2^-20.
-const TIE: f32 = 1.0 / (1 << 20) as f32;
 
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
@@ -60,26 +58,24 @@ fn cases() -> Vec<Case> {
     all
 }
 
-/// The crossings as they should be stored: nearest first, and among equals in the order they came.
-fn sorted(case: &Case, enters_near: bool) -> Vec<(f32, u32)> {
-    let mut all: Vec<(f32, u32)> = case
-        .crossings
-        .iter()
-        .map(|c| {
-            let towards_eye = c.enters_kept == enters_near;
-            let tie = if towards_eye { c.z * TIE } else { -c.z * TIE };
-            (c.z + tie, c.surface)
-        })
-        .collect();
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+/// The crossings as they should be stored: nearest first, among equals first those that leave what is kept (`leaves_first`), of these
+/// the last to come, and of the others the first.
+fn sorted(case: &Case, leaves_first: bool) -> Vec<(f32, u32)> {
+    let mut all: Vec<(usize, &Crossing)> = case.crossings.iter().enumerate().collect();
+    all.sort_by(|(i, a), (j, b)| {
+        let [a_first, b_first] = [a, b].map(|c| c.enters_kept != leaves_first);
+        let by_arrival = if a_first { j.cmp(i) } else { i.cmp(j) };
+        (b.z.total_cmp(&a.z))
+            .then(b_first.cmp(&a_first))
+            .then(by_arrival)
+    });
     all.truncate(case.capacity);
-    all
+    all.into_iter().map(|(_, c)| (c.z, c.surface)).collect()
 }
 
 fn frame(pixels: usize) -> Frame {
     let mut frame: Frame = bytemuck::Zeroable::zeroed();
     frame.size_px = [pixels as u32, 1];
-    frame.tie = [TIE, 0.0];
     frame
 }
 
@@ -158,10 +154,10 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 const UNTOUCHED: u32 = 0xabad_1dea;
 
 /// Lists that are not what sorting gives.
-fn faults(cases: &[Case], given: &[Vec<u32>], enters_near: bool) -> Vec<String> {
+fn faults(cases: &[Case], given: &[Vec<u32>], leaves_first: bool) -> Vec<String> {
     let mut faults = Vec::new();
     for (case, words) in cases.iter().zip(given) {
-        let expected = sorted(case, enters_near);
+        let expected = sorted(case, leaves_first);
         let overflow = u32::from(case.crossings.len() > case.capacity) << 31;
         let mut wanted = vec![expected.len() as u32 | overflow, 0x8000_0001];
         for place in 0..MOST {
@@ -172,17 +168,7 @@ fn faults(cases: &[Case], given: &[Vec<u32>], enters_near: bool) -> Vec<String> 
                 None => wanted.extend([0; 2]),
             }
         }
-        // A contracted multiply-add may round a moved depth the other way.
-        let is_close = |(i, (a, b)): (usize, (&u32, &u32))| {
-            a == b || (i >= 2 && i % 2 == 0 && *b != UNTOUCHED && a.abs_diff(*b) <= 1)
-        };
-        if !wanted
-            .iter()
-            .zip(words)
-            .map(|(a, b)| (b, a))
-            .enumerate()
-            .all(is_close)
-        {
+        if wanted[..] != words[..wanted.len()] {
             faults.push(format!("{case:?}: {words:x?} should be {wanted:x?}"));
         }
     }
@@ -210,10 +196,12 @@ fn crossings_are_sorted_and_the_nearest_are_kept() {
         "{overflowing} of {} overflow: too one-sided",
         cases.len()
     );
-    // Ties given to the other side are noticed in every list that holds a crossing.
+    // Ties in the other order are noticed.
     let reversed = faults(&cases, &given, false).len();
-    let with_any = cases.iter().filter(|c| !c.crossings.is_empty()).count();
-    assert_eq!(reversed, with_any, "lists that show a reversed tie");
+    assert!(
+        reversed > cases.len() / 4,
+        "{reversed} lists show a reversed tie"
+    );
 }
 
 #[test]
