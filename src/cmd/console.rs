@@ -209,3 +209,24 @@ impl Drop for Console {
         self.bar.finish_and_clear();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_notes_are_a_few_and_how_many_more() {
+        let shown = |count: usize| {
+            let console = Console::hearing();
+            let notes: Vec<String> = (0..count).map(|i| format!("note {i}")).collect();
+            console.notes(&notes);
+            let heard = console.heard().into_iter();
+            heard.map(|remark| remark.text).collect::<Vec<_>>()
+        };
+        assert_eq!(shown(0).len(), 0);
+        assert_eq!(shown(MOST_NOTES + 1).len(), MOST_NOTES + 1);
+        let many = shown(32);
+        assert_eq!(many.len(), MOST_NOTES + 1);
+        assert!(many[MOST_NOTES].starts_with("27 more notes"), "{many:?}");
+    }
+}
