@@ -3,7 +3,8 @@
 //! A piece has two halves, one at each end. Halves that name the same mesh edge are partners: two of them at an ordinary edge;
 //! at an edge of more triangles those that bound one wedge of the solid, by their angles. Halves left over at points that are
 //! equal in both coordinates are paired in the same way, which closes meshes that repeat vertices. Then curves are walked from
-//! partner to partner. Angles only choose among pairings that all close; no distance is ever asked for.
+//! partner to partner. Angles only choose among pairings that all close. Lengths are asked for in one case: of an odd number of
+//! halves at an edge the one that is left is of a piece without length, if there is one, for it has no angle.
 //!
 //! Cost: two sorts of the halves.
 
@@ -28,6 +29,9 @@ pub(super) struct Curves {
     /// Pieces that their curve passes backward.
     pub(super) turned: usize,
 }
+
+/// A piece this much shorter than another at its edge has no length but rounding, and no angle: its triangle has no area.
+const SPECK: f64 = 1e-9;
 
 /// No partner.
 const NONE: u32 = u32::MAX;
@@ -105,6 +109,19 @@ impl Joints<'_> {
         self.partners[b as usize] = a;
     }
 
+    /// From a half to the other end of its piece.
+    fn way(&self, half: u32) -> DVec2 {
+        let [here, there] = [half, half ^ 1].map(|h| self.points_of_halves[h as usize]);
+        self.points[there as usize] - self.points[here as usize]
+    }
+
+    /// Which of some halves is of a piece without length.
+    fn speck(&self, halves: &[u32]) -> Option<usize> {
+        let mut lengths = halves.iter().map(|h| self.way(*h).length());
+        let longest = lengths.clone().fold(0.0, f64::max);
+        lengths.position(|length| length <= SPECK * longest)
+    }
+
     /// Pairs halves that meet; of an odd number one is left.
     fn pair(&mut self, halves: &mut [u32]) -> Option<u32> {
         match *halves {
@@ -116,11 +133,15 @@ impl Joints<'_> {
             }
             _ => {}
         }
-        let angle = |half: &u32| {
-            let here = self.points[self.points_of_halves[*half as usize] as usize];
-            let there = self.points[self.points_of_halves[(*half ^ 1) as usize] as usize];
-            (there - here).to_angle()
-        };
+        if halves.len() % 2 == 1
+            && let Some(speck) = self.speck(halves)
+        {
+            let last = halves.len() - 1;
+            halves.swap(speck, last);
+            self.pair(&mut halves[..last]);
+            return Some(halves[last]);
+        }
+        let angle = |half: &u32| self.way(*half).to_angle();
         halves.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
         // Counter-clockwise from a piece that leaves to one that arrives there is solid: like brackets around the point, where
         // what arrives first waits for what left last.

@@ -8,7 +8,8 @@ use cutaway::slice::{SectionDefect, SlicePlane, Slicer};
 use glam::{DVec2, DVec3};
 
 use crate::lines::fault;
-use crate::{plane, slicer, walls};
+use crate::meshes::{shape, with_degenerate};
+use crate::{near, plane, section, slicer, walls};
 
 /// Numbers without a pattern (Marsaglia's xorshift).
 struct Numbers(u64);
@@ -206,5 +207,24 @@ fn nothing_has_no_section() {
             "nothing"
         );
         assert_eq!((section.area(), section.perimeter()), (0.0, 0.0), "nothing");
+    }
+}
+
+/// A triangle without area names the edge of two others: it took the place of one of them, and the outline was open by an ulp.
+#[test]
+fn a_triangle_without_area_opens_no_outline() {
+    let cube = shape("cube");
+    let flawed = with_degenerate(&cube);
+    let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
+    let normals = (1..400).map(|i| (step * f64::from(i)).fract() - 0.5);
+    for normal in normals.chain([DVec3::new(-0.2, -0.1, -1.0)]) {
+        let whole = section(&cube, DVec3::ZERO, normal);
+        let found = section(&flawed, DVec3::ZERO, normal);
+        near(found.area(), whole.area(), &format!("area across {normal}"));
+        for chain in &found.open {
+            let [first, last] = [chain[0], chain[chain.len() - 1]];
+            let apart = found.points[first as usize].distance(found.points[last as usize]);
+            assert!(chain.len() == 2 && apart < 1e-12, "{normal}: {apart}");
+        }
     }
 }
