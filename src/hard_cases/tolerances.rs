@@ -18,5 +18,5 @@ pub const CAP_DEPTH_PX: f64 = 0.01;
 /// about 1 in 256.
 pub const RIM_SHARE: f64 = 1.0 / 64.0;
 
-/// Decided wrong pixels per boundary pixel where a face lies in the plane: single pixels.
+/// Decided wrong pixels per boundary pixel where faces that are wound against each other meet: single pixels.
 pub const TIE_SHARE: f64 = 1.0 / 256.0;

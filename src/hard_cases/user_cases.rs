@@ -36,12 +36,6 @@ const SMALL_PICTURES_EXACT: &[(&str, Expected)] = &[
     ("grid*+ldi*", Exact),
 ];
 
-/// A face in the plane is kept, but for single pixels.
-const TIED: Expected = Within(
-    tolerances::TIE_SHARE,
-    "the depth of a face that lies in the plane is rounding, which the tie does not outweigh at every pixel",
-);
-
 /// Why depth images are wrong about faces in the plane.
 const IN_IMAGE: Expected =
     Fails("of a point on a face a depth image says inside or outside as rounding has it");
@@ -148,7 +142,7 @@ pub(super) const OF_USERS: &[Case] = &[
         "a plane in the face between two products",
         users::between,
         Plane,
-        TIED,
+        Exact,
         IN_FACE,
     )
     .but(&[("raycast+vds*", IN_IMAGE), ("raycast+ldi*", IN_IMAGE)]),

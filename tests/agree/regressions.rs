@@ -1,7 +1,8 @@
 //! What once was wrong, by number, each in the smallest scene that showed it.
 
+use cutaway::hard_cases::Entrant;
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::Strategy;
 use glam::DVec3;
@@ -76,4 +77,42 @@ fn regression_0003_a_near_plane_without_a_cap_leaves_pixels_reliable() {
 fn regression_0004_a_session_can_go_to_another_thread() {
     fn goes<T: Send>() {}
     goes::<Session>();
+}
+
+/// A face in the plane seen from along it: its depth differs from that of the crossing by the slope times the rounding of its vertices on
+/// screen, which no constant shift of the crossing outweighs.
+#[test]
+fn regression_0005_a_face_in_the_plane_seen_from_along_it() {
+    let eye = DVec3::new(-0.51993, 0.3226, -2.7201);
+    let camera = scenes::looking(eye, DVec3::new(-0.5, -0.049, 0.0), 20.0);
+    for section in ["x=-0.5", "-x=-0.5"] {
+        let scene = scenes::sectioned("cube", &[section]);
+        let question = Question::through(&scene, &camera, [512, 384]);
+        for name in ["raycast+mask", "raycast+mask@compute", "raycast+stencil", "stencil", "planar"] {
+            let entrant = Entrant::named(name).expect("a strategy");
+            let fault = question.answer_of(&entrant).fault_of_exact();
+            assert_eq!(fault, None, "{section} by {name}");
+        }
+    }
+}
+
+/// What a section keeps of a face in its plane is what lies on the kept side of it.
+#[test]
+fn regression_0006_a_box_to_the_end_of_the_model_takes_the_lid_with_it() {
+    let cube = scenes::sectioned("cube", &[]);
+    let planes = |high: f64| -> Vec<ClipSurface> {
+        let faces = DVec3::AXES.map(|axis| [(DVec3::ZERO, -axis), (DVec3::splat(high), axis)]);
+        let planes = faces.as_flattened().iter();
+        planes.map(|(at, out)| ClipSurface::plane(*at, *out)).collect()
+    };
+    // A box that ends in the faces removes what one that goes on beyond them does.
+    let [flush, beyond] = [0.5, 0.75].map(|high| {
+        let mut scene = cube.clone();
+        scene.cuts = vec![Cut::of("box", planes(high))];
+        Question::of(&scene, [128; 2])
+    });
+    let pixels = flush.exact.layers.pixels.iter().zip(&beyond.exact.layers.pixels);
+    assert_eq!(pixels.filter(|(a, b)| a.kind != b.kind).count(), 0, "a lid is left");
+    assert!(flush.exact.layers.count(Kind::Cap) > 1000, "three faces of the box");
+    assert_eq!(flush.answer(&Strategy::RAYCAST_MASK).fault_of_exact(), None);
 }
