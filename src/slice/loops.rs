@@ -31,7 +31,7 @@ pub(super) struct Curves {
 }
 
 /// A piece this much shorter than another at its edge has no length but rounding, and no angle: its triangle has no area.
-const SPECK: f64 = 1e-9;
+const NO_LENGTH: f64 = 1e-9;
 
 /// No partner.
 const NONE: u32 = u32::MAX;
@@ -119,7 +119,7 @@ impl Joints<'_> {
     fn speck(&self, halves: &[u32]) -> Option<usize> {
         let mut lengths = halves.iter().map(|h| self.way(*h).length());
         let longest = lengths.clone().fold(0.0, f64::max);
-        lengths.position(|length| length <= SPECK * longest)
+        lengths.position(|length| length <= NO_LENGTH * longest)
     }
 
     /// Pairs halves that meet; of an odd number one is left.
@@ -198,8 +198,11 @@ fn walk(points: Vec<DVec2>, points_of_halves: &[u32], partners: &[u32]) -> Curve
         let mut pieces = 0_usize;
         while half != NONE && !std::mem::replace(&mut is_done[half as usize / 2], true) {
             curve.push(points_of_halves[half as usize]);
-            backward += usize::from(half % 2 == 1);
-            pieces += 1;
+            // A piece without length faces no way.
+            let has_length =
+                points_of_halves[half as usize] != points_of_halves[(half ^ 1) as usize];
+            backward += usize::from(has_length && half % 2 == 1);
+            pieces += usize::from(has_length);
             if is_open && partners[(half ^ 1) as usize] == NONE {
                 curve.push(points_of_halves[(half ^ 1) as usize]);
             }
