@@ -7,8 +7,8 @@ use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, CutTable, Deformer, Domain, DrawnPart, FragmentPool, Frame, Layout,
-    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, NO_RELIEF, Part, Pose, Pyramid, Quad,
-    RayRow, RaySurface, Refinement, Sprite, Sweep,
+    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS, NO_RELIEF, Part,
+    Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
@@ -219,6 +219,7 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Quad>(&modules);
     holds_in_all_shaders::<Sweep>(&modules);
     holds_in_all_shaders::<DrawnPart>(&modules);
+    holds_in_all_shaders::<SettledGroup>(&modules);
     holds_in_all_shaders::<FragmentPool>(&modules);
     holds_in_all_shaders::<Cascade>(&modules);
     holds_in_all_shaders::<Pose>(&modules);
@@ -238,7 +239,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 17, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 18, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -434,6 +435,8 @@ fn constants_have_one_value_on_both_sides() {
         ("FIRST_LEVEL", 3),
         ("MISS", 3),
         ("CELLS_OF_BLOCK", 9),
+        // A bit for each border of a screen: known to the shaders alone.
+        ("BEYOND_BORDERS", 31),
         ("LOWEST", pack::LOWEST),
         ("SIDE", pack::SIDE),
     ];
@@ -461,6 +464,7 @@ fn constants_have_one_value_on_both_sides() {
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
         ("RayTable", "surfaces", MAX_SURFACES as u32),
         ("DrawnParts", "parts", MOST_DRAWN_PARTS as u32),
+        ("SettledGroups", "groups", MOST_SETTLED_GROUPS as u32),
         ("Deformers", "rows", MOST_DEFORMERS as u32),
         ("Domains", "surfaces", MAX_SURFACES as u32),
         ("Refinements", "surfaces", MAX_SURFACES as u32),

@@ -13,7 +13,10 @@ struct SettledGroup {
     doubled: u32,
     // Bits of the cutters in faces of which they lie.
     cutters: u32,
-    padding: vec4<u32>,
+    // Normal of these faces, either way round.
+    normal_x: f32,
+    normal_y: f32,
+    normal_z: f32,
 }
 
 struct SettledGroups {

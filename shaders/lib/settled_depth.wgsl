@@ -6,20 +6,27 @@
 
 #define_import_path cutaway::settled_depth
 
-#import cutaway::crossings::{crossing_heads, listed, surface_at, z_at}
+#import cutaway::crossing_words::{normal_of, surface_of_word}
+#import cutaway::crossings::{crossing_heads, listed, surface_at, word_at, z_at}
 #import cutaway::settled::{beside, of_doubled, settled}
 
 // How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value.
-const SHARED: f32 = 0.000244140625;
+const NEAR_FACE: f32 = 0.000244140625;
+// Least cosine between the normals of two faces in one plane: those of a list have 13 bits along each axis.
+const SAME_PLANE: f32 = 0.9999;
 
 // A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
-// leaves. The crossing is the nearest one with that cutter, for a cutter's face ends where the next one begins.
-fn in_cutters(z: f32, pixel: u32, cutters: u32, front: bool) -> f32 {
+// leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
+fn in_cutters(z: f32, pixel: u32, group: u32, front: bool) -> f32 {
+    let cutters = settled.groups[group].cutters;
+    let normal = vec3<f32>(settled.groups[group].normal_x, settled.groups[group].normal_y, settled.groups[group].normal_z);
     let count = listed(crossing_heads[pixel].x);
     var crossing = 0.0;
-    var nearest = SHARED * z;
+    var nearest = NEAR_FACE * z;
     for (var i = 0u; i < count; i++) {
-        if ((cutters >> surface_at(i, pixel)) & 1u) != 0u {
+        let word = word_at(i, pixel);
+        let is_of_it = ((cutters >> surface_of_word(word)) & 1u) != 0u;
+        if is_of_it && abs(dot(normal_of(word), normal)) > SAME_PLANE {
             let distance = abs(z_at(i, pixel) - z);
             if distance <= nearest {
                 nearest = distance;
@@ -49,7 +56,7 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
         sides ^= surface;
     }
     if settled.groups[group].cutters != 0u {
-        return in_cutters(moved, pixel, settled.groups[group].cutters, front);
+        return in_cutters(moved, pixel, group, front);
     }
     return moved;
 }

@@ -46,6 +46,9 @@ impl PartialEq for Settling {
 /// A clip-surface with its number.
 pub(super) type Numbered = (u16, Settling);
 
+/// So many steps of a component of a normal tell planes apart.
+const NORMAL_STEPS: f32 = 4096.0;
+
 /// How triangles lie.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Lie {
@@ -53,6 +56,8 @@ struct Lie {
     sides: Vec<(u16, Side)>,
     /// Numbers of the cutters in faces of which they lie.
     in_cutters: Vec<u16>,
+    /// Normal of those faces, either way round, in steps of 1 / [`NORMAL_STEPS`].
+    normal: [i32; 3],
     /// On other triangles.
     is_doubled: bool,
 }
@@ -94,6 +99,8 @@ impl Sorted {
                     for triangle in volume.shared_faces(positions, triangles) {
                         let lie = lies.entry(triangle).or_default();
                         lie.in_cutters.push(*number);
+                        lie.normal =
+                            normal_of(triangles[triangle as usize].map(|i| positions[i as usize]));
                     }
                 }
             }
@@ -125,6 +132,15 @@ impl Sorted {
             indices: Piece::of(0, sorted.as_flattened()).bytes,
         })
     }
+}
+
+/// The normal of a triangle, in steps, with the sign that makes its first component that is not 0 positive.
+fn normal_of([a, b, c]: [Vec3; 3]) -> [i32; 3] {
+    let cross = (b - a).as_dvec3().cross((c - a).as_dvec3());
+    let steps = (cross.normalize_or_zero().as_vec3() * NORMAL_STEPS).round();
+    let steps = steps.to_array().map(|s| s as i32);
+    let first = steps.into_iter().find(|s| *s != 0).unwrap_or(0);
+    steps.map(|s| s * first.signum())
 }
 
 /// The settled triangles of a scene.
@@ -255,13 +271,16 @@ impl Recorder<'_> {
             let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
             for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
                 let [surfaces, removed, cutters] = r.bits_of(group);
+                let normal = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
                 *row = SettledGroup {
                     place: r.relevance.place_of(rank) as u32,
                     surfaces,
                     removed,
                     doubled: u32::from(group.lie.is_doubled),
                     cutters,
-                    padding: [0; 4],
+                    normal_x: normal[0],
+                    normal_y: normal[1],
+                    normal_z: normal[2],
                 };
             }
             Contents::of(&table)

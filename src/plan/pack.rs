@@ -216,8 +216,12 @@ shared! {
         doubled: u32,
         /// Bits of the cutters in faces of which they lie.
         cutters: u32,
-        /// Unused.
-        padding: [u32; 4],
+        /// Normal of these faces, either way round.
+        normal_x: f32,
+        /// Likewise.
+        normal_y: f32,
+        /// Likewise.
+        normal_z: f32,
     }
 }
 

@@ -88,7 +88,13 @@ fn regression_0005_a_face_in_the_plane_seen_from_along_it() {
     for section in ["x=-0.5", "-x=-0.5"] {
         let scene = scenes::sectioned("cube", &[section]);
         let question = Question::through(&scene, &camera, [512, 384]);
-        for name in ["raycast+mask", "raycast+mask@compute", "raycast+stencil", "stencil", "planar"] {
+        for name in [
+            "raycast+mask",
+            "raycast+mask@compute",
+            "raycast+stencil",
+            "stencil",
+            "planar",
+        ] {
             let entrant = Entrant::named(name).expect("a strategy");
             let fault = question.answer_of(&entrant).fault_of_exact();
             assert_eq!(fault, None, "{section} by {name}");
@@ -103,7 +109,9 @@ fn regression_0006_a_box_to_the_end_of_the_model_takes_the_lid_with_it() {
     let planes = |high: f64| -> Vec<ClipSurface> {
         let faces = DVec3::AXES.map(|axis| [(DVec3::ZERO, -axis), (DVec3::splat(high), axis)]);
         let planes = faces.as_flattened().iter();
-        planes.map(|(at, out)| ClipSurface::plane(*at, *out)).collect()
+        planes
+            .map(|(at, out)| ClipSurface::plane(*at, *out))
+            .collect()
     };
     // A box that ends in the faces removes what one that goes on beyond them does.
     let [flush, beyond] = [0.5, 0.75].map(|high| {
@@ -111,8 +119,20 @@ fn regression_0006_a_box_to_the_end_of_the_model_takes_the_lid_with_it() {
         scene.cuts = vec![Cut::of("box", planes(high))];
         Question::of(&scene, [128; 2])
     });
-    let pixels = flush.exact.layers.pixels.iter().zip(&beyond.exact.layers.pixels);
-    assert_eq!(pixels.filter(|(a, b)| a.kind != b.kind).count(), 0, "a lid is left");
-    assert!(flush.exact.layers.count(Kind::Cap) > 1000, "three faces of the box");
+    let pixels = flush
+        .exact
+        .layers
+        .pixels
+        .iter()
+        .zip(&beyond.exact.layers.pixels);
+    assert_eq!(
+        pixels.filter(|(a, b)| a.kind != b.kind).count(),
+        0,
+        "a lid is left"
+    );
+    assert!(
+        flush.exact.layers.count(Kind::Cap) > 1000,
+        "three faces of the box"
+    );
     assert_eq!(flush.answer(&Strategy::RAYCAST_MASK).fault_of_exact(), None);
 }

@@ -103,7 +103,7 @@ fn a_loop_of_many_points_has_its_shoelace_area() {
     // Through the vertices themselves: no point is computed.
     let mut mesh = walls(&outlines);
     mesh.positions.iter_mut().for_each(|p| p.z = p.z.max(0.0));
-    let section = section(&mesh, DVec3::Z, DVec3::Z);
+    let section = section(&mesh, DVec3::Z, -DVec3::Z);
     assert_eq!(section.defects, [], "many points");
     assert_eq!(section.points.len(), 120_001, "points");
     assert!(is_near(section.area(), exact), "{} {exact}", section.area());
