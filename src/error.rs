@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read as what it claims to be.
-    #[error("{}{}: {what}\n  mend: {mend}", path.display(), line.map(|n| format!(":{n}")).unwrap_or_default())]
+    #[error("{}{}: {what}\n  help: {mend}", path.display(), line.map(|n| format!(":{n}")).unwrap_or_default())]
     File {
         /// The file.
         path: PathBuf,
@@ -23,7 +23,7 @@ pub enum Error {
         mend: String,
     },
     /// An option, a key or a value that makes no sense.
-    #[error("{culprit}: {what}\n  mend: {mend}")]
+    #[error("{culprit}: {what}\n  help: {mend}")]
     Input {
         /// The option, key or value, as the user wrote it.
         culprit: String,
@@ -33,7 +33,7 @@ pub enum Error {
         mend: String,
     },
     /// No adapter, or one that lacks what a plan needs.
-    #[error("{what}\n  mend: {mend}")]
+    #[error("{what}\n  help: {mend}")]
     Adapter {
         /// What is missing.
         what: String,
@@ -52,7 +52,7 @@ pub enum Error {
     #[error("plan: {0}")]
     Plan(String),
     /// A plan that asks for more than the adapter's limits allow; a strategy's frame is then refused.
-    #[error("{0}\n  mend: lower --resolution, or choose an adapter that binds more with --adapter")]
+    #[error("{0}\n  help: lower --resolution, or choose an adapter that binds more with --adapter")]
     Limit(String),
 }
 

@@ -358,12 +358,12 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
             vec!["shape:crnak", "did you mean `crank`"],
         ),
         ("render crank -o out.png", vec!["crank", "shape:crank"]),
-        ("render shape:cube?sise=2 -o out.png", vec!["sise", "mend:"]),
-        ("render none.stl -o out.png", vec!["none.stl", "mend:"]),
-        ("render broken.obj -o out.png", vec!["broken.obj", "mend:"]),
+        ("render shape:cube?sise=2 -o out.png", vec!["sise", "help:"]),
+        ("render none.stl -o out.png", vec!["none.stl", "help:"]),
+        ("render broken.obj -o out.png", vec!["broken.obj", "help:"]),
         (
             "render scene.toml -o out.png",
-            vec!["scene.toml:3", "colour", "mend:"],
+            vec!["scene.toml:3", "colour", "help:"],
         ),
         (
             "render scene.toml shape:cube -o out.png",
@@ -391,7 +391,7 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --section q=1",
-            vec!["q=1", "mend:"],
+            vec!["q=1", "help:"],
         ),
         (
             "render shape:cube -o out.png --relief waves",
@@ -415,11 +415,11 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --rasteriser computer",
-            vec!["--rasteriser", "compute", "mend:"],
+            vec!["--rasteriser", "compute", "help:"],
         ),
         (
             "render shape:cube -o out.png --section z=50% --strategy grid:8+vds:64 --rasteriser compute",
-            vec!["strategy grid:8+vds:64", "compute rasteriser", "mend:"],
+            vec!["strategy grid:8+vds:64", "compute rasteriser", "help:"],
         ),
         (
             "render shape:cube -o out.png --supersample 9",
@@ -427,15 +427,15 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --adapter no-such-device",
-            vec!["--adapter no-such-device", "mend:"],
+            vec!["--adapter no-such-device", "help:"],
         ),
         (
             "render shape:cube -o out.png --camera-position 1,1",
-            vec!["--camera-position", "mend:"],
+            vec!["--camera-position", "help:"],
         ),
         (
             "render shape:cube -o out.png --camera-position 0,0,0",
-            vec!["--camera-position", "mend:"],
+            vec!["--camera-position", "help:"],
         ),
         (
             "render shape:cube -o out.png --camera-focal-point 0,0,0",
@@ -443,7 +443,7 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --camera-position 1e50,0,0",
-            vec!["camera", "radii from the model", "mend:"],
+            vec!["camera", "radii from the model", "help:"],
         ),
         (
             "render shape:cube -o out.png --camera-position 1e155,0,0",
@@ -451,11 +451,11 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "render shape:cube -o out.png --section z=50% --relief waves:period=1e-320",
-            vec!["waves:period=1e-320", "period", "mend:"],
+            vec!["waves:period=1e-320", "period", "help:"],
         ),
         (
             "render shape:cube -o out.png --section z=1e155",
-            vec!["z=1e155", "too far", "mend:"],
+            vec!["z=1e155", "too far", "help:"],
         ),
         (
             "render shape:cube -o out.png --sectoin z=0",
@@ -469,15 +469,15 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ),
         (
             "compare shape:cube --strategies exact",
-            vec!["exact", "mend:"],
+            vec!["exact", "help:"],
         ),
         ("compare shape:cube --rounds 0", vec!["--rounds"]),
         (
             "compare shape:cube --heatmaps file",
             vec!["--heatmaps file", "not a folder"],
         ),
-        ("plan shape:cube --strategy exact", vec!["exact", "mend:"]),
-        ("inspect none.ply", vec!["none.ply", "mend:"]),
+        ("plan shape:cube --strategy exact", vec!["exact", "help:"]),
+        ("inspect none.ply", vec!["none.ply", "help:"]),
         ("demo --out file", vec!["--out file", "not a folder"]),
         ("redner shape:cube", vec!["redner", "render"]),
     ] {
@@ -505,7 +505,7 @@ fn a_strategy_that_refuses_says_why() {
     let line = format!("render {CUT_CUBE} --strategy planar+mask -o out.png");
     let ran = folder.run(&line).exits(2);
     assert!(
-        ran.stderr.contains("planar+mask") && ran.stderr.contains("mend:"),
+        ran.stderr.contains("planar+mask") && ran.stderr.contains("help:"),
         "{}",
         ran.stderr
     );
@@ -614,7 +614,7 @@ fn a_section_that_misses_the_model_is_a_warning() {
         "warning: section z=99",
         "removed",
         "bounds: x -0.5 to 0.5",
-        "mend:",
+        "help:",
     ] {
         assert!(ran.stderr.contains(said), "no `{said}` in\n{}", ran.stderr);
     }

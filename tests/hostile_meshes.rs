@@ -175,7 +175,7 @@ fn must_be_refused(path: &Path, word: &str) {
     };
     let name = path.file_name().unwrap().to_string_lossy().into_owned();
     assert!(said.contains(&name), "names no file: {said}");
-    assert!(said.contains("mend:"), "tells no mend: {said}");
+    assert!(said.contains("help:"), "tells no mend: {said}");
     assert!(said.contains(word), "does not say `{word}`: {said}");
 }
 
@@ -497,7 +497,7 @@ fn no_prefix_of_any_file_crashes() {
             let path = folder.write(&format!("prefix.{extension}"), &bytes[..length]);
             // Only a text may happen to be whole without its last characters.
             if let Err(e) = load_mesh_file(&path) {
-                assert!(e.to_string().contains("mend:"), "{e}");
+                assert!(e.to_string().contains("help:"), "{e}");
             } else {
                 assert!(
                     matches!(extension, "obj" | "stl" | "ply"),

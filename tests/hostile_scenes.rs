@@ -610,7 +610,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
             panic!("`{broken}` was taken");
         };
         let message = error.to_string();
-        for word in [*culprit, *told, "mend:"] {
+        for word in [*culprit, *told, "help:"] {
             assert!(
                 message.contains(word),
                 "`{broken}` does not tell `{word}`:\n{message}"
@@ -653,7 +653,7 @@ fn files_that_are_no_scene_are_refused() {
     ] {
         let message = folder.load(text).expect_err(text).to_string();
         assert!(
-            message.contains("scene.toml") && message.contains("mend:"),
+            message.contains("scene.toml") && message.contains("help:"),
             "{text:?}:\n{message}"
         );
     }
@@ -665,7 +665,7 @@ fn files_that_are_no_scene_are_refused() {
         let message = error.to_string();
         let name = path.display().to_string();
         assert!(
-            message.contains(&name) && message.contains("mend:"),
+            message.contains(&name) && message.contains("help:"),
             "{message}"
         );
     }
@@ -677,7 +677,7 @@ fn no_prefix_of_a_scene_panics() {
     let folder = Folder::new("prefix");
     for end in (0..INTACT.len()).step_by(7) {
         if let Err(error) = folder.load(&INTACT[..end]) {
-            assert!(error.to_string().contains("mend:"), "{error}");
+            assert!(error.to_string().contains("help:"), "{error}");
         }
     }
 }
@@ -723,7 +723,7 @@ fn sections_that_make_no_sense_are_refused() {
             .expect_err(text)
             .to_string();
         let culprit = format!("section `{text}`");
-        for word in [&*culprit, told, "mend:", "z=10"] {
+        for word in [&*culprit, told, "help:", "z=10"] {
             if word == "z=10" && told == "too far" {
                 continue;
             }
@@ -773,14 +773,14 @@ fn reliefs_that_make_no_sense_are_refused() {
     ] {
         let message = apply(text, unit_box()).expect_err(text).to_string();
         assert!(
-            message.contains(told) && message.contains("mend:"),
+            message.contains(told) && message.contains("help:"),
             "`{text}`:\n{message}"
         );
     }
     let nothing = apply("fractal", Bounds::EMPTY)
         .expect_err("a relief of nothing")
         .to_string();
-    assert!(nothing.contains("mend:"), "{nothing}");
+    assert!(nothing.contains("help:"), "{nothing}");
 }
 
 #[test]
@@ -807,7 +807,7 @@ fn images_cut_short_are_refused() {
                 Ok(map) => panic!("{keep} bytes of {name} gave {:?}", map.size),
             };
             assert!(
-                message.contains(name) && message.contains("mend:"),
+                message.contains(name) && message.contains("help:"),
                 "{message}"
             );
         }

@@ -359,7 +359,7 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
             None => fs::remove_file(&file).unwrap(),
         }
         let told = folder.run("report run --out out").exits(2).stderr;
-        for word in [path, said, "mend: "] {
+        for word in [path, said, "help: "] {
             assert!(told.contains(word), "{path}: {word} is missing from {told}");
         }
     }

@@ -325,7 +325,7 @@ fn an_outline_that_does_not_close_is_told_and_fails() {
         said.contains("failed: open by z=50%: the mesh is open"),
         "{said}"
     );
-    assert!(said.contains("mend:"), "{said}");
+    assert!(said.contains("help:"), "{said}");
     let drawing = fs::read_to_string(folder.path("open.svg")).unwrap();
     assert!(drawing.contains("class=\"open\""), "{drawing}");
     // The controls: the same mesh where it is whole, and cut where the hole is not.

@@ -8,7 +8,7 @@
 #import cutaway::sample::take
 #import cutaway::screen::{Point, first_pixel, last_pixel}
 #import cutaway::sweep::Sample
-#import cutaway::tiles::{edge_value, row_inside, tile_edge}
+#import cutaway::tiles::{edge_value, reaches, row_inside, tile_edge}
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
 
 struct Where {
@@ -51,6 +51,9 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
             let bc = tile_edge(b.steps, c.steps, sample);
             let ca = tile_edge(c.steps, a.steps, sample);
             let ab = tile_edge(a.steps, b.steps, sample);
+            if !(reaches(bc, span) && reaches(ca, span) && reaches(ab, span)) {
+                continue;
+            }
             var row = vec2<i32>(0, select(span.x, -1, at.line > span.y));
             row = row_inside(bc, at.line, row);
             row = row_inside(ca, at.line, row);

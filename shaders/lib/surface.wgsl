@@ -12,6 +12,12 @@ struct Corner {
     @location(1) @interpolate(flat) rank: u32,
 }
 
+// The words of a surface whose depth is not what rasterising found.
+struct SurfaceAt {
+    @location(0) words: vec2<u32>,
+    @builtin(frag_depth) z: f32,
+}
+
 fn corner_of(v: Vertex) -> Corner {
     return Corner(clip_position(v.position), unpack_normal(v.normal), v.rank);
 }

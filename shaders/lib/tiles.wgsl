@@ -35,6 +35,11 @@ fn growth(edge: TileEdge, step: vec2<i32>) -> i32 {
     return edge.direction.x * step.y - edge.direction.y * step.x;
 }
 
+// Whether some sample of the tile, up to `span` samples from its first, is inside.
+fn reaches(edge: TileEdge, span: vec2<i32>) -> bool {
+    return edge.biased + max(edge.direction.x * span.y, 0) + max(-edge.direction.y * span.x, 0) >= 0;
+}
+
 // Of the samples of a row from span.x to span.y those inside.
 fn row_inside(edge: TileEdge, row: i32, span: vec2<i32>) -> vec2<i32> {
     return narrowed(span, edge.biased + edge.direction.x * row, -edge.direction.y);

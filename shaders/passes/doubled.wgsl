@@ -5,15 +5,10 @@
 #import cutaway::exits::is_passed
 #import cutaway::mesh::Vertex
 #import cutaway::settled::{of_doubled, settled}
-#import cutaway::surface::{Corner, corner_of, surface_words}
+#import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 override place: u32 = 0u;
 override passes_exits: bool = false;
-
-struct Surface {
-    @location(0) words: vec2<u32>,
-    @builtin(frag_depth) z: f32,
-}
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
@@ -21,10 +16,10 @@ fn vertex(v: Vertex) -> Corner {
 }
 
 @fragment
-fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     if passes_exits && is_passed(front) {
         discard;
     }
     let part = parts[settled.groups[corner.rank].place].part;
-    return Surface(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.rank, front));
+    return SurfaceAt(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.rank, front));
 }

@@ -11,14 +11,9 @@
 #import cutaway::settled::settled
 #import cutaway::settled_depth::settled_z
 #import cutaway::store::store
-#import cutaway::surface::{Corner, corner_of, surface_words}
+#import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 override lane_bits: u32 = 32u;
-
-struct Surface {
-    @location(0) words: vec2<u32>,
-    @builtin(frag_depth) z: f32,
-}
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
@@ -26,7 +21,7 @@ fn vertex(v: Vertex) -> Corner {
 }
 
 @fragment
-fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
     let z = settled_z(corner.position.z, pixel, corner.rank, front);
     let rank = rank_of(z, pixel);
@@ -37,5 +32,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
     if is_removed(rank.sides, part.cuts) || is_passed(front) {
         discard;
     }
-    return Surface(surface_words(corner, min(rank.behind, UNRANKED), part.part, front), z);
+    return SurfaceAt(surface_words(corner, min(rank.behind, UNRANKED), part.part, front), z);
 }

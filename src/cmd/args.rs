@@ -323,13 +323,13 @@ impl MeansArgs {
 
 pub(super) fn parse_fill(text: &str) -> Result<Fill, String> {
     text.parse().map_err(|_: crate::Error| {
-        "there is no such rule\n  mend: say even-odd or nonzero".to_owned()
+        "there is no such rule\n  help: say even-odd or nonzero".to_owned()
     })
 }
 
 fn parse_interference(text: &str) -> Result<[u8; 3], String> {
     let color = parse_color(text).ok_or_else(|| {
-        "it is no colour\n  mend: write #rrggbb, for example --interference=#ff00aa".to_owned()
+        "it is no colour\n  help: write #rrggbb, for example --interference=#ff00aa".to_owned()
     })?;
     Ok(bytes_of(color))
 }
@@ -341,13 +341,13 @@ pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {
     text.parse().map_err(|_: crate::Error| {
-        "there is no such rasteriser\n  mend: say hardware or compute".to_owned()
+        "there is no such rasteriser\n  help: say hardware or compute".to_owned()
     })
 }
 
 fn parse_height_filter(text: &str) -> Result<HeightFilter, String> {
     text.parse().map_err(|_: crate::Error| {
-        "there is no such filter\n  mend: say exact or hardware".to_owned()
+        "there is no such filter\n  help: say exact or hardware".to_owned()
     })
 }
 
@@ -355,7 +355,7 @@ fn parse_height_filter(text: &str) -> Result<HeightFilter, String> {
 pub(super) fn parse_resolution(text: &str) -> Result<[u32; 2], String> {
     let fault = || {
         format!(
-            "it must be two whole numbers from 1 to {LARGEST_SIDE}\n  mend: write for example --resolution 1024,768"
+            "it must be two whole numbers from 1 to {LARGEST_SIDE}\n  help: write for example --resolution 1024,768"
         )
     };
     let (width, height) = text.split_once([',', 'x']).ok_or_else(fault)?;
@@ -384,7 +384,7 @@ fn parse_zoom(text: &str) -> Result<f64, String> {
     if (1e-3..=1e3).contains(&zoom) {
         Ok(zoom)
     } else {
-        Err("it must be from 0.001 to 1000\n  mend: 2 shows the model twice as large".to_owned())
+        Err("it must be from 0.001 to 1000\n  help: 2 shows the model twice as large".to_owned())
     }
 }
 
@@ -392,7 +392,7 @@ fn parse_point(text: &str) -> Result<DVec3, String> {
     let numbers: Result<Vec<f64>, String> = text.split(',').map(parse_finite).collect();
     match numbers?.as_slice() {
         [x, y, z] => Ok(DVec3::new(*x, *y, *z)),
-        _ => Err("it must be three numbers\n  mend: write for example 0,0,5".to_owned()),
+        _ => Err("it must be three numbers\n  help: write for example 0,0,5".to_owned()),
     }
 }
 

@@ -40,7 +40,7 @@ impl DefectArgs {
 fn parse_defect(text: &str) -> Result<Defect, String> {
     // The option names itself.
     text.parse().map_err(|e: crate::Error| match e {
-        crate::Error::Input { what, mend, .. } => format!("{what}\n  mend: {mend}"),
+        crate::Error::Input { what, mend, .. } => format!("{what}\n  help: {mend}"),
         other => other.to_string(),
     })
 }

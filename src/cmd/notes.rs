@@ -35,7 +35,7 @@ pub(super) fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &
         // That has been said.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
         console.warn(format!(
-            "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  mend: keep the \
+            "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
              other side (--flip), move the section, or leave the camera options out",
             words_of(&bounds)
         ));

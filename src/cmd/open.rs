@@ -296,7 +296,7 @@ fn note_what_nonzero_hears(parts: &[Part], console: &Console) {
         ),
     };
     console.note(format!(
-        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  mend: turn the faces, or \
+        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  help: turn the faces, or \
          use even-odd, which hears of no side"
     ));
 }

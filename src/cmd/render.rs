@@ -291,6 +291,6 @@ impl Facts {
 fn parse_threshold(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
     number.ok_or_else(|| {
-        "it must be a number from 0 to 1\n  mend: 0.04 allows 10 steps of 255".to_owned()
+        "it must be a number from 0 to 1\n  help: 0.04 allows 10 steps of 255".to_owned()
     })
 }

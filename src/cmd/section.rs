@@ -320,7 +320,7 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
             );
             if !part.closed {
                 let mend = part.mend.unwrap_or("move the section");
-                console.failed(format!("{told}\n  mend: {mend}"));
+                console.failed(format!("{told}\n  help: {mend}"));
                 verdict = Verdict::Failed;
             } else if !part.defects.is_empty() {
                 console.note(told);

@@ -274,7 +274,7 @@ pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
     for (cut, stays) in misses(scene) {
         let side = if stays { "stays" } else { "is removed" };
         console.warn(format!(
-            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  mend: give a position within \
+            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
              the bounds, or a percentage of them such as z=50%",
             cut.name,
             words_of(&scene.bounds())
@@ -292,7 +292,7 @@ fn warn_of_missing(cutter: &Cutter, bounds: &Bounds, console: &Console) {
     if apart {
         let (name, own, of_model) = (cutter.name(), words_of(&of_cutter), words_of(bounds));
         console.warn(format!(
-            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  mend: in a scene file `translate`, \
+            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
              `scale` and `rotate_deg` place it"
         ));
     }
@@ -392,7 +392,7 @@ mod tests {
         ] {
             let message = cuts(line).expect_err(line).to_string();
             assert!(message.starts_with(culprit), "{message}");
-            assert!(message.contains("mend:"), "{message}");
+            assert!(message.contains("help:"), "{message}");
         }
     }
 
@@ -432,7 +432,7 @@ mod tests {
             "--wedge z:5:5",
         ] {
             let message = cuts(line).expect_err(line).to_string();
-            assert!(message.contains("mend:"), "{message}");
+            assert!(message.contains("help:"), "{message}");
         }
     }
 

@@ -55,7 +55,7 @@ impl TimeArgs {
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {
     let seconds = parse_finite(text).ok().filter(|s| *s >= 0.0);
     seconds.ok_or_else(|| {
-        "it must be a number of seconds, 0 or more\n  mend: write for example 1.5".to_owned()
+        "it must be a number of seconds, 0 or more\n  help: write for example 1.5".to_owned()
     })
 }
 

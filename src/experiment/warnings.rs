@@ -72,7 +72,7 @@ impl Warning {
 
     /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may be its mend.
     pub fn of_opening(said: &str) -> Self {
-        let (text, mend) = said.split_once("\n  mend: ").unwrap_or((said, ""));
+        let (text, mend) = said.split_once("\n  help: ").unwrap_or((said, ""));
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
         let words: Vec<&str> = mend.split_whitespace().collect();
         Self::Opening {
@@ -285,7 +285,7 @@ mod tests {
     #[test]
     fn what_was_said_of_opening_keeps_its_mend() {
         let of = Warning::of_opening(
-            "section z misses the model: all of it\n  bounds: 0 to 1\n  mend: give\n   a position",
+            "section z misses the model: all of it\n  bounds: 0 to 1\n  help: give\n   a position",
         );
         assert_eq!(
             of.text(),

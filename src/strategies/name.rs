@@ -351,7 +351,7 @@ mod tests {
             ("grid:0+vds", "grid:1"),
             ("adaptive:0+mask", "adaptive:0.01"),
             ("adaptiv+mask", "adaptive"),
-            ("mask", "mend: write for example raycast+mask"),
+            ("mask", "help: write for example raycast+mask"),
             ("planarr", "did you mean `planar`?"),
             ("stensil", "did you mean `stencil`?"),
         ] {

@@ -45,7 +45,7 @@ fn without_ffmpeg_the_package_is_named_and_nothing_is_drawn() {
         "--output out.mp4",
         "not installed",
         "apt install ffmpeg",
-        "mend:",
+        "help:",
         ".gif",
     ] {
         assert!(ran.stderr.contains(said), "no `{said}` in\n{}", ran.stderr);
@@ -126,7 +126,7 @@ fn an_ffmpeg_that_fails_is_quoted_and_leaves_what_was_there() {
         )
         .exits(2);
         assert!(
-            ran.stderr.contains(said) && ran.stderr.contains("mend:"),
+            ran.stderr.contains(said) && ran.stderr.contains("help:"),
             "{script}: {}",
             ran.stderr
         );

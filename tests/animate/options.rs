@@ -131,7 +131,7 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         (format!("animate {cube}"), vec!["--output"]),
         (
             format!("animate {cube} -o -"),
-            vec!["--output -", "standard output", "mend:"],
+            vec!["--output -", "standard output", "help:"],
         ),
         (
             format!("animate {cube} -o out.giff"),
@@ -171,27 +171,27 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} -o out.gif --fps 0"),
-            vec!["--fps", "mend:"],
+            vec!["--fps", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --fps -5"),
-            vec!["--fps", "mend:"],
+            vec!["--fps", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --fps many"),
-            vec!["--fps", "mend:"],
+            vec!["--fps", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --duration 0"),
-            vec!["--duration", "mend:"],
+            vec!["--duration", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --duration nan"),
-            vec!["--duration", "mend:"],
+            vec!["--duration", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --duration 1e9"),
-            vec!["--duration", "frames", "mend:"],
+            vec!["--duration", "frames", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --frames 0"),
@@ -199,7 +199,7 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} -o out.gif --frames 4000000000"),
-            vec!["--frames", "mend:"],
+            vec!["--frames", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --frames 3 --duration 1"),
@@ -207,7 +207,7 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} -o out.gif --start -1"),
-            vec!["--start", "mend:"],
+            vec!["--start", "help:"],
         ),
         (
             format!("animate {cube} -o out.gif --loop 0"),
@@ -219,15 +219,15 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} -o f/%d.png --loop 1"),
-            vec!["--loop", "mend:"],
+            vec!["--loop", "help:"],
         ),
         (
             "animate shape:cube --turntable=0 -o out.gif".to_owned(),
-            vec!["--turntable", "mend:"],
+            vec!["--turntable", "help:"],
         ),
         (
             "animate shape:cube --turntable=round -o out.gif".to_owned(),
-            vec!["--turntable", "mend:"],
+            vec!["--turntable", "help:"],
         ),
         (
             "animate shape:cube --turntable 90 -o out.gif".to_owned(),
@@ -235,7 +235,7 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} --clip walk -o out.gif"),
-            vec!["clip", "walk", "mend:"],
+            vec!["clip", "walk", "help:"],
         ),
         (
             format!("animate {cube} --strategy raycats+mask -o out.gif"),
@@ -243,15 +243,15 @@ fn bad_options_name_the_culprit_and_the_mend_and_leave_no_file() {
         ),
         (
             format!("animate {cube} --section z=50% --strategy planar+mask -o out.gif"),
-            vec!["planar+mask", "mend:"],
+            vec!["planar+mask", "help:"],
         ),
         (
             format!("animate {cube} --section z=50% --strategy planar+mask -o f/%d.png"),
-            vec!["planar+mask", "mend:"],
+            vec!["planar+mask", "help:"],
         ),
         (
             "animate frames/%04d.ply --turntable -o out.gif".to_owned(),
-            vec!["frames/%04d.ply", "mend:"],
+            vec!["frames/%04d.ply", "help:"],
         ),
     ] {
         let ran = folder.run(&line).exits(2);

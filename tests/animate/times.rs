@@ -55,7 +55,7 @@ fn every_command_that_shows_a_scene_takes_a_time() {
         ] {
             let ran = folder.run(&format!("{line} {options}")).exits(2);
             assert!(
-                ran.stderr.contains(said) && ran.stderr.contains("mend:"),
+                ran.stderr.contains(said) && ran.stderr.contains("help:"),
                 "{line} {options}: {}",
                 ran.stderr
             );

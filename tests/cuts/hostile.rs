@@ -442,7 +442,7 @@ fn every_slip_is_named_with_its_line_and_a_mend() {
             continue;
         };
         let message = error.to_string();
-        for word in [*culprit, *told, "mend:", "scene.toml:"] {
+        for word in [*culprit, *told, "help:", "scene.toml:"] {
             if !message.contains(word) {
                 faults.push(format!("`{broken}` does not tell `{word}`:\n{message}"));
             }

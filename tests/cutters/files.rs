@@ -109,7 +109,7 @@ fn what_cannot_be_a_cutter_is_refused_by_name() {
         assert_ne!(text, INTACT, "{from} is in it");
         let message = load(&folder, &text).expect_err(to).to_string();
         assert!(message.contains(told), "{to}: {message}");
-        assert!(message.contains("mend:"), "{to}: {message}");
+        assert!(message.contains("help:"), "{to}: {message}");
     }
 }
 
@@ -134,7 +134,7 @@ fn a_mesh_that_is_not_closed_is_no_cutter() {
     ] {
         let message = Cutter::of("it", mesh).expect_err(told).to_string();
         assert!(
-            message.contains(told) && message.contains("mend:"),
+            message.contains(told) && message.contains("help:"),
             "{message}"
         );
     }

@@ -46,7 +46,7 @@ fn nonsense_is_refused_with_a_mend() {
     ] {
         let told = text.parse::<Defect>().unwrap_err().to_string();
         assert!(told.contains(said), "{text}: {told}");
-        assert!(told.contains("mend: "), "{text}: {told}");
+        assert!(told.contains("help: "), "{text}: {told}");
     }
     let all: Defect = "holes:amount=100%".parse().unwrap();
     let told = all

@@ -273,7 +273,7 @@ fn what_makes_no_sense_is_refused_by_name() {
             .expect_err(&format!("{from} -> {to}"))
             .to_string();
         assert!(message.contains(told), "{to}: {message}");
-        for always in ["here/01-test.toml:", "mend: "] {
+        for always in ["here/01-test.toml:", "help: "] {
             assert!(message.contains(always), "{to}: {message}");
         }
     }

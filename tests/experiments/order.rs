@@ -25,7 +25,7 @@ impl Opener for Opens {
             shown,
             remarks: vec![Remark {
                 is_warning: true,
-                text: format!("about {}\n  mend: none", words[0]),
+                text: format!("about {}\n  help: none", words[0]),
             }],
         })
     }

@@ -145,7 +145,7 @@ fn records_are_left_kept_and_measured_again() {
     let ran = measure("").exits(2);
     assert!(
         ran.stderr
-            .contains("mend: remove the file and measure again"),
+            .contains("help: remove the file and measure again"),
         "{}",
         ran.stderr
     );

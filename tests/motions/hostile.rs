@@ -500,7 +500,7 @@ fn what_the_mesh_needs_is_refused() {
             Err(e) => e.to_string(),
         };
         assert!(
-            said.contains("motion.gltf") && said.contains("mend:"),
+            said.contains("motion.gltf") && said.contains("help:"),
             "{said}"
         );
         for word in *words {

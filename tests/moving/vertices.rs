@@ -49,22 +49,29 @@ fn errors(scene: &Scene, model: &Model) -> [f64; 2] {
     rest.motion = part.motion.clone();
     let rest = Prepared::of(&scenes::of_parts("rest", vec![rest], Vec::new()));
     let shading = &rest.parts[0].shading;
-    let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
     let normals_by = part.world_from_part.matrix3.inverse().transpose();
 
     let mut bits = vec![None; part.mesh.positions.len()];
     let [mut farthest, mut turned] = [0.0_f64; 2];
     for (t, triangle) in own.as_chunks::<3>().0.iter().enumerate() {
+        // A drawn triangle may begin at another of its corners.
+        let drawn = triangle.map(|v| shading.positions_of_vertex[v as usize]);
+        let turns =
+            (0..3).map(|by| [0, 1, 2].map(|k| truth.parts[rank].triangles[t][(k + by) % 3]));
+        assert!(
+            turns.into_iter().any(|t| t == drawn),
+            "{}: triangle {t}",
+            scene.name
+        );
         for k in 0..3 {
             let (at, normal) = vertices[(range.base_vertex + triangle[k] as i32) as usize];
-            let position = truth.parts[rank].triangles[t][k] as usize;
+            let position = drawn[k] as usize;
             let wanted = truth.parts[rank].positions[position];
             farthest = farthest.max((at - wanted).as_dvec3().abs().max_element());
             let known = bits[position].get_or_insert(at);
             assert_eq!(*known, at, "{}: position {position} is torn", scene.name);
 
-            let corner = if mirrored { [0, 2, 1][k] } else { k };
-            let at_rest = shading.normals[shading.triangles[t][corner] as usize];
+            let at_rest = shading.normals[triangle[k] as usize];
             let (point, moved) = defined(part, position, at_rest.as_dvec3());
             let in_scene = (part.world_from_part.transform_point3(point) - truth.centre_in_world)
                 * truth.scale;
@@ -100,11 +107,17 @@ pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
         let range = &model.ranges[rank];
         let own = &indices[range.indices.start as usize..range.indices.end as usize];
         for (corners, positions) in own.as_chunks::<3>().0.iter().zip(part.triangles.iter()) {
-            for (corner, position) in corners.iter().zip(positions) {
-                let (at, _) = vertices[(range.base_vertex + *corner as i32) as usize];
-                let gap = (at - part.positions[*position as usize]).abs();
-                farthest = farthest.max(f64::from(gap.max_element()));
-            }
+            // A drawn triangle may begin at another of its corners.
+            let gap_turned = |by: usize| {
+                let gaps = (0..3).map(|k| {
+                    let (at, _) = vertices[(range.base_vertex + corners[k] as i32) as usize];
+                    let gap = (at - part.positions[positions[(k + by) % 3] as usize]).abs();
+                    f64::from(gap.max_element())
+                });
+                gaps.fold(0.0, f64::max)
+            };
+            let gap = (0..3).map(gap_turned).fold(f64::INFINITY, f64::min);
+            farthest = farthest.max(gap);
         }
     }
     farthest

@@ -14,6 +14,8 @@ use crate::common::{scenes, session};
 
 const SEED: u64 = 0xc0_7e4;
 const SIZE: [u32; 2] = [200, 150];
+/// Bits of the borders that a vertex on a screen may be beyond; those of the sides of the picture follow.
+pub(super) const BORDERS: u32 = 31;
 
 /// What the device made of a scene whose parts are soups of triangles.
 struct Device {
@@ -86,7 +88,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         for triangle in own.as_chunks::<3>().0 {
             let corners = triangle.map(|i| (i as i32 + range.base_vertex) as usize * 4);
             let at = corners.map(|c| [0, 1].map(|k| steps_of(screen[c + k])));
-            let is_clipped = corners.iter().any(|c| screen[c + 3] != 0);
+            let is_clipped = corners.iter().any(|c| screen[c + 3] & BORDERS != 0);
             device.screen[part.part].push((at, is_clipped));
         }
     }

@@ -50,7 +50,7 @@ fn left_by(mesh: Mesh, plane: ClipSurface, camera: &Camera) -> Left {
     let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
     for triangle in indices.as_chunks::<3>().0 {
         let corners = triangle.map(|i| &screen[i as usize * 4..][..4]);
-        if corners.iter().any(|c| c[3] != 0) {
+        if corners.iter().any(|c| c[3] & super::coverage::BORDERS != 0) {
             left.clipped += 1;
         } else {
             let steps = |word| (f32::from_bits(word) * 256.0).round_ties_even() as i64 + 128;

@@ -184,7 +184,7 @@ fn broken_frames_are_named() {
         folder.write("walk_004.obj", text);
         let error = folder.load(SCENE).expect_err(name).to_string();
         assert!(
-            error.contains(told) && error.contains("mend:"),
+            error.contains(told) && error.contains("help:"),
             "{name}: {error}"
         );
     }
@@ -211,7 +211,7 @@ fn broken_frames_are_named() {
     ] {
         let text = SCENE.replacen(intact, broken, 1);
         let error = folder.load(&text).expect_err(broken).to_string();
-        for word in [culprit, told, "mend:", "scene.toml:"] {
+        for word in [culprit, told, "help:", "scene.toml:"] {
             assert!(
                 error.contains(word),
                 "`{broken}` does not tell `{word}`:\n{error}"
@@ -223,7 +223,7 @@ fn broken_frames_are_named() {
         ("walk.ply", 24.0, "no number"),
     ] {
         let error = Sequence::open(pattern, fps).expect_err(pattern).to_string();
-        assert!(error.contains(told) && error.contains("mend:"), "{error}");
+        assert!(error.contains(told) && error.contains("help:"), "{error}");
     }
     let pattern = folder.0.join("walk_00%d.obj");
     assert!(!Path::new(&pattern).exists(), "it is a pattern");

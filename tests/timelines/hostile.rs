@@ -357,7 +357,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
             continue;
         };
         let message = error.to_string();
-        for word in told.iter().chain(&["mend:", "scene.toml:"]) {
+        for word in told.iter().chain(&["help:", "scene.toml:"]) {
             if !message.contains(word) {
                 missed.push(format!("`{broken}` does not tell `{word}`:\n{message}"));
             }
@@ -386,7 +386,7 @@ fn no_prefix_of_a_scene_panics() {
     let folder = Folder::new("prefix");
     for end in (0..INTACT.len()).step_by(13) {
         if let Err(error) = folder.load(&INTACT[..end]) {
-            assert!(error.to_string().contains("mend:"), "{error}");
+            assert!(error.to_string().contains("help:"), "{error}");
         }
     }
 }

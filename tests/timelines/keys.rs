@@ -213,7 +213,7 @@ fn a_scene_without_movers_stands_still() {
     assert!(!still.moves() && still.clips().is_empty(), "{still:?}");
     for time_s in [-1.0, f64::NAN, f64::INFINITY] {
         let error = still.at(time_s).expect_err("no time").to_string();
-        assert!(error.contains("mend:"), "{error}");
+        assert!(error.contains("help:"), "{error}");
     }
 }
 
@@ -227,7 +227,7 @@ fn clips_that_are_not_there_are_refused() {
     let error = Timeline::of_scene(scene).choose_clip("walk");
     let error = error.expect_err("no clip").to_string();
     assert!(
-        error.contains("`walk`") && error.contains("mend:"),
+        error.contains("`walk`") && error.contains("help:"),
         "{error}"
     );
 }

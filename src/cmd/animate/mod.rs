@@ -123,7 +123,7 @@ impl FromStr for Plays {
             ("forever", _) => Ok(Self::Forever),
             (_, Ok(n)) if n > 0 => Ok(Self::Times(n)),
             _ => Err(
-                "it must be forever, or a number from 1 to 65535\n  mend: --loop 1 plays it once"
+                "it must be forever, or a number from 1 to 65535\n  help: --loop 1 plays it once"
                     .to_owned(),
             ),
         }
@@ -317,7 +317,7 @@ fn parse_turn(text: &str) -> Result<f64, String> {
     let degrees = parse_finite(text)
         .ok()
         .filter(|d| d.abs() > 0.0 && d.abs() <= 36_000.0);
-    degrees.ok_or_else(|| "it must be a number of degrees, not 0\n  mend: write for example --turntable=90, or --turntable for all round".to_owned())
+    degrees.ok_or_else(|| "it must be a number of degrees, not 0\n  help: write for example --turntable=90, or --turntable for all round".to_owned())
 }
 
 #[cfg(test)]

@@ -65,7 +65,7 @@ impl Encoder for Numbered {
         let next = self.file(self.count);
         if next.exists() {
             console.warn(format!(
-                "{} is from before and does not belong to this animation\n  mend: remove it and those after it",
+                "{} is from before and does not belong to this animation\n  help: remove it and those after it",
                 next.display()
             ));
         }

@@ -138,7 +138,7 @@ mod tests {
         ] {
             let message = Target::checked(value).unwrap_err().to_string();
             assert!(
-                message.contains(said) && message.contains("mend:"),
+                message.contains(said) && message.contains("help:"),
                 "{value}: {message}"
             );
         }

@@ -93,13 +93,13 @@ fn parse_fps(text: &str) -> Result<f64, String> {
     let fps = parse_finite(text)
         .ok()
         .filter(|f| (0.01..=1000.0).contains(f));
-    fps.ok_or_else(|| "it must be from 0.01 to 1000\n  mend: write for example 24".to_owned())
+    fps.ok_or_else(|| "it must be from 0.01 to 1000\n  help: write for example 24".to_owned())
 }
 
 fn parse_duration(text: &str) -> Result<f64, String> {
     let seconds = parse_finite(text).ok().filter(|s| *s > 0.0);
     seconds.ok_or_else(|| {
-        "it must be a number of seconds, more than 0\n  mend: write for example 4".to_owned()
+        "it must be a number of seconds, more than 0\n  help: write for example 4".to_owned()
     })
 }
 
@@ -134,7 +134,7 @@ mod tests {
         assert_eq!(still.count, 40, "the usual turn");
         let message = count(args(Some(1e12), None)).unwrap_err().to_string();
         assert!(
-            message.contains("--duration") && message.contains("mend:"),
+            message.contains("--duration") && message.contains("help:"),
             "{message}"
         );
     }

@@ -197,7 +197,7 @@ impl Work<'_> {
             self.console.note(text);
         } else {
             self.console.note(format!(
-                "{name}: {what} that it no longer has {are} left as before\n  mend: --prune removes what no experiment asks for"
+                "{name}: {what} that it no longer has {are} left as before\n  help: --prune removes what no experiment asks for"
             ));
         }
         Ok(())

@@ -32,7 +32,7 @@ fn parsed(words: &[String]) -> Result<PointWords> {
         let told = told.trim_start_matches("error: ").split("\n\n").next();
         let told = told.unwrap_or_default();
         // Values bring their own mend.
-        let (what, mend) = told.split_once("\n  mend: ").unwrap_or((
+        let (what, mend) = told.split_once("\n  help: ").unwrap_or((
             told,
             "write words as after `cutaway compare`, options as `--name=value`; `--strategies` and `--rounds` are keys here",
         ));
@@ -106,7 +106,7 @@ mod tests {
         ] {
             let message = check(text).unwrap_err();
             assert!(message.contains(told), "{message}");
-            assert_eq!(message.matches("mend:").count(), 1, "{message}");
+            assert_eq!(message.matches("help:").count(), 1, "{message}");
         }
     }
 }

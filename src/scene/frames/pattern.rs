@@ -190,7 +190,7 @@ mod tests {
         ] {
             assert!(!Pattern::is_in(text), "{text}");
             let error = Pattern::parse(text).expect_err(text).to_string();
-            assert!(error.contains(told) && error.contains("mend:"), "{error}");
+            assert!(error.contains(told) && error.contains("help:"), "{error}");
         }
     }
 }

@@ -233,7 +233,7 @@ mod tests {
         assert_eq!(of("x.ply.gz").unwrap(), ("ply".into(), "x".into()));
         for wrong in ["a.step", "a", "a.glb.gz", "a.gz"] {
             let text = of(wrong).unwrap_err().to_string();
-            assert!(text.contains("mend:") && text.contains("ply"), "{text}");
+            assert!(text.contains("help:") && text.contains("ply"), "{text}");
         }
     }
 

@@ -140,7 +140,7 @@ mod tests {
             ("0,0,a:", "`a` is not a number"),
         ] {
             let error = Block::parse(text, &bounds()).expect_err(text).to_string();
-            assert!(error.contains(told) && error.contains("mend:"), "{error}");
+            assert!(error.contains(told) && error.contains("help:"), "{error}");
         }
         for (text, told) in [
             ("z", "two angles"),
@@ -152,7 +152,7 @@ mod tests {
             ("z:0:90@1,2", "2 coordinates"),
         ] {
             let error = Wedge::parse(text, &bounds()).expect_err(text).to_string();
-            assert!(error.contains(told) && error.contains("mend:"), "{error}");
+            assert!(error.contains(told) && error.contains("help:"), "{error}");
         }
         let none = Block::parse("50%,0,0:", &Bounds::EMPTY);
         assert!(none.is_err(), "a percentage of nothing");

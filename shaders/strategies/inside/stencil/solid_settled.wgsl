@@ -4,12 +4,7 @@
 #import cutaway::lone_plane::{is_kept, lone_plane_at}
 #import cutaway::mesh::Vertex
 #import cutaway::settled::{beside, of_doubled, settled}
-#import cutaway::surface::{Corner, corner_of, surface_words}
-
-struct Surface {
-    @location(0) words: vec2<u32>,
-    @builtin(frag_depth) z: f32,
-}
+#import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
@@ -17,7 +12,7 @@ fn vertex(v: Vertex) -> Corner {
 }
 
 @fragment
-fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     let group = settled.groups[corner.rank];
     let plane = lone_plane_at(corner.position.xy);
     var z = of_doubled(corner.position.z, corner.rank, front);
@@ -29,5 +24,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> Surface {
     if is_removed {
         discard;
     }
-    return Surface(surface_words(corner, 0u, parts[group.place].part, front), z);
+    return SurfaceAt(surface_words(corner, 0u, parts[group.place].part, front), z);
 }
