@@ -9,7 +9,8 @@
 //! Per cut: a look at every vertex of the parts that a flat clip-surface passes through, and where something is settled the indices of
 //! the part once more. Parts that the device places without bending them are placed here as well for that.
 //!
-//! Cannot: tell more than [`MOST_SETTLED_GROUPS`] groups apart; the triangles of further ones are left to their depths.
+//! Cannot: tell more than [`MOST_SETTLED_GROUPS`] parts and groups apart; the triangles of further parts are left to their depths. A face of a
+//! part beside a face of a thin cutter, in one plane with it, may be taken for a face in it.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -236,14 +237,18 @@ impl Recorder<'_> {
         settled.map_or(&[], |s| s.groups[rank].as_slice())
     }
 
-    /// The groups of the parts that are drawn, with their ranks, in table order: as many as have a number.
+    /// The groups of the parts that are drawn, with their ranks, in table order: of as many parts as there are numbers for.
     pub(super) fn settled_groups(&self) -> Vec<(usize, &Group)> {
-        let of_rank = |rank: &usize| {
-            let rank = *rank;
-            self.groups_of(rank).iter().map(move |g| (rank, g))
-        };
-        let all = self.relevance.order.iter().flat_map(of_rank);
-        all.take(MOST_SETTLED_GROUPS).collect()
+        // Of a part all groups or none; with the parts themselves no more than the compute rasteriser has rows for.
+        let most = MOST_SETTLED_GROUPS.saturating_sub(self.relevance.order.len());
+        let mut all = Vec::new();
+        for rank in &self.relevance.order {
+            let groups = self.groups_of(*rank);
+            if all.len() + groups.len() <= most {
+                all.extend(groups.iter().map(|g| (*rank, g)));
+            }
+        }
+        all
     }
 
     /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, and of cutters that it shares faces with.

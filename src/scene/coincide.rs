@@ -3,7 +3,8 @@
 //! As in a plane, depth cannot tell on which side of the cutter such a face is, and a solid is taken without its boundary: where a ray enters
 //! the solid by the face, it is behind the crossing with the cutter, where it leaves, before.
 //!
-//! Cost: one search for each triangle of the part within the cutter's box, among the planes of the cutter's triangles.
+//! Cost: for each triangle of the part within the cutter's box a look at the cutter's triangles whose planes are as far from the origin: few,
+//! but many for a fine ball around it.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! On which side of a flat clip-surface the triangles close to it lie: decided once per triangle, by signs, never by depth.
 //!
 //! A cut along a face of a part is the commonest of all in CAD, and there the depth of a fragment and that of the clip-surface are the
-//! same number but for rounding. So no depth is asked. A triangle within [`CLOSE`] of the surface is *settled* where its vertices
+//! same number but for rounding. So depths are not compared. A triangle within [`CLOSE`] of the surface is *settled* where its vertices
 //! leave no doubt:
 //!
 //! - all on one side, or on the surface: it lies on that side; so do triangles that share a vertex with one so close, as the walls
@@ -13,7 +13,7 @@
 //! Which side the solid is on is told by the triangle's orientation, counter-clockwise from outside, turned round where the mesh as a
 //! whole is inside out (of negative volume). Signs are those of the exact real numbers that the f64s define.
 //!
-//! Cost: one product per vertex and surface; triangles are looked at only where three vertices are close.
+//! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is settled another.
 //!
 //! Cannot: settle triangles that the surface crosses, reliefs that are not flat, or parts in a pose that bends them, whose vertices
 //! the device makes. A mesh of which single faces are turned the wrong way has those faces on the wrong side.
@@ -194,7 +194,7 @@ impl FlatSurface {
     }
 }
 
-/// Of the sign of the volume that triangles enclose.
+/// A number with the sign of the volume that triangles enclose.
 fn volume_sign(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
     let middle = positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
     let volumes = triangles.par_iter().with_min_len(1 << 13).map(|t| {

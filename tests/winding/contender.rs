@@ -96,7 +96,7 @@ fn a_truth_in_another_frame_is_refused() {
     let told = errors(&mut session(), &question, &[], &mut |_| ());
     let told = told.err().unwrap().to_string();
     assert!(
-        told.contains("another box") && told.contains("mend"),
+        told.contains("another box") && told.contains("help"),
         "{told}"
     );
 }

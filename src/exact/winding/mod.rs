@@ -209,7 +209,13 @@ impl Ask<'_> {
                 };
                 pass(state);
                 for (rank, was_removed) in ranks.iter().zip(was_removed) {
-                    let is_free = was_removed && !state.removes(prepared, *rank);
+                    // A face in the clip-surface by which the ray leaves the solid is before it.
+                    let has_left = events.iter().any(|e| {
+                        e.depth == event.depth
+                            && e.place < 0
+                            && matches!(e.cause, Cause::Mesh { rank: of, .. } if of == *rank)
+                    });
+                    let is_free = was_removed && !has_left && !state.removes(prepared, *rank);
                     state.winding[usize::from(*rank)] = if is_free {
                         self.at(*rank, event.depth)
                     } else {

@@ -19,7 +19,9 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     var is_removed = !is_kept(plane, z);
     if group.surfaces != 0u {
         is_removed = group.removed != 0u;
-        z = beside(z, plane.z, is_removed == plane.begins_removed);
+        if plane.z > 0.0 {
+            z = beside(z, plane.z, is_removed == plane.begins_removed);
+        }
     }
     if is_removed {
         discard;
