@@ -3,6 +3,7 @@
 #define_import_path cutaway::mesh
 
 #import cutaway::frame::frame
+#import cutaway::viewport::on_viewport
 
 struct Vertex {
     @location(0) position: vec3<f32>,
@@ -14,6 +15,11 @@ struct Vertex {
 // One transform for every pass: the same input gives the same bits, and neighbours share their edges.
 fn clip_position(position: vec3<f32>) -> vec4<f32> {
     return frame.clip_from_scene * vec4<f32>(position, 1.0);
+}
+
+// The same on the viewport of a draw.
+fn drawn_position(position: vec3<f32>) -> vec4<f32> {
+    return on_viewport(clip_position(position), frame.size_px);
 }
 
 // Normal of what is seen: turned over where the triangle shows its back.

@@ -4,6 +4,8 @@
 
 #define_import_path cutaway::sprite
 
+#import cutaway::viewport::on_viewport
+
 struct Sprite {
     s_row: vec4<f32>,
     t_row: vec4<f32>,
@@ -30,7 +32,8 @@ fn sprite_from_scene(sprite: Sprite, point: vec3<f32>) -> vec3<f32> {
 // Clip position that draws a point into the sprite.
 fn sprite_position(sprite: Sprite, point: vec3<f32>) -> vec4<f32> {
     let at = sprite_from_scene(sprite, point);
-    return vec4<f32>(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
+    let clip = vec4<f32>(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, at.z, 1.0);
+    return on_viewport(clip, vec2<u32>(sprite.resolution));
 }
 
 // Whether a point lies beside the image, and so outside the part.

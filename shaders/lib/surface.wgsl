@@ -3,7 +3,7 @@
 #define_import_path cutaway::surface
 
 #import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
-#import cutaway::mesh::{Vertex, clip_position, facing}
+#import cutaway::mesh::{Vertex, drawn_position, facing}
 
 struct Corner {
     @builtin(position) @invariant position: vec4<f32>,
@@ -19,7 +19,7 @@ struct SurfaceAt {
 }
 
 fn corner_of(v: Vertex) -> Corner {
-    return Corner(clip_position(v.position), unpack_normal(v.normal), v.rank);
+    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.rank);
 }
 
 // The words of a surface of a part of the scene. `place` stands where the clip-surface of a cap would.

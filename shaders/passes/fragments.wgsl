@@ -4,7 +4,7 @@
 #import cutaway::cuts::parts
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 #import cutaway::store::store
 
 override lane_bits: u32 = 32u;
@@ -16,7 +16,7 @@ struct Corner {
 
 @vertex
 fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) place: u32) -> Corner {
-    return Corner(clip_position(position), place);
+    return Corner(drawn_position(position), place);
 }
 
 @fragment

@@ -6,6 +6,7 @@ use super::Gpu;
 use super::bind::{Reals, bind_groups, buffer, layer_view, texture};
 use super::pipelines::{Pipeline, Pipelines};
 use super::timing::Stopwatch;
+use super::viewport::viewport_px;
 use crate::Result;
 use crate::plan::{DepthCompare, Pass, Plan, Vertices, Work};
 
@@ -42,6 +43,8 @@ enum RealDraw {
 /// The depth attachment of a draw.
 struct Depth {
     view: wgpu::TextureView,
+    /// Corner and size.
+    viewport_px: [[f32; 2]; 2],
     clear: bool,
     far: f32,
     /// Where the stencil is used: whether it is cleared.
@@ -73,6 +76,10 @@ impl Step {
                 },
                 depth: Depth {
                     view: layer_view(texture(plan, depth.resource, real)?, depth.layer),
+                    viewport_px: {
+                        let target = texture(plan, depth.resource, real)?;
+                        viewport_px([target.width(), target.height()])
+                    },
                     clear: depth.clear,
                     far: if depth.compare == DepthCompare::Greater {
                         0.0
@@ -193,6 +200,8 @@ impl Step {
                 if let Some(vertices) = vertices {
                     pass.set_vertex_buffer(0, vertices.slice(..));
                 }
+                let [[x, y], [width, height]] = depth.viewport_px;
+                pass.set_viewport(x, y, width, height, 0.0, 1.0);
                 pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
                 for draw in draws {
                     match draw {

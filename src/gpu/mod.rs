@@ -8,6 +8,7 @@ mod program;
 mod readback;
 mod real;
 mod timing;
+mod viewport;
 mod words;
 
 pub use device::{AdapterReport, Gpu, GpuOptions};

@@ -24,6 +24,7 @@ pub const LIBRARY: &[(&str, &str)] = files![
     "lib/relief_ray.wgsl",
     "lib/relief_crossing/cells.wgsl",
     "lib/relief_crossing/pyramid.wgsl",
+    "lib/viewport.wgsl",
     "lib/mesh.wgsl",
     "lib/exits.wgsl",
     "lib/surface.wgsl",

@@ -266,7 +266,7 @@ fn what_makes_no_sense_is_refused_by_name() {
         ("x = \"cells\"", "x = \"cell\"", "did you mean `cells`"),
         ("log = [\"x\"]", "log = [\"z\"]", "no axis"),
         ("log = [\"x\"]", "runs = [\"cub\"]", "did you mean `cube`"),
-        ("question = ", "question ", "mend"),
+        ("question = ", "question ", "correct the TOML"),
     ] {
         assert!(good.contains(from), "{from} is in the text");
         let message = read(&good.replacen(from, to, 1))

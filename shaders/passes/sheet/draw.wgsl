@@ -2,7 +2,7 @@
 // pixel's list, or is counted there (the open module `sheet_store`).
 
 #import cutaway::frame::pixel_index
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 #import cutaway::sheet_store::leave
 #import cutaway::sheet_words::sheet_word
 #import cutaway::tessellation::cap_vertex
@@ -18,7 +18,7 @@ struct Corner {
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: u32) -> Corner {
     let cap = cap_vertex(index, first_instance + instance);
-    return Corner(clip_position(cap.point), cap.surface);
+    return Corner(drawn_position(cap.point), cap.surface);
 }
 
 @fragment

@@ -1,7 +1,7 @@
 // As `mark`, for groups of triangles that are settled: the depth that is tested is the one that they are moved to.
 
 #import cutaway::frame::pixel_index
-#import cutaway::mesh::{Vertex, clip_position}
+#import cutaway::mesh::{Vertex, drawn_position}
 #import cutaway::settled_depth::settled_z
 
 struct Corner {
@@ -12,7 +12,7 @@ struct Corner {
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(clip_position(v.position), v.rank);
+    return Corner(drawn_position(v.position), v.rank);
 }
 
 @fragment

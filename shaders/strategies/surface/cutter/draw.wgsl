@@ -7,7 +7,7 @@
 #import cutaway::crossing_words::normal_bits
 #import cutaway::frame::pixel_index
 #import cutaway::layers::unpack_normal
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 #import cutaway::sheet_store::leave
 #import cutaway::sheet_words::sheet_word
 
@@ -20,7 +20,7 @@ struct Corner {
 @vertex
 fn vertex(@location(0) position: vec3<f32>, @location(1) normal: u32, @builtin(instance_index) surface: u32) -> Corner {
     let n = unpack_normal(normal);
-    return Corner(clip_position(position), vec3<u32>(surface, normal_bits(n), normal_bits(-n)));
+    return Corner(drawn_position(position), vec3<u32>(surface, normal_bits(n), normal_bits(-n)));
 }
 
 @fragment

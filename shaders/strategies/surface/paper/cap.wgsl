@@ -4,7 +4,7 @@
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::facets::place_of
 #import cutaway::layers::{CAP, UNRELIABLE, layer_word, pack_normal}
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 #import cutaway::relief::cap_normal
 #import cutaway::sides::sides_of
 #import cutaway::tessellation::cap_vertex
@@ -23,7 +23,7 @@ struct Corner {
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: u32) -> Corner {
     let cap = cap_vertex(index, first_instance + instance);
-    return Corner(clip_position(cap.point), cap.point, vec2<u32>(place_of(first_instance + instance), cap.surface));
+    return Corner(drawn_position(cap.point), cap.point, vec2<u32>(place_of(first_instance + instance), cap.surface));
 }
 
 @fragment

@@ -3,7 +3,7 @@
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::exits::is_passed
 #import cutaway::layers::{BACK_FACE, SURFACE, layer_word, pack_normal, unpack_normal}
-#import cutaway::mesh::{Vertex, clip_position, facing}
+#import cutaway::mesh::{Vertex, drawn_position, facing}
 #import cutaway::sides::sides_of
 
 struct Corner {
@@ -15,7 +15,7 @@ struct Corner {
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(clip_position(v.position), unpack_normal(v.normal), v.position, v.rank);
+    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.position, v.rank);
 }
 
 @fragment

@@ -7,7 +7,7 @@
 #import cutaway::cuts::{MAX_SURFACES, is_removed, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
@@ -19,7 +19,7 @@ struct Corner {
 // The instance is the part's place in the table times MAX_SURFACES, and the clip-surface's.
 @vertex
 fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
-    return Corner(clip_position(position), parts[instance / MAX_SURFACES].cuts, instance % MAX_SURFACES);
+    return Corner(drawn_position(position), parts[instance / MAX_SURFACES].cuts, instance % MAX_SURFACES);
 }
 
 @fragment

@@ -8,7 +8,7 @@
 #import cutaway::cuts::{MAX_SURFACES, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
-#import cutaway::mesh::clip_position
+#import cutaway::mesh::drawn_position
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
@@ -22,7 +22,7 @@ struct Corner {
 fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u32) -> Corner {
     let part = parts[instance / MAX_SURFACES];
     let lane = vec2<u32>(part.lane_word, part.lane_shift);
-    return Corner(clip_position(position), lane, instance % MAX_SURFACES);
+    return Corner(drawn_position(position), lane, instance % MAX_SURFACES);
 }
 
 @fragment

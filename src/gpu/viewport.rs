@@ -1,0 +1,33 @@
+//! The viewport of a draw: larger than its target, so that no triangle is clipped at the borders of a picture.
+//!
+//! What a rasteriser cuts from a needle at a border is a needle still thinner, whose depth can lie anywhere between those of its ends
+//! (regression 0007). `shaders/lib/viewport.wgsl` takes clip space to the same viewport.
+//!
+//! Limits: a target of 8192 px has no room left, nor has the near plane.
+
+/// Every device of core WebGPU has viewports of this size.
+const VIEWPORT_PX: u32 = 8192;
+
+/// Corner and size of the viewport of a target, in pixels from its upper left corner.
+pub(super) fn viewport_px(target_px: [u32; 2]) -> [[f32; 2]; 2] {
+    let size = target_px.map(|n| n << (VIEWPORT_PX / n).max(1).ilog2());
+    let corner = [0, 1].map(|i| -((size[i] - target_px[i]) as f32) / 2.0);
+    [corner, size.map(|n| n as f32)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_viewport_is_about_its_target_and_within_what_devices_take() {
+        for (target, corner, size) in [
+            ([1024, 768], [-3584.0, -2688.0], [8192.0, 6144.0]),
+            ([1, 3], [-4095.5, -3070.5], [8192.0, 6144.0]),
+            ([8192, 8000], [0.0, 0.0], [8192.0, 8000.0]),
+            ([16384, 4096], [0.0, -2048.0], [16384.0, 8192.0]),
+        ] {
+            assert_eq!(viewport_px(target), [corner, size], "{target:?}");
+        }
+    }
+}
