@@ -9,6 +9,8 @@ struct SettledGroup {
     surfaces: u32,
     // Of those, the ones of which they lie on the removed side.
     removed: u32,
+    // Of those, the ones that the triangles lie in.
+    flush: u32,
     // 1 where each triangle lies on another one.
     doubled: u32,
     // Bits of the cutters in faces of which they lie.
@@ -17,6 +19,9 @@ struct SettledGroup {
     normal_x: f32,
     normal_y: f32,
     normal_z: f32,
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
 }
 
 struct SettledGroups {
@@ -35,4 +40,10 @@ fn of_doubled(z: f32, group: u32, front: bool) -> f32 {
 fn beside(z: f32, crossing: f32, is_before: bool) -> f32 {
     let behind = bitcast<f32>(max(bitcast<u32>(crossing), 1u) - 1u);
     return select(min(z, behind), max(z, crossing), is_before);
+}
+
+// The same where the triangle may lie in the surface that the crossing is with: then it is as far as the crossing, to the bit, and a needle
+// as right as any.
+fn settled_at(z: f32, crossing: f32, is_before: bool, is_flush: bool) -> f32 {
+    return beside(select(z, crossing, is_flush), crossing, is_before);
 }

@@ -8,7 +8,7 @@
 
 #import cutaway::crossing_words::{normal_of, surface_of_word}
 #import cutaway::crossings::{crossing_heads, listed, surface_at, word_at, z_at}
-#import cutaway::settled::{beside, of_doubled, settled}
+#import cutaway::settled::{beside, of_doubled, settled, settled_at}
 
 // How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value.
 const NEAR_FACE: f32 = 0.000244140625;
@@ -42,6 +42,7 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, group, front);
     let surfaces = settled.groups[group].surfaces;
     let removed = settled.groups[group].removed;
+    let flush = settled.groups[group].flush;
     let head = crossing_heads[pixel];
     let count = listed(head.x);
     var sides = head.y;
@@ -51,7 +52,7 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
         if (surfaces & surface) != 0u {
             let crossing = z_at(i, pixel);
             let is_before = (sides & surface) == (removed & surface);
-            moved = beside(moved, crossing, is_before);
+            moved = settled_at(moved, crossing, is_before, (flush & surface) != 0u);
         }
         sides ^= surface;
     }

@@ -12,7 +12,7 @@
 use glam::DVec2;
 use rayon::prelude::*;
 
-use super::raster::{Projected, centres, lateral};
+use super::raster::{Facet, Projected, centres, lateral};
 use super::screen::Corner;
 use crate::scene::View;
 
@@ -94,10 +94,12 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
             let margin = faces
                 .iter()
                 .map(|f| {
+                    let facet = projected.facet(f.triangle);
+                    let beside = plane_change(view, &facet);
                     if is_sliver(view, projected, f.triangle) {
-                        projected.facet(f.triangle).extent()
+                        beside.max(facet.extent())
                     } else {
-                        reach(view, projected, f.triangle)
+                        beside.min(facet.extent())
                     }
                 })
                 .fold(0.0, f64::max);
@@ -134,8 +136,9 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 }
 
 /// A needle that rounding its corners to the sub-pixel grid may turn over, and whose depths differ by more than a pixel
-/// is wide: which of its sides a rasteriser sees, and so the depth it finds in it, is anybody's guess within the needle's
-/// own depths. Its edges are outlines: there is no telling on which side of them it lies.
+/// is wide, in it or within [`NEAR_PX`] of it: which of its sides a rasteriser sees, and so the depth it finds in it, is anybody's
+/// guess. Some cover samples by the rounded corners and read depths from the plane of the others, beside the needle. Its edges are
+/// outlines: there is no telling on which side of them it lies.
 fn is_sliver(view: &View, projected: &Projected<'_>, triangle: u32) -> bool {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -147,12 +150,16 @@ fn is_sliver(view: &View, projected: &Projected<'_>, triangle: u32) -> bool {
         .into_iter()
         .fold(0.0, f64::max);
     let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * NEAR_PX * longest;
-    is_narrow && projected.facet(triangle).extent() > view.pixel_size(corners[0].depth)
+    if !is_narrow {
+        return false;
+    }
+    let facet = projected.facet(triangle);
+    let pixel = view.pixel_size(corners[0].depth);
+    facet.extent() > pixel || plane_change(view, &facet) > pixel
 }
 
-/// How much depth changes over a face within [`NEAR_PX`].
-fn reach(view: &View, projected: &Projected<'_>, triangle: u32) -> f64 {
-    let facet = projected.facet(triangle);
+/// How much depth changes on the plane of a face within [`NEAR_PX`].
+fn plane_change(view: &View, facet: &Facet) -> f64 {
     let centre = (facet.points[0] + facet.points[1] + facet.points[2]) / 3.0;
     let depth = (centre - view.eye).dot(view.forward);
     let direction = if view.orthographic {
@@ -160,7 +167,7 @@ fn reach(view: &View, projected: &Projected<'_>, triangle: u32) -> f64 {
     } else {
         (centre - view.eye) / depth
     };
-    facet.depth_change(view, direction, depth, NEAR_PX)
+    facet.plane_change(view, direction, depth, NEAR_PX)
 }
 
 /// The piece of an edge beyond a depth.

@@ -139,14 +139,22 @@ impl Facet {
         depth: f64,
         share_px: f64,
     ) -> f64 {
+        // Of an edge-on triangle the first is infinite, or no number.
+        self.plane_change(view, direction, depth, share_px)
+            .min(self.extent())
+    }
+
+    /// The same of the plane, wherever that leads.
+    pub(super) fn plane_change(
+        &self,
+        view: &View,
+        direction: DVec3,
+        depth: f64,
+        share_px: f64,
+    ) -> f64 {
         let along = self.normal.dot(direction).abs();
         let across = lateral(view, self.normal) * view.pixel_size(depth) * share_px;
-        let extent = self.extent();
-        if across >= along * extent {
-            extent
-        } else {
-            across / along
-        }
+        across / along
     }
 }
 

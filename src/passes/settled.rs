@@ -55,6 +55,8 @@ const NORMAL_STEPS: f32 = 4096.0;
 struct Lie {
     /// Sides by number of the clip-surface.
     sides: Vec<(u16, Side)>,
+    /// Numbers of the clip-surfaces that they lie in.
+    flush: Vec<u16>,
     /// Numbers of the cutters in faces of which they lie.
     in_cutters: Vec<u16>,
     /// Normal of those faces, either way round, in steps of 1 / [`NORMAL_STEPS`].
@@ -94,6 +96,11 @@ impl Sorted {
                     for (triangle, side) in flat.settled(positions, triangles) {
                         let lie = lies.entry(triangle).or_default();
                         lie.sides.push((*number, side));
+                        let corners =
+                            triangles[triangle as usize].map(|i| positions[i as usize].as_dvec3());
+                        if flat.side_of_face(corners).is_some() {
+                            lie.flush.push(*number);
+                        }
                     }
                 }
                 Settling::Volume(volume) => {
@@ -225,7 +232,7 @@ impl Recorder<'_> {
         self.relevance.order.iter().any(|rank| {
             let mut groups = self.groups_of(*rank).iter();
             groups.any(|g| {
-                let [surfaces, _, cutters] = self.bits_of(g);
+                let [surfaces, _, cutters, _] = self.bits_of(g);
                 g.lie.is_doubled || surfaces | cutters != 0
             })
         })
@@ -251,12 +258,16 @@ impl Recorder<'_> {
         all
     }
 
-    /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, and of cutters that it shares faces with.
-    fn bits_of(&self, group: &Group) -> [u32; 3] {
-        let mut bits = [0; 3];
+    /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, of cutters that it shares faces with, and
+    /// of clip-surfaces that it lies in.
+    fn bits_of(&self, group: &Group) -> [u32; 4] {
+        let mut bits = [0; 4];
         for (slot, number) in self.relevance.surfaces.iter().enumerate() {
             let is_shared = group.lie.in_cutters.contains(&(*number as u16));
             bits[2] |= u32::from(is_shared) << slot;
+            // Of triangles that lie on each other the depths tell which is seen.
+            let is_flush = !group.lie.is_doubled && group.lie.flush.contains(&(*number as u16));
+            bits[3] |= u32::from(is_flush) << slot;
             let side = group
                 .lie
                 .sides
@@ -275,17 +286,19 @@ impl Recorder<'_> {
         self.uploaded("settled", Role::Uniform, Clock::Cut, |r| {
             let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
             for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
-                let [surfaces, removed, cutters] = r.bits_of(group);
+                let [surfaces, removed, cutters, flush] = r.bits_of(group);
                 let normal = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
                 *row = SettledGroup {
                     place: r.relevance.place_of(rank) as u32,
                     surfaces,
                     removed,
+                    flush,
                     doubled: u32::from(group.lie.is_doubled),
                     cutters,
                     normal_x: normal[0],
                     normal_y: normal[1],
                     normal_z: normal[2],
+                    padding: [0; 3],
                 };
             }
             Contents::of(&table)

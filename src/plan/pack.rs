@@ -212,6 +212,8 @@ shared! {
         surfaces: u32,
         /// Of those, the ones of which they lie on the removed side.
         removed: u32,
+        /// Of those, the ones that they lie in.
+        flush: u32,
         /// 1 where each triangle lies on another one.
         doubled: u32,
         /// Bits of the cutters in faces of which they lie.
@@ -222,6 +224,8 @@ shared! {
         normal_y: f32,
         /// Likewise.
         normal_z: f32,
+        /// Up to 16 bytes.
+        padding: [u32; 3],
     }
 }
 

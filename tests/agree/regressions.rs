@@ -1,12 +1,18 @@
 //! What once was wrong, by number, each in the smallest scene that showed it.
 
+use std::sync::Arc;
+
+use cutaway::exact::evaluate;
 use cutaway::hard_cases::Entrant;
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, ClipSurface, Cut, View, Wrap};
+use cutaway::scene::{
+    Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap, load_mesh_file, section_surface,
+};
 use cutaway::session::Session;
 use cutaway::strategies::Strategy;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use crate::common::data::data;
 use crate::common::{Question, meshes, scenes, session, strategy};
 
 /// A map of one height is a plane, which the vertex shader does not displace; the grid lay on the plane without the height.
@@ -181,4 +187,60 @@ fn depths_kept(session: &Session, strategy: &Strategy, view: &View) -> Vec<f64> 
     (words.expect("what is kept")[counts..].iter())
         .map(|z| view.depth_from_buffer(f64::from(f32::from_bits(*z))))
         .collect()
+}
+
+/// A needle in the plane of a cut had the depth that hardware interpolates, which is off by more the longer the needle is for its width:
+/// beside an edge, what lies behind it was seen. No needle that we made shows it; one of a real mesh does.
+#[test]
+fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
+    let Some(data) = data() else {
+        return;
+    };
+    let file = data.join("cad/arduino_case_top.stl");
+    let mut scene = Scene {
+        parts: load_mesh_file(&file).expect("a mesh").parts,
+        ..Scene::default()
+    };
+    let plane = section_surface("z=0.0", &scene.bounds()).expect("a section");
+    scene.cuts = vec![Cut::of("lid", vec![plane])];
+    scene.camera.viewpoint = Viewpoint::Orbit {
+        azimuth_deg: 215.0,
+        elevation_deg: 25.0,
+    };
+    let question = Question::of(&scene, [640, 480]);
+    let surface_px = question.exact.layers.count(Kind::Surface);
+    assert_eq!(
+        surface_px, 107_395,
+        "the view in which pixel (173, 342) was wrong"
+    );
+    for strategy in [
+        Strategy::RAYCAST_MASK,
+        Strategy::RAYCAST_STENCIL,
+        Strategy::STENCIL,
+    ] {
+        assert_eq!(
+            question.answer(&strategy).fault_of_exact(),
+            None,
+            "{strategy}"
+        );
+    }
+}
+
+/// A needle of 2e-5 square pixels covered a sample beside it, by corners that were rounded, with a depth beyond its own.
+#[test]
+fn regression_0009_beside_a_needle_nothing_is_decided() {
+    let mut scene = scenes::sectioned("crank", &[]);
+    let surface = scenes::relief(&scene, "-z=50%", "fractal:amplitude=4%,period=45%,seed=7");
+    scene.cuts = vec![Cut::of("ragged", vec![surface])];
+    let still = Question::of(&scene, [400, 300]);
+    let view = still.view.sampled_at(DVec2::new(0.5 + 31.0 / 64.0, 0.5));
+    let exact = Arc::new(evaluate(&still.model.truth(&scene), &view));
+    let moved = Question {
+        view,
+        exact,
+        ..still
+    };
+    for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
+        assert_eq!(moved.answer(&strategy).fault_of_exact(), None, "{strategy}");
+    }
 }

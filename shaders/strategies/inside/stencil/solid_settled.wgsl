@@ -3,7 +3,7 @@
 #import cutaway::cuts::parts
 #import cutaway::lone_plane::{is_kept, lone_plane_at}
 #import cutaway::mesh::Vertex
-#import cutaway::settled::{beside, of_doubled, settled}
+#import cutaway::settled::{of_doubled, settled, settled_at}
 #import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
 @vertex
@@ -20,7 +20,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     if group.surfaces != 0u {
         is_removed = group.removed != 0u;
         if plane.z > 0.0 {
-            z = beside(z, plane.z, is_removed == plane.begins_removed);
+            z = settled_at(z, plane.z, is_removed == plane.begins_removed, group.flush != 0u);
         }
     }
     if is_removed {
