@@ -11,6 +11,8 @@ use serde_json::Value;
 mod cameras;
 #[path = "common/command.rs"]
 mod command;
+#[path = "cli/settings.rs"]
+mod settings;
 
 use command::{Ran, Scratch};
 

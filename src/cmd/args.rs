@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 
 use super::defects::DefectArgs;
 use super::sections::SectionArgs;
+use super::set::SetArgs;
 use crate::Result;
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
@@ -26,6 +27,8 @@ pub(super) struct SceneArgs {
     /// Meshes (.obj, .stl, .ply, .glb, .gltf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "SCENE|MODEL")]
     pub(super) inputs: Vec<String>,
+    #[command(flatten)]
+    pub(super) set: SetArgs,
     #[command(flatten)]
     pub(super) sections: SectionArgs,
     #[command(flatten)]

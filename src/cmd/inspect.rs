@@ -10,6 +10,7 @@ use super::open::Inputs;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
 use super::sections::round;
+use super::set::SetArgs;
 use super::when::TimeArgs;
 use crate::report::Table;
 use crate::scene::{Clip, Part, Topology};
@@ -34,6 +35,8 @@ pub(super) struct InspectArgs {
     #[arg(required = true, value_name = "MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
+    set: SetArgs,
+    #[command(flatten)]
     when: TimeArgs,
     #[command(flatten)]
     defects: DefectArgs,
@@ -53,7 +56,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
+    let inputs = Inputs::open(&args.inputs, &args.set, &args.when, &console)?;
     inputs
         .files
         .keep_from(paths_of(&[("--json", json.as_ref())]))?;

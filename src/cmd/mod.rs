@@ -33,6 +33,7 @@ mod render;
 mod report;
 mod section;
 mod sections;
+mod set;
 mod when;
 
 use std::process::ExitCode;

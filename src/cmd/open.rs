@@ -10,12 +10,14 @@ use super::console::Console;
 use super::defects::DefectArgs;
 use super::places::InputFiles;
 use super::sections::warn_of_misses;
+use super::set::SetArgs;
 use super::when::TimeArgs;
+use crate::scene::document::Document;
 use crate::scene::frames::{Pattern, Sequence, USUAL_FPS};
 use crate::scene::shapes::shape;
 use crate::scene::{
     Bounds, Camera, Cut, Fill, HeightFilter, Material, OpenedMesh, Part, Prepared, Scene,
-    SceneSpace, Timeline, Topology, View, load_mesh_file, load_scene_file,
+    SceneSpace, Timeline, Topology, View, load_mesh_file, load_scene,
 };
 use crate::strategies::FrameOptions;
 use crate::{Error, Result};
@@ -101,7 +103,7 @@ pub(super) fn open(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Resu
 
 /// [`open`] without a word where nothing moves.
 pub(super) fn open_at(args: &SceneArgs, when: &TimeArgs, console: &Console) -> Result<Opened> {
-    let inputs = Inputs::open(&args.inputs, when, console)?;
+    let inputs = Inputs::open(&args.inputs, &args.set, when, console)?;
     let (mut scene, timeline) = inputs.at(when)?;
     args.defects.apply_and_say(&mut scene, console)?;
     let of_file = scene.cuts.len();
@@ -164,9 +166,14 @@ pub(super) struct Inputs {
 
 impl Inputs {
     /// Opens them.
-    pub(super) fn open(inputs: &[String], when: &TimeArgs, console: &Console) -> Result<Self> {
+    pub(super) fn open(
+        inputs: &[String],
+        set: &SetArgs,
+        when: &TimeArgs,
+        console: &Console,
+    ) -> Result<Self> {
         match inputs {
-            [one] if is_scene(one) => Self::of_scene_file(one, console),
+            [one] if is_scene(one) => Self::of_scene_file(one, set, console),
             inputs => {
                 if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
                     return Err(Error::input(
@@ -175,15 +182,18 @@ impl Inputs {
                         "give it by itself, and name the meshes in it as [[part]] entries",
                     ));
                 }
+                set.need_no_file()?;
                 Self::of_meshes(inputs, when.played_fps.unwrap_or(USUAL_FPS), console)
             }
         }
     }
 
-    fn of_scene_file(input: &str, console: &Console) -> Result<Self> {
+    fn of_scene_file(input: &str, set: &SetArgs, console: &Console) -> Result<Self> {
         let files = InputFiles::default();
         let open_mesh = |path: &Path| open_mesh(path, &files);
-        let file = load_scene_file(Path::new(input), &open_mesh, &shape)?;
+        let mut document = Document::read(Path::new(input))?;
+        set.apply(&mut document)?;
+        let file = load_scene(&document, &open_mesh, &shape)?;
         let notes: Vec<String> = (file.notes.iter())
             .map(|n| format!("{input}: {n}"))
             .collect();

@@ -21,6 +21,7 @@ use super::open::{Inputs, open_model};
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
 use super::sections::{SectionArgs, round, warn_of_misses};
+use super::set::SetArgs;
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
 use crate::scene::{Bounds, Fill, Part, Scene, who_wins};
@@ -47,6 +48,8 @@ pub(super) struct SectionCommandArgs {
     /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    set: SetArgs,
     #[command(flatten)]
     sections: SectionArgs,
     #[command(flatten)]
@@ -100,7 +103,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let inputs = Inputs::open(&args.inputs, &args.when, &console)?;
+    let inputs = Inputs::open(&args.inputs, &args.set, &args.when, &console)?;
     let (mut scene, timeline) = inputs.at(&args.when)?;
     args.defects.apply_and_say(&mut scene, &console)?;
     args.when.note_of_still(&timeline, &console);

@@ -11,6 +11,7 @@ mod coincide;
 mod cut;
 mod cutter;
 pub mod defects;
+pub mod document;
 mod doubled;
 mod exact_sum;
 mod file;
@@ -49,7 +50,9 @@ pub use cut::{Cut, Offset};
 pub use cutter::Cutter;
 pub(crate) use doubled::doubled_faces;
 pub(crate) use file::reader;
-pub use file::{Interpolation, Key, OpenMesh, OpenedMesh, SceneFile, load_scene_file, parse_color};
+pub use file::{
+    Interpolation, Key, OpenMesh, OpenedMesh, SceneFile, load_scene, load_scene_file, parse_color,
+};
 pub use fill::Fill;
 pub use height_filter::HeightFilter;
 pub use load::{Loaded, load_mesh_file, load_mesh_file_with};

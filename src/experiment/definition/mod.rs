@@ -24,7 +24,7 @@ pub use moves::Moves;
 pub use others::{AskedCases, AskedSearch};
 pub use scenes::{Pictures, SceneRun};
 
-use crate::scene::reader::{Entry, Source, Table, with_table};
+use crate::scene::reader::{Entry, Table, with_table};
 use crate::{Error, Result};
 
 /// Keys of the file.
@@ -105,8 +105,7 @@ impl Definition {
                 "call it for example 01-paper.toml",
             ));
         }
-        let source = Source { path, text };
-        with_table(&source, FILE_KEYS, |root| {
+        with_table(path, text, FILE_KEYS, |root| {
             let question = question(root)?;
             let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
             let analysis = analysis.text()?.trim().to_owned();

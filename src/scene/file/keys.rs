@@ -1,13 +1,14 @@
 //! `[[key]]`: numbers of the scene over time.
 //!
-//! A key finds its numbers in the text of the file ([`target`](super::target)). At a time the text is read again with other
+//! A key finds its numbers in the tree of the file ([`target`](super::target)). At a time the tree is read again with other
 //! numbers in their place, so whatever the file can say in numbers can move, and every check of the readers holds at every
 //! time. Before the first and after the last of its times a key stays at its end. A flag is moved by true and false, or 1 and 0,
 //! and only in steps.
 
-use super::reader::{Entry, Source, Table};
-use super::target::{self, Shape, Slot, Target};
+use super::reader::{Entry, Table};
+use super::target::{self, Shape, Target};
 use crate::error::{Result, did_you_mean};
+use crate::scene::document::{Node, Number, Place, Value};
 
 const KEYS: &[&str] = &["target", "times_s", "values", "interpolation"];
 
@@ -69,23 +70,62 @@ impl Key {
 pub(super) struct Keyed {
     pub(super) key: Key,
     /// Its own path, `key.3`.
-    pub(super) own_path: String,
+    own_path: String,
     /// Path of its target, entries by name.
-    pub(super) path: String,
-    pub(super) slots: Vec<Slot>,
+    path: String,
+    /// Where the numbers are, in order.
+    places: Vec<Place>,
+}
+
+impl Keyed {
+    /// Sets what the key moves to what it is at a time. Whole numbers stay whole where they can; a flag is on unless it is 0.
+    pub(super) fn set(&self, root: &mut Node, time_s: f64) {
+        for (place, value) in self.places.iter().zip(self.key.at(time_s)) {
+            match root.at_mut(place).map(|node| &mut node.value) {
+                Some(Value::Flag(flag)) => *flag = value != 0.0,
+                Some(Value::Number(number)) => *number = Number::like(value, number),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// A time, and the keys that have set what a scene is then.
+#[derive(Clone, Copy)]
+pub(crate) struct Moment<'a> {
+    pub(super) time_s: f64,
+    pub(super) keys: &'a [Keyed],
+}
+
+impl Moment<'_> {
+    /// When it is, with the keys that may have led to a fault of a value.
+    pub(super) fn blame(&self, of: &str) -> String {
+        let touches = |keyed: &&Keyed| {
+            let (short, long) = if of.len() < keyed.path.len() {
+                (of, keyed.path.as_str())
+            } else {
+                (keyed.path.as_str(), of)
+            };
+            long.strip_prefix(short)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        let named = |keyed: &Keyed| format!("`{}`, the target of `{}`", keyed.path, keyed.own_path);
+        let mut blamed: Vec<String> = self.keys.iter().filter(touches).map(named).collect();
+        if blamed.is_empty() {
+            blamed = self.keys.iter().map(named).collect();
+        }
+        let time_s = (self.time_s * 1e4).round() / 1e4;
+        format!("at {time_s} s ({})", blamed.join("; "))
+    }
 }
 
 /// Reads all keys of a file.
-pub(super) fn read(root: &Table<'_>, source: &Source<'_>) -> Result<Vec<Keyed>> {
+pub(super) fn read(root: &Table<'_>) -> Result<Vec<Keyed>> {
     let mut all: Vec<Keyed> = Vec::new();
     for entry in root.tables("key")? {
-        let keyed = read_one(&entry, root, source)?;
-        let starts = |k: &Keyed| k.slots.iter().map(|s| s.span.start).collect::<Vec<_>>();
-        let own = starts(&keyed);
-        if let Some(other) = all
-            .iter()
-            .find(|k| starts(k).iter().any(|s| own.contains(s)))
-        {
+        let keyed = read_one(&entry, root)?;
+        let meets = |k: &&Keyed| k.places.iter().any(|p| keyed.places.contains(p));
+        if let Some(other) = all.iter().find(meets) {
             let target = entry.table(KEYS)?.need("target", "\"camera.near\"")?;
             let what = format!("`{}` moves it too", other.own_path);
             return Err(target.fault(what, "make one key of the two"));
@@ -95,7 +135,7 @@ pub(super) fn read(root: &Table<'_>, source: &Source<'_>) -> Result<Vec<Keyed>> 
     Ok(all)
 }
 
-fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<Keyed> {
+fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
     let table = entry.table(KEYS)?;
     let target = table.need("target", "\"cut.front.surfaces.0.origin\"")?;
     let path = target.text()?;
@@ -132,9 +172,9 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
     };
     let Target {
         path: full,
-        slots,
+        places,
         shape,
-    } = target::find(root.entry.value, source, path, &example)
+    } = target::find(root.entry.node, path, &example)
         .map_err(|(what, mend)| target.fault(what, mend))?;
     let is_flag = shape == Shape::Flag;
     let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
@@ -171,7 +211,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>, source: &Source<'_>) -> Result<
         },
         own_path: entry.key.clone(),
         path: full,
-        slots,
+        places,
     })
 }
 

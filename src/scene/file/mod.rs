@@ -127,8 +127,9 @@ pub use parts::parse_color;
 use reader::{Entry, Source, Table};
 pub(super) use script::Script;
 
+use super::document::Document;
 use super::motion::Outwards;
-use super::{Bounds, Camera, HeightFilter, Part, Scene, Timeline, input_file};
+use super::{Bounds, Camera, HeightFilter, Part, Scene, Timeline};
 use crate::error::{Error, Result};
 
 const KEYS: &[&str] = &[
@@ -183,35 +184,39 @@ struct Loaders<'a> {
     open_shape: &'a dyn Fn(&str) -> Result<Vec<Part>>,
 }
 
-/// Reads a scene file, and opens all that it names. `open_mesh` gives the parts of a mesh file and notes about them,
-/// `open_shape` the parts of a built-in shape such as `crank?holes=3`. Keys are tried at all their times and between.
+/// Reads a scene file, and opens all that it names: [`load_scene`] of its [`Document`].
 pub fn load_scene_file(
     path: &Path,
     open_mesh: &OpenMesh<'_>,
     open_shape: &dyn Fn(&str) -> Result<Vec<Part>>,
 ) -> Result<SceneFile> {
-    let text = String::from_utf8(input_file::read(path)?).map_err(|e| {
-        let what = format!("byte {} is not text in UTF-8", e.utf8_error().valid_up_to());
-        Error::file(path, what, "save the scene file as TOML text in UTF-8")
-    })?;
-    // Editors on Windows put a byte order mark before the text.
-    let text = text.trim_start_matches('\u{feff}').to_owned();
-    let source = Source { path, text: &text };
+    load_scene(&Document::read(path)?, open_mesh, open_shape)
+}
+
+/// Reads a document, and opens all that it names. `open_mesh` gives the parts of a mesh file and notes about them,
+/// `open_shape` the parts of a built-in shape such as `crank?holes=3`. Keys are tried at all their times and between.
+pub fn load_scene(
+    document: &Document,
+    open_mesh: &OpenMesh<'_>,
+    open_shape: &dyn Fn(&str) -> Result<Vec<Part>>,
+) -> Result<SceneFile> {
+    let path = document.path();
     let loaders = Loaders {
         open_mesh,
         open_shape,
     };
-    script::with_table(&source, |root| read(root, &source, &loaders))
+    let source = Source { path, moment: None };
+    let root = Table::of_file(source, document.root(), KEYS)?;
+    read(&root, path, &loaders)
 }
 
-fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<SceneFile> {
-    let path = source.path;
+fn read(root: &Table<'_>, path: &Path, loaders: &Loaders<'_>) -> Result<SceneFile> {
     let mut notes = Vec::new();
     let entries = root.tables("part")?;
     names_differ(&entries)?;
     let script = Script {
         path: path.to_owned(),
-        text: source.text.to_owned(),
+        root: root.entry.node.clone(),
         stock: stock::open(&entries, folder(path), loaders, &mut notes)?,
         cutters: cutters::open(&root.tables("cut")?, folder(path), loaders, &mut notes)?,
         keys: Vec::new(),
@@ -227,7 +232,7 @@ fn read(root: &Table<'_>, source: &Source<'_>, loaders: &Loaders<'_>) -> Result<
         }
         None => None,
     };
-    let keys = keys::read(root, source)?;
+    let keys = keys::read(root)?;
     let script = Script { keys, ..script };
     Ok(SceneFile {
         scene,

@@ -5,43 +5,37 @@
 
 use std::fmt::Display;
 use std::path::Path;
+use std::sync::Arc;
 
-use toml::de::{DeTable, DeValue};
-
+use super::keys::Moment;
 use super::target::Shape;
 use crate::error::{Error, Result, did_you_mean};
+use crate::scene::document::{Node, Value, parse};
 use crate::scene::range::{LARGEST, SMALLEST};
 use crate::scene::section::Amount;
 
-/// The text of a file, for finding lines.
+/// Where values come from, for errors.
+#[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
-    pub(crate) text: &'a str,
-}
-
-impl Source<'_> {
-    /// Line of a byte, from 1.
-    pub(crate) fn line(&self, at: usize) -> usize {
-        let before = &self.text.as_bytes()[..at.min(self.text.len())];
-        1 + before.iter().filter(|b| **b == b'\n').count()
-    }
+    /// When it is, and what moves, if something does.
+    pub(crate) moment: Option<Moment<'a>>,
 }
 
 /// A value, where it stands and what its key is.
 #[derive(Clone)]
 pub(crate) struct Entry<'a> {
-    source: &'a Source<'a>,
+    source: Source<'a>,
     /// Dotted path, as keys of animations write it.
     pub(crate) key: String,
-    at: usize,
-    pub(crate) value: &'a DeValue<'a>,
+    pub(crate) node: &'a Node,
 }
 
 /// A table whose keys are all known.
 pub(crate) struct Table<'a> {
     /// The table as a value.
     pub(crate) entry: Entry<'a>,
-    entries: &'a DeTable<'a>,
+    entries: &'a [(Arc<str>, Node)],
 }
 
 impl<'a> Entry<'a> {
@@ -51,7 +45,14 @@ impl<'a> Entry<'a> {
             "" => what.to_string(),
             key => format!("`{key}`: {what}"),
         };
-        Error::file_line(self.source.path, self.source.line(self.at), what, mend)
+        let what = match &self.source.moment {
+            Some(moment) => format!("{}: {what}", moment.blame(&self.key)),
+            None => what,
+        };
+        match self.node.line {
+            0 => Error::file(self.source.path, what, mend),
+            line => Error::file_line(self.source.path, line, what, mend),
+        }
     }
 
     /// An error from elsewhere, placed at this value. Errors about other files already name their place.
@@ -67,14 +68,13 @@ impl<'a> Entry<'a> {
     }
 
     fn found(&self) -> String {
-        match self.value {
-            DeValue::String(s) => format!("the text {s:?}"),
-            DeValue::Integer(i) => format!("the number {i}"),
-            DeValue::Float(f) => format!("the number {f}"),
-            DeValue::Boolean(b) => format!("{b}"),
-            DeValue::Datetime(d) => format!("the date {d}"),
-            DeValue::Array(a) => format!("a list of {}", a.len()),
-            DeValue::Table(_) => "a table".into(),
+        match &self.node.value {
+            Value::Text(s) => format!("the text {s:?}"),
+            Value::Number(n) => format!("the number {n}"),
+            Value::Flag(b) => format!("{b}"),
+            Value::Date(d) => format!("the date {d}"),
+            Value::List(a) => format!("a list of {}", a.len()),
+            Value::Table(_) => "a table".into(),
         }
     }
 
@@ -94,11 +94,8 @@ impl<'a> Entry<'a> {
 
     /// A finite number.
     pub(crate) fn number(&self) -> Result<f64> {
-        let value = match self.value {
-            DeValue::Float(f) => f.as_str().parse().ok(),
-            DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix())
-                .ok()
-                .map(|i| i as f64),
+        let value = match &self.node.value {
+            Value::Number(n) => Some(n.value),
             _ => None,
         };
         value.filter(|v: &f64| v.abs() <= LARGEST).ok_or_else(|| {
@@ -120,8 +117,8 @@ impl<'a> Entry<'a> {
 
     /// A whole number that fits.
     pub(crate) fn whole<T: TryFrom<i64>>(&self) -> Result<T> {
-        let value = match self.value {
-            DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix()).ok(),
+        let value = match &self.node.value {
+            Value::Number(n) => n.whole,
             _ => None,
         };
         value
@@ -131,16 +128,16 @@ impl<'a> Entry<'a> {
 
     /// Text.
     pub(crate) fn text(&self) -> Result<&'a str> {
-        match self.value {
-            DeValue::String(s) => Ok(s),
+        match &self.node.value {
+            Value::Text(s) => Ok(s),
             _ => Err(self.expected("text in quotes", "\"text\"")),
         }
     }
 
     /// `true` or `false`.
     pub(crate) fn flag(&self) -> Result<bool> {
-        match self.value {
-            DeValue::Boolean(b) => Ok(*b),
+        match &self.node.value {
+            Value::Flag(b) => Ok(*b),
             _ => Err(self.expected("true or false", "true")),
         }
     }
@@ -160,32 +157,30 @@ impl<'a> Entry<'a> {
 
     /// The elements of a list.
     pub(crate) fn list(&self) -> Result<Vec<Self>> {
-        let DeValue::Array(array) = self.value else {
+        let Value::List(list) = &self.node.value else {
             return Err(self.expected("a list", "[ ... ]"));
         };
-        let element = |(i, value): (usize, &'a toml::Spanned<DeValue<'a>>)| Self {
+        let element = |(i, node)| Self {
             source: self.source,
             key: format!("{}.{i}", self.key),
-            at: value.span().start,
-            value: value.get_ref(),
+            node,
         };
-        Ok(array.iter().enumerate().map(element).collect())
+        Ok(list.iter().enumerate().map(element).collect())
     }
 
     /// Text, or a number as text, as it is written.
     pub(crate) fn word(&self) -> Result<String> {
-        match self.value {
-            DeValue::Integer(i) if i.radix() == 10 => Ok(i.as_str().replace('_', "")),
-            DeValue::Float(f) => self.number().map(|_| f.as_str().replace('_', "")),
-            DeValue::String(s) => Ok(s.as_ref().to_owned()),
+        match &self.node.value {
+            Value::Number(n) => self.number().map(|_| n.to_string()),
+            Value::Text(s) => Ok(s.to_string()),
             _ => Err(self.expected("text or a number", "\"1%\"")),
         }
     }
 
     /// A list of `N` finite numbers.
     pub(crate) fn vector<const N: usize>(&self) -> Result<[f64; N]> {
-        let elements = match self.value {
-            DeValue::Array(a) if a.len() == N => self.list()?,
+        let elements = match &self.node.value {
+            Value::List(a) if a.len() == N => self.list()?,
             _ => {
                 let example = format!("[{}]", ["1"; N].join(", "));
                 return Err(self.expected(&format!("a list of {N} numbers"), &example));
@@ -200,15 +195,15 @@ impl<'a> Entry<'a> {
 
     /// A number, or a list of numbers.
     pub(crate) fn numbers(&self) -> Result<Vec<f64>> {
-        match self.value {
-            DeValue::Array(_) => self.list()?.iter().map(Self::number).collect(),
+        match &self.node.value {
+            Value::List(_) => self.list()?.iter().map(Self::number).collect(),
             _ => Ok(vec![self.number()?]),
         }
     }
 
     /// A number, or lists of numbers in lists: the numbers in their order, and how they are nested. A flag is 0 or 1.
     pub(super) fn nested(&self) -> Result<(Vec<f64>, Shape)> {
-        if let DeValue::Boolean(flag) = self.value {
+        if let Value::Flag(flag) = &self.node.value {
             return Ok((vec![f64::from(u8::from(*flag))], Shape::Flag));
         }
         if !self.is_list() {
@@ -234,8 +229,8 @@ impl<'a> Entry<'a> {
 
     /// A list of `N` lengths or texts with percentages.
     pub(crate) fn amounts<const N: usize>(&self) -> Result<[Amount; N]> {
-        let elements = match self.value {
-            DeValue::Array(a) if a.len() == N => self.list()?,
+        let elements = match &self.node.value {
+            Value::List(a) if a.len() == N => self.list()?,
             _ => {
                 let example = format!("[{}]", ["\"50%\""; N].join(", "));
                 let what = format!("a list of {N} numbers or percentages");
@@ -251,8 +246,8 @@ impl<'a> Entry<'a> {
 
     /// Texts of a list.
     pub(crate) fn texts(&self) -> Result<Vec<String>> {
-        match self.value {
-            DeValue::Array(_) => self
+        match &self.node.value {
+            Value::List(_) => self
                 .list()?
                 .iter()
                 .map(|e| e.text().map(str::to_owned))
@@ -263,31 +258,26 @@ impl<'a> Entry<'a> {
 
     /// Whether the value is text: some keys take a number or text with a unit.
     pub(crate) fn is_text(&self) -> bool {
-        matches!(self.value, DeValue::String(_))
+        matches!(self.node.value, Value::Text(_))
     }
 
     /// Whether the value is a table.
     pub(crate) fn is_table(&self) -> bool {
-        matches!(self.value, DeValue::Table(_))
+        matches!(self.node.value, Value::Table(_))
     }
 
     /// Whether the value is a list.
     pub(crate) fn is_list(&self) -> bool {
-        matches!(self.value, DeValue::Array(_))
+        matches!(self.node.value, Value::List(_))
     }
 
     /// The table, if all its keys are among `known`.
     pub(crate) fn table(&self, known: &[&str]) -> Result<Table<'a>> {
         let table = self.open_table()?;
-        for (key, value) in table.entries {
-            if !known.contains(&key.get_ref().as_ref()) {
-                let stray = Entry {
-                    source: self.source,
-                    key: self.below(key.get_ref()),
-                    at: key.span().start,
-                    value: value.get_ref(),
-                };
-                let mend = did_you_mean(key.get_ref(), known.iter().copied());
+        for (key, node) in table.entries {
+            if !known.contains(&&**key) {
+                let mend = did_you_mean(key, known.iter().copied());
+                let stray = self.child(key, node);
                 return Err(stray.fault("there is no such key here", mend));
             }
         }
@@ -296,8 +286,8 @@ impl<'a> Entry<'a> {
 
     /// The table, whose keys are names of the user.
     pub(crate) fn open_table(&self) -> Result<Table<'a>> {
-        match self.value {
-            DeValue::Table(entries) => Ok(Table {
+        match &self.node.value {
+            Value::Table(entries) => Ok(Table {
                 entry: self.clone(),
                 entries,
             }),
@@ -307,13 +297,20 @@ impl<'a> Entry<'a> {
 
     /// The same value under the name it gives itself, so that errors and animation keys speak of `cut.front`, not `cut.0`.
     pub(crate) fn named(mut self) -> Self {
-        if let DeValue::Table(entries) = self.value
-            && let Some(DeValue::String(name)) = entries.get("name").map(toml::Spanned::get_ref)
+        if let Some(name) = self.node.name()
             && let Some((list, _)) = self.key.rsplit_once('.')
         {
             self.key = format!("{list}.{name}");
         }
         self
+    }
+
+    fn child(&self, key: &str, node: &'a Node) -> Self {
+        Self {
+            source: self.source,
+            key: self.below(key),
+            node,
+        }
     }
 
     fn below(&self, key: &str) -> String {
@@ -325,46 +322,33 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// Reads a file of TOML whose keys are among `known`.
+/// Reads the text of a file of TOML whose keys are among `known`.
 pub(crate) fn with_table<T>(
-    source: &Source<'_>,
+    path: &Path,
+    text: &str,
     known: &[&str],
     read: impl FnOnce(&Table<'_>) -> Result<T>,
 ) -> Result<T> {
-    let root = DeTable::parse(source.text).map_err(|e| {
-        let line = source.line(e.span().map_or(0, |s| s.start));
-        let mend = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
-        Error::file_line(source.path, line, e.message().trim_end(), mend)
-    })?;
-    let root = DeValue::Table(root.into_inner());
+    let root = parse(path, text)?;
+    let source = Source { path, moment: None };
     read(&Table::of_file(source, &root, known)?)
 }
 
 impl<'a> Table<'a> {
     /// The whole file.
-    pub(crate) fn of_file(
-        source: &'a Source<'a>,
-        root: &'a DeValue<'a>,
-        known: &[&str],
-    ) -> Result<Self> {
+    pub(crate) fn of_file(source: Source<'a>, root: &'a Node, known: &[&str]) -> Result<Self> {
         let entry = Entry {
             source,
             key: String::new(),
-            at: 0,
-            value: root,
+            node: root,
         };
         entry.table(known)
     }
 
     /// The value of a key, if it is there.
     pub(crate) fn get(&self, key: &str) -> Option<Entry<'a>> {
-        let (key, value) = self.entries.get_key_value(key)?;
-        Some(Entry {
-            source: self.entry.source,
-            key: self.entry.below(key.get_ref()),
-            at: key.span().start,
-            value: value.get_ref(),
-        })
+        let (key, node) = self.entries.iter().find(|(name, _)| **name == *key)?;
+        Some(self.entry.child(key, node))
     }
 
     /// The value of a key that has to be there.
@@ -377,8 +361,11 @@ impl<'a> Table<'a> {
 
     /// All values with their keys, by name.
     pub(crate) fn all(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
-        let keys = self.entries.keys().map(|k| k.get_ref().as_ref());
-        keys.filter_map(|key| self.get(key).map(|entry| (key, entry)))
+        let mut all: Vec<_> = self.entries.iter().collect();
+        all.sort_by(|(a, _), (b, _)| a.cmp(b));
+        let entry = self.entry.clone();
+        all.into_iter()
+            .map(move |(key, node)| (&**key, entry.child(key, node)))
     }
 
     /// The tables of a list `[[key]]`; none if the key is missing.

@@ -1,17 +1,18 @@
 //! A scene file that can be read again at any time.
 //!
-//! At a time the numbers that keys move are written into the text, and the text is read by the same readers, from the same
-//! meshes. Cost: that of reading the text, which is short, and of whatever relief changed; nothing is opened again.
+//! At a time the numbers that keys move are set in the tree of the file, which is read by the same readers, from the same
+//! meshes. Cost: that of reading the tree, which is small, and of whatever relief changed; nothing is opened or parsed again.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use super::keys::Keyed;
-use super::reader::{self, Source, Table};
+use super::keys::{Keyed, Moment};
+use super::reader::{Source, Table};
 use super::reliefs::Resolved;
 use super::stock::Held;
 use super::{Contents, KEYS};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::scene::document::Node;
 use crate::scene::frames::Sequence;
 use crate::scene::motion::Outwards;
 use crate::scene::{Bounds, Key, Part, Scene};
@@ -20,7 +21,8 @@ use crate::scene::{Bounds, Key, Part, Scene};
 #[derive(Debug)]
 pub(in crate::scene) struct Script {
     pub(super) path: PathBuf,
-    pub(super) text: String,
+    /// The file as it stands.
+    pub(super) root: Node,
     pub(super) keys: Vec<Keyed>,
     pub(super) stock: Vec<Held>,
     /// Of each cut.
@@ -28,14 +30,6 @@ pub(in crate::scene) struct Script {
     /// The reliefs as they were last read.
     pub(super) reliefs: Mutex<Resolved>,
     pub(super) outwards: Outwards,
-}
-
-/// Opens the table of a text.
-pub(super) fn with_table<T>(
-    source: &Source<'_>,
-    read: impl FnOnce(&Table<'_>) -> Result<T>,
-) -> Result<T> {
-    reader::with_table(source, KEYS, read)
 }
 
 impl Script {
@@ -92,77 +86,15 @@ impl Script {
     }
 
     fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {
-        let text = self.text_at(time_s);
+        let mut root = self.root.clone();
+        for keyed in &self.keys {
+            keyed.set(&mut root, time_s);
+        }
+        let keys = self.keys.as_slice();
         let source = Source {
             path: &self.path,
-            text: &text,
+            moment: (!keys.is_empty()).then_some(Moment { time_s, keys }),
         };
-        with_table(&source, read).map_err(|e| self.blame(e, time_s))
-    }
-
-    /// The text with the numbers of a time. Lines stay where they are: no number has more than one.
-    fn text_at(&self, time_s: f64) -> String {
-        let mut changes: Vec<_> = self
-            .keys
-            .iter()
-            .flat_map(|keyed| {
-                let values = keyed.key.at(time_s);
-                let written = keyed.slots.iter().zip(values);
-                written.map(|(slot, value)| (slot.span.clone(), slot.write(value)))
-            })
-            .collect();
-        changes.sort_by_key(|(span, _)| span.start);
-        let mut text = String::with_capacity(self.text.len() + changes.len() * 16);
-        let mut from = 0;
-        for (span, number) in changes {
-            text.push_str(&self.text[from..span.start]);
-            text.push_str(&number);
-            from = span.end;
-        }
-        text.push_str(&self.text[from..]);
-        text
-    }
-
-    /// An error of the readers, with the keys that may have led to it and when they did.
-    fn blame(&self, error: Error, time_s: f64) -> Error {
-        let Error::File {
-            path,
-            line,
-            what,
-            mend,
-        } = error
-        else {
-            return error;
-        };
-        if self.keys.is_empty() {
-            return Error::File {
-                path,
-                line,
-                what,
-                mend,
-            };
-        }
-        let place = what.split('`').nth(1).unwrap_or_default();
-        let touches = |keyed: &&Keyed| {
-            let (short, long) = if place.len() < keyed.path.len() {
-                (place, keyed.path.as_str())
-            } else {
-                (keyed.path.as_str(), place)
-            };
-            long.strip_prefix(short)
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-        };
-        let named = |keyed: &Keyed| format!("`{}`, the target of `{}`", keyed.path, keyed.own_path);
-        let mut blamed: Vec<String> = self.keys.iter().filter(touches).map(named).collect();
-        if blamed.is_empty() {
-            blamed = self.keys.iter().map(named).collect();
-        }
-        let time = (time_s * 1e4).round() / 1e4;
-        Error::File {
-            path,
-            line,
-            what: format!("at {time} s ({}): {what}", blamed.join("; ")),
-            mend,
-        }
+        read(&Table::of_file(source, &root, KEYS)?)
     }
 }
