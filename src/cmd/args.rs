@@ -1,9 +1,10 @@
 //! Options that several subcommands share.
 
 use clap::{Args, ValueEnum};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::defects::DefectArgs;
+use super::look::bytes_of;
 use super::sections::SectionArgs;
 use super::set::SetArgs;
 use crate::Result;
@@ -335,11 +336,6 @@ fn parse_interference(text: &str) -> Result<[u8; 3], String> {
         "it is no colour\n  help: write #rrggbb, for example --interference=#ff00aa".to_owned()
     })?;
     Ok(bytes_of(color))
-}
-
-/// A colour as the options of a frame take it.
-pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
-    (color * 255.0).to_array().map(|c| c.round() as u8)
 }
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {

@@ -1,6 +1,7 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
 use clap::Args;
+use glam::Vec3;
 
 use super::open::Opened;
 use super::picture::{Backdrop, Drawer, Style};
@@ -54,4 +55,9 @@ impl LookArgs {
             },
         }
     }
+}
+
+/// A colour as the options of a frame take it.
+pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
+    (color * 255.0).to_array().map(|c| c.round() as u8)
 }

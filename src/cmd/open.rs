@@ -5,9 +5,10 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::args::{CameraArgs, SceneArgs, bytes_of};
+use super::args::{CameraArgs, SceneArgs};
 use super::console::Console;
 use super::defects::DefectArgs;
+use super::look::bytes_of;
 use super::places::InputFiles;
 use super::sections::warn_of_misses;
 use super::set::SetArgs;

@@ -4,7 +4,7 @@
 //! two a sample hits, the ray crosses once. Every other edge is one: a fold (*silhouette*), a rim (*boundary*), an edge
 //! with more than two faces, and, where the rule is nonzero, one whose faces do not agree which side is out. Vertices are matched by position here, because a mesh may store one point twice.
 //!
-//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`is_sliver`]).
+//! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]).
 //!
 //! Rasterisers round vertices to 1/256 px, which moves an edge by up to 1/512 px along each axis, and f32 transforms move
 //! it by less than that again: a sample farther than [`NEAR_PX`] from every outline is hit alike by all of them.
@@ -60,10 +60,9 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         .par_iter()
         .enumerate()
         .flat_map_iter(|(index, t)| {
-            let facing = if is_sliver(view, projected, index as u32) {
-                0
-            } else {
-                projected.facing[index]
+            let facing = match sliver_reach(view, projected, index as u32) {
+                Some(_) => 0,
+                None => projected.facing[index],
             };
             let t = t.map(|i| names[i as usize]);
             // A triangle with two equal corners is an edge, and no face of it.
@@ -95,12 +94,8 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                 .iter()
                 .map(|f| {
                     let facet = projected.facet(f.triangle);
-                    let beside = plane_change(view, &facet);
-                    if is_sliver(view, projected, f.triangle) {
-                        beside.max(facet.extent())
-                    } else {
-                        beside.min(facet.extent())
-                    }
+                    let within = || plane_change(view, &facet).min(facet.extent());
+                    sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
             Some(Outline {
@@ -135,14 +130,15 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
     names
 }
 
-/// A needle that rounding its corners to the sub-pixel grid may turn over, and whose depths differ by more than a pixel
-/// is wide, in it or within [`NEAR_PX`] of it: which of its sides a rasteriser sees, and so the depth it finds in it, is anybody's
-/// guess. Some cover samples by the rounded corners and read depths from the plane of the others, beside the needle. Its edges are
-/// outlines: there is no telling on which side of them it lies.
-fn is_sliver(view: &View, projected: &Projected<'_>, triangle: u32) -> bool {
+/// How far depth reaches at a needle that rounding its corners to the sub-pixel grid may turn over: which of its sides a rasteriser sees,
+/// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
+///
+/// Of one whose depths differ by more than a pixel is wide it is these depths. A smaller one counts where its plane changes by as much
+/// within [`NEAR_PX`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there.
+fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
-        return false;
+        return None;
     }
     let [a, b, c] = corners.map(Corner::pixel);
     let longest = [b - a, c - b, a - c]
@@ -151,11 +147,12 @@ fn is_sliver(view: &View, projected: &Projected<'_>, triangle: u32) -> bool {
         .fold(0.0, f64::max);
     let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * NEAR_PX * longest;
     if !is_narrow {
-        return false;
+        return None;
     }
     let facet = projected.facet(triangle);
+    let candidates = [facet.extent(), plane_change(view, &facet)];
     let pixel = view.pixel_size(corners[0].depth);
-    facet.extent() > pixel || plane_change(view, &facet) > pixel
+    candidates.into_iter().find(|reach| *reach > pixel)
 }
 
 /// How much depth changes on the plane of a face within [`NEAR_PX`].

@@ -47,9 +47,9 @@ fn what_is_set_is_what_the_file_could_say() {
             "[camera]\nazimuth_deg = 12.5\n",
         ),
         (
-            "part.solid.translate=[0, 0.25, 0]",
+            "part.solid.rotate_deg=[0, 30, 0]",
             "\"cube\"\n",
-            "\"cube\"\ntranslate = [0, 0.25, 0]\n",
+            "\"cube\"\nrotate_deg = [0, 30, 0]\n",
         ),
     ] {
         assert!(SCENE.contains(from), "{from}");
@@ -121,7 +121,7 @@ fn every_command_that_reads_a_scene_takes_settings() {
             .run(&format!("section scene.toml {line} --json -"))
             .exits(0)
             .json();
-        json["total"]["area"]
+        json["sections"][0]["area"]
             .as_f64()
             .unwrap_or_else(|| panic!("{json}"))
     };

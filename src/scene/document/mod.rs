@@ -15,9 +15,10 @@
 //! `[[key]]` has as its target. What a value means is for [`load_scene`](super::load_scene) to say, which reads all of the tree: a
 //! document holds any TOML.
 //!
-//! Cost: the tree, and the text once more for its comments. Both are changed together, and nothing is parsed again.
+//! Cost: the tree; and from the first value that is set on the text once more, with its comments. Both are changed together, and nothing
+//! is parsed again.
 //!
-//! Cannot: put an entry into a list, or take a value away.
+//! Cannot: put an entry into a list, take a value away, or add a key with a point in its name.
 
 mod address;
 mod node;
@@ -26,6 +27,7 @@ mod text;
 
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use toml_edit::DocumentMut;
 
@@ -42,8 +44,10 @@ use crate::error::{Error, Result};
 pub struct Document {
     path: PathBuf,
     root: Node,
-    /// The same as text, with comments.
-    text: DocumentMut,
+    /// As it was read.
+    text: Arc<str>,
+    /// The text as it is now, if something was set.
+    edited: Option<DocumentMut>,
 }
 
 impl Document {
@@ -69,11 +73,12 @@ impl Document {
     pub fn parse(path: impl Into<PathBuf>, text: &str) -> Result<Self> {
         let path = path.into();
         let root = parse(&path, text)?;
-        let text = text.parse().map_err(|e| {
-            let mend = "report it: one reader of TOML takes the text and another does not";
-            Error::file(&path, format!("{e}"), mend)
-        })?;
-        Ok(Self { path, root, text })
+        Ok(Self {
+            path,
+            root,
+            text: text.into(),
+            edited: None,
+        })
     }
 
     /// The file that it was read from.
@@ -103,41 +108,47 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A path through something that is no table: an entry that a list does not have, or a number.
+    /// A path through something that is no table: an entry that a list does not have, or a number. A value in the place of a table.
     pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<()> {
-        let value = value.into();
-        let step = walk(&self.root, path);
-        let is_table = matches!(step.node.value, Value::Table(_));
+        let mut value = value.into();
         if path.split('.').any(str::is_empty) {
             let mend = "write keys with points between them, as in `camera.azimuth_deg`";
-            return Err(lost(
-                path,
-                ("it names no value".to_owned(), mend.to_owned()),
-            ));
+            return Err(lost(path, ("it names no value".into(), mend.into())));
         }
+        let step = walk(&self.root, path);
+        let is_table = matches!(step.node.value, Value::Table(_));
         if !step.rest.is_empty() && !is_table {
             return Err(lost(path, astray(&step)));
         }
+        if step.rest.is_empty() && is_table && !matches!(value, Value::Table(_)) {
+            let below = children(step.node);
+            let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
+            let mend = format!("go on to one of: {}", names.join(", "));
+            return Err(lost(path, ("it is a table".into(), mend)));
+        }
         let (place, rest) = (step.place, step.rest);
         let new: Vec<&str> = rest.split('.').filter(|key| !key.is_empty()).collect();
-        text::set(
-            &mut self.text,
-            &text::keys(&self.root, &place),
-            &new,
-            &value,
-        );
-        let mut value = value;
+        let text = match &mut self.edited {
+            Some(text) => text,
+            None => {
+                let text = self.text.parse().map_err(|e| {
+                    let mend = "report it: one reader of TOML takes the text and another does not";
+                    Error::file(&self.path, format!("{e}"), mend)
+                })?;
+                self.edited.insert(text)
+            }
+        };
+        text::set(text, &text::keys(&self.root, &place), &new, &value);
         for key in new.iter().skip(1).rev() {
             value = Value::Table(vec![((*key).into(), Node::new(value))]);
         }
-        let Some(node) = self.root.at_mut(&place) else {
-            return Ok(());
-        };
-        match (&mut node.value, new.first()) {
-            (Value::Table(entries), Some(key)) => {
-                entries.push(((*key).into(), Node::new(value)));
+        if let Some(node) = self.root.at_mut(&place) {
+            match (&mut node.value, new.first()) {
+                (Value::Table(entries), Some(key)) => {
+                    entries.push(((*key).into(), Node::new(value)));
+                }
+                (held, _) => *held = value,
             }
-            (held, _) => *held = value,
         }
         Ok(())
     }
@@ -146,7 +157,10 @@ impl Document {
 /// The text of the file as it is now.
 impl fmt::Display for Document {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.text)
+        match &self.edited {
+            Some(text) => write!(f, "{text}"),
+            None => f.write_str(&self.text),
+        }
     }
 }
 
@@ -224,6 +238,32 @@ surfaces = [
     }
 
     #[test]
+    fn tables_and_lists_are_replaced_as_a_whole() {
+        for (path, value) in [
+            (
+                "part.1",
+                "{ shape = \"knot\", material = { color = \"#fff\" } }",
+            ),
+            ("cut.0.surfaces", "[{ section = \"x=1\" }]"),
+            ("part", "[{ shape = \"knot\" }]"),
+            ("camera", "{ near = 1 }"),
+        ] {
+            let mut document = scene();
+            document.set(path, Value::read(value)).expect(path);
+            assert_eq!(document.get(path).expect(path).value, Value::read(value));
+            let text = document.to_string();
+            let again =
+                Document::parse("scene.toml", &text).unwrap_or_else(|e| panic!("{e}: {text}"));
+            assert_eq!(again.root(), document.root(), "{path}: {text}");
+        }
+        assert_eq!(
+            scene().to_string(),
+            SCENE,
+            "a document that nothing was set in is its text"
+        );
+    }
+
+    #[test]
     fn paths_that_lead_nowhere_name_what_is_there() {
         for (path, told) in [
             ("part.c.shape", "there is no part `c`"),
@@ -234,6 +274,8 @@ surfaces = [
                 "cut.front.surfaces.1.section",
                 "there is no `1` in `cut.front.surfaces`",
             ),
+            ("cut.front", "go on to one of: name, surfaces"),
+            ("camera", "it is a table"),
             ("", "names no value"),
             ("camera..near", "names no value"),
         ] {

@@ -48,13 +48,13 @@ impl Value {
     /// The value that a text means: a number, a flag, a list or a table in TOML, or else the text itself.
     pub fn read(text: &str) -> Self {
         let alone = |root: Node| match root.value {
-            Value::Table(entries) => <[_; 1]>::try_from(entries).ok(),
+            Self::Table(entries) => <[_; 1]>::try_from(entries).ok(),
             _ => None,
         };
         let read = super::parse(Path::new("value"), &format!("value = {text}")).ok();
         match read.and_then(alone) {
             Some([(_, node)]) => node.unplaced().value,
-            None => Value::Text(text.into()),
+            None => Self::Text(text.into()),
         }
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn keys<'a>(root: &'a Node, place: &[usize]) -> Vec<Key<'a>> {
     for index in place {
         let (key, child) = match &node.value {
             Value::Table(entries) => match entries.get(*index) {
-                Some((name, child)) => (Key::Name(&**name), child),
+                Some((name, child)) => (Key::Name(name), child),
                 None => break,
             },
             Value::List(list) => match list.get(*index) {
@@ -62,13 +62,24 @@ pub(super) fn set(text: &mut DocumentMut, keys: &[Key<'_>], new: &[&str], value:
     }
 }
 
-/// Puts a value in the place of another; what stands around that in its line stays.
+/// Puts a value in the place of another; what stands around that in its line stays, and a table keeps its header.
 fn replace(item: &mut Item, value: &Value) {
     let mut new = toml(value);
     if let Some(old) = item.as_value() {
         *new.decor_mut() = old.decor().clone();
     }
-    *item = Item::Value(new);
+    let new = Item::Value(new);
+    match item.as_table() {
+        Some(old) => {
+            let decor = old.decor().clone();
+            // None but tables take the place of tables.
+            if let Ok(mut table) = new.into_table() {
+                *table.decor_mut() = decor;
+                *item = Item::Table(table);
+            }
+        }
+        None => *item = new,
+    }
 }
 
 fn toml(value: &Value) -> Toml {
