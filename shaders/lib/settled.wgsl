@@ -15,13 +15,9 @@ struct SettledGroup {
     doubled: u32,
     // Bits of the cutters in faces of which they lie.
     cutters: u32,
+    padding: vec2<u32>,
     // Normal of these faces, either way round.
-    normal_x: f32,
-    normal_y: f32,
-    normal_z: f32,
-    padding_x: u32,
-    padding_y: u32,
-    padding_z: u32,
+    normal: vec4<f32>,
 }
 
 struct SettledGroups {

@@ -19,7 +19,7 @@ const SAME_PLANE: f32 = 0.9999;
 // leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
 fn in_cutters(z: f32, pixel: u32, group: u32, front: bool) -> f32 {
     let cutters = settled.groups[group].cutters;
-    let normal = vec3<f32>(settled.groups[group].normal_x, settled.groups[group].normal_y, settled.groups[group].normal_z);
+    let normal = settled.groups[group].normal.xyz;
     let count = listed(crossing_heads[pixel].x);
     var crossing = 0.0;
     var nearest = NEAR_FACE * z;

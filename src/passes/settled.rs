@@ -287,7 +287,7 @@ impl Recorder<'_> {
             let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
             for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
                 let [surfaces, removed, cutters, flush] = r.bits_of(group);
-                let normal = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
+                let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
                 *row = SettledGroup {
                     place: r.relevance.place_of(rank) as u32,
                     surfaces,
@@ -295,10 +295,8 @@ impl Recorder<'_> {
                     flush,
                     doubled: u32::from(group.lie.is_doubled),
                     cutters,
-                    normal_x: normal[0],
-                    normal_y: normal[1],
-                    normal_z: normal[2],
-                    padding: [0; 3],
+                    padding: [0; 2],
+                    normal: [x, y, z, 0.0],
                 };
             }
             Contents::of(&table)

@@ -218,14 +218,10 @@ shared! {
         doubled: u32,
         /// Bits of the cutters in faces of which they lie.
         cutters: u32,
-        /// Normal of these faces, either way round.
-        normal_x: f32,
-        /// Likewise.
-        normal_y: f32,
-        /// Likewise.
-        normal_z: f32,
         /// Up to 16 bytes.
-        padding: [u32; 3],
+        padding: [u32; 2],
+        /// Normal of these faces, either way round; then 0.
+        normal: [f32; 4],
     }
 }
 
