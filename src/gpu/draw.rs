@@ -74,19 +74,19 @@ impl Step {
                     Some(c) => Some((layer_view(texture(plan, c.resource, real)?, 0), c.clear)),
                     None => None,
                 },
-                depth: Depth {
-                    view: layer_view(texture(plan, depth.resource, real)?, depth.layer),
-                    viewport_px: {
-                        let target = texture(plan, depth.resource, real)?;
-                        viewport_px([target.width(), target.height()])
-                    },
-                    clear: depth.clear,
-                    far: if depth.compare == DepthCompare::Greater {
-                        0.0
-                    } else {
-                        1.0
-                    },
-                    clear_stencil: depth.stencil.map(|s| s.clear),
+                depth: {
+                    let target = texture(plan, depth.resource, real)?;
+                    Depth {
+                        view: layer_view(target, depth.layer),
+                        viewport_px: viewport_px([target.width(), target.height()]),
+                        clear: depth.clear,
+                        far: if depth.compare == DepthCompare::Greater {
+                            0.0
+                        } else {
+                            1.0
+                        },
+                        clear_stencil: depth.stencil.map(|s| s.clear),
+                    }
                 },
                 vertices: match vertices {
                     Vertices::Mesh(id) => Some(buffer(plan, *id, real)?.clone()),

@@ -86,6 +86,13 @@ pub(crate) fn children(node: &Node) -> Vec<(Vec<Cow<'_, str>>, &Node)> {
     }
 }
 
+/// Where a path that ends at a value could go on to.
+pub(crate) fn farther(node: &Node) -> String {
+    let below = children(node);
+    let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
+    format!("go on to one of: {}", names.join(", "))
+}
+
 /// A path that leads nowhere.
 pub(crate) fn astray(step: &Step<'_>) -> Lost {
     let below = children(step.node);

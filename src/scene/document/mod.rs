@@ -31,7 +31,7 @@ use std::sync::Arc;
 
 use toml_edit::DocumentMut;
 
-pub(crate) use address::{Lost, Step, astray, children, walk};
+pub(crate) use address::{Lost, Step, astray, children, farther, walk};
 pub(crate) use node::Place;
 pub use node::{Node, Number, Value};
 pub(crate) use parse::parse;
@@ -121,10 +121,7 @@ impl Document {
             return Err(lost(path, astray(&step)));
         }
         if step.rest.is_empty() && is_table && !matches!(value, Value::Table(_)) {
-            let below = children(step.node);
-            let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
-            let mend = format!("go on to one of: {}", names.join(", "));
-            return Err(lost(path, ("it is a table".into(), mend)));
+            return Err(lost(path, ("it is a table".into(), farther(step.node))));
         }
         let (place, rest) = (step.place, step.rest);
         let new: Vec<&str> = rest.split('.').filter(|key| !key.is_empty()).collect();
@@ -138,7 +135,7 @@ impl Document {
                 self.edited.insert(text)
             }
         };
-        text::set(text, &text::keys(&self.root, &place), &new, &value);
+        text::set(text, (&self.root, &place), &new, &value);
         for key in new.iter().skip(1).rev() {
             value = Value::Table(vec![((*key).into(), Node::new(value))]);
         }

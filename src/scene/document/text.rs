@@ -4,48 +4,27 @@ use toml_edit::{Array, DocumentMut, InlineTable, Item, Value as Toml};
 
 use super::node::{Node, Value};
 
-/// A step of a way through a text.
-pub(super) enum Key<'a> {
-    /// Into a table.
-    Name(&'a str),
-    /// Into a list.
-    Number(usize),
-}
-
-/// The way to a place as names and numbers.
-pub(super) fn keys<'a>(root: &'a Node, place: &[usize]) -> Vec<Key<'a>> {
-    let mut node = root;
-    let mut keys = Vec::new();
+/// Sets a value: at a place of the tree of a text, or below it under `new` keys.
+pub(super) fn set(
+    text: &mut DocumentMut,
+    (root, place): (&Node, &[usize]),
+    new: &[&str],
+    value: &Value,
+) {
+    let (mut item, mut node) = (text.as_item_mut(), root);
     for index in place {
-        let (key, child) = match &node.value {
-            Value::Table(entries) => match entries.get(*index) {
-                Some((name, child)) => (Key::Name(name), child),
-                None => break,
-            },
-            Value::List(list) => match list.get(*index) {
-                Some(child) => (Key::Number(*index), child),
-                None => break,
-            },
-            _ => break,
-        };
-        keys.push(key);
-        node = child;
-    }
-    keys
-}
-
-/// Sets a value: at a place, or below it under `new` keys.
-pub(super) fn set(text: &mut DocumentMut, keys: &[Key<'_>], new: &[&str], value: &Value) {
-    let mut item = text.as_item_mut();
-    for key in keys {
-        let child = match key {
-            Key::Name(name) => item.get_mut(*name),
-            Key::Number(index) => item.get_mut(*index),
+        let child = match &node.value {
+            Value::Table(entries) => (entries.get(*index))
+                .and_then(|(name, child)| Some((item.get_mut(&**name)?, child))),
+            Value::List(list) => {
+                (list.get(*index)).and_then(|child| Some((item.get_mut(*index)?, child)))
+            }
+            _ => None,
         };
         let Some(child) = child else {
             return;
         };
-        item = child;
+        (item, node) = child;
     }
     let Some((last, tables)) = new.split_last() else {
         replace(item, value);

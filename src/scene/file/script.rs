@@ -3,6 +3,7 @@
 //! At a time the numbers that keys move are set in the tree of the file, which is read by the same readers, from the same
 //! meshes. Cost: that of reading the tree, which is small, and of whatever relief changed; nothing is opened or parsed again.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -86,9 +87,10 @@ impl Script {
     }
 
     fn read_at<T>(&self, time_s: f64, read: impl FnOnce(&Table<'_>) -> Result<T>) -> Result<T> {
-        let mut root = self.root.clone();
+        // Copied only where something moves in it.
+        let mut root = Cow::Borrowed(&self.root);
         for keyed in &self.keys {
-            keyed.set(&mut root, time_s);
+            keyed.set(root.to_mut(), time_s);
         }
         let keys = self.keys.as_slice();
         let source = Source {

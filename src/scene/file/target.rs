@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::scene::document::{Lost, Node, Place, Step, Value, astray, children, walk};
+use crate::scene::document::{Lost, Node, Place, Step, Value, astray, children, farther, walk};
 
 /// How numbers are nested in lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,13 +93,8 @@ fn no_number(step: &Step<'_>) -> Lost {
             )
         }
         Value::Table(_) | Value::List(_) => {
-            let below = children(step.node);
-            let names: Vec<&str> = below.iter().map(|(names, _)| &*names[0]).collect();
             let what = "it names no number of the scene, but what holds some";
-            (
-                what.into(),
-                format!("go on to one of: {}", names.join(", ")),
-            )
+            (what.into(), farther(step.node))
         }
         _ => (
             "it names no number of the scene".into(),
