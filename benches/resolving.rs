@@ -6,8 +6,9 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cutaway::scene::document::Document;
-use cutaway::scene::{Scene, Timeline, load_scene, shapes};
+use cutaway::document::{Document, Timeline};
+use cutaway::load::Assets;
+use cutaway::scene::Scene;
 
 const PARTS: usize = 250;
 const FRAMES: u32 = 200;
@@ -37,10 +38,9 @@ fn timeline() -> Timeline {
     }
     text.push_str("[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n");
     let document = Document::parse("moving.toml", &text).expect("a scene");
-    let no_mesh = |_: &std::path::Path| unreachable!("shapes alone");
-    let file = load_scene(&document, &no_mesh, &shapes::shape).expect("a scene");
-    assert_eq!(file.keys.len(), 4 * PARTS, "a key for each number");
-    file.timeline
+    let timeline = document.timeline(&mut Assets::default()).expect("a scene");
+    assert_eq!(timeline.keys().count(), 4 * PARTS, "a key for each number");
+    timeline
 }
 
 fn resolving(criterion: &mut Criterion) {

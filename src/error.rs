@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read as what it claims to be.
-    #[error("{}{}: {what}\n  help: {mend}", path.display(), line.map(|n| format!(":{n}")).unwrap_or_default())]
+    #[error("{}{}{}: {what}\n  help: {mend}", path.display(), number(*line), number(*column))]
     File {
         /// The file.
         path: PathBuf,
         /// Line in the file, counted from 1, where one is known.
         line: Option<usize>,
+        /// Character in the line, counted from 1, where one is known.
+        column: Option<usize>,
         /// What is wrong.
         what: String,
         /// What the user can do about it.
@@ -59,12 +61,18 @@ pub enum Error {
 /// Result of the library.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
+/// A number of a place in a file, as compilers write it: `scene.toml:12:5`.
+fn number(of_place: Option<usize>) -> String {
+    of_place.map(|n| format!(":{n}")).unwrap_or_default()
+}
+
 impl Error {
     /// A file that cannot be used.
     pub fn file(path: &Path, what: impl Into<String>, mend: impl Into<String>) -> Self {
         Self::File {
             path: path.to_owned(),
             line: None,
+            column: None,
             what: what.into(),
             mend: mend.into(),
         }
@@ -80,8 +88,41 @@ impl Error {
         Self::File {
             path: path.to_owned(),
             line: Some(line),
+            column: None,
             what: what.into(),
             mend: mend.into(),
+        }
+    }
+
+    /// The same with the character of the line at fault.
+    #[must_use]
+    pub fn at_column(mut self, number: usize) -> Self {
+        if let Self::File { column, .. } = &mut self {
+            *column = Some(number);
+        }
+        self
+    }
+
+    /// The same of something that is used elsewhere: `place` is named first.
+    pub(crate) fn within(self, place: &str) -> Self {
+        match self {
+            Self::Input {
+                culprit,
+                what,
+                mend,
+            } => Self::input(format!("{place}: {culprit}"), what, mend),
+            Self::File {
+                path,
+                line,
+                column,
+                what,
+                mend,
+            } => {
+                let [line, column] = [line, column].map(number);
+                let culprit = format!("{place}: {}{line}{column}", path.display());
+                Self::input(culprit, what, mend)
+            }
+            other => other,
         }
     }
 

@@ -4,8 +4,9 @@
 //! # Map
 //!
 //! ```text
-//! data     scene -> plan -> passes -> layers -> image / comparison -> record -> report
-//! imports  scene <- exact
+//! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
+//! imports  scene <- generate <- load <- document <- hard_cases <- experiment <- report <- cmd
+//!          scene <- exact
 //!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
 //! ```
 //!
@@ -14,12 +15,15 @@
 
 pub mod cmd;
 pub mod compare;
+pub mod document;
 pub mod error;
 pub mod exact;
 pub mod experiment;
+pub mod generate;
 pub mod gpu;
 pub mod hard_cases;
 pub mod layers;
+pub mod load;
 pub mod passes;
 pub mod plan;
 pub mod report;
@@ -30,6 +34,7 @@ pub mod slice;
 pub mod strategies;
 
 pub use compare::{Comparison, compare};
+pub use document::Document;
 pub use error::{Error, Result};
 pub use exact::Exact;
 pub use gpu::{Gpu, GpuOptions};

@@ -11,6 +11,8 @@ use serde_json::Value;
 mod cameras;
 #[path = "common/command.rs"]
 mod command;
+#[path = "cli/saved.rs"]
+mod saved;
 #[path = "cli/settings.rs"]
 mod settings;
 
@@ -298,7 +300,7 @@ fn inspect_gives_each_part_and_the_total() {
     let faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 3 1 2\nf 2 1 4\nf 4 3 2\nf 1 4 3\n";
     folder.write(
         "twice.obj",
-        &format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n{faces}"),
+        format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n{faces}"),
     );
     let json = folder.run("inspect twice.obj --json -").exits(0).json();
     assert_eq!(json["parts"][0]["closed"], true);
@@ -365,7 +367,7 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ("render broken.obj -o out.png", vec!["broken.obj", "help:"]),
         (
             "render scene.toml -o out.png",
-            vec!["scene.toml:3", "colour", "help:"],
+            vec!["scene.toml:3:1", "colour", "help:"],
         ),
         (
             "render scene.toml shape:cube -o out.png",
@@ -663,7 +665,7 @@ fn an_open_mesh_is_drawn_with_a_warning() {
     let folder = Scratch::new("open");
     let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
     for (last, warned) in [("", true), ("f 2 3 4\n", false)] {
-        folder.write("open.obj", &format!("{tetrahedron}{last}"));
+        folder.write("open.obj", format!("{tetrahedron}{last}"));
         let ran = folder
             .run("render open.obj --section -z=30% --resolution 64,48 -o out.png")
             .exits(0);
@@ -714,7 +716,7 @@ fn the_demo_leaves_a_report_that_stands_alone() {
         "raycast+mask",
         "draw only",
         "report.html",
-        "cutaway render shape:crank",
+        "cutaway render out/scene.toml",
     ] {
         assert!(ran.text().contains(said), "no `{said}` in\n{}", ran.text());
     }

@@ -2,6 +2,8 @@
 //! intersection, farther from some parts than from others, on or off, with heights of any dimension; every exact strategy draws
 //! it as the reference has it, and what is not asked for costs nothing.
 
+#[path = "common/command.rs"]
+mod command;
 mod common;
 
 #[path = "cuts/agree.rs"]
@@ -19,58 +21,10 @@ mod reliefs;
 #[path = "cuts/said.rs"]
 mod said;
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use cutaway::error::Result;
+use command::Scratch;
+use cutaway::document::Timeline;
 use cutaway::exact::{Exact, evaluate};
-use cutaway::scene::{
-    Prepared, Scene, SceneFile, Timeline, load_mesh_file, load_scene_file, shapes,
-};
-
-/// A folder of its own for each test, removed at the end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let name = format!("cutaway-cuts-{name}-{}", std::process::id());
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).expect("a temporary folder");
-        Self(path)
-    }
-
-    fn load(&self, text: &str) -> Result<SceneFile> {
-        let path = self.0.join("scene.toml");
-        fs::write(&path, text).expect("a temporary file");
-        load_scene_file(&path, &open_mesh, &shapes::shape)
-    }
-
-    /// The scene of a sound text.
-    fn scene(&self, text: &str) -> Scene {
-        self.load(text)
-            .unwrap_or_else(|e| panic!("{e}\n{text}"))
-            .scene
-    }
-
-    /// The timeline of a sound text.
-    fn timeline(&self, text: &str) -> Timeline {
-        self.load(text)
-            .unwrap_or_else(|e| panic!("{e}\n{text}"))
-            .timeline
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A folder that stays behind in the temporary directory harms nobody.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn open_mesh(path: &Path) -> cutaway::scene::OpenedMesh {
-    let loaded = load_mesh_file(path)?;
-    Ok((loaded.parts, loaded.notes))
-}
+use cutaway::scene::{Prepared, Scene};
 
 /// The scene at a time at which it is sound.
 fn at(timeline: &Timeline, time_s: f64) -> Scene {

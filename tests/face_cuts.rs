@@ -12,7 +12,8 @@ use common::real::files;
 use common::scenes::{looking, of_parts, sectioned};
 use cutaway::hard_cases::{Entrant, Judged};
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, ClipSurface, Mesh, Scene, load_mesh_file, section_surface};
+use cutaway::load::load_mesh_file;
+use cutaway::scene::{Camera, ClipSurface, Mesh, Scene, section_surface};
 use cutaway::slice::{SlicePlane, Slicer};
 use glam::DVec3;
 

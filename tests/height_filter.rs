@@ -244,9 +244,9 @@ fn scene_files_and_options_ask_for_it() {
              [[cut]]\nsurfaces = [{{ section = \"-z=50%\", relief = \"r\", amplitude = \"6%\" }}]\n"
         )
     };
-    folder.write("asks.toml", &scene("height_filter = \"hardware\""));
-    folder.write("usual.toml", &scene(""));
-    folder.write("wrong.toml", &scene("height_filter = \"hardwear\""));
+    folder.write("asks.toml", scene("height_filter = \"hardware\""));
+    folder.write("usual.toml", scene(""));
+    folder.write("wrong.toml", scene("height_filter = \"hardwear\""));
     let grid = "--strategy grid:8+vds:16";
     for (line, is_sampled) in [
         (format!("plan asks.toml {grid}"), true),
@@ -264,7 +264,7 @@ fn scene_files_and_options_ask_for_it() {
         assert_eq!(ran.text().contains("relief_sampler"), is_sampled, "{line}");
     }
     for (line, told) in [
-        ("plan wrong.toml", "wrong.toml:1: `height_filter`"),
+        ("plan wrong.toml", "wrong.toml:1:1: `height_filter`"),
         (
             "plan usual.toml --height-filter soft",
             "say exact or hardware",

@@ -9,45 +9,18 @@
 )]
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::path::Path;
 
-use cutaway::scene::{Topology, load_mesh_file};
+use command::Scratch;
+use cutaway::load::load_mesh_file;
+use cutaway::scene::Topology;
 
+#[path = "common/command.rs"]
+mod command;
 #[path = "hostile_meshes/lenient.rs"]
 mod lenient;
 #[path = "hostile_meshes/limits.rs"]
 mod limits;
-
-/// A folder that is removed again.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new() -> Self {
-        static NEXT: AtomicU32 = AtomicU32::new(0);
-        let name = format!(
-            "cutaway-hostile-{}-{}",
-            std::process::id(),
-            NEXT.fetch_add(1, Ordering::Relaxed)
-        );
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn write(&self, name: &str, bytes: &[u8]) -> PathBuf {
-        let path = self.0.join(name);
-        fs::write(&path, bytes).unwrap();
-        path
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A folder left behind in the temporary directory does no harm.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 /// The corners of a tetrahedron and its triangles, counter-clockwise from outside.
 const CORNERS: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -181,7 +154,7 @@ fn must_be_refused(path: &Path, word: &str) {
 
 #[test]
 fn intact_files_load() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     for (name, bytes) in [
         ("a.obj", obj().into_bytes()),
         ("a.STL", stl()),
@@ -197,20 +170,20 @@ fn intact_files_load() {
             gltf_json(r#"{"byteLength":72,"uri":"a%20b.bin"}"#).into_bytes(),
         ),
     ] {
-        folder.write("a b.bin", &buffer());
+        folder.write("a b.bin", buffer());
         must_load(&folder.write(name, &bytes));
     }
 }
 
 #[test]
 fn files_that_are_not_there_or_not_meshes() {
-    let folder = Folder::new();
-    must_be_refused(&folder.0.join("missing.obj"), "cannot be read");
+    let folder = Scratch::new("hostile");
+    must_be_refused(&folder.path("missing.obj"), "cannot be read");
     must_be_refused(&folder.write("model.step", b"ISO-10303-21;"), "`.step`");
     must_be_refused(&folder.write("model.stk", b"x"), "did you mean `stl`");
     must_be_refused(&folder.write("model", b"x"), "extension");
-    must_be_refused(&folder.write("a.glb.gz", &gzipped(&whole_glb())), "gzipped");
-    let sub = folder.0.join("folder.obj");
+    must_be_refused(&folder.write("a.glb.gz", gzipped(&whole_glb())), "gzipped");
+    let sub = folder.path("folder.obj");
     fs::create_dir(&sub).unwrap();
     must_be_refused(&sub, "cannot be read");
     for extension in ["obj", "stl", "ply", "glb", "gltf"] {
@@ -229,7 +202,7 @@ fn files_that_are_not_there_or_not_meshes() {
 
 #[test]
 fn hostile_obj() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     let whole = obj();
     for (name, text, word) in [
         ("nan", whole.replacen("v 1", "v nan", 1), ":2: "),
@@ -257,7 +230,7 @@ fn hostile_obj() {
 
 #[test]
 fn odd_obj_that_is_well_formed_loads() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     // Kd with one number, a library that is missing, and Latin-1 in a comment.
     folder.write("odd.mtl", b"newmtl m\nKd 0.5\nnewmtl n\nKd 1 0 0\n");
     let mut bytes = b"# \xe9\nmtllib odd.mtl gone.mtl\nusemtl n\n".to_vec();
@@ -276,7 +249,7 @@ fn odd_obj_that_is_well_formed_loads() {
 
 #[test]
 fn hostile_stl() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     let whole = stl();
     must_be_refused(
         &folder.write("cut.stl", &whole[..whole.len() - 1]),
@@ -315,7 +288,7 @@ fn hostile_stl() {
 
 #[test]
 fn hostile_ply() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     let (text, bytes) = (ascii_ply(), binary_ply());
     let mut infinite = bytes.clone();
     let first = ply_header("binary_little_endian", "4", "4").len();
@@ -375,7 +348,7 @@ fn hostile_ply() {
 
 #[test]
 fn hostile_gltf() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     let whole = whole_glb();
     must_be_refused(&folder.write("cut.glb", &whole[..whole.len() - 1]), "bytes");
     must_be_refused(&folder.write("header.glb", &whole[..10]), "header");
@@ -465,10 +438,10 @@ fn hostile_gltf() {
     }
     let mut nan = buffer();
     nan[..4].copy_from_slice(&f32::NAN.to_le_bytes());
-    must_be_refused(&folder.write("nan.glb", &glb(&json, &nan)), "NaN");
+    must_be_refused(&folder.write("nan.glb", glb(&json, &nan)), "NaN");
     let mut range = buffer();
     range[48..50].copy_from_slice(&9_u16.to_le_bytes());
-    must_be_refused(&folder.write("range.glb", &glb(&json, &range)), "vertex 9");
+    must_be_refused(&folder.write("range.glb", glb(&json, &range)), "vertex 9");
     for (name, uri, word) in [
         ("gone", "gone.bin", "gone.bin"),
         ("web", "https://example.org/a.bin", "nothing is fetched"),
@@ -484,7 +457,7 @@ fn hostile_gltf() {
 
 #[test]
 fn no_prefix_of_any_file_crashes() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     for (extension, bytes) in [
         ("obj", obj().into_bytes()),
         ("stl", stl()),
@@ -510,7 +483,7 @@ fn no_prefix_of_any_file_crashes() {
 
 #[test]
 fn no_changed_byte_crashes() {
-    let folder = Folder::new();
+    let folder = Scratch::new("hostile");
     for (extension, bytes) in [
         ("obj", obj().into_bytes()),
         ("stl", stl()),

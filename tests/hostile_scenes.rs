@@ -1,549 +1,19 @@
 //! Promise: a scene, section or relief that makes no sense is refused by name, with its line and a mend; nothing panics.
 //!
-//! Every case is one change to a scene that loads: the intact scene is the negative control.
+//! Every case is one change to a scene that loads, which is the negative control; `tests/paths.rs` goes through all keys.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
+use cutaway::document::{Document, Timeline, section};
 use cutaway::error::{Error, Result};
-use cutaway::scene::relief::read_offset_map;
-use cutaway::scene::{
-    Bounds, ClipSurface, Mesh, Part, ReliefSpec, SceneFile, apply_relief, load_scene_file,
-    section_surface,
-};
+use cutaway::load::{Assets, read_offset_map};
+use cutaway::scene::{Bounds, Mesh, Part, section_surface};
 use glam::DVec3;
 
-const INTACT: &str = r##"resolution = [64, 64]
-background = "#102030"
-[camera]
-position = [0, 0, 5]
-focal_point = [0, 0, 0]
-view_up = [0, 1, 0]
-projection = "perspective"
-fov_y_deg = 30
-near = 0.1
-near_cap = true
-up = "+Y"
-[[part]]
-name = "crank"
-shape = "crank"
-translate = [0, 0, 0]
-rotate_deg = [0, 0, 0]
-scale = 1.5
-role = "exterior"
-priority = 1
-material = { color = "#8a94a6", hatch = "steel" }
-[[part]]
-name = "bolt"
-mesh = "bolt.obj"
-matrix = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
-[relief.ragged]
-kind = "fractal"
-size = [16, 8]
-octaves = 3
-[relief.bumps]
-kind = "waves"
-size = 8
-[relief.both]
-blend = ["ragged", "bumps"]
-op = "mix"
-share = 0.5
-[[cut]]
-name = "front"
-applies_to = ["crank"]
-except = ["b*"]
-surfaces = [
-  { origin = [0, 0, 0], u = [1, 0, 0], v = [0, 1, 0], scale = [4, 4, 0.1], relief = "both", wrap = "repeat" },
-  { section = "z=50%", relief = "bumps", amplitude = "5%", period = 3 },
-  { normal = [0, 1, 0], origin = [0, 0, 0] },
-]
-[strategy]
-name = "raycast+mask"
-[[key]]
-target = "cut.front.surfaces.0.origin"
-times_s = [0, 2]
-values = [[0, 0, -1], [0, 0, 1]]
-"##;
+#[path = "common/command.rs"]
+mod command;
 
-/// What is replaced, by what, and two words that the error has to hold: the culprit and what is wrong or its mend.
-const BROKEN: &[(&str, &str, &str, &str)] = &[
-    (
-        "resolution = [64, 64]",
-        "resolution = [0, 64]",
-        "resolution",
-        "from 1",
-    ),
-    (
-        "resolution = [64, 64]",
-        "resolution = 64",
-        "resolution",
-        "a list",
-    ),
-    (
-        "resolution = [64, 64]",
-        "resolutoin = [64, 64]",
-        "resolutoin",
-        "did you mean `resolution`?",
-    ),
-    ("\"#102030\"", "\"blue\"", "background", "#rrggbb"),
-    ("\"#102030\"", "\"#+12345\"", "background", "#rrggbb"),
-    ("[camera]", "[camrea]", "camrea", "did you mean `camera`?"),
-    (
-        "position = [0, 0, 5]",
-        "position = [0, 5]",
-        "camera.position",
-        "3 numbers",
-    ),
-    (
-        "position = [0, 0, 5]",
-        "position = [0, 0, nan]",
-        "camera.position.2",
-        "finite",
-    ),
-    (
-        "position = [0, 0, 5]",
-        "position = [0, 0, 0]",
-        "camera.focal_point",
-        "position",
-    ),
-    (
-        "position = [0, 0, 5]",
-        "azimuth_deg = 3",
-        "azimuth_deg",
-        "focal_point",
-    ),
-    ("focal_point = [0, 0, 0]", "", "camera", "focal_point"),
-    (
-        "view_up = [0, 1, 0]",
-        "view_up = [0, 0, -2]",
-        "camera.view_up",
-        "viewing direction",
-    ),
-    (
-        "view_up = [0, 1, 0]",
-        "view_up = [0, 0, 0]",
-        "camera.view_up",
-        "viewing direction",
-    ),
-    (
-        "\"perspective\"",
-        "\"prespective\"",
-        "camera.projection",
-        "did you mean `perspective`?",
-    ),
-    (
-        "\"perspective\"",
-        "\"orthographic\"",
-        "camera.fov_y_deg",
-        "perspective",
-    ),
-    (
-        "fov_y_deg = 30",
-        "fov_y_deg = 180",
-        "camera.fov_y_deg",
-        "170",
-    ),
-    (
-        "fov_y_deg = 30",
-        "fov_y_deg = \"30\"",
-        "camera.fov_y_deg",
-        "number",
-    ),
-    ("near = 0.1", "near = 0", "camera.near", "above 0"),
-    ("near = 0.1", "near = inf", "camera.near", "finite"),
-    (
-        "near_cap = true",
-        "near_cap = 1",
-        "camera.near_cap",
-        "true or false",
-    ),
-    ("up = \"+Y\"", "up = \"Y\"", "camera.up", "+Y, +Z"),
-    (
-        "shape = \"crank\"",
-        "shape = \"cranck\"",
-        "part.crank.shape",
-        "did you mean `crank`?",
-    ),
-    (
-        "shape = \"crank\"",
-        "shape = \"nothing\"",
-        "part.crank.shape",
-        "no solid",
-    ),
-    ("shape = \"crank\"", "", "part.crank", "neither"),
-    (
-        "shape = \"crank\"",
-        "shape = \"crank\"\nmesh = \"bolt.obj\"",
-        "part.crank.shape",
-        "keep one",
-    ),
-    ("name = \"bolt\"", "name = \"crank\"", "part.crank", "taken"),
-    ("name = \"bolt\"", "name = \"\"", "part", "empty"),
-    (
-        "name = \"bolt\"",
-        "name = 7",
-        "part.1.name",
-        "text in quotes",
-    ),
-    (
-        "mesh = \"bolt.obj\"",
-        "mesh = \"blot.obj\"",
-        "part.bolt.mesh",
-        "blot.obj",
-    ),
-    (
-        "translate = [0, 0, 0]",
-        "translate = [1e99, 1e99, 1e400]",
-        "part.crank.translate.2",
-        "finite",
-    ),
-    (
-        "rotate_deg = [0, 0, 0]",
-        "rotate = [0, 0, 0]",
-        "part.crank.rotate",
-        "did you mean `rotate_deg`?",
-    ),
-    (
-        "scale = 1.5",
-        "scale = [1, 0, 1]",
-        "part.crank.scale",
-        "flattens",
-    ),
-    (
-        "scale = 1.5",
-        "scale = 1.5\nmatrix = []",
-        "part.crank.translate",
-        "matrix",
-    ),
-    ("scale = 1.5", "scale = 1e308\n", "part.crank", "1e100"),
-    (
-        "[0, 0, 1, 0], [0, 0, 0, 1]]",
-        "[0, 0, 0, 0], [0, 0, 0, 1]]",
-        "part.bolt.matrix",
-        "flattens",
-    ),
-    (
-        "[0, 0, 0, 1]]",
-        "[0, 0, 1, 1]]",
-        "part.bolt.matrix.3",
-        "last row",
-    ),
-    (
-        "[0, 0, 1, 0], [0, 0, 0, 1]]",
-        "[0, 0, 0, 1]]",
-        "part.bolt.matrix",
-        "3 rows",
-    ),
-    (
-        "role = \"exterior\"",
-        "role = \"inside\"",
-        "part.crank.role",
-        "interior",
-    ),
-    (
-        "priority = 1",
-        "priority = 3000000000",
-        "part.crank.priority",
-        "whole number",
-    ),
-    (
-        "priority = 1",
-        "priority = 1.5",
-        "part.crank.priority",
-        "whole number",
-    ),
-    (
-        "color = \"#8a94a6\"",
-        "colour = \"#8a94a6\"",
-        "part.crank.material.colour",
-        "did you mean `color`?",
-    ),
-    (
-        "hatch = \"steel\"",
-        "hatch = \"stel\"",
-        "part.crank.material.hatch",
-        "did you mean `steel`?",
-    ),
-    (
-        "kind = \"fractal\"",
-        "kind = \"fratcal\"",
-        "relief.ragged.kind",
-        "did you mean `fractal`?",
-    ),
-    (
-        "kind = \"fractal\"",
-        "kind = \"steps\"",
-        "relief.ragged.octaves",
-        "levels",
-    ),
-    (
-        "kind = \"fractal\"\nsize = [16, 8]\noctaves = 3",
-        "image = \"none.png\"",
-        "none.png",
-        "check the path",
-    ),
-    (
-        "kind = \"fractal\"\nsize = [16, 8]\noctaves = 3",
-        "image = \"nan.exr\"",
-        "nan.exr",
-        "check the path",
-    ),
-    (
-        "kind = \"fractal\"\nsize = [16, 8]\noctaves = 3",
-        "image = \"bolt.obj\"",
-        "bolt.obj",
-        "PNG",
-    ),
-    (
-        "kind = \"fractal\"\nsize = [16, 8]\noctaves = 3",
-        "",
-        "relief.ragged",
-        "where its heights",
-    ),
-    (
-        "size = [16, 8]",
-        "size = [0, 8]",
-        "relief.ragged.size",
-        "from 1",
-    ),
-    (
-        "size = [16, 8]",
-        "size = [65536, 65536]",
-        "relief.ragged.size",
-        "texels",
-    ),
-    (
-        "octaves = 3",
-        "octaves = 2.5",
-        "relief.ragged.octaves",
-        "whole",
-    ),
-    (
-        "octaves = 3",
-        "octvaes = 3",
-        "relief.ragged.octvaes",
-        "did you mean `octaves`?",
-    ),
-    (
-        "[\"ragged\", \"bumps\"]",
-        "[\"ragged\", \"bmups\"]",
-        "bmups",
-        "did you mean `bumps`?",
-    ),
-    (
-        "[\"ragged\", \"bumps\"]",
-        "[\"ragged\", \"both\"]",
-        "relief.both",
-        "made of itself",
-    ),
-    (
-        "[\"ragged\", \"bumps\"]",
-        "[\"ragged\"]",
-        "relief.both.blend",
-        "exactly two",
-    ),
-    (
-        "op = \"mix\"",
-        "op = \"mux\"",
-        "relief.both.op",
-        "did you mean `mix`?",
-    ),
-    ("op = \"mix\"", "op = \"add\"", "relief.both.share", "mix"),
-    ("share = 0.5", "share = 2", "relief.both.share", "0 to 1"),
-    (
-        "applies_to = [\"crank\"]",
-        "applies_to = [\"crnak\"]",
-        "cut.front.applies_to",
-        "did you mean `crank`?",
-    ),
-    (
-        "applies_to = [\"crank\"]",
-        "applies_to = \"crank\"",
-        "cut.front.applies_to",
-        "list of texts",
-    ),
-    (
-        "except = [\"b*\"]",
-        "except = [\"bolts\"]",
-        "cut.front.except",
-        "did you mean `bolt`?",
-    ),
-    (
-        "u = [1, 0, 0]",
-        "u = [0, 0, 0]",
-        "cut.front.surfaces.0",
-        "u is too short",
-    ),
-    (
-        "u = [1, 0, 0]",
-        "u = [1, 0.5, 0]",
-        "cut.front.surfaces.0",
-        "orthogonal",
-    ),
-    (
-        "u = [1, 0, 0]",
-        "u = [1e200, 0, 0]",
-        "cut.front.surfaces.0",
-        "1e100",
-    ),
-    ("u = [1, 0, 0], ", "", "cut.front.surfaces.0", "`u`"),
-    (
-        "scale = [4, 4, 0.1]",
-        "scale = [4, -inf, 0.1]",
-        "cut.front.surfaces.0.scale.1",
-        "finite",
-    ),
-    (
-        "relief = \"both\"",
-        "relief = \"boht\"",
-        "cut.front.surfaces.0.relief",
-        "did you mean `both`?",
-    ),
-    (
-        "wrap = \"repeat\"",
-        "wrap = \"reapet\"",
-        "cut.front.surfaces.0.wrap",
-        "did you mean `repeat`?",
-    ),
-    (
-        "wrap = \"repeat\"",
-        "amplitude = 2",
-        "cut.front.surfaces.0.amplitude",
-        "scale",
-    ),
-    (
-        "section = \"z=50%\"",
-        "section = \"q=50%\"",
-        "cut.front.surfaces.1.section",
-        "no axis",
-    ),
-    (
-        "relief = \"bumps\", amplitude",
-        "amplitude",
-        "cut.front.surfaces.1.amplitude",
-        "no relief",
-    ),
-    (
-        "amplitude = \"5%\"",
-        "amplitude = \"5 percent\"",
-        "cut.front.surfaces.1.amplitude",
-        "not a number",
-    ),
-    (
-        "period = 3",
-        "period = 0",
-        "cut.front.surfaces.1",
-        "above 0",
-    ),
-    (
-        "normal = [0, 1, 0]",
-        "normal = [0, 0, 0]",
-        "cut.front.surfaces.2.normal",
-        "zero",
-    ),
-    (
-        "surfaces = [\n",
-        "surface = [\n",
-        "cut.front.surface",
-        "did you mean `surfaces`?",
-    ),
-    (
-        "name = \"raycast+mask\"",
-        "strategy = \"raycast+mask\"",
-        "strategy.strategy",
-        "name",
-    ),
-    (
-        "target = \"cut.front.",
-        "target = \"cut.back.",
-        "key.0.target",
-        "front",
-    ),
-    (
-        "target = \"cut.front.",
-        "target = \"scene.front.",
-        "key.0.target",
-        "camera, part, cut",
-    ),
-    (
-        "\"cut.front.surfaces.0.origin\"",
-        "\"cut.front\"",
-        "key.0.target",
-        "no number",
-    ),
-    (
-        "times_s = [0, 2]",
-        "times_s = [2, 0]",
-        "key.0.times_s",
-        "ascend",
-    ),
-    (
-        "times_s = [0, 2]",
-        "times_s = [0, 1, 2]",
-        "key.0.values",
-        "2 values for 3 times",
-    ),
-    (
-        "values = [[0, 0, -1], [0, 0, 1]]",
-        "values = [[0, 0, -1], [0, 0]]",
-        "key.0.values",
-        "length",
-    ),
-    (
-        "values = [[0, 0, -1], [0, 0, 1]]",
-        "values = [[], []]",
-        "key.0.values",
-        "length",
-    ),
-    (
-        "near = 0.1",
-        "near = 0.1\nnear = 0.2",
-        ":10",
-        "duplicate key",
-    ),
-    ("near = 0.1", "near = = 0.1", ":9", "TOML"),
-    // What overflows where it is computed with.
-    ("period = 3 }", "period = 1e-320 }", "cut.front", "period"),
-    ("scale = 1.5", "scale = 1e101", "part.crank.scale", "1e100"),
-    (
-        "translate = [0, 0, 0]",
-        "translate = [1e155, 0, 0]",
-        "part.crank.translate",
-        "1e100",
-    ),
-    (
-        "matrix = [[1, 0, 0, 0]",
-        "matrix = [[9e99, 0, 0, 9e99]",
-        "part.bolt",
-        "once it is placed",
-    ),
-    ("scale = 1.5", "scale = 1e-120", "part.crank", "wide"),
-    (
-        "position = [0, 0, 5]",
-        "position = [0, 1e155, 5]",
-        "camera.position",
-        "1e100",
-    ),
-    ("near = 0.1", "near = 1e-320", "camera.near", "at least"),
-    (
-        "scale = [4, 4, 0.1]",
-        "scale = [1e60, 4, 0.1]",
-        "cut.front",
-        "repeats",
-    ),
-    (
-        "scale = [4, 4, 0.1]",
-        "scale = [4, 4, 1e60]",
-        "cut.front",
-        "high",
-    ),
-    (
-        "amplitude = \"5%\"",
-        "amplitude = \"1e99%\"",
-        "cut.front",
-        "amplitude",
-    ),
-];
+use command::Scratch;
 
 fn solid(name: &str) -> Part {
     let mesh = Mesh {
@@ -554,94 +24,132 @@ fn solid(name: &str) -> Part {
     Part::new(name, mesh)
 }
 
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path =
-            std::env::temp_dir().join(format!("cutaway-hostile-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a temporary folder");
-        fs::write(path.join("bolt.obj"), "no image").expect("a temporary file");
-        Self(path)
-    }
-
-    fn load(&self, text: &str) -> Result<SceneFile> {
-        let path = self.0.join("scene.toml");
-        fs::write(&path, text).expect("a temporary file");
-        let open_mesh = |_: &Path| Ok((vec![solid("bolt")], Vec::new()));
-        let open_shape = |text: &str| match text {
-            "crank" => Ok(vec![solid("crank")]),
-            "nothing" => Ok(Vec::new()),
-            _ => Err(Error::input(
-                text,
-                "there is no such shape",
-                "did you mean `crank`?",
-            )),
-        };
-        load_scene_file(&path, &open_mesh, &open_shape)
-    }
+/// A scene of this text, in which the files and shapes that it names are tetrahedra.
+fn load(folder: &Scratch, text: &str) -> Result<Timeline> {
+    // A tetrahedron; without its last face it is open.
+    let open = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    folder.write("bite.obj", format!("{open}f 2 3 4\n"));
+    folder.write("open.obj", open);
+    folder.write("empty.obj", "v 0 0 0\n");
+    folder.write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("bolt.obj", "no image");
+    let mut assets = Assets::default();
+    assets.insert_mesh(folder.path("bolt.obj"), vec![solid("bolt")]);
+    assets.insert_shape("crank", vec![solid("crank")]);
+    assets.insert_shape("nothing", Vec::new());
+    folder.load_with(text, &mut assets)
 }
 
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A folder that stays behind in the temporary directory harms nobody.
-        let _ = fs::remove_dir_all(&self.0);
-    }
+/// A scene that loads, and what may be changed in it: what is replaced, by what, and words that the error has to hold.
+struct Table {
+    scene: String,
+    slips: Vec<Vec<String>>,
 }
 
-#[test]
-fn the_intact_scene_loads() {
-    let folder = Folder::new("intact");
-    let file = folder.load(INTACT).expect("the negative control");
-    assert_eq!(file.scene.cuts[0].surfaces.len(), 3, "surfaces of the cut");
+/// The tables beside this file: a comment, a scene, a line of dashes, and a slip in each line.
+fn tables() -> Vec<Table> {
+    let texts = [
+        include_str!("hostile_scenes/general.txt"),
+        include_str!("hostile_scenes/moving.txt"),
+        include_str!("hostile_scenes/cuts.txt"),
+        include_str!("hostile_scenes/cutters.txt"),
+    ];
+    let unescaped = |field: &str| field.replace("\\n", "\n").replace("\\\\", "\\");
+    let table = |text: &str| {
+        let (scene, slips) = text.split_once("\n----\n").expect("a scene and its slips");
+        let slips = slips
+            .lines()
+            .map(|l| l.split(" => ").map(unescaped).collect());
+        Table {
+            scene: format!("{scene}\n"),
+            slips: slips.collect(),
+        }
+    };
+    texts.map(table).into()
 }
 
 #[test]
 fn one_slip_is_named_with_its_line_and_a_mend() {
-    let folder = Folder::new("slips");
-    for (intact, broken, culprit, told) in BROKEN {
-        assert_eq!(
-            INTACT.matches(intact).count().min(1),
-            1,
-            "{intact} is not in the scene"
-        );
-        let text = INTACT.replacen(intact, broken, 1);
-        let Err(error) = folder.load(&text) else {
-            panic!("`{broken}` was taken");
-        };
-        let message = error.to_string();
-        for word in [*culprit, *told, "help:"] {
-            assert!(
-                message.contains(word),
-                "`{broken}` does not tell `{word}`:\n{message}"
-            );
+    let folder = Scratch::new("slips");
+    let mut missed = Vec::new();
+    let mut count = 0;
+    for Table { scene, slips } in tables() {
+        load(&folder, &scene).expect("the negative control");
+        for slip in &slips {
+            let [intact, broken, told @ ..] = slip.as_slice() else {
+                panic!("{slip:?} is no slip");
+            };
+            assert!(scene.contains(intact), "{intact} is not in the scene");
+            count += 1;
+            let error = match load(&folder, &scene.replacen(intact, broken, 1)) {
+                Err(error) => error,
+                Ok(_) => {
+                    missed.push(format!("`{broken}` was taken instead of `{intact}`"));
+                    continue;
+                }
+            };
+            let message = error.to_string();
+            for word in told.iter().map(String::as_str).chain(["help:"]) {
+                if !message.contains(word) {
+                    missed.push(format!("`{broken}` does not tell `{word}`:\n{message}"));
+                }
+            }
+            let is_placed = match &error {
+                Error::File { column, path, .. } => {
+                    column.is_some() || !path.ends_with("scene.toml")
+                }
+                _ => false,
+            };
+            if !is_placed {
+                missed.push(format!("`{broken}` has no line:\n{message}"));
+            }
         }
-        let line = match &error {
-            Error::File { line, path, .. } if path.ends_with("scene.toml") => line.is_some(),
-            _ => true,
+    }
+    assert!(missed.is_empty(), "{}", missed.join("\n\n"));
+    assert!(count > 200, "{count} slips");
+}
+
+#[test]
+fn the_place_is_that_of_the_slip_or_of_what_a_key_moves() {
+    let folder = Scratch::new("line");
+    let all = tables();
+    for (table, from, to, at) in [
+        (0, "octaves = 3", "octvaes = 3", "octvaes"),
+        (0, "octaves = 3", "'ü' = 3", "'ü'"),
+        (0, "octaves = 3", "octaves = ['ü', 3]", "'ü', 3]"),
+        (
+            0,
+            "surfaces = [",
+            "surfaces = [{ 'ü' = 1, sectoin = 1 },",
+            "'ü'",
+        ),
+        (
+            0,
+            "surfaces = [",
+            "surfaces = [{ relief = 'ü', sectoin = 1 },",
+            "sectoin",
+        ),
+        (1, "[2, 0, 0], ", "[0, 0, 0], ", "{ origin = [0, 0, 0], u"),
+    ] {
+        let text = all[table].scene.replacen(from, to, 1);
+        let error = load(&folder, &text).expect_err("a slip");
+        let Error::File {
+            line: Some(line),
+            column: Some(column),
+            ..
+        } = error
+        else {
+            panic!("{error} has no place");
         };
-        assert!(line, "`{broken}` has no line:\n{message}");
+        let told = text.lines().nth(line - 1).unwrap_or_default();
+        let told: String = told.chars().skip(column - 1).collect();
+        assert!(told.starts_with(at), "{line}:{column}: {told}");
     }
 }
 
 #[test]
-fn the_line_is_that_of_the_slip() {
-    let folder = Folder::new("line");
-    let text = INTACT.replacen("octaves = 3", "octvaes = 3", 1);
-    let expected = 1 + text
-        .lines()
-        .position(|l| l.starts_with("octvaes"))
-        .expect("the slip");
-    let message = folder.load(&text).expect_err("a slip").to_string();
-    assert!(
-        message.contains(&format!("scene.toml:{expected}: ")),
-        "line {expected}:\n{message}"
-    );
-}
-
-#[test]
 fn files_that_are_no_scene_are_refused() {
-    let folder = Folder::new("files");
+    let folder = Scratch::new("files");
     for text in [
         "",
         "[camera]\n",
@@ -651,17 +159,16 @@ fn files_that_are_no_scene_are_refused() {
         "\u{0}",
         "[[part]]\n",
     ] {
-        let message = folder.load(text).expect_err(text).to_string();
+        let message = load(&folder, text).expect_err(text).to_string();
         assert!(
             message.contains("scene.toml") && message.contains("help:"),
             "{text:?}:\n{message}"
         );
     }
-    let path = folder.0.join("latin1.toml");
+    let path = folder.path("latin1.toml");
     fs::write(&path, [0xE9, 0xFF]).expect("a temporary file");
-    for path in [path, folder.0.join("absent.toml"), folder.0.clone()] {
-        let open_mesh = |_: &Path| Ok((Vec::new(), Vec::new()));
-        let error = load_scene_file(&path, &open_mesh, &|_| Ok(Vec::new())).expect_err("no scene");
+    for path in [path, folder.path("absent.toml"), folder.path("")] {
+        let error = Document::read(&path).expect_err("no scene");
         let message = error.to_string();
         let name = path.display().to_string();
         assert!(
@@ -671,13 +178,15 @@ fn files_that_are_no_scene_are_refused() {
     }
 }
 
-/// Every cut-off of the intact scene either loads or says why not.
+/// Every cut-off of an intact scene either loads or says why not.
 #[test]
 fn no_prefix_of_a_scene_panics() {
-    let folder = Folder::new("prefix");
-    for end in (0..INTACT.len()).step_by(7) {
-        if let Err(error) = folder.load(&INTACT[..end]) {
-            assert!(error.to_string().contains("help:"), "{error}");
+    let folder = Scratch::new("prefix");
+    for Table { scene, .. } in tables() {
+        for end in (0..scene.len()).step_by(7) {
+            if let Err(error) = load(&folder, &scene[..end]) {
+                assert!(error.to_string().contains("help:"), "{error}");
+            }
         }
     }
 }
@@ -737,10 +246,7 @@ fn sections_that_make_no_sense_are_refused() {
 
 #[test]
 fn reliefs_that_make_no_sense_are_refused() {
-    let plane = ClipSurface::plane(DVec3::splat(0.5), DVec3::Z);
-    let apply = |text: &str, bounds: Bounds| {
-        ReliefSpec::parse(text).and_then(|spec| apply_relief(plane.clone(), &spec, &bounds))
-    };
+    let apply = |text: &str, bounds: Bounds| section("z=0.5").relief(text).on(&bounds);
     assert!(
         apply("fractal:seed=3,size=8x4", unit_box()).is_ok(),
         "the negative control"
@@ -785,9 +291,9 @@ fn reliefs_that_make_no_sense_are_refused() {
 
 #[test]
 fn images_cut_short_are_refused() {
-    let folder = Folder::new("images");
+    let folder = Scratch::new("images");
     for name in ["map.png", "map.tga", "map.exr"] {
-        let path = folder.0.join(name);
+        let path = folder.path(name);
         if name.ends_with("exr") {
             let pixel = |x: usize, y: usize| ((x * y) as f32, 0.0_f32, 0.0_f32);
             exr::prelude::write_rgb_file(&path, 40, 30, pixel).expect("exr");

@@ -10,6 +10,8 @@
 
 #[path = "motions/bounds.rs"]
 mod bounds;
+#[path = "common/command.rs"]
+mod command;
 #[path = "common/data.rs"]
 mod data;
 #[path = "motions/document.rs"]

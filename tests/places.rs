@@ -47,7 +47,7 @@ fn inputs(name: &str) -> Scratch {
     for i in 1..=2 {
         folder.write(
             &format!("walk_{i}.obj"),
-            &OBJ.replace("v 1", &format!("v {i}")),
+            OBJ.replace("v 1", &format!("v {i}")),
         );
     }
     let corners = [
@@ -267,10 +267,13 @@ analysis = "It is."
 [[run]]
 name = "r"
 about = "A relief in the folder of records"
-scene = ["a.obj", "--section=z=50%", "--relief=target/mine/r.exact.png:wrap=mirror"]
-resolution = "32,32"
+resolution = [32, 32]
 strategies = ["raycast+mask"]
 rounds = 1
+[run.scene]
+part = [{ mesh = "a.obj" }]
+relief.r.image = "target/mine/r.exact.png"
+cut = [{ surfaces = [{ section = "z=50%", relief = "r", wrap = "mirror" }] }]
 "#;
     folder.write("mine.toml", text);
     fs::create_dir_all(folder.path("target/mine")).unwrap();

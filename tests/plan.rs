@@ -5,9 +5,10 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use cutaway::generate::shapes;
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Clock, Limits, Pass, Plan, Work};
-use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene, Wrap, shapes};
+use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene, Wrap};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 

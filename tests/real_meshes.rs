@@ -13,7 +13,8 @@
 #[path = "common/data.rs"]
 mod data;
 
-use cutaway::scene::{Loaded, Topology, load_mesh_file};
+use cutaway::load::{Loaded, load_mesh_file};
+use cutaway::scene::Topology;
 use data::data;
 use serde_json::Value;
 

@@ -7,14 +7,14 @@
 
 mod common;
 
+use common::Question;
 use common::data::data;
 use common::scenes::turning_gears;
-use common::{Question, session};
+use cutaway::document::{Document, Timeline, cut, part, section};
 use cutaway::layers::Kind;
+use cutaway::load::{Assets, load_mesh_file};
 use cutaway::passes::Model;
-use cutaway::scene::{
-    Cut, Part, Scene, Timeline, Topology, load_mesh_file, load_scene_file, section_surface, shapes,
-};
+use cutaway::scene::{Part, Topology};
 use cutaway::session::Outcome;
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 
@@ -23,7 +23,7 @@ const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";
 const TIMES: usize = 10;
 
 /// Models, and of which of their clips (by number) frames are drawn.
-const MODELS: &[(&str, &[usize])] = &[
+const MODELS: &[(&str, &[u32])] = &[
     ("RiggedSimple.glb", &[0]),
     ("CesiumMan.glb", &[0]),
     ("Fox.glb", &[0, 1, 2]),
@@ -71,13 +71,8 @@ impl Tally {
             let layers = &question.exact.layers.pixels;
             self.caps += usize::from(layers.iter().any(|l| l.kind == Kind::Cap));
             for (name, rasteriser) in EXACT {
-                session().set_options(FrameOptions {
-                    rasteriser: *rasteriser,
-                    ..FrameOptions::default()
-                });
                 let strategy: Strategy = name.parse().expect("a strategy");
-                let answer = question.answer(&strategy);
-                session().set_options(FrameOptions::default());
+                let answer = question.answer_with(&strategy, FrameOptions::by(*rasteriser));
                 self.frames += 1;
                 let fault = match &answer.outcome {
                     Outcome::Refused(reason) => Some(reason.clone()),
@@ -103,18 +98,17 @@ fn models_that_move_are_capped_exactly_at_every_time() {
         let mut parts = load_mesh_file(&path).expect("a mesh that loads").parts;
         parts.retain(is_closed);
         assert!(!parts.is_empty(), "{file} has closed parts");
-        let scene = Scene {
-            parts,
-            ..Scene::default()
-        };
+        let mut assets = Assets::default();
+        assets.insert_mesh(&path, parts);
         for clip in *clips {
-            let mut timeline = Timeline::of_scene(scene.clone());
-            timeline
-                .choose_clip(&clip.to_string())
-                .expect("a clip of that number");
-            let stage = timeline.stage().expect("a stage").expect("it moves");
-            let surface = section_surface(OBLIQUE, &stage).expect("a section");
-            timeline.add_cuts([Cut::of("middle", vec![surface])]);
+            let mut document = Document::new();
+            document
+                .add_part(part(&path.to_string_lossy()))
+                .expect("a part");
+            document.add_cut(cut([section(OBLIQUE)])).expect("a cut");
+            document.set("clip", i64::from(*clip)).expect("a clip");
+            let timeline = document.timeline(&mut assets);
+            let timeline = timeline.expect("a clip of that number");
             tally.judge(&format!("{file}, clip {clip}"), &timeline);
         }
     }
@@ -127,16 +121,11 @@ fn models_that_move_are_capped_exactly_at_every_time() {
 fn gears_that_turn_are_capped_exactly_at_every_time() {
     let Some(data) = data() else { return };
     let mesh = data.join("assembly/cube_gears.glb");
-    let name = format!("cutaway-gears-{}.toml", std::process::id());
-    let file = std::env::temp_dir().join(name);
     let text = turning_gears(&mesh, OBLIQUE, 90.0);
-    std::fs::write(&file, text).expect("a temporary file");
-    let open = |path: &std::path::Path| load_mesh_file(path).map(|l| (l.parts, l.notes));
-    let loaded = load_scene_file(&file, &open, &shapes::shape);
-    // A file that stays behind in the temporary directory harms nobody.
-    let _ = std::fs::remove_file(&file);
+    let document = Document::parse("gears.toml", &text).expect("a document");
+    let timeline = document.timeline(&mut Assets::default());
     let mut tally = Tally::default();
-    tally.judge("gears", &loaded.expect("a sound scene").timeline);
+    tally.judge("gears", &timeline.expect("a sound scene"));
     assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
     assert_eq!(tally.caps, TIMES, "views with caps");
 }

@@ -335,7 +335,7 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
         ),
         (
             &record,
-            |t| Some(t.replacen("\"format\":1", "\"format\":99", 1)),
+            |t| Some(t.replacen("\"format\":2", "\"format\":99", 1)),
             "form 99",
         ),
         (

@@ -5,7 +5,7 @@
 
 use std::fs;
 
-use cutaway::experiment::{Maker, Record, Samples};
+use cutaway::experiment::{Maker, Parameter, Record, Samples};
 use cutaway::report::{PictureOptions, Recorded, pages};
 use serde_json::{Value, json};
 
@@ -16,7 +16,7 @@ mod command;
 mod fixture;
 
 use command::Scratch;
-use fixture::{NAME, drawn, record, records, refused, write};
+use fixture::{NAME, drawn, record, records, refused, scene, write};
 
 /// The report of some points as Markdown, where the run says more of itself.
 fn told(folder: &Scratch, records: &[Record], of_run: &Value) -> String {
@@ -106,14 +106,14 @@ fn broken_meshes_are_told_apart() {
         comparison.unmarked_wrong_px = unmarked;
         comparison.odd_parity_px = marked;
     }
-    whole.words = vec!["--defect=holes:amount=5%".to_owned()];
+    whole.scene = scene(Some("holes:amount=5%"));
     all.push(whole);
     let control = told(&folder, &all, &json!({}));
     let exact = |page: &str| rows(page, "raycast+mask")[0].to_owned();
     assert!(exact(&control).starts_with("| raycast+mask | 3 | 3 | 2 | 4 |"));
     assert!(!control.contains("Which strategies cope with broken meshes"));
 
-    all[2].truth = Some(vec!["shape:crank".to_owned()]);
+    all[2].truth = Some(scene(None));
     let page = told(&folder, &all, &json!({}));
     assert!(exact(&page).starts_with("| raycast+mask | 2 | 2 | 2 | 0 |"));
     assert!(page.contains("1 point judged by the exact image of another scene"));
@@ -138,7 +138,7 @@ fn broken_meshes_are_told_apart() {
         "{row}"
     );
     // With nothing broken there is nothing to cope with.
-    all[2].words = vec!["--defect=holes:amount=0%".to_owned()];
+    all[2].scene = scene(Some("holes:amount=0%"));
     let unbroken = told(&folder, &all, &json!({}));
     assert!(rows(&unbroken, "crank").is_empty());
 }
@@ -151,7 +151,7 @@ fn in_turns() -> Vec<Record> {
             drawn("raycast+mask@compute", 0, 2.0),
         ];
         let mut point = record(size, strategies);
-        point.words = ["shape:crank", "--section=x=1"].map(str::to_owned).into();
+        point.scene = scene(None);
         point
     };
     let all = [("1", 1.0), ("2", 1.0), ("3", 4.0), ("4", 4.0)];
@@ -226,15 +226,15 @@ fn long_reasons_are_short_and_whole() {
 fn series_are_called_as_the_experiment_calls_them() {
     let folder = Scratch::new("answers-families");
     let mut all = records();
-    let maker = |family: &str, parameter: &str, value: &str| Maker {
+    let maker = |family: &str, parameter: &str, value: i64| Maker {
         family: family.to_owned(),
-        parameters: [(parameter.to_owned(), value.to_owned())].into(),
+        parameters: [(parameter.to_owned(), Parameter::Whole(value))].into(),
     };
     for record in &mut all {
         record.measurement.strategies[1].name = "grid:256+vds:256".to_owned();
         record.makers[1] = vec![
-            maker("grid:256+vds:{texels}", "texels", "256"),
-            maker("grid:{cells}+vds:256", "cells", "256"),
+            maker("grid:256+vds:{texels}", "texels", 256),
+            maker("grid:{cells}+vds:256", "cells", 256),
         ];
     }
     write(&folder.path("run"), &all, None);

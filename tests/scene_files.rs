@@ -1,42 +1,19 @@
 //! Promise: what a scene file, a section or a relief says is what the scene holds.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use command::Scratch;
+use cutaway::document::{Background, Settings, Timeline, section};
 use cutaway::error::Result;
-use cutaway::scene::relief::{Procedure, ProcedureKind, read_offset_map};
-use cutaway::scene::{
-    Fill, Mesh, Part, Projection, ReliefSpec, Role, SceneFile, Up, Viewpoint, Wrap, apply_relief,
-    load_scene_file, section_misses, section_surface,
-};
+use cutaway::load::{Assets, Loaded, read_offset_map};
+use cutaway::scene::relief::{Procedure, ProcedureKind};
+use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap, section_misses};
 use glam::{DVec3, Vec3};
 
+#[path = "common/command.rs"]
+mod command;
 #[path = "scene_files/tiff.rs"]
 mod grey_tiff;
-
-/// A folder of its own for each test, removed at the end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("cutaway-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a temporary folder");
-        Self(path)
-    }
-
-    fn write(&self, name: &str, text: &str) -> PathBuf {
-        let path = self.0.join(name);
-        fs::write(&path, text).expect("a temporary file");
-        path
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A folder that stays behind in the temporary directory harms nobody.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 /// A tetrahedron with corners at the origin and 1 along each axis.
 fn solid(name: &str) -> Part {
@@ -48,27 +25,33 @@ fn solid(name: &str) -> Part {
     Part::new(name, mesh)
 }
 
-fn load(path: &Path) -> Result<SceneFile> {
-    let open_mesh = |path: &Path| {
-        let stem = path.file_stem().expect("a file name").to_string_lossy();
-        let parts = match &*stem {
+/// Assets in which every mesh and shape that these tests name is a tetrahedron.
+fn assets(folder: &Scratch) -> Assets {
+    let mut assets = Assets::default();
+    for stem in ["crank", "bolt", "two"] {
+        let parts = match stem {
             "two" => vec![solid("left"), solid("right")],
-            _ => vec![solid(&stem)],
+            _ => vec![solid(stem)],
         };
-        Ok((parts, vec![format!("{stem} was welded")]))
-    };
-    let open_shape = |text: &str| Ok(vec![solid(text)]);
-    load_scene_file(path, &open_mesh, &open_shape)
+        let notes = vec![format!("{stem} was welded")];
+        let loaded = Loaded {
+            parts,
+            notes,
+            ..Loaded::default()
+        };
+        assets.insert_mesh(folder.path(&format!("{stem}.obj")), loaded);
+    }
+    assets
+}
+
+fn load(folder: &Scratch, text: &str) -> Result<Timeline> {
+    folder.load_with(text, &mut assets(folder))
 }
 
 #[test]
 fn every_table_reaches_the_scene() {
-    let folder = Folder::new("every-table");
-    folder.write("crank.obj", "");
-    folder.write("two.obj", "");
-    let path = folder.write(
-        "engine.toml",
-        r##"
+    let folder = Scratch::new("every-table");
+    let text = r##"
 resolution = [640, 480]
 background = "#fff"
 interference = "#00f"
@@ -138,15 +121,18 @@ name = "raycast+mask"
 target = "cut.front.surfaces.0.origin"
 times_s = [0, 2]
 values = [[0, 0, -1], [0, 0, 1]]
-"##,
-    );
-    let file = load(&path).expect("a sound scene");
-    let scene = &file.scene;
-    assert_eq!(scene.name, "engine", "name of the scene");
-    assert_eq!(file.resolution, Some([640, 480]), "resolution");
-    assert_eq!(file.background, Some(Vec3::ONE), "background");
-    assert_eq!(file.interference, Some(Vec3::Z), "interference");
-    assert_eq!(file.strategy.as_deref(), Some("raycast+mask"), "strategy");
+"##;
+    let file = load(&folder, text).expect("a sound scene");
+    let scene = file.rest();
+    assert_eq!(scene.name, "scene", "name of the scene");
+    let expected = Settings {
+        size_px: Some([640, 480]),
+        background: Some(Background::Color(Vec3::ONE)),
+        interference: Some(Vec3::Z),
+        strategy: Some("raycast+mask".to_owned()),
+        ..Settings::default()
+    };
+    assert_eq!(file.settings(), &expected);
 
     let camera = scene.camera;
     assert_eq!(
@@ -171,7 +157,7 @@ values = [[0, 0, -1], [0, 0, 1]]
     let names: Vec<&str> = scene.parts.iter().map(|p| p.name.as_str()).collect();
     assert_eq!(
         names,
-        ["crank", "pair/left", "pair/right", "cube?size=2"],
+        ["crank", "pair/left", "pair/right", "cube"],
         "names of the parts"
     );
     let crank = &scene.parts[0];
@@ -229,8 +215,12 @@ values = [[0, 0, -1], [0, 0, 1]]
         placed.scale.z
     );
 
-    assert_eq!(file.keys[0].values[1], [0.0, 0.0, 1.0], "values of the key");
-    let notes = file.notes.join("\n");
+    assert_eq!(
+        file.keys().next().expect("the key").values[1],
+        [0.0, 0.0, 1.0],
+        "values of the key"
+    );
+    let notes = file.notes().join("\n");
     for told in ["crank was welded", "steel"] {
         assert!(notes.contains(told), "no note of {told}: {notes}");
     }
@@ -238,24 +228,21 @@ values = [[0, 0, -1], [0, 0, 1]]
 
 #[test]
 fn a_minimal_scene_takes_the_usual_values() {
-    let folder = Folder::new("minimal");
-    let path = folder.write("s.toml", "[[part]]\nshape = \"cube\"\n");
-    let file = load(&path).expect("a sound scene");
-    assert_eq!(file.scene.camera, Default::default(), "camera");
+    let folder = Scratch::new("minimal");
+    let file = load(&folder, "[[part]]\nshape = \"cube\"\n").expect("a sound scene");
+    assert_eq!(file.rest().camera, Default::default(), "camera");
     assert!(
-        file.scene.cuts.is_empty() && file.notes.is_empty(),
+        file.rest().cuts.is_empty() && file.notes().is_empty(),
         "{file:?}"
     );
 }
 
 #[test]
 fn a_camera_can_be_placed_outright() {
-    let folder = Folder::new("camera");
+    let folder = Scratch::new("camera");
     let text = "[camera]\nposition = [0, 0, 5]\nfocal_point = [0, 0, 0]\nview_up = [1, 0, 0]\nfov_y_deg = 45\n[[part]]\nshape = \"cube\"\n";
-    let camera = load(&folder.write("s.toml", text))
-        .expect("a sound scene")
-        .scene
-        .camera;
+    let file = load(&folder, text).expect("a sound scene");
+    let camera = file.rest().camera;
     let viewpoint = Viewpoint::Explicit {
         position: DVec3::new(0.0, 0.0, 5.0),
         focal_point: DVec3::ZERO,
@@ -272,10 +259,8 @@ fn a_camera_can_be_placed_outright() {
 #[test]
 fn a_section_with_a_relief_cuts_what_the_section_cuts() {
     let bounds = solid("s").bounds_in_world();
-    let plane = section_surface("z=50%", &bounds).expect("a sound section");
     for name in Procedure::NAMES {
-        let spec = ReliefSpec::parse(name).expect(name);
-        let relief = apply_relief(plane.clone(), &spec, &bounds).expect(name);
+        let relief = section("z=50%").relief(name).on(&bounds).expect(name);
         assert!(!section_misses(&relief, &bounds), "{name} misses");
         for (z, kept) in [(0.0, false), (1.0, true)] {
             let height = relief.kept_height(DVec3::new(0.1, 0.2, z));
@@ -308,9 +293,9 @@ mod images {
 
     #[test]
     fn integers_are_divided_by_their_greatest_value() {
-        let folder = Folder::new("integers");
+        let folder = Scratch::new("integers");
         let grey8 = [0_u8, 1, 128, 254, 255, 77];
-        let path = folder.0.join("grey8.png");
+        let path = folder.path("grey8.png");
         image::GrayImage::from_raw(3, 2, grey8.to_vec())
             .expect("6 texels")
             .save(&path)
@@ -319,7 +304,7 @@ mod images {
         assert_eq!(heights(&path), ([3, 2], expected.clone()), "8 bits");
 
         // Grey stored as RGBA has the same heights, whatever its alpha.
-        let path = folder.0.join("rgba8.png");
+        let path = folder.path("rgba8.png");
         let rgba = grey8.iter().flat_map(|v| [*v, *v, *v, 255 - *v]).collect();
         image::RgbaImage::from_raw(3, 2, rgba)
             .expect("6 texels")
@@ -327,7 +312,7 @@ mod images {
             .expect("png");
         assert_eq!(heights(&path).1, expected, "grey as RGBA");
 
-        let path = folder.0.join("rgb8.bmp");
+        let path = folder.path("rgb8.bmp");
         image::RgbImage::from_raw(3, 1, vec![255, 0, 0, 0, 255, 0, 0, 0, 255])
             .expect("3 texels")
             .save(&path)
@@ -340,7 +325,7 @@ mod images {
 
         let grey16 = [0_u16, 1, 255, 256, 40_000, 65_535];
         for (name, width) in [("grey16.png", 2), ("column16.tiff", 1), ("row16.png", 6)] {
-            let path = folder.0.join(name);
+            let path = folder.path(name);
             image::ImageBuffer::<image::Luma<u16>, _>::from_raw(width, 6 / width, grey16.to_vec())
                 .expect("6 texels")
                 .save(&path)
@@ -367,8 +352,8 @@ mod images {
 
     #[test]
     fn floats_are_taken_as_they_are() {
-        let folder = Folder::new("floats");
-        let path = folder.0.join("heights.exr");
+        let folder = Scratch::new("floats");
+        let path = folder.path("heights.exr");
         let values = vec![-3.5, 0.0, 1e-3, 1234.5];
         let other = vec![9.0; 4];
         for channels in [

@@ -269,7 +269,7 @@ fn loops_are_holes_and_outlines() {
     }
     assert_eq!(holes, 2, "one in each wheel");
     // Shells that overlap: even-odd has a void where nonzero has none.
-    folder.write("two.obj", &[block(0.0, 0), block(0.5, 8)].concat());
+    folder.write("two.obj", [block(0.0, 0), block(0.5, 8)].concat());
     let area = |rule: &str| {
         let line = format!("two.obj --section -z=50% --fill {rule}");
         number(&json_of(&folder, &line)["sections"][0]["area"])
@@ -330,7 +330,7 @@ fn an_outline_that_does_not_close_is_told_and_fails() {
     assert!(drawing.contains("class=\"open\""), "{drawing}");
     // The controls: the same mesh where it is whole, and cut where the hole is not.
     folder.run("section whole.obj --section z=50%").exits(0);
-    folder.write("top.obj", &whole.replace("f 5 6 7 8\n", ""));
+    folder.write("top.obj", whole.replace("f 5 6 7 8\n", ""));
     folder.run("section top.obj --section z=50%").exits(0);
 }
 

@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use cutaway::generate::shapes;
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
@@ -11,7 +12,7 @@ use cutaway::plan::pack::{
     Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
-use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap, shapes};
+use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap};
 use cutaway::shader::{self, Finding, Rule, StructLayout, lint};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};

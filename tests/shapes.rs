@@ -2,8 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use cutaway::generate::shapes::{SHAPES, shape};
 use cutaway::scene::Mesh;
-use cutaway::scene::shapes::{SHAPES, shape};
 use glam::DVec3;
 
 /// Vertices - edges + faces of a closed surface on which every edge is passed once in either direction; else what is

@@ -1,8 +1,8 @@
 //! The built-in crank of about 100 thousand triangles, halved in two ways.
 
-use cutaway::scene::{
-    Camera, Cut, ReliefSpec, Scene, Viewpoint, apply_relief, section_surface, shapes,
-};
+use cutaway::document::section;
+use cutaway::generate::shapes;
+use cutaway::scene::{Camera, Cut, Scene, Viewpoint};
 
 /// The crank halved by a plane, and by a relief of 256 x 256 texels; both are seen from the side that is removed.
 pub(crate) fn scenes() -> [(&'static str, Scene); 2] {
@@ -18,10 +18,9 @@ pub(crate) fn scenes() -> [(&'static str, Scene); 2] {
         ..Scene::default()
     };
     let bounds = uncut.bounds();
-    let plane = section_surface("-z=50%", &bounds).expect("a plane");
-    let spec = ReliefSpec::parse("fractal:amplitude=4%,period=45%,seed=7").expect("a relief");
-    let relief = apply_relief(plane.clone(), &spec, &bounds).expect("a relief that is computed");
-    [("plane", plane), ("relief", relief)].map(|(name, surface)| {
+    let relief = section("-z=50%").relief("fractal:amplitude=4%,period=45%,seed=7");
+    [("plane", section("-z=50%")), ("relief", relief)].map(|(name, surface)| {
+        let surface = surface.on(&bounds).expect("a clip-surface");
         let cuts = vec![Cut::of("front", vec![surface])];
         (
             name,

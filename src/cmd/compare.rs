@@ -6,13 +6,13 @@ use clap::Args;
 use image::{Rgba, RgbaImage};
 
 use super::Verdict;
-use super::args::{DeviceArgs, SceneArgs};
+use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::judge::{self, judge};
-use super::open::{Opened, open};
 use super::output::{Output, checked_folder, write_file, write_stdout};
 use super::picture;
 use super::places::paths_of;
+use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::compare::legend;
 use crate::experiment::{Contender, Judgement, Measurement, Shown};
@@ -65,7 +65,9 @@ pub(super) struct CompareArgs {
     #[arg(long, value_name = "N", help_heading = "Test")]
     max_decided_wrong: Option<usize>,
     #[command(flatten)]
-    device: DeviceArgs,
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -84,8 +86,11 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     }
     let console = Console::new(args.console, 1 + judge::steps(contenders.len(), rounds));
     console.step("opening");
-    let opened = open(&args.scene, &args.when, &console)?;
-    check_memory(opened.size_px, contenders.len())?;
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let subject = args.scene.open(document, None, &console)?;
+    check_memory(subject.size_px(), contenders.len())?;
     let written = args
         .heatmaps
         .as_deref()
@@ -94,16 +99,21 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
         .into_iter()
         .flatten()
         .map(|path| ("--heatmaps", path));
-    opened
-        .files
-        .keep_from(written.chain(paths_of(&[("--json", json.as_ref())])))?;
-    let mut session = args.device.open()?;
-    session.set_options(opened.options(session.options()));
-    let shown = Shown::of(&opened.scene);
-    let judgement = judge(&mut session, &shown, &opened, &contenders, rounds, &console)?;
+    let json_file = [("--json", json.as_ref())];
+    subject.save_beside(written.chain(paths_of(&json_file)), &args.scene.edits)?;
+    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let shown = Shown::of(&subject.scene);
+    let judgement = judge(
+        &mut session,
+        &shown,
+        &subject,
+        &contenders,
+        rounds,
+        &console,
+    )?;
 
     if let Some(folder) = &args.heatmaps {
-        write_pictures(folder, &mut session, &shown, &opened, &judgement)?;
+        write_pictures(folder, &mut session, &shown, &subject, &judgement)?;
     }
     let report = &judgement.measurement;
     if let Some(output) = &json {
@@ -220,12 +230,12 @@ fn write_pictures(
     folder: &Path,
     session: &mut Session,
     shown: &Shown,
-    opened: &Opened,
+    subject: &Subject,
     judgement: &Judgement,
 ) -> Result<()> {
     let write =
         |name: &str, image: &RgbaImage| write_file(&folder.join(name), &picture::png(image)?);
-    let view = opened.view(&shown.model.prepared);
+    let view = subject.view(&shown.model.prepared);
     let truth = session.shade(&shown.model, &view, &judgement.exact.layers)?;
     write("exact.png", &picture::plain(&truth, view.size_px))?;
     write("legend.png", &legend_picture())?;

@@ -2,14 +2,13 @@
 //!
 //! Progress shows only on a terminal and only once the work has taken a second, and it never stays behind.
 
-use std::cell::RefCell;
 use std::io::IsTerminal;
 use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::experiment::run::Remark;
+use crate::scene::Remark;
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -32,8 +31,6 @@ pub(super) struct ConsoleArgs {
 pub(super) struct Console {
     args: ConsoleArgs,
     bar: ProgressBar,
-    /// Where remarks go in the place of standard error, if they are to be said later.
-    heard: Option<RefCell<Vec<Remark>>>,
 }
 
 impl Console {
@@ -55,35 +52,15 @@ impl Console {
                 }
             });
         }
-        Self {
-            args,
-            bar,
-            heard: None,
-        }
+        Self { args, bar }
     }
 
-    /// A console that shows nothing, and keeps notes and warnings for whoever says them later, with the place that they are about.
-    pub(super) fn hearing() -> Self {
-        Self {
-            args: ConsoleArgs::default(),
-            bar: ProgressBar::hidden(),
-            heard: Some(RefCell::default()),
-        }
-    }
-
-    /// What it was told since it was asked last.
-    pub(super) fn heard(&self) -> Vec<Remark> {
-        let heard = self.heard.as_ref();
-        heard.map(RefCell::take).unwrap_or_default()
-    }
-
-    /// Says something that was heard, after the place that it is about.
-    pub(super) fn remark(&self, place: &str, remark: &Remark) {
-        let text = format!("{place}: {}", remark.text);
+    /// Says what there is to say of a scene.
+    pub(super) fn remark(&self, remark: &Remark) {
         if remark.is_warning {
-            self.warn(text);
+            self.warn(&remark.text);
         } else {
-            self.note(text);
+            self.note(&remark.text);
         }
     }
 
@@ -92,17 +69,6 @@ impl Console {
         if !self.args.quiet && !std::io::stderr().is_terminal() {
             self.say(text.as_ref());
         }
-    }
-
-    fn keeps(&self, is_warning: bool, text: &str) -> bool {
-        let Some(heard) = &self.heard else {
-            return false;
-        };
-        heard.borrow_mut().push(Remark {
-            is_warning,
-            text: text.to_owned(),
-        });
-        true
     }
 
     /// A step begins.
@@ -153,23 +119,17 @@ impl Console {
 
     /// What may interest: left out by `--quiet`.
     pub(super) fn note(&self, text: impl AsRef<str>) {
-        if !self.keeps(false, text.as_ref()) && !self.args.quiet {
+        if !self.args.quiet {
             self.say(&format!("note: {}", text.as_ref()));
         }
     }
 
     /// Notes of one kind, of which nobody reads many: the first few, and how many more there are.
     pub(super) fn notes(&self, notes: &[String]) {
-        let most = if self.args.verbose {
+        let shown = if self.args.verbose {
             notes.len()
         } else {
-            MOST_NOTES
-        };
-        // One line more says no less than that there is one.
-        let shown = if notes.len() <= most + 1 {
-            notes.len()
-        } else {
-            most
+            shown_of(notes.len())
         };
         notes[..shown].iter().for_each(|note| self.note(note));
         if shown < notes.len() {
@@ -182,9 +142,7 @@ impl Console {
 
     /// What was done and to no purpose, or is not as it should be.
     pub(super) fn warn(&self, text: impl AsRef<str>) {
-        if !self.keeps(true, text.as_ref()) {
-            self.say(&format!("warning: {}", text.as_ref()));
-        }
+        self.say(&format!("warning: {}", text.as_ref()));
     }
 
     /// What only `--verbose` says.
@@ -204,6 +162,15 @@ impl Console {
     }
 }
 
+/// How many of so many notes are shown. One line more says no less than that there is one.
+fn shown_of(notes: usize) -> usize {
+    if notes <= MOST_NOTES + 1 {
+        notes
+    } else {
+        MOST_NOTES
+    }
+}
+
 impl Drop for Console {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
@@ -216,17 +183,8 @@ mod tests {
 
     #[test]
     fn many_notes_are_a_few_and_how_many_more() {
-        let shown = |count: usize| {
-            let console = Console::hearing();
-            let notes: Vec<String> = (0..count).map(|i| format!("note {i}")).collect();
-            console.notes(&notes);
-            let heard = console.heard().into_iter();
-            heard.map(|remark| remark.text).collect::<Vec<_>>()
-        };
-        assert_eq!(shown(0).len(), 0);
-        assert_eq!(shown(MOST_NOTES + 1).len(), MOST_NOTES + 1);
-        let many = shown(32);
-        assert_eq!(many.len(), MOST_NOTES + 1);
-        assert!(many[MOST_NOTES].starts_with("27 more notes"), "{many:?}");
+        for (notes, shown) in [(0, 0), (6, 6), (7, 5), (32, 5)] {
+            assert_eq!(shown_of(notes), shown, "of {notes}");
+        }
     }
 }

@@ -2,10 +2,8 @@
 
 use clap::Args;
 
-use super::console::Console;
 use crate::Result;
-use crate::scene::Scene;
-use crate::scene::defects::{Defect, break_parts};
+use crate::document::{Document, defect};
 
 /// What is broken.
 #[derive(Args, Clone)]
@@ -17,30 +15,17 @@ pub(super) struct DefectArgs {
     #[arg(
         long = "defect",
         value_name = "KIND[:amount=5%,seed=1]",
-        value_parser = parse_defect,
         help_heading = "Defects"
     )]
-    defects: Vec<Defect>,
+    defects: Vec<String>,
 }
 
 impl DefectArgs {
-    /// Breaks the parts of a scene.
-    pub(super) fn apply(&self, scene: &mut Scene) -> Result<Vec<String>> {
-        break_parts(&mut scene.parts, &self.defects)
-    }
-
-    /// Breaks the parts of a scene, and says what was done to them.
-    pub(super) fn apply_and_say(&self, scene: &mut Scene, console: &Console) -> Result<()> {
-        let notes = self.apply(scene)?;
-        notes.iter().for_each(|note| console.note(note));
+    /// Breaks all parts of a document.
+    pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
+        for words in &self.defects {
+            document.push_in_each("part", "defects", &defect(words)?)?;
+        }
         Ok(())
     }
-}
-
-fn parse_defect(text: &str) -> Result<Defect, String> {
-    // The option names itself.
-    text.parse().map_err(|e: crate::Error| match e {
-        crate::Error::Input { what, mend, .. } => format!("{what}\n  help: {mend}"),
-        other => other.to_string(),
-    })
 }

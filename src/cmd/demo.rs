@@ -6,15 +6,16 @@ use clap::Args;
 use image::RgbaImage;
 
 use super::Verdict;
-use super::args::{DeviceArgs, SceneArgs};
+use super::args::{AdapterArgs, MeansArgs};
 use super::compare::{file_stem, legend_text};
 use super::console::{Console, ConsoleArgs};
+use super::edits::EditArgs;
 use super::judge::{self, judge};
-use super::open::{Opened, open};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture::{self, Backdrop, Drawer, Style};
-use super::when::TimeArgs;
+use super::subject::Subject;
 use crate::Result;
+use crate::document::{Document, cut, part, section};
 use crate::experiment::{Contender, Judgement, Shown};
 use crate::report::{self, Figure};
 use crate::session::Session;
@@ -27,18 +28,20 @@ Examples:
 
 Open report.html in the folder: the tabs show every strategy and where it is wrong, in the same place.";
 
-/// The scene of the demo, as one would type it after `cutaway render`.
-const SCENE: &[&str] = &[
-    "shape:crank",
-    "--section=-z=50%",
-    "--relief=fractal:amplitude=4%,period=45%,seed=7",
-    "--section=x=60%",
-    "--relief=fractal:amplitude=5%,period=30%,seed=4",
-    "--cut=intersection",
-    "--camera-azimuth-angle=-26",
-    "--camera-elevation-angle=20",
-    "--camera-zoom-factor=1.25",
-];
+/// The scene of the demo: a corner cut out of the crank along two ragged reliefs.
+fn scene(size_px: [u32; 2]) -> Result<Document> {
+    let mut document = Document::new();
+    document.add_part(part("shape:crank"))?;
+    document.add_cut(cut([
+        section("-z=50%").relief("fractal:amplitude=4%,period=45%,seed=7"),
+        section("x=60%").relief("fractal:amplitude=5%,period=30%,seed=4"),
+    ]))?;
+    document.set("camera.azimuth_deg", -26.0)?;
+    document.set("camera.elevation_deg", 20.0)?;
+    document.set("camera.zoom", 1.25)?;
+    document.set("resolution", size_px.map(i64::from).to_vec())?;
+    Ok(document)
+}
 
 /// Options of `demo`.
 #[derive(Args)]
@@ -63,16 +66,11 @@ pub(super) struct DemoArgs {
     )]
     rounds: u32,
     #[command(flatten)]
-    device: DeviceArgs,
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
-}
-
-/// The scene's own words, read by the same parser as those of a user.
-#[derive(clap::Parser)]
-struct SceneWords {
-    #[command(flatten)]
-    scene: SceneArgs,
 }
 
 /// Runs `demo`.
@@ -84,10 +82,20 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     let steps = 2 + strategies.len() + judge::steps(strategies.len(), rounds);
     let console = Console::new(args.console, steps);
     console.step("opening");
-    let opened = open_scene(args.resolution, &console)?;
-    let mut session = args.device.open()?;
-    let shown = Shown::of(&opened.scene);
-    let judgement = judge(&mut session, &shown, &opened, &contenders, rounds, &console)?;
+    let mut document = scene(args.resolution)?;
+    args.means.amend(&mut document)?;
+    let text = document.to_string();
+    let subject = Subject::open(document, None, &EditArgs::default(), &console)?;
+    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let shown = Shown::of(&subject.scene);
+    let judgement = judge(
+        &mut session,
+        &shown,
+        &subject,
+        &contenders,
+        rounds,
+        &console,
+    )?;
 
     let mut pictures = Vec::new();
     for drawer in std::iter::once(Drawer::Exact).chain(strategies.map(Drawer::By)) {
@@ -95,27 +103,16 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
         pictures.extend(pictures_of(
             &mut session,
             &shown,
-            &opened,
+            &subject,
             &judgement,
             drawer,
         )?);
     }
     write(&args.out, &judgement, &pictures)?;
+    write_file(&args.out.join("scene.toml"), text.as_bytes())?;
     drop(console);
     say(&args.out, &judgement)?;
     Ok(Verdict::Done)
-}
-
-fn open_scene(size_px: [u32; 2], console: &Console) -> Result<Opened> {
-    use clap::Parser;
-
-    let words = std::iter::once("cutaway").chain(SCENE.iter().copied());
-    // The words are a constant, and a test parses them.
-    let words = SceneWords::try_parse_from(words)
-        .map_err(|e| crate::Error::input("the scene of the demo", e.to_string(), "report this"))?;
-    let mut opened = open(&words.scene, &TimeArgs::default(), console)?;
-    opened.size_px = size_px;
-    Ok(opened)
 }
 
 /// A picture with what there is to say about it.
@@ -130,7 +127,7 @@ struct Picture {
 fn pictures_of(
     session: &mut Session,
     shown: &Shown,
-    opened: &Opened,
+    subject: &Subject,
     judgement: &Judgement,
     drawer: Drawer,
 ) -> Result<Vec<Picture>> {
@@ -138,7 +135,7 @@ fn pictures_of(
         supersample: 2,
         backdrop: Backdrop::Gradient,
     };
-    let view = opened.view(&shown.model.prepared);
+    let view = subject.view(&shown.model.prepared);
     let Drawer::By(strategy) = drawer else {
         let exact = picture::draw(session, shown, &view, drawer, style)?.image;
         let caption =
@@ -213,13 +210,12 @@ fn write(folder: &Path, judgement: &Judgement, pictures: &[Picture]) -> Result<(
 
 /// The table, and where everything is.
 fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
-    let scene: Vec<String> = SCENE.iter().map(|w| (*w).to_owned()).collect();
     let text = format!(
-        "{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} -o crank.png\n",
+        "{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} --camera-azimuth-angle=60 -o crank.png\n",
         report::text(&judgement.measurement),
         folder.display(),
         folder.join("report.html").display(),
-        scene.join(" ")
+        folder.join("scene.toml").display()
     );
     write_stdout(text.as_bytes())
 }
@@ -227,15 +223,16 @@ fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::load::Assets;
     use crate::scene::section_misses;
 
     #[test]
     fn the_scene_of_the_demo_is_cut() {
-        let console = Console::new(ConsoleArgs::default(), 1);
-        let opened = open_scene([64, 48], &console).unwrap();
-        let bounds = opened.scene.bounds();
-        assert_eq!(opened.scene.cuts.len(), 1);
-        for surface in &opened.scene.cuts[0].surfaces {
+        let document = scene([64, 48]).unwrap();
+        let scene = document.resolve(0.0, &mut Assets::default()).unwrap();
+        let bounds = scene.bounds();
+        assert_eq!(scene.cuts.len(), 1);
+        for surface in &scene.cuts[0].surfaces {
             assert!(surface.relief.is_some(), "the cut is ragged");
             assert!(!section_misses(surface, &bounds), "it meets the crank");
         }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use image::{Rgba, RgbaImage};
 
-use crate::scene::input_file;
+use crate::load::input_file;
 use crate::{Error, Result};
 
 /// What an image test found.

@@ -6,13 +6,13 @@ use serde_json::{Value, json};
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
-use super::open::Inputs;
+use super::edits::EditArgs;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
-use super::sections::round;
-use super::set::SetArgs;
+use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
+use crate::scene::told::round;
 use crate::scene::{Clip, Part, Topology};
 use crate::{Error, Result};
 
@@ -35,7 +35,7 @@ pub(super) struct InspectArgs {
     #[arg(required = true, value_name = "MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
-    set: SetArgs,
+    edits: EditArgs,
     #[command(flatten)]
     when: TimeArgs,
     #[command(flatten)]
@@ -56,15 +56,13 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let inputs = Inputs::open(&args.inputs, &args.set, &args.when, &console)?;
-    inputs
-        .files
-        .keep_from(paths_of(&[("--json", json.as_ref())]))?;
-    let (mut scene, timeline) = inputs.at(&args.when)?;
-    args.defects.apply_and_say(&mut scene, &console)?;
-    args.when.note_of_still(&timeline, &console);
-    let clips = inputs.timeline().clips();
-    let parts = scene.posed().parts;
+    let mut document = document(&args.inputs, None)?;
+    args.defects.amend(&mut document)?;
+    args.when.amend(&mut document)?;
+    let subject = Subject::open(document, None, &args.edits, &console)?;
+    subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
+    let clips = subject.timeline.clips();
+    let parts = subject.scene.posed().parts;
     console.step("inspecting");
     let facts: Vec<(&str, Topology)> = parts
         .iter()
@@ -75,7 +73,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
         _ => Topology::of_parts(&parts),
     };
     if let Some(output) = &json {
-        let json = to_json(&facts, &total, &clips)?;
+        let json = to_json(&facts, &total, clips)?;
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {

@@ -1,7 +1,7 @@
 //! Strategies judged on what the command line opened, with the steps told to the console.
 
 use super::console::Console;
-use super::open::Opened;
+use super::subject::Subject;
 use crate::Result;
 use crate::experiment::{
     Contender, Judgement, Question, Shown, error_steps, errors, times, timing_steps,
@@ -17,15 +17,15 @@ pub(super) fn steps(contenders: usize, rounds: usize) -> usize {
 pub(super) fn judge(
     session: &mut Session,
     shown: &Shown,
-    opened: &Opened,
+    subject: &Subject,
     contenders: &[Contender],
     rounds: usize,
     console: &Console,
 ) -> Result<Judgement> {
     let question = Question {
-        name: opened.scene.name.clone(),
+        name: subject.scene.name.clone(),
         shown,
-        view: opened.view(&shown.model.prepared),
+        view: subject.view(&shown.model.prepared),
         truth: None,
         command: command_line(),
     };

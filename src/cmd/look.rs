@@ -1,12 +1,10 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
-use clap::Args;
-use glam::Vec3;
-
-use super::open::Opened;
-use super::picture::{Backdrop, Drawer, Style};
+use super::args::say;
+use super::picture::Drawer;
 use crate::Result;
-use crate::strategies::Strategy;
+use crate::document::{Document, Value};
+use clap::Args;
 
 /// How pictures are drawn.
 #[derive(Args)]
@@ -15,49 +13,30 @@ pub(super) struct LookArgs {
     /// planar (planes); stencil (one plane); or exact for the reference [default: that of the scene, or raycast+mask]
     #[arg(long, value_name = "NAME")]
     strategy: Option<String>,
-    /// Draw N times as fine along each side and average in linear light, 1 to 4
+    /// Draw N times as fine along each side and average in linear light, 1 to 4 [default: that of the scene, or 2]
     #[arg(
         long,
         value_name = "N",
-        default_value_t = 2,
         value_parser = clap::value_parser!(u32).range(1..=4),
         help_heading = "Output"
     )]
-    pub(super) supersample: u32,
+    supersample: Option<u32>,
     /// Leave what shows no model transparent
     #[arg(long, help_heading = "Output")]
     pub(super) no_background: bool,
 }
 
 impl LookArgs {
-    /// Who is asked for by name, if anybody: what a scene asks for is only known once it is open.
-    pub(super) fn asked(&self) -> Result<Option<Drawer>> {
-        self.strategy.as_deref().map(str::parse).transpose()
-    }
-
-    /// Who draws: whoever is asked for, or else the scene's own choice.
-    pub(super) fn drawer(&self, opened: &Opened) -> Result<Drawer> {
-        match (self.asked()?, &opened.strategy) {
-            (Some(drawer), _) => Ok(drawer),
-            (None, Some(name)) => name.parse(),
-            (None, None) => Ok(Drawer::By(Strategy::RAYCAST_MASK)),
+    /// Puts them into a document.
+    pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
+        if let Some(name) = &self.strategy {
+            name.parse::<Drawer>()?;
         }
+        let strategy = self.strategy.as_deref().map(Value::from);
+        say(document, "strategy.name", "--strategy", strategy)?;
+        let fineness = self.supersample.map(|n| i64::from(n).into());
+        say(document, "supersample", "--supersample", fineness)?;
+        let background = self.no_background.then(|| "transparent".into());
+        say(document, "background", "--no-background", background)
     }
-
-    /// How it is drawn.
-    pub(super) fn style(&self, opened: &Opened) -> Style {
-        Style {
-            supersample: self.supersample,
-            backdrop: match opened.background {
-                _ if self.no_background => Backdrop::Transparent,
-                Some(color) => Backdrop::Color(color),
-                None => Backdrop::Gradient,
-            },
-        }
-    }
-}
-
-/// A colour as the options of a frame take it.
-pub(super) fn bytes_of(color: Vec3) -> [u8; 3] {
-    (color * 255.0).to_array().map(|c| c.round() as u8)
 }

@@ -9,11 +9,13 @@
 
 mod animate;
 mod args;
+mod camera;
 mod compare;
 mod console;
 mod defects;
 mod demo;
 mod doubt;
+mod edits;
 mod environment;
 mod image_test;
 mod inspect;
@@ -23,17 +25,16 @@ mod layers_file;
 mod look;
 mod measure;
 mod notes;
-mod open;
 mod output;
 mod picture;
 mod places;
 mod plan;
-mod regions;
 mod render;
 mod report;
+mod scene;
 mod section;
 mod sections;
-mod set;
+mod subject;
 mod when;
 
 use std::process::ExitCode;
@@ -41,7 +42,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::Result;
-use crate::scene::shapes::SHAPES;
+use crate::generate::shapes::SHAPES;
 
 /// Exit code of a command that was interrupted: 128 and the number of SIGINT, as shells have it.
 const INTERRUPTED: u8 = 130;
@@ -102,6 +103,9 @@ enum Command {
     /// Slice a model by planes: areas, outlines as SVG, everything as JSON; needs no graphics adapter
     #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
     Section(section::SectionCommandArgs),
+    /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
+    #[command(after_help = scene::EXAMPLES, after_long_help = scene::long_help())]
+    Scene(scene::SceneCommandArgs),
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
     Plan(plan::PlanArgs),
@@ -126,6 +130,7 @@ pub fn main() -> ExitCode {
         Command::Animate(args) => animate::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Section(args) => section::run(&args),
+        Command::Scene(args) => scene::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),

@@ -1,10 +1,9 @@
 //! What is said of a frame that is not as somebody may expect.
 
 use super::console::Console;
-use super::open::Opened;
 use super::picture::Drawer;
-use super::sections::{misses, words_of};
 use crate::layers::{Kind, Layers};
+use crate::scene::{Scene, empty_picture, misses};
 
 /// Pixels that the strategy marks: crossings along their rays do not tell inside from outside, or a buffer was too small.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
@@ -28,17 +27,12 @@ pub(super) fn warn_of_doubt(may_be_wrong: &[bool], drawer: Drawer, console: &Con
 }
 
 /// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.
-pub(super) fn note_what_is_not_seen(layers: &Layers, opened: &Opened, console: &Console) {
-    let bounds = opened.scene.bounds();
-    let mut enabled = opened.scene.cuts.iter().filter(|c| c.enabled);
-    if misses(&opened.scene).next().is_some() {
+pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Console) {
+    let mut enabled = scene.cuts.iter().filter(|c| c.enabled);
+    if misses(scene).next().is_some() {
         // That has been said.
     } else if layers.count(Kind::Background) == layers.pixels.len() {
-        console.warn(format!(
-            "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
-             other side (--flip), move the section, or leave the camera options out",
-            words_of(&bounds)
-        ));
+        console.remark(&empty_picture(scene));
     } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
         console.note(
             "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \

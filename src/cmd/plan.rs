@@ -3,13 +3,13 @@
 use clap::Args;
 
 use super::Verdict;
-use super::args::{MeansArgs, SceneArgs};
+use super::args::{MeansArgs, SceneArgs, say};
 use super::console::{Console, ConsoleArgs};
-use super::open::open;
 use super::output::{Output, write_stdout};
 use super::picture::{Drawer, refused};
 use super::places::paths_of;
 use super::when::TimeArgs;
+use crate::document::Value;
 use crate::experiment::Shown;
 use crate::plan::Capacities;
 use crate::strategies::{self, Strategy};
@@ -51,25 +51,31 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         .as_ref()
         .map(|v| Output::checked("--json", v, &[]));
     let json = json.transpose()?;
-    let asked = args.strategy.as_deref().map(parse).transpose()?;
     let console = Console::new(args.console, 1);
     console.step("opening");
-    let opened = open(&args.scene, &args.when, &console)?;
-    opened
-        .files
-        .keep_from(paths_of(&[("--json", json.as_ref())]))?;
-    let strategy = match (asked, &opened.strategy) {
-        (Some(strategy), _) => strategy,
-        (None, Some(name)) => parse(name)?,
-        (None, None) => Strategy::RAYCAST_MASK,
-    };
-    let Shown { model, .. } = Shown::of(&opened.scene);
-    let view = opened.view(&model.prepared);
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let asked = args.strategy.as_deref();
+    if let Some(name) = asked {
+        passes_of(name.parse()?)?;
+    }
+    say(
+        &mut document,
+        "strategy.name",
+        "--strategy",
+        asked.map(Value::from),
+    )?;
+    let subject = args.scene.open(document, None, &console)?;
+    let strategy = passes_of(subject.drawer()?)?;
+    subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
+    let Shown { model, .. } = Shown::of(&subject.scene);
+    let view = subject.view(&model.prepared);
     let plan = strategies::record_with(
         &model,
         &view,
         &strategy,
-        &opened.options(args.means.options()),
+        &subject.options()?,
         &Capacities::UNKNOWN,
     )
     .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
@@ -85,8 +91,9 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     Ok(Verdict::Done)
 }
 
-fn parse(name: &str) -> Result<Strategy> {
-    match name.parse()? {
+/// The strategy, if it has passes.
+fn passes_of(drawer: Drawer) -> Result<Strategy> {
+    match drawer {
         Drawer::By(strategy) => Ok(strategy),
         Drawer::Exact => Err(Error::input(
             "--strategy exact",

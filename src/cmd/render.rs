@@ -6,17 +6,17 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::Verdict;
-use super::args::{DeviceArgs, SceneArgs};
+use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::doubt::may_be_wrong;
 use super::image_test::{self, Finding};
 use super::layers_file;
 use super::look::LookArgs;
 use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
-use super::open::{Opened, open};
 use super::output::{Output, write_file};
 use super::picture::{self, Drawer};
 use super::places::{no_place_twice, paths_of};
+use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::exact::evaluate;
 use crate::experiment::{PerClock, Shown, Stopwatch};
@@ -69,7 +69,9 @@ pub(super) struct RenderArgs {
     )]
     reference_threshold: f64,
     #[command(flatten)]
-    device: DeviceArgs,
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -84,20 +86,22 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         .as_deref()
         .map(image_test::open)
         .transpose()?;
-    args.look.asked()?;
-    let opened = open(&args.scene, &args.when, &console)?;
-    opened.files.add(args.reference.clone());
-    opened.files.keep_from(outputs.paths.clone())?;
-    let drawer = args.look.drawer(&opened)?;
-    let mut session = args.device.open()?;
-    session.set_options(opened.options(session.options()));
+    let mut document = args.scene.document(None)?;
+    args.when.amend(&mut document)?;
+    args.look.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let subject = args.scene.open(document, None, &console)?;
+    subject.files.add(args.reference.clone());
+    let drawer = subject.drawer()?;
+    subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
+    let mut session = Session::with_options(args.device.open()?, subject.options()?);
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,
         session.gpu().report().driver
     ));
-    let shown = Shown::of(&opened.scene);
-    let view = opened.view(&shown.model.prepared);
+    let shown = Shown::of(&subject.scene);
+    let view = subject.view(&shown.model.prepared);
 
     console.step(drawer.to_string());
     let facts = Facts::of(&mut session, &shown, &view, drawer, &outputs)?;
@@ -106,17 +110,16 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         if facts.outcome == Outcome::Complete {
             warn_of_doubt(&facts.may_be_wrong, drawer, &console);
         }
-        note_what_is_not_seen(layers, &opened, &console);
+        note_what_is_not_seen(layers, &subject.scene, &console);
     }
     console.step("picture");
-    let style = args.look.style(&opened);
-    let drawn = picture::draw(&mut session, &shown, &view, drawer, style)?.image;
+    let drawn = picture::draw(&mut session, &shown, &view, drawer, subject.style())?.image;
 
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
         let about = layers_file::About {
-            scene: &opened.scene,
+            scene: &subject.scene,
             prepared: &shown.model.prepared,
             view: &view,
             may_be_wrong: &facts.may_be_wrong,
@@ -124,7 +127,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         output.write(&layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
-        let json = facts.json(&opened, &session, &shown.model, drawer, args);
+        let json = facts.json(&subject, &session, &shown.model, drawer);
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     let mut verdict = Verdict::Done;
@@ -255,21 +258,14 @@ impl Facts {
         Ok(facts)
     }
 
-    fn json(
-        &self,
-        opened: &Opened,
-        session: &Session,
-        model: &Model,
-        drawer: Drawer,
-        args: &RenderArgs,
-    ) -> Value {
+    fn json(&self, subject: &Subject, session: &Session, model: &Model, drawer: Drawer) -> Value {
         let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
         json!({
-            "scene": opened.scene.name,
+            "scene": subject.scene.name,
             "triangles": model.prepared.triangle_count(),
-            "resolution": opened.size_px,
-            "time_s": args.when.time_s(),
-            "supersample": args.look.supersample,
+            "resolution": subject.size_px(),
+            "time_s": subject.timeline.time_s(),
+            "supersample": subject.supersample(),
             "adapter": session.gpu().report(),
             "strategy": drawer.to_string(),
             "rasteriser": session.options().rasteriser.to_string(),

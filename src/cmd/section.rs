@@ -15,16 +15,18 @@ mod planes;
 
 use self::planes::{Plane, planes};
 use super::Verdict;
+use super::args::fill_by;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
-use super::open::{Inputs, open_model};
+use super::edits::EditArgs;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
-use super::sections::{SectionArgs, round, warn_of_misses};
-use super::set::SetArgs;
+use super::sections::SectionArgs;
+use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
-use crate::scene::{Bounds, Fill, Part, Scene, who_wins};
+use crate::scene::told::round;
+use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
@@ -49,7 +51,7 @@ pub(super) struct SectionCommandArgs {
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
-    set: SetArgs,
+    edits: EditArgs,
     #[command(flatten)]
     sections: SectionArgs,
     #[command(flatten)]
@@ -103,24 +105,20 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let inputs = Inputs::open(&args.inputs, &args.set, &args.when, &console)?;
-    let (mut scene, timeline) = inputs.at(&args.when)?;
-    args.defects.apply_and_say(&mut scene, &console)?;
-    args.when.note_of_still(&timeline, &console);
-    for part in &mut scene.parts {
-        part.fill = args.fill.unwrap_or(part.fill);
-    }
-    args.sections.apply(&mut scene)?;
-    // To be refused as those of scene files are: by the name of the cut.
-    args.sections
-        .add_cutters(&mut scene, |input| Ok(open_model(input, &inputs.files)?.0))?;
-    inputs.files.add(args.sections.images());
-    inputs.files.keep_from(outputs.paths.clone())?;
-    let planes = planes(&scene)?;
-    warn_of_misses(&scene, &console);
+    let mut document = document(&args.inputs, None)?;
+    args.defects.amend(&mut document)?;
+    fill_by(&mut document, args.fill)?;
+    args.sections.amend(&mut document)?;
+    args.when.amend(&mut document)?;
+    let subject = Subject::open(document, None, &args.edits, &console)?;
+    subject.must_be_cut_by(&args.sections)?;
+    subject.save_beside(outputs.paths.clone(), &args.edits)?;
+    let scene = &subject.scene;
+    let planes = planes(scene)?;
+    doubts(scene).iter().for_each(|d| console.remark(d));
 
     console.step("slicing");
-    let report = sliced(&scene, &planes, args.whole);
+    let report = sliced(scene, &planes, args.whole);
     console.step("writing");
     if let Some(output) = &outputs.drawing {
         output.write(svg(&report, args.unit.map(Into::into)).as_bytes())?;

@@ -3,20 +3,14 @@
 //! The order of the words counts: a relief or a flip belongs to the section before it, or to the first one where none
 //! is before it, so that with one section any order will do.
 
-use std::path::{Path, PathBuf};
-
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
-use super::console::Console;
-use super::regions::{Named, RegionArgs};
-use crate::error::did_you_mean;
-use crate::scene::{
-    Bounds, ClipSurface, Cut, Cutter, Part, ReliefSpec, Scene, SectionSpec, Up, apply_relief,
-    in_common, section_misses,
-};
+use super::subject::check_model;
+use crate::document::{CutDraft, Document, Node, SurfaceDraft, cut, section};
+use crate::scene::{Cut, Scene};
 use crate::{Error, Result};
 
-pub(super) const HEADING: &str = "Cuts";
+const HEADING: &str = "Cuts";
 
 #[derive(Args)]
 struct Words {
@@ -37,8 +31,13 @@ struct Words {
         help_heading = HEADING
     )]
     flip: Vec<bool>,
-    #[command(flatten)]
-    regions: RegionArgs,
+    /// Removes a box: `MIN:MAX`, as `0,0,0:1,1,1` or `50%,50%,50%:` (open where a corner is left out). Repeatable
+    #[arg(long = "box", value_name = "MIN:MAX", allow_hyphen_values = true, help_heading = HEADING)]
+    boxes: Vec<String>,
+    /// Removes a slice of pie: `AXIS:FROM:TO[@X,Y,Z]` in degrees counter-clockwise about the axis, from the next axis (x for z,
+    /// y for x, z for y), as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
+    #[arg(long = "wedge", value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
+    wedges: Vec<String>,
     /// Several sections, boxes and wedges: remove what any of them removes (union) or all of them (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
@@ -67,13 +66,32 @@ struct Section {
     flip: bool,
 }
 
+/// An option that belongs to no section.
+#[derive(Clone, Debug)]
+struct Stray {
+    option: String,
+    what: &'static str,
+    mend: &'static str,
+}
+
+impl Stray {
+    fn without_section(option: impl Into<String>) -> Self {
+        Self {
+            option: option.into(),
+            what: "there is no section for it",
+            mend: "add --section SPEC before it, for example --section z=50%",
+        }
+    }
+}
+
 /// The cuts of the command line.
 #[derive(Clone, Debug)]
 pub(super) struct SectionArgs {
     sections: Vec<Section>,
-    regions: RegionArgs,
+    boxes: Vec<String>,
+    wedges: Vec<String>,
     /// What had no section to belong to.
-    stray: Option<String>,
+    stray: Option<Stray>,
     combination: Combination,
     cutters: Vec<String>,
     exclude: Vec<String>,
@@ -116,27 +134,30 @@ impl FromArgMatches for SectionArgs {
             match sections.get_mut(owner(place)) {
                 Some(section) if section.relief.is_none() => section.relief = Some(relief),
                 Some(_) => {
-                    stray = Some(format!(
-                        "--relief {relief}: its section has a relief already"
-                    ))
+                    stray = Some(Stray {
+                        option: format!("--relief {relief}"),
+                        what: "its section has a relief already",
+                        mend: "leave one out, or add another --section SPEC before it",
+                    });
                 }
-                None => stray = Some(format!("--relief {relief}: there is no section for it")),
+                None => stray = Some(Stray::without_section(format!("--relief {relief}"))),
             }
         }
         for place in places("flip").into_iter().take(words.flip.len()) {
             match sections.get_mut(owner(place)) {
                 Some(section) => section.flip = !section.flip,
-                None => stray = Some("--flip: there is no section for it".to_owned()),
+                None => stray = Some(Stray::without_section("--flip")),
             }
         }
-        let cuts_nothing =
-            sections.is_empty() && words.regions.is_empty() && words.cutter.is_empty();
+        let regions = [&words.boxes, &words.wedges, &words.cutter];
+        let cuts_nothing = sections.is_empty() && regions.iter().all(|r| r.is_empty());
         if cuts_nothing && !words.exclude.is_empty() {
-            stray = Some("--exclude: there is no section for it".to_owned());
+            stray = Some(Stray::without_section("--exclude"));
         }
         Ok(Self {
             sections,
-            regions: words.regions,
+            boxes: words.boxes,
+            wedges: words.wedges,
             stray,
             combination: words.cut,
             cutters: words.cutter,
@@ -151,188 +172,64 @@ impl FromArgMatches for SectionArgs {
 }
 
 impl SectionArgs {
-    /// Adds the cuts to a scene, whose camera says which axis is up.
-    pub(super) fn apply(&self, scene: &mut Scene) -> Result<()> {
+    /// Adds the cuts to a document.
+    pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
         if let Some(stray) = &self.stray {
-            let (culprit, what) = stray.split_once(": ").unwrap_or((stray, ""));
-            let mend = "add --section SPEC before it, for example --section z=50%";
-            return Err(Error::input(culprit, what, mend));
+            return Err(Error::input(&stray.option, stray.what, stray.mend));
         }
-        self.check_excluded(scene)?;
-        let (bounds, up) = (scene.bounds(), scene.camera.up);
-        let mut named: Vec<Named> = Vec::new();
-        for words in &self.sections {
-            let surface = words.surface(&bounds, up)?;
-            named.push((words.section.clone(), vec![vec![surface]]));
+        self.cutters.iter().try_for_each(|c| check_model(c))?;
+        for cut in self.drafts() {
+            document.add_cut(cut.except(&self.exclude))?;
         }
-        named.extend(self.regions.read(&bounds, up)?);
+        Ok(())
+    }
+
+    fn drafts(&self) -> Vec<CutDraft> {
+        let sections = self.sections.iter().map(|words| cut([words.draft()]));
+        let boxes = self.boxes.iter().map(|words| cut([]).block(words));
+        let wedges = self.wedges.iter().map(|words| cut([]).wedge(words));
+        let mut cuts: Vec<CutDraft> = sections.chain(boxes).chain(wedges).collect();
         if self.combination == Combination::Intersection {
-            named = named.into_iter().reduce(both).into_iter().collect();
+            cuts = cuts.into_iter().reduce(CutDraft::and).into_iter().collect();
         }
-        let cuts = named.into_iter().flat_map(|(name, alternatives)| {
-            let cut = move |surfaces| Cut::of(name.clone(), surfaces);
-            alternatives.into_iter().map(cut)
-        });
-        let mut cuts: Vec<Cut> = cuts.collect();
-        for cut in &cuts {
-            let mut defects = cut.surfaces.iter().filter_map(|s| s.defect_beside(&bounds));
-            if let Some(what) = defects.next() {
-                let mend = "give positions and lengths near those of the model";
-                return Err(Error::input(format!("section {}", cut.name), what, mend));
+        cuts.extend(self.cutters.iter().map(|cutter| cut([]).volume(cutter)));
+        cuts
+    }
+
+    /// Refuses boxes and wedges that remove nothing, of the document that they were added to: in a file they may be a moment of one that
+    /// opens, or be switched off.
+    pub(super) fn must_be_of_use(&self, document: &Document, scene: &Scene) -> Result<()> {
+        let cuts = document.root().get("cut").map_or(&[] as &[_], Node::items);
+        let own = cuts.iter().rev().take(self.drafts().len());
+        let own: Vec<&str> = (own.filter(|cut| cut.get("enabled").is_none()))
+            .filter_map(Node::name)
+            .collect();
+        let is_empty = |cut: &&Cut| !cut.enabled && own.contains(&&*cut.name);
+        match scene.cuts.iter().find(is_empty) {
+            Some(cut) => {
+                let mend = "let the first end be less than the second";
+                Err(Error::input(&cut.name, "it has no inside", mend))
             }
+            None => Ok(()),
         }
-        for cut in &mut cuts {
-            cut.except.clone_from(&self.exclude);
-        }
-        scene.cuts.extend(cuts);
-        Ok(())
-    }
-
-    /// The images of reliefs.
-    pub(super) fn images(&self) -> Vec<PathBuf> {
-        let words = self.sections.iter().filter_map(|s| s.relief.as_ref());
-        let specs = words.filter_map(|words| ReliefSpec::parse(words).ok());
-        specs
-            .filter_map(|spec| spec.relief.image().map(Path::to_owned))
-            .collect()
-    }
-
-    /// Adds a cut by each closed mesh, which `open` opens.
-    pub(super) fn add_cutters(
-        &self,
-        scene: &mut Scene,
-        open: impl Fn(&str) -> Result<Vec<Part>>,
-    ) -> Result<()> {
-        let bounds = scene.bounds();
-        for input in &self.cutters {
-            let cutter = Cutter::of_parts(input, &open(input)?)?;
-            let mut cut = Cut::by(cutter.beside(&bounds)?);
-            cut.except.clone_from(&self.exclude);
-            scene.cuts.push(cut);
-        }
-        Ok(())
-    }
-
-    /// A glob that matches no part can only be a slip.
-    fn check_excluded(&self, scene: &Scene) -> Result<()> {
-        for glob in &self.exclude {
-            let mut cut = Cut::of("", Vec::new());
-            cut.applies_to = vec![glob.clone()];
-            let mut parts = scene.parts.clone();
-            // Whether the name fits is the question, not whether such a part is ever cut.
-            parts
-                .iter_mut()
-                .for_each(|p| p.role = crate::scene::Role::Exterior);
-            if !parts.iter().any(|p| cut.applies_to(p)) {
-                return Err(Error::input(
-                    format!("--exclude {glob}"),
-                    "no part has such a name",
-                    did_you_mean(glob, scene.parts.iter().map(|p| p.name.as_str())),
-                ));
-            }
-        }
-        Ok(())
     }
 }
 
 impl Section {
-    fn surface(&self, bounds: &Bounds, up: Up) -> Result<ClipSurface> {
-        let mut surface = SectionSpec::parse(&self.section)?.surface(bounds, up)?;
+    fn draft(&self) -> SurfaceDraft {
+        let mut surface = section(&self.section);
         if let Some(relief) = &self.relief {
-            surface = apply_relief(surface, &ReliefSpec::parse(relief)?, bounds)?;
+            surface = surface.relief(relief);
         }
-        Ok(if self.flip {
-            surface.flipped()
-        } else {
-            surface
-        })
-    }
-}
-
-/// What two regions have in common.
-fn both((a, of_a): Named, (b, of_b): Named) -> Named {
-    (format!("{a} and {b}"), in_common(&of_a, &of_b))
-}
-
-/// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
-/// does no harm, as where a box sticks out.
-pub(super) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
-    let bounds = scene.bounds();
-    let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
-    cuts.filter_map(move |cut| {
-        let missing = cut.surfaces.iter().filter(|s| section_misses(s, &bounds));
-        let stays: Vec<bool> = missing
-            .map(|s| s.kept_height(bounds.centre()) > 0.0)
-            .collect();
-        let is_said = stays.contains(&true) || stays.len() == cut.surfaces.len();
-        is_said.then(|| (cut, stays.contains(&true)))
-    })
-}
-
-/// Warns of cuts that pass by the model: nearly always a slip of units or of the axis.
-pub(super) fn warn_of_misses(scene: &Scene, console: &Console) {
-    for (cut, stays) in misses(scene) {
-        let side = if stays { "stays" } else { "is removed" };
-        console.warn(format!(
-            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
-             the bounds, or a percentage of them such as z=50%",
-            cut.name,
-            words_of(&scene.bounds())
-        ));
-    }
-    let cuts = scene.cuts.iter().filter(|c| c.enabled);
-    for cutter in cuts.filter_map(|c| c.volume.as_ref()) {
-        warn_of_missing(cutter, &scene.bounds(), console);
-    }
-}
-
-fn warn_of_missing(cutter: &Cutter, bounds: &Bounds, console: &Console) {
-    let of_cutter = cutter.bounds_in_world();
-    let apart = (of_cutter.min.cmpgt(bounds.max) | bounds.min.cmpgt(of_cutter.max)).any();
-    if apart {
-        let (name, own, of_model) = (cutter.name(), words_of(&of_cutter), words_of(bounds));
-        console.warn(format!(
-            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
-             `scale` and `rotate_deg` place it"
-        ));
-    }
-}
-
-/// Bounds for readers.
-pub(super) fn words_of(bounds: &Bounds) -> String {
-    let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
-    let axis = |i: usize| {
-        format!(
-            "{} {} to {}",
-            ["x", "y", "z"][i],
-            round(min[i]),
-            round(max[i])
-        )
-    };
-    format!("{}, {}, {}", axis(0), axis(1), axis(2))
-}
-
-/// A number with six significant digits and no more zeros than it needs.
-pub(super) fn round(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value}");
-    }
-    let magnitude = value.abs().log10().floor() as i32;
-    if !(-5..=9).contains(&magnitude) {
-        return format!("{value:.5e}");
-    }
-    let text = format!("{value:.*}", (5 - magnitude).max(0) as usize);
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
+        if self.flip { surface.flip() } else { surface }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::shapes::shape;
+    use crate::document::part;
+    use crate::load::Assets;
     use clap::Parser;
 
     #[derive(Parser)]
@@ -349,11 +246,12 @@ mod tests {
     }
 
     fn cuts(line: &str) -> Result<Vec<Cut>> {
-        let mut scene = Scene {
-            parts: shape("shells").unwrap(),
-            ..Scene::default()
-        };
-        read(line).apply(&mut scene)?;
+        let mut document = Document::new();
+        document.add_part(part("shape:shells"))?;
+        let args = read(line);
+        args.amend(&mut document)?;
+        let scene = document.timeline(&mut Assets::default())?.scene()?;
+        args.must_be_of_use(&document, &scene)?;
         Ok(scene.cuts)
     }
 
@@ -433,22 +331,6 @@ mod tests {
         ] {
             let message = cuts(line).expect_err(line).to_string();
             assert!(message.contains("help:"), "{message}");
-        }
-    }
-
-    #[test]
-    fn numbers_are_written_short() {
-        for (value, text) in [
-            (0.0, "0"),
-            (1.0, "1"),
-            (-0.25, "-0.25"),
-            (1_234_567.8, "1234568"),
-            (0.000_123_456_7, "0.000123457"),
-            (100.0, "100"),
-            (1e12, "1.00000e12"),
-            (1.0 / 3.0, "0.333333"),
-        ] {
-            assert_eq!(round(value), text);
         }
     }
 }

@@ -2,22 +2,18 @@
 
 use clap::Args;
 
-use super::args::parse_finite;
-use super::console::Console;
+use super::args::{parse_finite, say};
 use crate::Result;
-use crate::scene::Timeline;
+use crate::document::{Document, Value};
 
 /// The moment that is shown.
 #[derive(Args, Default)]
 pub(super) struct TimeArgs {
     /// The scene as it stands at this time [default: at rest, as the file has it]
     #[arg(long = "time", value_name = "SECONDS", value_parser = parse_time, allow_hyphen_values = true, help_heading = "Time")]
-    pub(super) time_s: Option<f64>,
+    time_s: Option<f64>,
     #[command(flatten)]
-    pub(super) clip: ClipArgs,
-    /// Frames a second at which meshes that are numbered on the command line are played, where the output has a rate.
-    #[arg(skip)]
-    pub(super) played_fps: Option<f64>,
+    clip: ClipArgs,
 }
 
 /// The animation that is shown.
@@ -25,29 +21,22 @@ pub(super) struct TimeArgs {
 pub(super) struct ClipArgs {
     /// Which animation of a file that has several, by its name or its number from 0 [default: the first]
     #[arg(long, value_name = "NAME|NUMBER", help_heading = "Time")]
-    pub(super) clip: Option<String>,
+    clip: Option<String>,
 }
 
 impl ClipArgs {
-    /// Makes a timeline show the animation that is asked for.
-    pub(super) fn choose(&self, timeline: &mut Timeline) -> Result<()> {
-        self.clip
-            .as_deref()
-            .map_or(Ok(()), |c| timeline.choose_clip(c))
+    /// Puts the animation that is asked for into a document.
+    pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
+        let clip = self.clip.as_deref().map(Value::from);
+        say(document, "clip", "--clip", clip)
     }
 }
 
 impl TimeArgs {
-    /// The time that is meant, if any. A clip that is asked for without a time begins.
-    pub(super) fn time_s(&self) -> Option<f64> {
-        self.time_s.or(self.clip.clip.as_ref().map(|_| 0.0))
-    }
-
-    /// Says so where a time makes no difference.
-    pub(super) fn note_of_still(&self, timeline: &Timeline, console: &Console) {
-        if self.time_s.is_some() && !timeline.moves() {
-            console.note("nothing moves in this scene: it is the same at all times");
-        }
+    /// Puts the moment that is meant into a document.
+    pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
+        say(document, "time_s", "--time", self.time_s.map(Value::from))?;
+        self.clip.amend(document)
     }
 }
 

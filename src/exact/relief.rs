@@ -381,9 +381,8 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
-    use crate::scene::{
-        Camera, ClipSurface, Cut, Prepared, Projection, Scene, Viewpoint, Wrap, shapes,
-    };
+    use crate::generate::shapes;
+    use crate::scene::{Camera, ClipSurface, Cut, Prepared, Projection, Scene, Viewpoint, Wrap};
 
     /// A cube cut by waves with a spike here and there, seen at an angle to the normal of the plane.
     fn prepared(wrap: Wrap, size: [u32; 2], height: f64, angle_deg: f64) -> Prepared {

@@ -10,11 +10,10 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::figures::OF_DRIFT;
-use super::{Contender, Staged};
+use super::{Contender, Question};
 use crate::Result;
 use crate::exact::{Exact, evaluate};
 use crate::layers::{Kind, Layer, Layers};
-use crate::scene::Prepared;
 use crate::session::{Outcome, Session};
 
 /// How a camera drifts.
@@ -73,14 +72,14 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
 /// `goes_on` says no.
 pub fn flicker(
     session: &mut Session,
-    staged: &Staged,
-    truth: &Prepared,
+    question: &Question<'_>,
     contenders: &[Contender],
     drift: Drift,
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<BTreeMap<String, f64>>>> {
     let usual = session.options();
+    let truth = question.truth.unwrap_or(question.shown).truth()?;
     let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); contenders.len()];
     let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
     for frame in 0..drift.frames {
@@ -89,7 +88,7 @@ pub fn flicker(
         }
         step(format!("drift {} of {}", frame + 1, drift.frames));
         let shift = DVec2::new(f64::from(frame) * drift.px, 0.0);
-        let view = staged.view.sampled_at(shift + 0.5);
+        let view = question.view.sampled_at(shift + 0.5);
         let exact = evaluate(truth, &view);
         let mut drawn = Vec::with_capacity(contenders.len());
         for contender in contenders {
@@ -98,7 +97,7 @@ pub fn flicker(
                 continue;
             };
             session.set_options(contender.options(usual));
-            let outcome = session.draw(&staged.shown.model, &view, &strategy);
+            let outcome = session.draw(&question.shown.model, &view, &strategy);
             let layers = match outcome.map(|d| d.outcome) {
                 Ok(Outcome::Refused(_)) => Ok(None),
                 Ok(_) => session.layers(&strategy).map(Some),

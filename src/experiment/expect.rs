@@ -173,7 +173,7 @@ fn falls(
     all
 }
 
-/// A text of the strategies, and the values that took the places of its placeholders but for one axis.
+/// A text of the strategies, and the values of what is varied in it but for one axis.
 type Chain = (usize, Vec<(String, String)>);
 
 /// The contenders that differ by an axis alone, each with the number of its value, in the order of the values.
@@ -185,11 +185,11 @@ fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(u
             let Some(value) = axis.values.iter().position(|v| Some(&v.is) == own) else {
                 continue;
             };
-            let is_other = |(key, _): &(&String, &String)| {
-                !axis.values.iter().any(|v| v.with.contains_key(*key))
-            };
-            let others = maker.parameters.iter().filter(is_other);
-            let others = others.map(|(key, value)| (key.clone(), value.clone()));
+            let others = maker
+                .parameters
+                .iter()
+                .filter(|(key, _)| **key != axis.name);
+            let others = others.map(|(key, value)| (key.clone(), value.to_string()));
             let chain = chains.entry((*template, others.collect())).or_default();
             chain.push((value, *index));
         }

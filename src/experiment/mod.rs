@@ -12,29 +12,33 @@ pub mod figures;
 mod identity;
 mod judge;
 mod measurement;
+mod parameter;
 mod record;
 pub mod run;
 mod samples;
 mod shown;
 mod stopwatch;
 pub mod sweep;
+mod synopsis;
 mod warnings;
 
 pub use contender::{Contender, Drawn};
-pub use definition::Definition;
-pub use identity::{Identity, files_of};
+pub use definition::{Definition, Moves};
+pub use identity::Identity;
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
+pub use parameter::{Parameter, Parameters};
 pub use record::{
-    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Parameters, Picture, Reached,
-    Record, Run, Sitting, Warning,
+    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Picture, Reached, Record, Run,
+    Sitting, Warning,
 };
-pub use run::{Opener, Staged, Watcher};
+pub use run::Watcher;
 pub use samples::Samples;
-pub use shown::Shown;
+pub use shown::{Shown, frame_options};
 pub(crate) use stopwatch::Stopwatch;
+pub use synopsis::{ChartSynopsis, RunSynopsis, Synopsis};
 
 #[cfg(test)]
 pub(crate) use measurement::tests::example;

@@ -10,11 +10,9 @@ use std::path::{Component, Path};
 
 use serde::{Deserialize, Serialize};
 
-use super::Measurement;
+use super::{Measurement, Parameters};
+use crate::document::Document;
 use crate::gpu::AdapterReport;
-
-/// Values of what is varied, by name, as they are written in the experiment.
-pub type Parameters = BTreeMap<String, String>;
 
 /// A point of an experiment, measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,19 +23,18 @@ pub struct Record {
     pub experiment: String,
     /// Name of the run in it.
     pub run: String,
-    /// Values that make the scene of this point.
+    /// Values of what is varied of its scene.
     pub parameters: Parameters,
-    /// Those of them that are axes, by name; the others go along with one of these.
-    pub axes: Vec<String>,
     /// Whether it was measured with fewer pixels, values and rounds.
     pub is_quick: bool,
     /// Says what was measured and by what: a point is not measured again if this is what it would be.
     pub identity: String,
-    /// Words of the scene, as after `cutaway compare`, with its resolution.
-    pub words: Vec<String>,
-    /// Words of the scene whose exact image is the truth, where that is another.
-    #[serde(default)]
-    pub truth: Option<Vec<String>>,
+    /// The scene, as a scene file in the folder that the command was run in would have it.
+    #[serde(with = "as_text")]
+    pub scene: Document,
+    /// The scene whose exact image is the truth, where that is another.
+    #[serde(with = "as_text_if_any")]
+    pub truth: Option<Document>,
     /// What was found.
     pub measurement: Measurement,
     /// What made each strategy, in the order of the measurement: at least one, and more where several texts of the experiment come to
@@ -56,8 +53,47 @@ pub struct Record {
     pub sitting: Option<Sitting>,
 }
 
+/// A document as the text of its file.
+mod as_text {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    use super::Document;
+
+    pub(super) fn serialize<S: Serializer>(document: &Document, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(document)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Document, D::Error> {
+        let text = String::deserialize(from)?;
+        Document::parse("scene.toml", &text).map_err(D::Error::custom)
+    }
+}
+
+/// A document that may be missing.
+mod as_text_if_any {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+
+    use super::Document;
+
+    pub(super) fn serialize<S: Serializer>(
+        document: &Option<Document>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        let text = document.as_ref().map(ToString::to_string);
+        text.serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Option<Document>, D::Error> {
+        let text = Option::<String>::deserialize(from)?;
+        let document = text.map(|text| Document::parse("scene.toml", &text));
+        document.transpose().map_err(D::Error::custom)
+    }
+}
+
 /// What made a strategy of an experiment.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Maker {
     /// What the experiment calls it: `grid:256+vds:{texels}`; its name, where nothing in that is swept.
     pub family: String,
@@ -67,7 +103,7 @@ pub struct Maker {
 
 impl Record {
     /// The version that is written.
-    pub const FORMAT: u32 = 1;
+    pub const FORMAT: u32 = 2;
 }
 
 /// One command that measured points: a run may take several.

@@ -1,11 +1,12 @@
-//! One point of an experiment, from its words to its record.
+//! One point of an experiment, from its scene to its record.
 //!
 //! Errors come first; expectations are held against them and told before any time is taken, so that whoever watches can end a run
 //! that has already failed. Then times are taken in turns, warnings are worked out, and the pictures are drawn last of all.
 //!
-//! What opens words, and what is told meanwhile, comes from outside: the parser of words is that of the command line.
+//! What is told meanwhile is for a watcher from outside to say.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use image::RgbaImage;
 
@@ -14,40 +15,12 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Contender, Machine, Picture, Reached, Record, Shown, Sitting, Warning};
-use crate::scene::View;
+use super::{Contender, Machine, Picture, Reached, Record, Shown, Sitting, Warning, frame_options};
+use crate::document::{Document, Timeline};
+use crate::load::Assets;
+use crate::scene::{Remark, doubts};
 use crate::session::Session;
-use crate::strategies::FrameOptions;
 use crate::{Error, Result};
-
-/// A scene that words stand for.
-pub struct Staged {
-    /// Its name.
-    pub name: String,
-    /// The scene.
-    pub shown: Shown,
-    /// The view of it.
-    pub view: View,
-    /// Options of all frames that name no others.
-    pub options: FrameOptions,
-    /// What is to be said about it.
-    pub remarks: Vec<Remark>,
-}
-
-/// What is said of a scene when it is opened.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Remark {
-    /// Whether it is nearly always a slip.
-    pub is_warning: bool,
-    /// What is said: a line, more lines that are indented, and last a `mend: ` if there is one.
-    pub text: String,
-}
-
-/// Whoever knows what words stand for.
-pub trait Opener {
-    /// Opens the scene of some words, those after `cutaway compare`.
-    fn open(&self, words: &[String]) -> Result<Staged>;
-}
 
 /// Whoever watches a run.
 pub trait Watcher {
@@ -118,11 +91,10 @@ pub struct Measured {
 pub fn measure(
     session: &mut Session,
     assignment: &Assignment<'_>,
-    opener: &dyn Opener,
     watcher: &dyn Watcher,
 ) -> Result<Option<Measured>> {
     let usual = session.options();
-    let measured = measure_with(session, assignment, opener, watcher);
+    let measured = measure_with(session, assignment, watcher);
     session.forget();
     session.set_options(usual);
     measured
@@ -131,56 +103,48 @@ pub fn measure(
 fn measure_with(
     session: &mut Session,
     assignment: &Assignment<'_>,
-    opener: &dyn Opener,
     watcher: &dyn Watcher,
 ) -> Result<Option<Measured>> {
     let point = assignment.point;
-    watcher.step(format!("opening {}", point.scene.join(" ")));
-    let staged = opener.open(&point.scene)?;
-    let mut remarks = staged.remarks.clone();
-    let mut truth = None;
-    if let Some(words) = &point.truth {
-        let staged = opener.open(words)?;
-        remarks.extend(staged.remarks);
-        truth = Some(staged.shown);
-    }
+    watcher.step(format!("opening {}", point.scene.name()));
+    let mut assets = Assets::default();
     let mut said: Vec<Remark> = Vec::new();
-    for remark in remarks {
-        if !said.contains(&remark) {
-            watcher.opened(&remark);
-            said.push(remark);
+    let mut open = |document: &Document| -> Result<(Timeline, Shown)> {
+        let timeline = document.timeline(&mut assets)?;
+        let scene = timeline.scene()?;
+        let notes = timeline.notes().iter().map(Remark::note);
+        for remark in notes.chain(doubts(&scene)) {
+            if !said.contains(&remark) {
+                watcher.opened(&remark);
+                said.push(remark);
+            }
         }
-    }
-    must_be_framed_alike(&staged.shown, truth.as_ref())?;
-    session.set_options(staged.options);
+        Ok((timeline, Shown::of(&scene)))
+    };
+    let (timeline, shown) = open(&point.scene)?;
+    let truth = point.truth.as_ref().map(&mut open).transpose()?;
+    let truth = truth.map(|(_, truth)| truth);
+    must_be_framed_alike(&shown, truth.as_ref())?;
+    session.set_options(frame_options(timeline.settings())?);
+    let question = Question {
+        name: point.scene.name(),
+        view: shown.model.prepared.view(timeline.settings().size_px()),
+        shown: &shown,
+        truth: truth.as_ref(),
+        command: assignment.command.clone(),
+    };
     let contenders: Vec<Contender> = point.entrants.iter().map(|e| e.contender).collect();
     let mut step = |what| watcher.step(what);
     let goes_on = || watcher.goes_on();
     let figures = match assignment.run.drift {
         None => vec![BTreeMap::new(); contenders.len()],
         Some(drift) => {
-            let truth = truth.as_ref().unwrap_or(&staged.shown).truth()?;
-            let found = flicker(
-                session,
-                &staged,
-                truth,
-                &contenders,
-                drift,
-                &mut step,
-                &goes_on,
-            )?;
+            let found = flicker(session, &question, &contenders, drift, &mut step, &goes_on)?;
             let Some(found) = found else {
                 return Ok(None);
             };
             found
         }
-    };
-    let question = Question {
-        name: staged.name.clone(),
-        shown: &staged.shown,
-        view: staged.view,
-        truth: truth.as_ref(),
-        command: assignment.command.clone(),
     };
     let mut judgement = errors(session, &question, &contenders, &mut step)?;
     let found = Findings {
@@ -205,7 +169,7 @@ fn measure_with(
     let (pictures, images) = if assignment.keeps_pictures {
         pictures(
             session,
-            &staged,
+            &question,
             &judgement,
             &file_stem(assignment.run_name, point),
         )?
@@ -220,11 +184,12 @@ fn measure_with(
         experiment: assignment.experiment.to_owned(),
         run: assignment.run_name.to_owned(),
         parameters: point.parameters.clone(),
-        axes: point.axes.clone(),
         is_quick: assignment.is_quick,
         identity: assignment.identity.clone(),
-        words: point.scene.clone(),
-        truth: point.truth.clone(),
+        scene: point.scene.moved_to(Path::new("scene.toml"))?,
+        truth: (point.truth.as_ref())
+            .map(|truth| truth.moved_to(Path::new("scene.toml")))
+            .transpose()?,
         makers: (point.entrants.iter())
             .map(|e| e.makers.iter().map(|(_, maker)| maker.clone()).collect())
             .collect(),
@@ -261,13 +226,17 @@ fn must_be_framed_alike(shown: &Shown, truth: Option<&Shown>) -> Result<()> {
 /// Pictures of exact and of all that drew, with their names.
 fn pictures(
     session: &mut Session,
-    staged: &Staged,
+    question: &Question<'_>,
     judgement: &Judgement,
     stem: &str,
 ) -> Result<(Vec<Picture>, Images)> {
-    let [width, height] = staged.view.size_px;
+    let [width, height] = question.view.size_px;
     let image = |rgba| RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
-    let exact = session.shade(&staged.shown.model, &staged.view, &judgement.exact.layers)?;
+    let exact = session.shade(
+        &question.shown.model,
+        &question.view,
+        &judgement.exact.layers,
+    )?;
     let file = format!("{stem}.exact.png");
     let mut images = vec![(file.clone(), image(exact))];
     let mut pictures = vec![Picture {

@@ -5,9 +5,13 @@
 
 use std::sync::OnceLock;
 
+use glam::Vec3;
+
+use crate::document::Settings;
 use crate::layers::NEAR_PLANE;
 use crate::passes::Model;
 use crate::scene::{Prepared, Scene};
+use crate::strategies::FrameOptions;
 use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
@@ -50,6 +54,17 @@ impl Shown {
     }
 }
 
+/// The options of frames that a document asks for.
+pub fn frame_options(settings: &Settings) -> Result<FrameOptions> {
+    let rasteriser = settings.rasteriser.as_deref().map(str::parse).transpose()?;
+    let bytes = |color: Vec3| (color * 255.0).to_array().map(|c| c.round() as u8);
+    Ok(FrameOptions {
+        interference: settings.interference.map(bytes),
+        height_filter: settings.height_filter,
+        ..FrameOptions::by(rasteriser.unwrap_or_default())
+    })
+}
+
 fn must_be_named(truth: &Prepared) -> Result<()> {
     let count = usize::from(NEAR_PLANE);
     let is_beyond = |cut: &&usize| truth.cuts[**cut].surfaces.iter().any(|s| *s >= count);
@@ -70,7 +85,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::scene::shapes::shape;
+    use crate::generate::shapes::shape;
     use crate::scene::{ClipSurface, Cut, Motion};
 
     /// A cube whose one target takes it along x by 2.

@@ -1,14 +1,13 @@
 //! What is varied: axes with values, and the points and contenders that they make.
 //!
-//! A text may hold placeholders, `{amplitude}`. An axis whose placeholder is in the words of the scene makes *points*: one frame and
-//! one record for each value, and for each combination where there are several such axes. An axis whose placeholder is only in the
-//! names of strategies makes more *contenders* within each point, so that they are measured in turns. An axis may have tables for
-//! values, each with several placeholders that go together: `{faces}` is its `is`, and `{segments}` and `{sides}` are its others. One of
-//! these may be a list of words: it takes the place of a word of the scene that is the placeholder and nothing else.
+//! An axis of the scene sets values of the document by their paths and makes *points*: one frame and one record for each value, and for
+//! each combination where there are several such axes. An axis whose name stands in braces in a strategy, `grid:{cells}+mask`, makes
+//! more *contenders* within each point, so that they are measured in turns.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Contender, Maker, Parameters};
+use super::{Contender, Maker, Parameter, Parameters};
+use crate::document::{Document, Node};
 use crate::error::did_you_mean;
 use crate::strategies::Strategy;
 use crate::{Error, Result};
@@ -19,29 +18,32 @@ const MOST_POINTS: usize = 10_000;
 /// Contenders that one point may have: all of them are kept on the device, and measured in turns.
 const MOST_CONTENDERS: usize = 200;
 
+/// Values of a document, by their paths, in order.
+pub type Changes = Vec<(String, Node)>;
+
 /// One value of an axis.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     /// What it is called.
-    pub is: String,
-    /// Its placeholders; that of the axis is what it is called.
-    pub with: Parameters,
-    /// Those of them that are lists of words, for a word of the scene that is nothing but the placeholder.
-    pub lists: BTreeMap<String, Vec<String>>,
+    pub is: Parameter,
+    /// What it sets in the scene; nothing of an axis of strategies.
+    pub sets: Changes,
 }
 
 /// What is varied.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Its name.
     pub name: String,
-    /// Its values, in the order they are written; each has the same placeholders.
+    /// Paths that all its values set, where it has one list of values for them.
+    pub paths: Vec<String>,
+    /// Its values, in the order they are written.
     pub values: Vec<Value>,
 }
 
 impl Axis {
-    /// An axis, if its values can be told apart and have the same placeholders.
-    pub fn of(name: &str, values: Vec<Value>) -> Result<Self> {
+    /// An axis, if its values can be told apart and set the same paths.
+    pub fn of(name: &str, paths: Vec<String>, values: Vec<Value>) -> Result<Self> {
         let fault = |what: &str, mend: &str| Error::input(format!("axis `{name}`"), what, mend);
         let Some(first) = values.first() else {
             return Err(fault(
@@ -49,54 +51,40 @@ impl Axis {
                 "write at least one, or leave it out",
             ));
         };
-        if values.iter().any(|v| !v.with.keys().eq(first.with.keys())) {
-            let mend = "give every value the same keys";
-            return Err(fault("its values have different keys", mend));
+        let set_by = |value: &Value| -> BTreeSet<String> {
+            value.sets.iter().map(|(path, _)| path.clone()).collect()
+        };
+        if values.iter().any(|v| set_by(v) != set_by(first)) {
+            let mend = "let every value set the same paths";
+            return Err(fault("its values set different paths", mend));
         }
         let mut seen = BTreeSet::new();
-        if let Some(twice) = values.iter().find(|v| !seen.insert(v.is.as_str())) {
+        if let Some(twice) = values.iter().find(|v| !seen.insert(v.is.to_string())) {
             let what = format!("the value `{}` is there twice", twice.is);
             return Err(fault(&what, "write each value once"));
         }
         Ok(Self {
             name: name.to_owned(),
+            paths,
             values,
         })
     }
 
-    /// Its placeholders.
-    fn placeholders(&self) -> impl Iterator<Item = &str> {
-        let first = self.values.first();
-        first
-            .into_iter()
-            .flat_map(|v| v.with.keys().map(String::as_str))
+    /// Whether it is of strategies, not of the scene.
+    pub(super) fn is_of_strategies(&self) -> bool {
+        self.values.iter().all(|v| v.sets.is_empty())
     }
 
-    fn is_in(&self, texts: &[&str]) -> bool {
-        let mut names = self.placeholders();
-        names.any(|n| texts.iter().any(|t| t.contains(&format!("{{{n}}}"))))
+    fn is_in(&self, text: &str) -> bool {
+        text.contains(&format!("{{{}}}", self.name))
     }
 }
 
 /// Axes by name.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Axes(Vec<Axis>);
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Axes(pub Vec<Axis>);
 
 impl Axes {
-    /// Adds an axis, if its placeholders are not those of another.
-    pub fn add(&mut self, axis: Axis) -> Result<()> {
-        let taken = axis
-            .placeholders()
-            .find(|n| self.placeholders().any(|p| p == *n));
-        if let Some(taken) = taken {
-            let culprit = format!("axis `{}`", axis.name);
-            let what = format!("another axis has the placeholder {{{taken}}}");
-            return Err(Error::input(culprit, what, "give it another name"));
-        }
-        self.0.push(axis);
-        Ok(())
-    }
-
     /// Puts an axis in the place of that of the same name.
     pub fn replace(&mut self, axis: Axis) {
         for place in self.0.iter_mut().filter(|a| a.name == axis.name) {
@@ -104,9 +92,9 @@ impl Axes {
         }
     }
 
-    /// Leaves out what only the texts that were replaced made use of.
-    pub fn forget_unused(&mut self, now: &Templates, before: &Templates) {
-        let is_kept = |a: &Axis| a.is_in(&now.texts()) || !a.is_in(&before.texts());
+    /// Leaves out axes of strategies that none has any more.
+    pub fn forget_unused(&mut self, strategies: &[String]) {
+        let is_kept = |a: &Axis| !a.is_of_strategies() || strategies.iter().any(|s| a.is_in(s));
         self.0.retain(is_kept);
     }
 
@@ -119,59 +107,30 @@ impl Axes {
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.0.iter().map(|a| a.name.as_str())
     }
-
-    /// Whether a placeholder ever has a value.
-    pub fn have(&self, placeholder: &str, value: &str) -> bool {
-        let mut values = self.0.iter().flat_map(|a| &a.values);
-        values.any(|v| v.with.get(placeholder).is_some_and(|is| is == value))
-    }
-
-    /// All placeholders.
-    pub fn placeholders(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().flat_map(Axis::placeholders)
-    }
 }
 
-/// Texts with placeholders.
+/// What is varied: scenes and strategies.
 #[derive(Clone, Debug)]
-pub struct Templates {
-    /// Words of the scene.
-    pub scene: Vec<String>,
-    /// Words of the scene that is the truth.
-    pub truth: Option<Vec<String>>,
-    /// Width and height.
-    pub resolution: Option<String>,
+pub struct Variable {
+    /// The scene, before anything is varied.
+    pub scene: Document,
+    /// What its truth has otherwise, where that is another scene.
+    pub truth: Option<Changes>,
     /// Names of contenders.
     pub strategies: Vec<String>,
 }
 
-impl Templates {
-    /// Texts that say what is drawn.
-    fn of_scene(&self) -> Vec<&str> {
-        let words = self.scene.iter().chain(self.truth.iter().flatten());
-        words.chain(&self.resolution).map(String::as_str).collect()
-    }
-
-    fn texts(&self) -> Vec<&str> {
-        let mut texts = self.of_scene();
-        texts.extend(self.strategies.iter().map(String::as_str));
-        texts
-    }
-}
-
 /// One frame to be measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Point {
-    /// Values that make its scene.
+    /// Values of what is varied of its scene.
     pub parameters: Parameters,
-    /// Those of them that are axes.
-    pub axes: Vec<String>,
     /// What tells it from the other points of its run, for names of files; empty where there is but one.
     pub stem: String,
-    /// Words of the scene, as after `cutaway compare`, with its resolution.
-    pub scene: Vec<String>,
-    /// Words of the scene that is the truth, where that is another.
-    pub truth: Option<Vec<String>>,
+    /// The scene.
+    pub scene: Document,
+    /// The scene that is the truth, where that is another.
+    pub truth: Option<Document>,
     /// Who is asked.
     pub entrants: Vec<Entrant>,
 }
@@ -194,75 +153,97 @@ impl Entrant {
     }
 }
 
+/// A document with changes.
+pub fn changed(document: &Document, changes: &Changes) -> Result<Document> {
+    let mut changed = document.clone();
+    for (path, node) in changes {
+        changed.set_node(path, node.clone())?;
+    }
+    Ok(changed)
+}
+
 /// Makes all points.
-pub fn expand(axes: &Axes, templates: &Templates) -> Result<Vec<Point>> {
-    check_placeholders(axes, templates)?;
-    let of_scene = templates.of_scene();
-    let (of_points, of_contenders): (Vec<&Axis>, Vec<&Axis>) =
-        axes.0.iter().partition(|a| a.is_in(&of_scene));
+pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
+    check_braces(axes, &of.strategies)?;
+    let (of_contenders, of_points): (Vec<&Axis>, Vec<&Axis>) =
+        axes.0.iter().partition(|a| a.is_of_strategies());
     let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
         let what = "the values make too many points";
         let mend = format!("leave some out: at most {MOST_POINTS} are measured");
         return Err(Error::input("sweep", what, mend));
     };
+    must_be_apart(axes, &of.scene)?;
+    let entrants = entrants(&of.strategies, &of_contenders)?;
     let mut stems = BTreeSet::new();
     let mut points = Vec::with_capacity(count);
     for values in combinations(&of_points) {
-        let parameters: Parameters = joined(&values);
-        let words = |texts: &[String]| {
-            let mut words: Vec<String> = (texts.iter())
-                .flat_map(|text| match list(text, &values) {
-                    Some(list) => list.clone(),
-                    None => vec![filled(text, &parameters)],
-                })
-                .collect();
-            let size = templates.resolution.as_ref();
-            words.extend(size.map(|r| format!("--resolution={}", filled(r, &parameters))));
-            words
-        };
+        let mut scene = of.scene.clone();
+        for (path, node) in values.iter().flat_map(|v| &v.sets) {
+            scene.set_node(path, node.clone())?;
+        }
+        let truth = of.truth.as_ref().map(|t| changed(&scene, t)).transpose()?;
         points.push(Point {
+            parameters: named_values(&of_points, &values),
             stem: stem(&values, &mut stems),
-            scene: words(&templates.scene),
-            truth: templates.truth.as_deref().map(words),
-            entrants: entrants(&templates.strategies, &of_contenders, &parameters)?,
-            axes: of_points.iter().map(|a| a.name.clone()).collect(),
-            parameters,
+            entrants: entrants.clone(),
+            scene,
+            truth,
         });
     }
     Ok(points)
 }
 
-/// Every placeholder has values, and every axis a place.
-fn check_placeholders(axes: &Axes, templates: &Templates) -> Result<()> {
-    let texts = templates.texts();
-    for text in &texts {
-        for name in placeholders(text)? {
-            if !axes.placeholders().any(|p| p == name) {
+/// Refuses two axes of which one sets what the other does.
+fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
+    let paths = |axis: &Axis| -> Vec<String> {
+        let first = axis.values.first().map_or(&[] as &[_], |v| &v.sets);
+        first.iter().map(|(path, _)| path.clone()).collect()
+    };
+    for (index, axis) in axes.0.iter().enumerate() {
+        for other in &axes.0[..index] {
+            for path in paths(axis) {
+                if paths(other).iter().any(|p| scene.overlap(p, &path)) {
+                    let what = format!("axis `{}` sets `{path}` too", other.name);
+                    let mend = "let each value be set by one axis: the last would count alone";
+                    return Err(Error::input(format!("axis `{}`", axis.name), what, mend));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn named_values(axes: &[&Axis], values: &[&Value]) -> Parameters {
+    let pairs = axes.iter().zip(values);
+    pairs
+        .map(|(axis, value)| (axis.name.clone(), value.is.clone()))
+        .collect()
+}
+
+/// Every name in braces has values, and every axis without paths is in a strategy.
+fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
+    let of_strategies: Vec<&str> = (axes.0.iter())
+        .filter(|a| a.is_of_strategies())
+        .map(|a| a.name.as_str())
+        .collect();
+    for text in strategies {
+        for name in in_braces(text)? {
+            if !of_strategies.contains(&name) {
                 let what = format!("nothing says what {{{name}}} is");
-                let mend = if axes.0.is_empty() {
+                let mend = if of_strategies.is_empty() {
                     format!("add `sweep = {{ {name} = [1, 2] }}`, or leave the braces out")
                 } else {
-                    did_you_mean(name, axes.placeholders())
+                    did_you_mean(name, of_strategies)
                 };
                 return Err(Error::input(format!("`{text}`"), what, mend));
             }
         }
     }
-    match axes.0.iter().find(|a| !a.is_in(&texts)) {
-        None => Ok(()),
-        Some(idle) => {
-            let names: Vec<String> = idle.placeholders().map(|n| format!("{{{n}}}")).collect();
-            Err(Error::input(
-                format!("axis `{}`", idle.name),
-                "nobody uses its values",
-                format!("write {} somewhere, or leave it out", names.join(" or ")),
-            ))
-        }
-    }
+    Ok(())
 }
 
 /// Names between braces.
-fn placeholders(text: &str) -> Result<Vec<&str>> {
+fn in_braces(text: &str) -> Result<Vec<&str>> {
     let fault = || {
         let mend = "write {name}, with both braces and a name between";
         Error::input(format!("`{text}`"), "a brace stands alone", mend)
@@ -276,14 +257,6 @@ fn placeholders(text: &str) -> Result<Vec<&str>> {
         return Err(fault());
     }
     Ok(names)
-}
-
-/// A text with values in the place of placeholders; those that have none stay.
-fn filled(text: &str, values: &Parameters) -> String {
-    let fill = |text: String, (name, value): (&String, &String)| {
-        text.replace(&format!("{{{name}}}"), value)
-    };
-    values.iter().fold(text.to_owned(), fill)
 }
 
 /// All choices of one value from each axis; the last axis varies fastest.
@@ -302,27 +275,15 @@ fn combinations<'a>(axes: &[&'a Axis]) -> Vec<Vec<&'a Value>> {
     })
 }
 
-fn joined(values: &[&Value]) -> Parameters {
-    let all = values.iter().flat_map(|v| &v.with);
-    all.map(|(name, value)| (name.clone(), value.clone()))
-        .collect()
-}
-
-/// The words that take the place of a word that is nothing but the placeholder of a list.
-fn list<'a>(text: &str, values: &[&'a Value]) -> Option<&'a Vec<String>> {
-    let name = text.strip_prefix('{')?.strip_suffix('}')?;
-    values.iter().find_map(|v| v.lists.get(name))
-}
-
 /// A name that files of the point can have, unlike those of the others.
 fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     let is_safe = |c: char| c.is_ascii_alphanumeric() || "+-".contains(c);
-    let safe = |text: &str| -> String {
+    let safe = |text: String| -> String {
         text.chars()
             .map(|c| if is_safe(c) { c } else { '_' })
             .collect()
     };
-    let plain: Vec<String> = values.iter().map(|v| safe(&v.is)).collect();
+    let plain: Vec<String> = values.iter().map(|v| safe(v.is.to_string())).collect();
     let plain = plain.join("_");
     // The files of hard cases are called so, and a stem of dots and spaces says nothing.
     let is_taken = |s: &String| s == "cases" || taken.contains(s);
@@ -336,11 +297,11 @@ fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     stem
 }
 
-fn entrants(texts: &[String], axes: &[&Axis], of_point: &Parameters) -> Result<Vec<Entrant>> {
+fn entrants(texts: &[String], axes: &[&Axis]) -> Result<Vec<Entrant>> {
     let mut entrants: Vec<Entrant> = Vec::new();
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for (template, text) in texts.iter().enumerate() {
-        let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(&[text])).collect();
+        let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
         if product(&own).is_none_or(|count| count > MOST_CONTENDERS) {
             let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
             return Err(Error::input(
@@ -350,14 +311,17 @@ fn entrants(texts: &[String], axes: &[&Axis], of_point: &Parameters) -> Result<V
             ));
         }
         for values in combinations(&own) {
-            let parameters = joined(&values);
-            let name = filled(&filled(text, of_point), &parameters);
+            let parameters = named_values(&own, &values);
+            let fill = |text: String, (name, value): (&String, &Parameter)| {
+                text.replace(&format!("{{{name}}}"), &value.to_string())
+            };
+            let name = parameters.iter().fold(text.clone(), fill);
             for contender in named(&name)? {
                 let name = contender.to_string();
                 let maker = Maker {
-                    family: match text.contains('{') {
-                        true => text.clone(),
-                        false => name.clone(),
+                    family: match own.is_empty() {
+                        false => text.clone(),
+                        true => name.clone(),
                     },
                     parameters: parameters.clone(),
                 };

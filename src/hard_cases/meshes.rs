@@ -3,7 +3,8 @@
 
 use std::collections::HashMap;
 
-use crate::scene::{Mesh, Part, shapes};
+use crate::generate::shapes;
+use crate::scene::{Mesh, Part};
 use glam::{DAffine3, DVec3};
 
 /// The only part of a shape, as a mesh.

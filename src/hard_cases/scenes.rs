@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::scene::{
-    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, ReliefSpec, Scene, Viewpoint,
-    Wrap, apply_relief, section_surface,
-};
 use glam::DVec3;
 
 use super::meshes;
+use crate::document;
+use crate::scene::{
+    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, Scene, Viewpoint, Wrap,
+    section_surface,
+};
 
 /// A scene of one mesh and one cut, seen from the usual place.
 pub fn scene(name: &str, mesh: Mesh, surfaces: Vec<ClipSurface>) -> Scene {
@@ -45,10 +46,10 @@ pub fn sectioned(shape: &str, sections: &[&str]) -> Scene {
 
 /// A section of a scene with a relief, as the command line takes them.
 pub fn relief(scene: &Scene, section: &str, relief: &str) -> ClipSurface {
-    let bounds = scene.bounds();
-    let plane = section_surface(section, &bounds).unwrap_or_else(|e| panic!("{section}: {e}"));
-    let spec = ReliefSpec::parse(relief).unwrap_or_else(|e| panic!("{relief}: {e}"));
-    apply_relief(plane, &spec, &bounds).unwrap_or_else(|e| panic!("{relief}: {e}"))
+    let surface = document::section(section)
+        .relief(relief)
+        .on(&scene.bounds());
+    surface.unwrap_or_else(|e| panic!("{section}, {relief}: {e}"))
 }
 
 /// A plane with a map of heights: one repeat per `period` in both directions, centred on the origin. The map lies as Duff et al.

@@ -172,7 +172,7 @@ impl Order {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::shapes::shape;
+    use crate::generate::shapes::shape;
 
     #[test]
     fn every_triangle_begins_with_a_vertex_of_its_own() {

@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::derived::{Row, Situation, Standing, has_other_truth, ranked, rows, standings};
-use super::recorded::{Definition, Experiment, Folder, PeerRecord, Recorded};
-use crate::experiment::{CaseRecords, Record, Run};
+use super::recorded::{Experiment, Folder, PeerRecord, Recorded};
+use crate::experiment::{CaseRecords, Record, Run, Synopsis};
 
 /// Version of the form of [`json`].
 const REPORT_FORMAT: u32 = 1;
@@ -33,7 +33,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             )
         })
         .collect();
-    const FIRST: [&str; 18] = [
+    const FIRST: [&str; 17] = [
         "folder",
         "experiment",
         "run",
@@ -50,7 +50,6 @@ pub(super) fn csv(recorded: &Recorded) -> String {
         "cap_px",
         "surface_px",
         "undecided_px",
-        "words",
         "truth",
     ];
     let heading = FIRST.iter().map(|f| (*f).to_owned());
@@ -78,13 +77,15 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             m.exact.cap_px.to_string(),
             m.exact.surface_px.to_string(),
             m.exact.undecided_px.to_string(),
-            row.record.words.join(" "),
-            row.record.truth.clone().unwrap_or_default().join(" "),
+            (row.record.truth.as_ref())
+                .map_or("own", |_| "other")
+                .to_owned(),
         ];
         let values = parameters.iter().map(|p| {
             let mut own = row.record.makers[row.index].iter();
-            let own = own.find_map(|m| m.parameters.get(*p).map(String::as_str));
-            own.or(row.parameter(p)).unwrap_or_default().to_owned()
+            let own = own.find_map(|m| m.parameters.get(*p));
+            let value = own.or(row.parameter(p));
+            value.map_or_else(String::new, ToString::to_string)
         });
         let figures = names
             .iter()
@@ -136,7 +137,7 @@ struct JoinedFolder<'a> {
 
 #[derive(Serialize)]
 struct JoinedExperiment<'a> {
-    definition: &'a Definition,
+    definition: &'a Synopsis,
     records: &'a [Record],
     cases: &'a [CaseRecords],
 }
@@ -178,7 +179,7 @@ pub(super) fn json(recorded: &Recorded) -> String {
         run: &folder.run,
         experiments: (folder.experiments.iter())
             .map(|e| JoinedExperiment {
-                definition: &e.definition,
+                definition: &e.synopsis,
                 records: &e.records,
                 cases: &e.cases,
             })

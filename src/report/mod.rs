@@ -22,10 +22,7 @@ mod text;
 pub use html::{Figure, html};
 pub use markdown::markdown;
 pub use pages::{Pages, pages};
-pub use recorded::{
-    ChartDefinition, Definition, Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded,
-    RunDefinition,
-};
+pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
 pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};
 pub use sections::PictureOptions;
 pub use svg::{Unit, svg};

@@ -76,6 +76,8 @@ pub struct Camera {
     pub up: Up,
     /// Distance of the near plane in world units; `None` picks one just before the model.
     pub near: Option<f64>,
+    /// How much larger than so everything is shown.
+    pub zoom: f64,
     /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
     /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
     /// exact by counting; they agree where faces face outward and no mesh overlaps itself.
@@ -92,6 +94,7 @@ impl Default for Camera {
             projection: Projection::Perspective { fov_y_deg: 30.0 },
             up: Up::PlusY,
             near: None,
+            zoom: 1.0,
             near_cap: true,
         }
     }
@@ -236,7 +239,7 @@ impl Camera {
             right,
             up,
             forward,
-            half_height,
+            half_height: half_height / self.zoom,
             orthographic,
             near,
             far: near + 2.0 * (farthest - near).max(radius),

@@ -61,7 +61,7 @@ impl Cut {
     }
 
     /// Whether the globs mean a part.
-    pub(super) fn names(&self, part: &Part) -> bool {
+    pub(crate) fn names(&self, part: &Part) -> bool {
         let any = |globs: &[String]| globs.iter().any(|g| glob_matches(g, &part.name));
         any(&self.applies_to) && !any(&self.except)
     }

@@ -70,7 +70,7 @@ fn name_of(position: DVec3) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::shapes;
+    use crate::generate::shapes;
 
     #[test]
     fn faces_on_each_other_are_found_whatever_their_lists_begin_with() {

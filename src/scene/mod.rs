@@ -10,19 +10,14 @@ mod clip_surface;
 mod coincide;
 mod cut;
 mod cutter;
-pub mod defects;
-pub mod document;
 mod doubled;
+mod doubts;
 mod exact_sum;
-mod file;
 mod fill;
-pub mod frames;
 mod height_filter;
-pub(crate) mod input_file;
-mod load;
 mod material;
 mod mesh;
-mod motion;
+pub(crate) mod motion;
 mod offset_map;
 mod part;
 mod prepared;
@@ -31,12 +26,11 @@ mod regions;
 pub mod relief;
 mod section;
 mod settled;
-pub mod shapes;
 mod smooth;
-mod timeline;
-mod topology;
+pub(crate) mod told;
+pub(crate) mod topology;
 mod upright;
-mod weld;
+pub(crate) mod weld;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -48,18 +42,16 @@ pub(crate) use coincide::lies_in;
 pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
 pub use cutter::Cutter;
+pub(crate) use cutter::too_far;
 pub(crate) use doubled::doubled_faces;
-pub(crate) use file::reader;
-pub use file::{
-    Interpolation, Key, OpenMesh, OpenedMesh, SceneFile, load_scene, load_scene_file, parse_color,
-};
+pub use doubts::{Remark, doubts};
+pub(crate) use doubts::{empty_picture, misses};
 pub use fill::Fill;
 pub use height_filter::HeightFilter;
-pub use load::{Loaded, load_mesh_file, load_mesh_file_with};
-pub use material::Material;
+pub use material::{Material, parse_color};
 pub use mesh::{Mesh, MeshDefect};
-pub(crate) use motion::is_same_motion;
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
+pub(crate) use motion::{Outwards, is_same_motion};
 pub use offset_map::{OffsetMap, Wrap};
 pub(crate) use part::who_wins;
 pub use part::{Part, Role};
@@ -67,13 +59,12 @@ pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
-pub(crate) use regions::in_common;
 pub use regions::{Block, Face, Wedge};
-pub use relief::{ReliefSpec, apply_relief};
+pub(crate) use regions::{in_common, next_axis};
 pub use section::{Amount, SectionSpec, section_misses, section_surface};
 pub use settled::{FlatSurface, Settled, Side};
 pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
-pub use timeline::Timeline;
+pub(crate) use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
 
 /// Everything a frame shows, in world space.

@@ -6,8 +6,6 @@
 //! without rounding. A region without an inside still has its faces, so that clip-surfaces keep their numbers while it opens; a cut
 //! of it is better off.
 
-mod spec;
-
 use glam::DVec3;
 
 use super::{ClipSurface, Up};
@@ -135,7 +133,7 @@ impl Wedge {
 }
 
 /// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z. Where angles begin.
-pub(super) fn next_axis(along: DVec3) -> DVec3 {
+pub(crate) fn next_axis(along: DVec3) -> DVec3 {
     let nearest = (0..3)
         .rev()
         .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));

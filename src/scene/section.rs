@@ -50,7 +50,7 @@ impl Amount {
     }
 
     /// The coordinate between two others; 0 % and 100 % are exactly they.
-    pub(super) fn between(self, min: f64, max: f64) -> f64 {
+    pub fn between(self, min: f64, max: f64) -> f64 {
         match self {
             Self::Units(v) => v,
             Self::Percent(p) => min * (1.0 - p / 100.0) + max * (p / 100.0),
@@ -81,6 +81,22 @@ impl SectionSpec {
                 plane,
             })
             .map_err(|what| Error::input(format!("section `{text}`"), what, EXAMPLES))
+    }
+
+    /// The plane through a point, whose normal, of any length, points to the side that is kept.
+    pub fn through(point: DVec3, normal: DVec3) -> Result<Self> {
+        let text = format!("{}@{}", listed(normal), listed(point));
+        if normal == DVec3::ZERO {
+            let mend = "give it a direction, for example [0, 0, 1]";
+            return Err(Error::input(
+                format!("section `{text}`"),
+                "the normal is zero",
+                mend,
+            ));
+        }
+        let point = point.to_array().map(Amount::Units);
+        let plane = Plane::Point { normal, point };
+        Ok(Self { text, plane })
     }
 
     /// The plane in world space, upright for an up axis. Where the spec leaves it open, the origin lies next to the middle of
@@ -189,6 +205,10 @@ fn parse_plane(text: &str) -> Result<Plane, String> {
         normal: direction(&numbers[..3])?,
         offset,
     })
+}
+
+fn listed(v: DVec3) -> String {
+    v.to_array().map(|c| c.to_string()).join(",")
 }
 
 fn list(text: &str) -> Result<Vec<Amount>, String> {

@@ -12,7 +12,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
 
-pub(super) use edges::{EdgeCount, Edges, Sets};
+pub(crate) use edges::{EdgeCount, Edges, Sets};
 use rays::Rays;
 
 use super::{Bounds, Mesh, Part};

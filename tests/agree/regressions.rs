@@ -5,9 +5,8 @@ use std::sync::Arc;
 use cutaway::exact::evaluate;
 use cutaway::hard_cases::Entrant;
 use cutaway::layers::Kind;
-use cutaway::scene::{
-    Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap, load_mesh_file, section_surface,
-};
+use cutaway::load::load_mesh_file;
+use cutaway::scene::{Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap, section_surface};
 use cutaway::session::Session;
 use cutaway::strategies::Strategy;
 use glam::{DVec2, DVec3};
@@ -242,5 +241,42 @@ fn regression_0009_beside_a_needle_nothing_is_decided() {
     };
     for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
         assert_eq!(moved.answer(&strategy).fault_of_exact(), None, "{strategy}");
+    }
+}
+
+/// Two cuts whose regions end at one plane: the cap on it was that of the last clip-surface by the ray casters and the tessellations, and
+/// that of the first by exact and by section.
+#[test]
+fn regression_0010_of_clip_surfaces_in_one_plane_the_first_has_the_cap() {
+    for sections in [["-y=85%", "-y=85%"], ["-y=60%", "-y=60%"]] {
+        let mut scene = scenes::sectioned("sphere?subdivisions=3", &sections);
+        let surfaces = std::mem::take(&mut scene.cuts[0].surfaces);
+        let cut = |(i, surface)| Cut::of(format!("cut {i}"), vec![surface]);
+        scene.cuts = surfaces.into_iter().enumerate().map(cut).collect();
+        scene.camera.viewpoint = Viewpoint::Orbit {
+            azimuth_deg: 215.0,
+            elevation_deg: 60.0,
+        };
+        let question = Question::of(&scene, [160, 120]);
+        let caps = question.exact.layers.pixels.iter();
+        let mut caps = caps.filter(|p| p.kind == Kind::Cap).peekable();
+        assert!(caps.peek().is_some(), "{sections:?}: a cap is seen");
+        assert!(
+            caps.all(|p| p.clip_surface == 0),
+            "{sections:?}: of the first"
+        );
+        for name in [
+            "raycast+mask",
+            "raycast+stencil",
+            "raycast+abuffer",
+            "raycast+kbuffer:8",
+            "grid:64+mask",
+            "adaptive:0.5+mask",
+            "planar",
+        ] {
+            let strategy = name.parse().expect("a strategy");
+            let fault = question.answer(&strategy).fault_of_exact();
+            assert_eq!(fault, None, "{sections:?}: {name}");
+        }
     }
 }

@@ -41,7 +41,7 @@ fn the_same_command_goes_on_where_it_stopped() {
     let other = line.replace("out/", "moved/").replace("50%", "40%");
     assert_eq!(kept(&folder, &other), [false; 3]);
     let text = fs::read_to_string(folder.path("a.obj")).unwrap();
-    folder.write("a.obj", &text.replace("v 1 0 0", "v 2 0 0"));
+    folder.write("a.obj", text.replace("v 1 0 0", "v 2 0 0"));
     assert_eq!(kept(&folder, &other), [false; 3], "another mesh");
 }
 

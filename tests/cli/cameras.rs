@@ -16,7 +16,7 @@ fn a_scene_file_without_a_camera_is_turned_to_the_cut() {
     let cut = |section: &str| format!("[[cut]]\nsurfaces = [{{ section = \"{section}\" }}]\n");
     folder.write("part.toml", part);
     for section in ["z=50%", "-z=50%", "x=50%", "-x=50%", "y=50%", "-y=50%"] {
-        folder.write("cut.toml", &[part, &cut(section)].concat());
+        folder.write("cut.toml", [part, &cut(section)].concat());
         let by_options = cap_px(&folder, &format!("shape:cube --section={section}"));
         assert!(by_options > 100, "{section}: {by_options}");
         for line in [
@@ -34,14 +34,14 @@ fn a_scene_file_without_a_camera_is_turned_to_the_cut() {
     }
     // What a scene says of its camera holds, and so do the options.
     let front = "[camera]\nazimuth_deg = 0\nelevation_deg = 10\n";
-    folder.write("front.toml", &[front, part, &cut("z=50%")].concat());
+    folder.write("front.toml", [front, part, &cut("z=50%")].concat());
     assert_eq!(cap_px(&folder, "front.toml"), 0, "the camera of the scene");
-    folder.write("behind.toml", &[part, &cut("z=50%")].concat());
+    folder.write("behind.toml", [part, &cut("z=50%")].concat());
     let line = "behind.toml --camera-azimuth-angle 0 --camera-elevation-angle 10";
     assert_eq!(cap_px(&folder, line), 0, "the camera of the options");
     // A cut that is off turns nothing.
     let off = cut("z=50%").replace("[[cut]]", "[[cut]]\nname = \"off\"\nenabled = false");
-    folder.write("off.toml", &[part, &off, &cut("-z=50%")].concat());
+    folder.write("off.toml", [part, &off, &cut("-z=50%")].concat());
     assert!(
         cap_px(&folder, "off.toml") > 100,
         "the cut that is on is seen"

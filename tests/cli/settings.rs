@@ -44,7 +44,7 @@ fn what_is_set_is_what_the_file_could_say() {
         (
             "camera.azimuth_deg=12.5",
             "# Kept.\n",
-            "[camera]\nazimuth_deg = 12.5\n",
+            "[camera]\nazimuth_deg = 12.5\nelevation_deg = \"auto\"\n",
         ),
         (
             "part.solid.rotate_deg=[0, 30, 0]",
@@ -53,7 +53,7 @@ fn what_is_set_is_what_the_file_could_say() {
         ),
     ] {
         assert!(SCENE.contains(from), "{from}");
-        folder.write("edited.toml", &SCENE.replacen(from, to, 1));
+        folder.write("edited.toml", SCENE.replacen(from, to, 1));
         let edited = picture(&folder, "edited.toml");
         // Without blanks, for lines are split at them.
         let set = picture(
@@ -86,7 +86,7 @@ fn what_cannot_be_set_is_refused_by_its_path() {
         ("scene.toml --set camera.naer=1", "did you mean `near`"),
         (
             "scene.toml --set camera.near=-1",
-            "`camera.near`: it must be a number above 0",
+            "--set camera.near: it must be a number above 0",
         ),
         (
             "scene.toml --set camera.near=close",
@@ -100,10 +100,7 @@ fn what_cannot_be_set_is_refused_by_its_path() {
         ("scene.toml --set camera.near", "a path and a value"),
         ("scene.toml --set =1", "a path and a value"),
         ("scene.toml --set camera..near=1", "names no value"),
-        (
-            "shape:cube --set camera.near=1",
-            "no scene file to set it in",
-        ),
+        ("shape:cube --set part.1.scale=1", "there is no part `1`"),
     ] {
         let ran = folder.run(&format!("render {line} -o out.png")).exits(2);
         assert!(ran.stderr.contains(told), "{line}: {}", ran.stderr);
@@ -145,4 +142,83 @@ fn every_command_that_reads_a_scene_takes_settings() {
             "compare scene.toml {set} --strategies stencil --rounds 1 --resolution 32,24"
         ))
         .exits(0);
+}
+
+#[test]
+fn a_camera_that_is_set_is_the_camera_of_the_options() {
+    let folder = Scratch::new("set-camera");
+    for (set, option) in [
+        ("camera.zoom=1.2", "--camera-zoom-factor 1.2"),
+        ("camera.elevation_deg=10", "--camera-elevation-angle 10"),
+        ("camera.up=+Z", "--up +Z"),
+    ] {
+        let line = "shape:crank --section x=50%";
+        let by_option = picture(&folder, &format!("{line} {option}"));
+        let by_set = picture(&folder, &format!("{line} --set {set}"));
+        assert!(by_set == by_option, "{set}");
+    }
+}
+
+#[test]
+fn names_of_cuts_and_parts_are_paths_as_they_are() {
+    let folder = Scratch::new("set-names");
+    let angles = "--camera-azimuth-angle 35 --camera-elevation-angle 20";
+    let whole = picture(&folder, &format!("shape:crank {angles}"));
+    let line = &format!("shape:crank --section x=50% {angles}");
+    let cut = picture(&folder, line);
+    let off = picture(
+        &folder,
+        &format!("{line} --set cut.x=50%.enabled=false --set part.crank.scale=1"),
+    );
+    assert!(off == whole && cut != whole);
+    let ran = folder.run(&format!(
+        "render {line} --set cut.y=50%.enabled=false -o a.png"
+    ));
+    assert!(ran.exits(2).stderr.contains("there is no cut `y`"));
+    for set in [
+        "cut.0.surfaces.0.section=x=1",
+        "key.0.target=x",
+        "part.0.deform.0.kind=twist",
+    ] {
+        let ran = folder
+            .run(&format!("render shape:crank --set {set} -o a.png"))
+            .exits(2);
+        assert!(ran.stderr.contains("there is no `0`"), "{}", ran.stderr);
+    }
+}
+
+#[test]
+fn a_cut_of_the_command_line_is_not_that_of_the_file() {
+    let folder = Scratch::new("set-own");
+    let more = "enabled = false\n[relief.r]\nkind = \"fractal\"\nseed = 1\n";
+    folder.write("scene.toml", format!("{SCENE}{more}"));
+    // One that the file switches off is not taken for one without an inside.
+    let cuts = "--box 0,0,0:0.5,0.5,0.5 --section z=50% --relief fractal:seed=1";
+    let line = format!("render scene.toml {cuts} --set relief.r.seed=9 -o a.png --save all.toml");
+    folder.run(&line).exits(0);
+    let saved = std::fs::read_to_string(folder.path("all.toml")).unwrap();
+    assert!(saved.contains("relief = \"fractal\""), "{saved}");
+    assert!(
+        saved.contains("seed = 9") && saved.contains("seed = 1"),
+        "{saved}"
+    );
+    let empty = folder
+        .run("render scene.toml --box 0,0,0:0,1,1 -o a.png")
+        .exits(2);
+    assert!(empty.stderr.contains("no inside"), "{}", empty.stderr);
+}
+
+#[test]
+fn a_file_with_something_else_is_replaced_by_force_alone() {
+    let folder = Scratch::new("set-force");
+    folder.write("mine.toml", "# By hand.\n");
+    let line = "render shape:cube --section x=50% --resolution 8,6 -o a.png --save mine.toml";
+    let ran = folder.run(line).exits(2);
+    assert!(ran.stderr.contains("--force"), "{}", ran.stderr);
+    assert_eq!(
+        std::fs::read_to_string(folder.path("mine.toml")).unwrap(),
+        "# By hand.\n"
+    );
+    folder.run(&format!("{line} --force")).exits(0);
+    folder.run(line).exits(0);
 }

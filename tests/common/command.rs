@@ -9,7 +9,11 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicU32, Ordering};
 
+use cutaway::document::{Document, Timeline};
+use cutaway::load::Assets;
+use cutaway::scene::Scene;
 use serde_json::Value;
 
 /// A folder that is removed with everything in it.
@@ -17,8 +21,10 @@ pub(crate) struct Scratch(PathBuf);
 
 impl Scratch {
     pub(crate) fn new(name: &str) -> Self {
-        let folder =
-            std::env::temp_dir().join(format!("cutaway-cli-{name}-{}", std::process::id()));
+        static NEXT: AtomicU32 = AtomicU32::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("cutaway-{name}-{}-{number}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
         fs::create_dir_all(&folder).unwrap();
         Self(folder)
     }
@@ -27,8 +33,31 @@ impl Scratch {
         self.0.join(name)
     }
 
-    pub(crate) fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
+    pub(crate) fn write(&self, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        fs::write(&path, bytes).unwrap();
+        path
+    }
+
+    /// A scene file of this text, opened.
+    pub(crate) fn load(&self, text: &str) -> cutaway::Result<Timeline> {
+        self.load_with(text, &mut Assets::default())
+    }
+
+    /// A scene file of this text, opened with what is there already.
+    pub(crate) fn load_with(&self, text: &str, assets: &mut Assets) -> cutaway::Result<Timeline> {
+        Document::read(&self.write("scene.toml", text))?.timeline(assets)
+    }
+
+    /// The scene of a sound text.
+    pub(crate) fn scene(&self, text: &str) -> Scene {
+        self.timeline(text).rest().clone()
+    }
+
+    /// The timeline of a sound text.
+    pub(crate) fn timeline(&self, text: &str) -> Timeline {
+        let timeline = self.load(text);
+        timeline.unwrap_or_else(|e| panic!("{e}\n{text}"))
     }
 
     pub(crate) fn files(&self) -> Vec<String> {

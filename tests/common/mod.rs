@@ -26,7 +26,7 @@ use cutaway::layers::Layers;
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene, View};
 use cutaway::session::Session;
-use cutaway::strategies::Strategy;
+use cutaway::strategies::{FrameOptions, Strategy};
 
 #[allow(
     unused_imports,
@@ -100,6 +100,15 @@ impl Question {
     pub(crate) fn answer_of(&self, entrant: &Entrant) -> Judged {
         (self.asked().answer(&mut session(), entrant))
             .unwrap_or_else(|e| panic!("{entrant} could not draw: {e}"))
+    }
+
+    /// The answer of a strategy with options of a frame, judged. The session stays locked meanwhile, so that no other test has them.
+    pub(crate) fn answer_with(&self, strategy: &Strategy, options: FrameOptions) -> Judged {
+        let mut session = session();
+        session.set_options(options);
+        let judged = self.asked().answer(&mut session, &(*strategy).into());
+        session.set_options(FrameOptions::default());
+        judged.unwrap_or_else(|e| panic!("{strategy} could not draw: {e}"))
     }
 
     /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.

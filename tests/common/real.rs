@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cutaway::scene::{
-    Cut, ReliefSpec, Scene, Topology, apply_relief, load_mesh_file, section_surface,
-};
+use cutaway::document::section;
+use cutaway::load::load_mesh_file;
+use cutaway::scene::{Cut, Scene, Topology};
 
 use super::data::data;
 
@@ -30,12 +30,11 @@ pub(crate) fn cut(file: &Path, relief: Option<&str>) -> Scene {
         parts,
         ..Scene::default()
     };
-    let bounds = scene.bounds();
-    let mut surface = section_surface("-0.3,-0.25,-1@50%,50%,50%", &bounds).expect("a section");
+    let mut surface = section("-0.3,-0.25,-1@50%,50%,50%");
     if let Some(relief) = relief {
-        let spec = ReliefSpec::parse(relief).expect("a relief");
-        surface = apply_relief(surface, &spec, &bounds).expect("a relief on it");
+        surface = surface.relief(relief);
     }
+    let surface = surface.on(&scene.bounds()).expect("a section");
     scene.cuts.push(Cut::of("middle", vec![surface]));
     scene
 }

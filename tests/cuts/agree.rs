@@ -4,7 +4,7 @@ use cutaway::layers::Kind;
 use cutaway::scene::Scene;
 use cutaway::strategies::Strategy;
 
-use super::Folder;
+use super::Scratch;
 use super::common::{Question, class_of, strategy};
 
 const SIZE_PX: [u32; 2] = [160, 120];
@@ -118,7 +118,7 @@ fn holds(scene: &Scene, what: &str, least_cap_px: usize) -> Vec<String> {
 
 #[test]
 fn exact_strategies_agree_on_every_form() {
-    let folder = Folder::new("agree");
+    let folder = Scratch::new("agree");
     let mut faults = Vec::new();
     for shape in [
         "cube",
@@ -141,7 +141,7 @@ fn exact_strategies_agree_on_every_form() {
 
 #[test]
 fn parts_at_their_own_distance_agree() {
-    let folder = Folder::new("distances");
+    let folder = Scratch::new("distances");
     let mut faults = Vec::new();
     for (what, cut) in [
         (
@@ -168,7 +168,7 @@ fn parts_at_their_own_distance_agree() {
 
 #[test]
 fn case_38_two_that_cross_have_no_gap_along_their_edge() {
-    let folder = Folder::new("case-38");
+    let folder = Scratch::new("case-38");
     let a = "section = \"-0.3,-0.1,-1@50%,50%,45%\"";
     let b = "normal = [-1, 0.15, -0.2], origin = [-0.05, 0, 0]";
     for (shape, ruffle) in [

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use cutaway::layers::Kind;
 use cutaway::scene::Scene;
 
-use super::{Folder, of_shape, seen};
+use super::{Scratch, of_shape, seen};
 
 const SIZE_PX: [u32; 2] = [200, 200];
 
@@ -36,7 +36,7 @@ fn caps(scene: &Scene) -> f64 {
 
 #[test]
 fn a_box_takes_its_volume_out_of_a_cube() {
-    let folder = Folder::new("box");
+    let folder = Scratch::new("box");
     for (block, cap, volume) in [
         // An octant.
         (
@@ -96,7 +96,7 @@ fn a_box_takes_its_volume_out_of_a_cube() {
 
 #[test]
 fn a_wedge_takes_its_angle_out_of_a_ball() {
-    let folder = Folder::new("wedge");
+    let folder = Scratch::new("wedge");
     let whole = PI * R * R;
     for (from, to) in [
         (0, 90),
@@ -123,7 +123,7 @@ fn a_wedge_takes_its_angle_out_of_a_ball() {
 #[test]
 fn the_face_of_a_wedge_is_half_a_disc() {
     // The quarter from x to y is gone: from y one looks at the half of the plane y = 0 where x > 0.
-    let folder = Folder::new("face");
+    let folder = Scratch::new("face");
     for (axis, from) in [
         ("\"z\"", [0, 5, 0]),
         ("[0, 0, 3]", [0, 5, 0]),
@@ -147,7 +147,7 @@ fn the_face_of_a_wedge_is_half_a_disc() {
 
 #[test]
 fn the_ends_of_a_wedge_bound_it_along_its_axis() {
-    let folder = Folder::new("ends");
+    let folder = Scratch::new("ends");
     let whole = PI * R * R;
     // The strip of a disc between two heights.
     let below = |h: f64| h * (R * R - h * h).sqrt() + R * R * (h / R).asin();
@@ -170,7 +170,7 @@ fn the_ends_of_a_wedge_bound_it_along_its_axis() {
 
 #[test]
 fn an_offset_moves_every_face_towards_what_is_removed() {
-    let folder = Folder::new("offset");
+    let folder = Scratch::new("offset");
     // The part of a disc of a radius beyond a line at a distance from its middle.
     let segment = |radius: f64, d: f64| {
         radius * radius * (d / radius).acos() - d * (radius * radius - d * d).sqrt()

@@ -5,12 +5,12 @@ use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::Scene;
 use cutaway::strategies::{self, Strategy};
 
-use super::Folder;
+use super::Scratch;
 
 const RELIEF: &str = "[relief.rough]\nkind = \"waves\"\nsize = 8\n";
 
 /// Two cubes side by side, and cuts.
-fn cubes(folder: &Folder, cuts: &str) -> Scene {
+fn cubes(folder: &Scratch, cuts: &str) -> Scene {
     folder.scene(&format!(
         "{RELIEF}[[part]]\nname = \"left\"\nshape = \"cube\"\n[[part]]\nname = \"right\"\nshape = \"cube\"\n\
          translate = [3, 0, 0]\n{cuts}"
@@ -41,7 +41,7 @@ fn strategies() -> impl Iterator<Item = Strategy> {
 
 #[test]
 fn a_cut_that_is_off_is_as_good_as_none() {
-    let folder = Folder::new("off");
+    let folder = Scratch::new("off");
     let none = cubes(&folder, "");
     let ragged = "[[cut]]\nsurfaces = [{ section = \"-z=50%\", relief = \"rough\" }]\n";
     let off = cubes(
@@ -67,7 +67,7 @@ fn a_cut_that_is_off_is_as_good_as_none() {
 
 #[test]
 fn the_heights_of_a_cut_that_is_off_are_not_there() {
-    let folder = Folder::new("heights");
+    let folder = Scratch::new("heights");
     let other = "[relief.other]\nkind = \"waves\"\nsize = 16\n";
     let cuts = |enabled: bool| {
         format!(
@@ -82,7 +82,7 @@ fn the_heights_of_a_cut_that_is_off_are_not_there() {
 
 #[test]
 fn short_forms_of_planes_alone_are_not_marched() {
-    let folder = Folder::new("march");
+    let folder = Scratch::new("march");
     for (cut, is_marched) in [
         ("box = { min = [0, 0, 0] }", false),
         (
@@ -106,7 +106,7 @@ fn short_forms_of_planes_alone_are_not_marched() {
 
 #[test]
 fn a_box_that_misses_a_part_leaves_it_drawn_plainly() {
-    let folder = Folder::new("misses");
+    let folder = Scratch::new("misses");
     let scene = cubes(
         &folder,
         "[[cut]]\nbox = { centre = [0, 0, 0.5], size = 0.5 }\n",
@@ -131,7 +131,7 @@ fn a_box_that_misses_a_part_leaves_it_drawn_plainly() {
 
 #[test]
 fn filters_and_offsets_that_change_nothing_cost_nothing() {
-    let folder = Folder::new("filters");
+    let folder = Scratch::new("filters");
     let plain = cubes(&folder, "[[cut]]\nbox = { min = [-1, 0, 0] }\n");
     for unused in [
         "applies_to = [\"*\"]",

@@ -10,7 +10,7 @@ use cutaway::strategies::Strategy;
 use glam::DVec3;
 
 use super::common::{Question, software, strategy};
-use super::{Folder, at, of_shape, seen};
+use super::{Scratch, at, of_shape, seen};
 
 fn key(target: &str, values: &str) -> String {
     format!("[[key]]\ntarget = \"{target}\"\ntimes_s = [0, 1, 2]\nvalues = {values}\n")
@@ -32,7 +32,7 @@ fn removes(scene: &Scene, point: DVec3) -> bool {
 
 #[test]
 fn a_cut_goes_on_and_off_in_steps() {
-    let folder = Folder::new("switch");
+    let folder = Scratch::new("switch");
     for values in ["[true, false, true]", "[1, 0, 1]"] {
         let cut = "enabled = true\nsurfaces = [{ section = \"-z=0\" }]";
         let timeline = folder.timeline(&of_cut(cut, &[key("cut.front.enabled", values)]));
@@ -56,7 +56,7 @@ fn a_cut_goes_on_and_off_in_steps() {
 
 #[test]
 fn numbers_of_boxes_wedges_and_offsets_move() {
-    let folder = Folder::new("numbers");
+    let folder = Scratch::new("numbers");
     let probe = DVec3::new(0.2, 0.1, 0.3);
     for (cut, target, values, expected) in [
         (
@@ -100,7 +100,7 @@ fn numbers_of_boxes_wedges_and_offsets_move() {
 
 #[test]
 fn what_opens_and_what_is_switched_agrees_with_exact() {
-    let folder = Folder::new("opens");
+    let folder = Scratch::new("opens");
     let cut = "enabled = true\nwedge = { axis = \"z\", from_deg = 0, to_deg = 0, relief = \"rough\", amplitude = 0.1 }\n\
                offset = { solid = 0.0 }";
     let keys = [
@@ -130,7 +130,7 @@ fn what_opens_and_what_is_switched_agrees_with_exact() {
 }
 
 /// A torus under a relief that moves, and one that stays.
-fn two_reliefs(folder: &Folder, keys: &str) -> cutaway::scene::Timeline {
+fn two_reliefs(folder: &Scratch, keys: &str) -> cutaway::document::Timeline {
     folder.timeline(&format!(
         "[[part]]\nname = \"solid\"\nshape = \"torus?segments=40&sides=20\"\n\
          [relief.still]\nkind = \"waves\"\nsize = 32\n\
@@ -144,7 +144,7 @@ fn two_reliefs(folder: &Folder, keys: &str) -> cutaway::scene::Timeline {
 
 #[test]
 fn only_the_map_that_changed_is_uploaded() {
-    let folder = Folder::new("uploaded");
+    let folder = Scratch::new("uploaded");
     let gpu = || Session::new(Gpu::open(&software()).expect("an adapter"));
     for (keys, what) in [
         (
@@ -203,7 +203,7 @@ fn only_the_map_that_changed_is_uploaded() {
 
 #[test]
 fn heights_that_change_agree_with_exact() {
-    let folder = Folder::new("heights");
+    let folder = Scratch::new("heights");
     let keys = key("relief.stack.at", "[0, 1, 2.5]") + &key("relief.a.gain", "[0.4, 0.9, 0.4]");
     let timeline = two_reliefs(&folder, &keys);
     let mut model = Model::of(&at(&timeline, 0.0));

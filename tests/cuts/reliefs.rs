@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cutaway::scene::{OffsetMap, Scene, Wrap};
 
-use super::{Folder, at};
+use super::{Scratch, at};
 
 const PART: &str = "[[part]]\nname = \"solid\"\nshape = \"cube\"\n";
 
@@ -21,7 +21,7 @@ fn map(scene: &Scene) -> Arc<OffsetMap> {
 
 #[test]
 fn a_profile_is_one_row_of_heights() {
-    let folder = Folder::new("profile");
+    let folder = Scratch::new("profile");
     let text = "[relief.steps]\nkind = \"profile\"\nheights = [0, 0.25, 1, -2]\n".to_owned();
     let map = map(&folder.scene(&(text + &cut_by("steps"))));
     assert_eq!(map.size, [4, 1]);
@@ -37,7 +37,7 @@ fn a_profile_is_one_row_of_heights() {
 
 #[test]
 fn layers_are_met_at_whole_numbers_and_mixed_between() {
-    let folder = Folder::new("layers");
+    let folder = Scratch::new("layers");
     let layer = |name: &str, value: f64| {
         format!(
             "[relief.{name}]\nkind = \"profile\"\nheights = [{value:?}, {:?}]\n",
@@ -66,9 +66,9 @@ fn layers_are_met_at_whole_numbers_and_mixed_between() {
 
 #[test]
 fn layers_may_be_images() {
-    let folder = Folder::new("images");
+    let folder = Scratch::new("images");
     for (number, grey) in [(1, 0_u8), (2, 51), (3, 255)] {
-        let name = folder.0.join(format!("h_{number:03}.png"));
+        let name = folder.path(&format!("h_{number:03}.png"));
         let picture =
             image::GrayImage::from_raw(2, 2, vec![grey; 3].into_iter().chain([0]).collect());
         picture.expect("4 texels").save(name).expect("a picture");
@@ -97,14 +97,14 @@ fn layers_may_be_images() {
     );
     // Images are read when the file is, and never again.
     for number in 1..=3 {
-        std::fs::remove_file(folder.0.join(format!("h_{number:03}.png"))).expect("the picture");
+        std::fs::remove_file(folder.path(&format!("h_{number:03}.png"))).expect("the picture");
     }
     assert_eq!(map(&at(&timeline, 1.0)).texels, a.texels);
 }
 
 #[test]
 fn what_does_not_move_stays_the_same_object() {
-    let folder = Folder::new("same");
+    let folder = Scratch::new("same");
     let text = "[relief.a]\nkind = \"fractal\"\nsize = 16\ngain = 0.5\n[relief.b]\nkind = \"waves\"\nsize = 16\n\
                 [relief.stack]\nkind = \"layers\"\nof = [\"a\", \"b\"]\nat = 0.5\n";
     let still = "[[part]]\nname = \"solid\"\nshape = \"cube\"\n\

@@ -3,7 +3,7 @@
 use cutaway::scene::{ClipSurface, Prepared, Scene};
 use glam::DVec3;
 
-use super::{Folder, of_shape, seen};
+use super::{Scratch, of_shape, seen};
 
 fn of_cut(cut: &str) -> String {
     of_shape("cube", [5, 4, 3], 2.0, cut)
@@ -11,7 +11,7 @@ fn of_cut(cut: &str) -> String {
 
 #[test]
 fn a_box_is_its_six_planes() {
-    let folder = Folder::new("six");
+    let folder = Scratch::new("six");
     let short = "box = { min = [-0.1, -0.2, 0], max = [0.6, 0.3, 1] }";
     let long = "surfaces = [{ section = \"-x=-0.1\" }, { section = \"x=0.6\" }, { section = \"-y=-0.2\" }, \
                 { section = \"y=0.3\" }, { section = \"-z=0\" }, { section = \"z=1\" }]";
@@ -27,7 +27,7 @@ fn a_box_is_its_six_planes() {
 
 #[test]
 fn a_wide_wedge_is_two_cuts_of_one_name() {
-    let folder = Folder::new("wide");
+    let folder = Scratch::new("wide");
     let scene = folder.scene(&of_cut(
         "wedge = { axis = \"z\", from_deg = 0, to_deg = 270, min = -0.2 }\nsurfaces = [{ section = \"-x=0.4\" }]\n\
          except = [\"no*\"]\noffset = { solid = 0.1 }",
@@ -63,7 +63,7 @@ fn a_wide_wedge_is_two_cuts_of_one_name() {
 
 #[test]
 fn half_a_turn_keeps_the_relief_of_either_face() {
-    let folder = Folder::new("half");
+    let folder = Scratch::new("half");
     let relief = "[relief.rough]\nkind = \"waves\"\nsize = 8\n";
     let scene = |to_deg: f64, rest: &str| {
         let cut = format!("wedge = {{ axis = \"z\", from_deg = 0, to_deg = {to_deg}{rest} }}");
@@ -96,7 +96,7 @@ fn half_a_turn_keeps_the_relief_of_either_face() {
 
 #[test]
 fn reliefs_stand_on_the_faces_that_are_named() {
-    let folder = Folder::new("faces");
+    let folder = Scratch::new("faces");
     let relief = "[relief.rough]\nkind = \"waves\"\nsize = 8\n";
     let ruffled = |cut: &str| -> Vec<bool> {
         let scene = folder.scene(&(relief.to_owned() + &of_cut(cut)));
@@ -123,7 +123,7 @@ fn reliefs_stand_on_the_faces_that_are_named() {
 
 #[test]
 fn parts_with_equal_offsets_share_a_cut_and_numbers_stay() {
-    let folder = Folder::new("share");
+    let folder = Scratch::new("share");
     let text = |offset: &str| {
         format!(
             "[[part]]\nshape = \"earth?subdivisions=1\"\n[[part]]\nname = \"cube\"\nshape = \"cube\"\n\
@@ -162,7 +162,7 @@ fn parts_with_equal_offsets_share_a_cut_and_numbers_stay() {
 
 #[test]
 fn a_cut_without_an_inside_is_off_and_keeps_its_numbers() {
-    let folder = Folder::new("inside");
+    let folder = Scratch::new("inside");
     for (cut, surfaces) in [
         ("wedge = { axis = \"z\", from_deg = 20, to_deg = 20 }", 2),
         (

@@ -1,9 +1,6 @@
 //! Cutters in scene files and on the command line, and what is refused at the door.
 
-use std::path::Path;
-
-use cutaway::error::Result;
-use cutaway::scene::{Cutter, Mesh, Part, SceneFile, load_mesh_file, load_scene_file, shapes};
+use cutaway::scene::{Cutter, Mesh, Part};
 use glam::DVec3;
 
 use super::command::Scratch;
@@ -25,15 +22,9 @@ flip = true
 const TETRAHEDRON: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
 const LAST_FACE: &str = "f 2 3 4\n";
 
-fn load(folder: &Scratch, text: &str) -> Result<SceneFile> {
-    folder.write("scene.toml", text);
-    let open_mesh = |path: &Path| load_mesh_file(path).map(|l| (l.parts, l.notes));
-    load_scene_file(&folder.path("scene.toml"), &open_mesh, &shapes::shape)
-}
-
 fn folder(name: &str) -> Scratch {
     let folder = Scratch::new(name);
-    folder.write("bite.obj", &format!("{TETRAHEDRON}{LAST_FACE}"));
+    folder.write("bite.obj", format!("{TETRAHEDRON}{LAST_FACE}"));
     folder.write("open.obj", TETRAHEDRON);
     folder.write("empty.obj", "v 0 0 0\n");
     folder.write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -42,8 +33,8 @@ fn folder(name: &str) -> Scratch {
 
 #[test]
 fn a_cutter_is_placed_as_parts_are() {
-    let file = load(&folder("placed"), INTACT).expect("a scene that loads");
-    let cut = &file.scene.cuts[0];
+    let file = folder("placed").load(INTACT).expect("a scene that loads");
+    let cut = &file.rest().cuts[0];
     assert!(cut.surfaces.is_empty(), "it stands alone");
     let cutter = cut.volume.as_ref().expect("the cutter");
     assert_eq!(cutter.name(), "bite.obj");
@@ -57,60 +48,11 @@ fn a_cutter_is_placed_as_parts_are() {
     assert!((bounds.size() - DVec3::splat(2.0)).length() < 1e-12);
     // With clip-surfaces it is one more of them.
     let text = INTACT.replace("flip = true", "surfaces = [{ section = \"z=50%\" }]");
-    let file = load(&folder("with-surfaces"), &text).expect("a scene that loads");
-    let cut = &file.scene.cuts[0];
+    let file = folder("with-surfaces")
+        .load(&text)
+        .expect("a scene that loads");
+    let cut = &file.rest().cuts[0];
     assert_eq!((cut.surfaces.len(), cut.volume.is_some()), (1, true));
-}
-
-#[test]
-fn what_cannot_be_a_cutter_is_refused_by_name() {
-    let folder = folder("refused");
-    load(&folder, INTACT).expect("the intact scene");
-    for (from, to, told) in [
-        ("bite.obj", "gone.obj", "there is no file"),
-        (
-            "bite.obj",
-            "open.obj",
-            "3 edges of its 3 triangles have an odd number of faces",
-        ),
-        ("bite.obj", "empty.obj", "empty.obj"),
-        ("bite.obj", "nan.obj", "nan.obj"),
-        (
-            "bite.obj",
-            "shape:nothing",
-            "there is no such built-in shape",
-        ),
-        ("bite.obj", "shape:sphere?subdivisions=-1", "subdivisions"),
-        ("volume = \"bite.obj\"", "volume = 3", "cut.bite.volume"),
-        ("volume = \"bite.obj\"", "", "cut.bite.translate"),
-        ("scale = 2", "scale = 0", "cut.bite.scale"),
-        ("scale = 2", "scale = 1e300", "cut.bite.scale"),
-        ("scale = 2", "scale = 1e40", "radii of the model"),
-        (
-            "translate = [1, 0, 0]",
-            "translate = [1e40, 0, 0]",
-            "radii of the model",
-        ),
-        (
-            "translate = [1, 0, 0]",
-            "translate = [nan, 0, 0]",
-            "cut.bite.translate",
-        ),
-        ("translate = [1, 0, 0]", "offset = 1", "offset"),
-        (
-            "flip = true",
-            "matrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]",
-            "matrix too",
-        ),
-        ("flip = true", "flip = 1", "cut.bite.flip"),
-        ("flip = true", "surfaces = []", "a cut needs a surface"),
-    ] {
-        let text = INTACT.replace(from, to);
-        assert_ne!(text, INTACT, "{from} is in it");
-        let message = load(&folder, &text).expect_err(to).to_string();
-        assert!(message.contains(told), "{to}: {message}");
-        assert!(message.contains("help:"), "{to}: {message}");
-    }
 }
 
 #[test]
@@ -153,11 +95,7 @@ fn keys_move_it_and_only_its_numbers() {
     let keyed = |target: &str, values: &str| {
         format!("{INTACT}\n[[key]]\ntarget = \"{target}\"\ntimes_s = [0, 2]\nvalues = {values}\n")
     };
-    let file = load(
-        &folder,
-        &keyed("cut.bite.translate", "[[0, 0, 0], [4, 0, 0]]"),
-    );
-    let timeline = file.expect("a scene that loads").timeline;
+    let timeline = folder.timeline(&keyed("cut.bite.translate", "[[0, 0, 0], [4, 0, 0]]"));
     let at = |t: f64| {
         let scene = timeline.at(t).expect("a time");
         scene.cuts[0].volume.clone().expect("the cutter")
@@ -169,10 +107,10 @@ fn keys_move_it_and_only_its_numbers() {
         "the mesh is opened once"
     );
     assert!(
-        load(&folder, &keyed("cut.bite.volume", "[0, 1]")).is_err(),
+        folder.load(&keyed("cut.bite.volume", "[0, 1]")).is_err(),
         "a text stays"
     );
-    let message = load(&folder, &keyed("cut.bite.scale", "[1, -1]"));
+    let message = folder.load(&keyed("cut.bite.scale", "[1, -1]"));
     let message = message.expect_err("a scale of 0 on the way").to_string();
     assert!(message.contains("cut.bite.scale"), "{message}");
 }
@@ -202,7 +140,7 @@ fn the_command_line_takes_a_cutter() {
     let ran = folder.run("plan far.toml");
     assert!(ran.stderr.contains("misses the model"), "{}", ran.stderr);
     let far = std::fs::read_to_string(folder.path("far.toml")).expect("it was written");
-    folder.write("off.toml", &format!("{far}enabled = false\n"));
+    folder.write("off.toml", format!("{far}enabled = false\n"));
     let ran = folder.run("plan off.toml");
     assert!(!ran.stderr.contains("misses the model"), "{}", ran.stderr);
 

@@ -4,7 +4,7 @@ use cutaway::Gpu;
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Model;
 use cutaway::plan::Clock;
-use cutaway::scene::{Scene, load_mesh_file, load_scene_file, shapes};
+use cutaway::scene::Scene;
 use cutaway::session::Session;
 
 use super::command::Scratch;
@@ -46,13 +46,8 @@ fn times() -> impl Iterator<Item = f64> {
 /// The scene at some times.
 fn scenes_over_time() -> Vec<Scene> {
     let folder = Scratch::new("moving-cutter");
-    folder.write("bitten.toml", BITTEN);
-    let open_mesh = |path: &std::path::Path| load_mesh_file(path).map(|l| (l.parts, l.notes));
-    let file = load_scene_file(&folder.path("bitten.toml"), &open_mesh, &shapes::shape);
-    let file = file.expect("a scene that loads");
-    times()
-        .map(|t| file.timeline.at(t).expect("a time"))
-        .collect()
+    let file = folder.timeline(BITTEN);
+    times().map(|t| file.at(t).expect("a time")).collect()
 }
 
 #[test]

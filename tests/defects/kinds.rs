@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use cutaway::scene::defects::{Defect, DefectKind, break_parts};
+use cutaway::document::parse_defect;
+use cutaway::generate::defects::{DefectKind, break_parts};
 use cutaway::scene::{Mesh, Motion, Part, Topology};
 use glam::DVec3;
 
@@ -14,7 +15,7 @@ const SPHERE: &str = "sphere?subdivisions=4";
 /// A mesh with defects.
 pub(crate) fn broken(mesh: &Mesh, defects: &[&str]) -> Mesh {
     defects.iter().fold(mesh.clone(), |mesh, text| {
-        let defect: Defect = text.parse().unwrap_or_else(|e| panic!("{text}: {e}"));
+        let defect = parse_defect(text).unwrap_or_else(|e| panic!("{text}: {e}"));
         defect
             .apply(&mesh)
             .unwrap_or_else(|e| panic!("{text}: {e}"))
@@ -219,7 +220,7 @@ fn parts_that_move_still_move_and_parts_that_share_a_mesh_still_do() {
     parts[0].pose.weights = vec![0.5];
     parts.push(parts[0].clone());
     let rest: Vec<DVec3> = parts[0].mesh.positions.clone();
-    let defects = ["soup:amount=1%", "holes:amount=10%"].map(|d| d.parse().unwrap());
+    let defects = ["soup:amount=1%", "holes:amount=10%"].map(|d| parse_defect(d).unwrap());
     let notes = break_parts(&mut parts, &defects).unwrap();
     assert_eq!(notes.len(), 4, "two defects of two parts: {notes:?}");
     assert!(notes[1].contains("1 of 12 faces are missing"), "{notes:?}");

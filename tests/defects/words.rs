@@ -1,12 +1,13 @@
 //! What is said is read, what makes no sense is refused with a mend.
 
-use cutaway::scene::defects::{Defect, DefectKind};
+use cutaway::document::parse_defect;
+use cutaway::generate::defects::DefectKind;
 
 #[test]
 fn defects_are_written_as_they_are_read() {
     for text in [
         "holes:amount=5%,seed=1,patch=1",
-        "flipped:amount=2.5%,seed=18446744073709551615,patch=12",
+        "flipped:amount=2.5%,seed=9223372036854775807,patch=12",
         "duplicated:amount=0%,seed=3,patch=2",
         "t-junctions:amount=100%,seed=1",
         "gaps:amount=0.01,seed=1,charts=5",
@@ -14,13 +15,13 @@ fn defects_are_written_as_they_are_read() {
         "open:amount=20%,axis=-y",
         "soup:amount=1%,seed=7",
     ] {
-        let defect: Defect = text.parse().unwrap();
+        let defect = parse_defect(text).unwrap();
         assert_eq!(defect.to_string(), text);
     }
     for name in DefectKind::NAMES {
-        let usual: Defect = name.parse().unwrap();
+        let usual = parse_defect(name).unwrap();
         assert_eq!(usual.kind.name(), name);
-        assert_eq!(usual, usual.to_string().parse().unwrap());
+        assert_eq!(usual, parse_defect(&usual.to_string()).unwrap());
     }
 }
 
@@ -44,11 +45,11 @@ fn nonsense_is_refused_with_a_mend() {
         ("gaps:charts=99999999999", "from 1 to"),
         ("open:axis=w", "use one of: x, y, z"),
     ] {
-        let told = text.parse::<Defect>().unwrap_err().to_string();
+        let told = parse_defect(text).unwrap_err().to_string();
         assert!(told.contains(said), "{text}: {told}");
         assert!(told.contains("help: "), "{text}: {told}");
     }
-    let all: Defect = "holes:amount=100%".parse().unwrap();
+    let all = parse_defect("holes:amount=100%").unwrap();
     let told = all
         .apply(&crate::common::meshes::shape("cube"))
         .unwrap_err();
@@ -57,12 +58,10 @@ fn nonsense_is_refused_with_a_mend() {
 
 #[test]
 fn a_defect_that_makes_too_many_faces_is_refused_before_it_makes_them() {
-    let mesh = &cutaway::scene::shapes::shape("sphere?subdivisions=5").unwrap()[0].mesh;
+    let mesh = &cutaway::generate::shapes::shape("sphere?subdivisions=5").unwrap()[0].mesh;
     let broken = |copies: u32| {
-        let defect: Defect = format!("overlap:amount=1%,copies={copies}")
-            .parse()
-            .unwrap();
-        defect.apply(mesh)
+        let words = format!("overlap:amount=1%,copies={copies}");
+        parse_defect(&words).unwrap().apply(mesh)
     };
     assert!(broken(2).is_ok(), "a few copies are made");
     let told = broken(100_000).unwrap_err().to_string();

@@ -2,8 +2,11 @@
 
 use std::path::Path;
 
-use cutaway::experiment::Definition;
-use cutaway::experiment::definition::{Asked, Moves, Wanted};
+use cutaway::document::Value;
+use cutaway::experiment::Moves;
+use cutaway::experiment::definition::{Asked, Wanted};
+use cutaway::experiment::sweep::Point;
+use cutaway::experiment::{Definition, Parameter, Synopsis};
 
 use super::{read, scenes};
 
@@ -15,18 +18,21 @@ analysis = """Look."""
 name = "cube"
 input = "relief cuts"
 moves = "cut"
-scene = ["shape:cube", "--section=-z=50%", "--relief=waves:amplitude={amplitude}"]
-resolution = "{size}"
 strategies = ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
 rounds = 5
 
+[run.scene]
+part = [{ shape = "cube" }]
+relief.waves = { kind = "waves" }
+cut = [{ name = "front", surfaces = [{ section = "-z=50%", relief = "waves" }] }]
+
 [run.sweep]
-amplitude = ["1%", "2%"]
+amplitude = { path = "cut.front.surfaces.0.amplitude", values = ["1%", "2%"] }
 cells = [8, 16, 32]
-size = [{ is = "small", size_px = 1 }]
+size = [{ is = "small", resolution = [64, 1] }]
 
 [run.quick]
-resolution = "32,24"
+resolution = [32, 24]
 rounds = 1
 strategies = ["raycast+mask", "grid:{cells}+vds:64"]
 sweep = { amplitude = ["2%"], cells = [8] }
@@ -54,18 +60,32 @@ log = ["x"]
 
 #[test]
 fn a_file_is_read_and_expanded() {
-    let text = GOOD.replace("{size}", "64,{size_px}");
-    let definition = read(&text).unwrap();
+    let definition = read(GOOD).unwrap();
     assert_eq!(definition.name, "01-test");
-    assert_eq!(definition.json["name"], "01-test");
-    assert_eq!(definition.json["run"][0]["sweep"]["cells"][2], 32);
+    assert_eq!(definition.synopsis.name, "01-test");
+    assert_eq!(definition.synopsis.toml, GOOD);
+    let chart = &definition.synopsis.charts[0];
+    assert_eq!(
+        (&*chart.y, &*chart.log),
+        ("crack_px", &["x".to_owned()][..])
+    );
+    // What is written of it is what a report reads.
+    let written = serde_json::to_string(&definition.synopsis).unwrap();
+    let read: Synopsis = serde_json::from_str(&written).unwrap();
+    assert_eq!(read, definition.synopsis);
     let full = scenes(&definition, false);
     let stems: Vec<&str> = full.points.iter().map(|p| p.stem.as_str()).collect();
     assert_eq!(stems, ["1__small", "2__small"]);
     let first = &full.points[0];
-    assert_eq!(first.scene[2], "--relief=waves:amplitude=1%");
-    assert_eq!(first.scene[3], "--resolution=64,1");
-    assert_eq!(first.parameters["size_px"], "1");
+    let amplitude = |point: &Point| {
+        let amplitude = point.scene.get("cut.front.surfaces.0.amplitude");
+        amplitude.unwrap().value.clone()
+    };
+    assert_eq!(amplitude(first), Value::from("1%"));
+    let size = &first.scene.get("resolution").unwrap().value;
+    assert_eq!(*size, Value::read("[64, 1]"));
+    let small = Parameter::Text("small".to_owned());
+    assert_eq!(first.parameters["size"], small);
     assert!(
         !first.parameters.contains_key("cells"),
         "it makes contenders"
@@ -87,15 +107,16 @@ fn a_file_is_read_and_expanded() {
             "grid:32+mask"
         ]
     );
-    assert_eq!(first.entrants[2].makers[0].1.parameters["cells"], "16");
+    let cells = &first.entrants[2].makers[0].1.parameters["cells"];
+    assert_eq!(*cells, Parameter::Whole(16));
     let families = [0, 2, 4].map(|e: usize| first.entrants[e].makers[0].1.family.as_str());
     assert_eq!(
         families,
         ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
     );
-    let run = &definition.runs[0];
+    let told = &definition.synopsis.runs[0];
     assert_eq!(
-        (run.input.as_deref(), run.moves),
+        (told.input.as_deref(), told.moves),
         (Some("relief cuts"), Moves::Cut)
     );
     assert_eq!(full.rounds, 5);
@@ -106,16 +127,16 @@ fn a_file_is_read_and_expanded() {
 
     let quick = scenes(&definition, true);
     assert_eq!(quick.points.len(), 1, "one amplitude, and no size any more");
-    assert_eq!(quick.points[0].scene[2], "--relief=waves:amplitude=2%");
-    assert_eq!(quick.points[0].scene[3], "--resolution=32,24");
+    assert_eq!(amplitude(&quick.points[0]), Value::from("2%"));
+    let size = &quick.points[0].scene.get("resolution").unwrap().value;
+    assert_eq!(*size, Value::read("[32, 24]"));
     assert_eq!(quick.points[0].entrants.len(), 2);
     assert_eq!(quick.rounds, 1);
 }
 
 #[test]
 fn all_names_every_strategy_once() {
-    let text = GOOD.replace("{size}", "64,{size_px}");
-    let text = text.replace(
+    let text = GOOD.replace(
         r#"["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]"#,
         r#"["all", "raycast+mask", "grid:{cells}+vds:64"]"#,
     );
@@ -158,7 +179,7 @@ quick = { random = { scenes = 20 } }
     for (from, to, told) in [
         ("[64, 256]", "[]", "sizes"),
         ("scenes = 200", "scenes = 0", "at least 1"),
-        ("sizes = [64, 256]", "resolution = \"1,1\"", "resolution"),
+        ("sizes = [64, 256]", "resolution = [1, 1]", "resolution"),
         (r#"["raycast+mask"]"#, r#"["raycats+mask"]"#, "did you mean"),
     ] {
         assert!(text.contains(from), "{from}");
@@ -169,8 +190,8 @@ quick = { random = { scenes = 20 } }
 
 #[test]
 fn what_makes_no_sense_is_refused_by_name() {
-    let good = GOOD.replace("{size}", "64,{size_px}");
-    read(&good).expect("the control");
+    let good = GOOD;
+    read(good).expect("the control");
     for (from, to, told) in [
         ("cost?", "cost", "question mark"),
         ("\"cut\"", "\"cuts\"", "did you mean `cut`"),
@@ -197,25 +218,37 @@ fn what_makes_no_sense_is_refused_by_name() {
             "\"exact\", \"grid:{cells}+vds",
             "leave it out",
         ),
-        ("{amplitude}", "{amplitud}", "did you mean `amplitude`"),
-        ("{amplitude}", "{amplitude", "brace"),
-        ("{amplitude}", "2%", "nobody uses"),
+        (
+            "grid:{cells}+mask",
+            "grid:{cell}+mask",
+            "did you mean `cells`",
+        ),
+        ("grid:{cells}+mask", "grid:{cells+mask", "brace"),
+        ("cells = [8", "cell = [8", "nobody uses"),
+        (
+            "\"cut.front.surfaces",
+            "\"cut.frnt.surfaces",
+            "did you mean `front`",
+        ),
+        ("path = \"cut", "paths = \"cut", "did you mean `path`"),
+        ("part = [{ shape", "parts = [{ shape", "did you mean `part`"),
         ("[\"1%\", \"2%\"]", "[]", "no values"),
         ("[\"1%\", \"2%\"]", "[\"1%\", \"1%\"]", "twice"),
+        ("[\"1%\", \"2%\"]", "[[1, 2]]", "has no name"),
         (
-            "[\"1%\", \"2%\"]",
-            "[{ is = \"1%\", cells = 2 }]",
-            "placeholder {cells}",
+            "[{ is = \"small\", resolution = [64, 1] }]",
+            "[{ is = \"small\", resolution = [64, 1] }, { is = 2, \"part.0.name\" = \"a\" }]",
+            "different paths",
         ),
         (
-            "[{ is = \"small\", size_px = 1 }]",
-            "[{ is = \"small\", size_px = 1 }, \"1\"]",
-            "different keys",
-        ),
-        (
-            "[{ is = \"small\", size_px = 1 }]",
-            "[{ size_px = 1 }]",
+            "[{ is = \"small\", resolution = [64, 1] }]",
+            "[{ resolution = [64, 1] }]",
             "no `is`",
+        ),
+        (
+            "[{ is = \"small\", resolution = [64, 1] }]",
+            "[{ is = \"small\" }]",
+            "it sets nothing",
         ),
         (
             "sweep = { amplitude",
@@ -269,16 +302,19 @@ fn what_makes_no_sense_is_refused_by_name() {
         ("question = ", "question ", "correct the TOML"),
     ] {
         assert!(good.contains(from), "{from} is in the text");
-        let message = read(&good.replacen(from, to, 1))
-            .expect_err(&format!("{from} -> {to}"))
-            .to_string();
+        // What only the readers of scenes know is checked before anything is measured.
+        let checked = read(&good.replacen(from, to, 1)).and_then(|definition| {
+            let run = scenes(&definition, false);
+            run.points.iter().try_for_each(|p| p.scene.check())
+        });
+        let message = checked.expect_err(&format!("{from} -> {to}")).to_string();
         assert!(message.contains(told), "{to}: {message}");
         for always in ["here/01-test.toml:", "help: "] {
             assert!(message.contains(always), "{to}: {message}");
         }
     }
     let twice = format!(
-        "{good}\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\nstrategies = [\"all\"]\n"
+        "{good}\n[[run]]\nname = \"cube\"\nscene = {{ part = [{{ shape = \"cube\" }}] }}\nstrategies = [\"all\"]\n"
     );
     let message = read(&twice).unwrap_err().to_string();
     assert!(message.contains("the name is taken"), "{message}");
@@ -304,8 +340,8 @@ fn what_makes_no_sense_is_refused_by_name() {
 fn nothing_is_called_like_what_stands_beside_records() {
     let text = |run: &str| {
         format!(
-            "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"{run}\"\nscene = [\"shape:cube\"]\n\
-             resolution = \"8,8\"\nstrategies = [\"raycast+mask\"]\n"
+            "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"{run}\"\nscene.part = [{{ shape = \"cube\" }}]\n\
+             resolution = [8, 8]\nstrategies = [\"raycast+mask\"]\n"
         )
     };
     let read = |file: &str, run: &str| Definition::read(Path::new(file), &text(run));
@@ -323,8 +359,8 @@ fn nothing_is_called_like_what_stands_beside_records() {
 /// A file with one run of these strategies and this sweep.
 fn swept(strategies: &str, sweep: &str) -> String {
     format!(
-        "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\n\
-         resolution = \"8,8\"\nstrategies = {strategies}\n[run.sweep]\n{sweep}\n"
+        "question = \"What?\"\nanalysis = \"It.\"\n[[run]]\nname = \"cube\"\nscene.part = [{{ shape = \"cube\" }}]\n\
+         resolution = [8, 8]\nstrategies = {strategies}\n[run.sweep]\n{sweep}\n"
     )
 }
 
@@ -353,10 +389,41 @@ fn what_two_texts_come_to_is_asked_once_and_belongs_to_both() {
 }
 
 #[test]
+fn what_two_axes_set_or_nobody_hears_is_refused() {
+    for (sweep, told) in [
+        (
+            "\"part.0.scale\" = [1, 2]\nother = { path = \"part.cube.scale\", values = [3, 4] }",
+            "axis `other` sets `part.0.scale` too",
+        ),
+        (
+            "\"camera.near\" = [1, 2]\na = [{ is = \"x\", \"camera\" = { near = 3 } }]",
+            "axis `a`",
+        ),
+        (
+            "\"strategy.name\" = [\"planar\", \"stencil\"]",
+            "`strategies`",
+        ),
+    ] {
+        let told_by = read(&swept("[\"raycast+mask\"]", sweep))
+            .unwrap_err()
+            .to_string();
+        assert!(told_by.contains(told), "{told_by}");
+    }
+    let apart = "\"part.0.scale\" = [1, 2]\nsupersample = [1, 2]";
+    assert_eq!(
+        scenes(&read(&swept("[\"raycast+mask\"]", apart)).unwrap(), false)
+            .points
+            .len(),
+        4
+    );
+}
+
+#[test]
 fn sweeps_without_end_are_refused_at_once() {
-    let axes: String = (0..70).map(|i| format!("a{i} = [1, 2]\n")).collect();
-    let scene: String = (0..70).map(|i| format!("{{a{i}}}")).collect();
-    let text = swept("[\"raycast+mask\"]", &axes).replace("shape:cube", &scene);
+    let axes: String = (0..70)
+        .map(|i| format!("a{i} = {{ path = \"camera.near\", values = [1, 2] }}\n"))
+        .collect();
+    let text = swept("[\"raycast+mask\"]", &axes);
     let told = read(&text).unwrap_err().to_string();
     assert!(told.contains("too many points"), "{told}");
     let values: Vec<String> = (1..=300).map(|n| n.to_string()).collect();

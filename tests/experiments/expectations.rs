@@ -64,7 +64,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
 /// What comes of an expectation, where these were found in the order of the contenders.
 fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
     let text = format!(
-        "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\n\
+        "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene.part = [{{ shape = \"cube\" }}]\n\
          strategies = [\"raycast+mask\", \"grid:{{cells}}+mask\", \"grid:{{cells}}+vds:64\"]\n\
          sweep = {{ cells = [8, 16] }}\n[[run.expect]]\n{expect}\n"
     );
@@ -185,7 +185,7 @@ fn what_was_refused_does_not_fall_and_what_is_0_throughout_has_nothing_to_fall()
 
 #[test]
 fn what_has_fallen_to_0_may_stay_there() {
-    let text = "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene = [\"shape:cube\"]\n\
+    let text = "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene.part = [{ shape = \"cube\" }]\n\
          strategies = [\"grid:{cells}+mask\"]\nsweep = { cells = [8, 16, 32] }\n[[run.expect]]\n\
          strategies = [\"*\"]\ncrack_px = { falls_along = \"cells\" }\n";
     let run = scenes(&read(text).unwrap(), false);

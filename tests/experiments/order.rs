@@ -3,33 +3,11 @@
 use std::cell::RefCell;
 
 use cutaway::Result;
-use cutaway::experiment::run::{Assignment, Measured, Remark, measure};
-use cutaway::experiment::{Machine, Opener, Reached, Shown, Sitting, Staged, Warning, Watcher};
-use cutaway::scene::Scene;
-use cutaway::strategies::FrameOptions;
+use cutaway::experiment::run::{Assignment, Measured, measure};
+use cutaway::experiment::{Machine, Reached, Sitting, Warning, Watcher};
+use cutaway::scene::Remark;
 
-use super::common::scenes::sectioned;
 use super::{common, read, scenes};
-
-/// Knows a few words.
-struct Opens;
-
-impl Opener for Opens {
-    fn open(&self, words: &[String]) -> Result<Staged> {
-        let scene: Scene = sectioned(&words[0], &["-z=50%"]);
-        let shown = Shown::of(&scene);
-        Ok(Staged {
-            name: words[0].clone(),
-            view: shown.model.prepared.view([32, 24]),
-            options: FrameOptions::default(),
-            shown,
-            remarks: vec![Remark {
-                is_warning: true,
-                text: format!("about {}\n  help: none", words[0]),
-            }],
-        })
-    }
-}
 
 /// Writes down what it is told, and says stop after so many steps.
 struct Writes {
@@ -64,7 +42,8 @@ fn measured(
     stops_after: usize,
 ) -> (Result<Option<Measured>>, Vec<String>) {
     let text = format!(
-        "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene = [\"{scene}\"]\n{truth}\n\
+        "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\n{truth}\nresolution = [32, 24]\n\
+         scene = {{ part = [{{ shape = \"{scene}\" }}], cut = [{{ name = \"far\", surfaces = [{{ section = \"-z=50%\" }}] }}, {{ surfaces = [{{ section = \"-z=900\" }}], enabled = true }}] }}\n\
          strategies = [\"raycast+mask\", \"planar\"]\nrounds = 2\n{more}\n\
          [[run.expect]]\nstrategies = [\"raycast+mask\"]\ndecided_wrong_px = 7\n"
     );
@@ -87,7 +66,7 @@ fn measured(
         machine: &Machine::default(),
         sitting: &Sitting::default(),
     };
-    let measured = measure(&mut common::session(), &assignment, &Opens, &watcher);
+    let measured = measure(&mut common::session(), &assignment, &watcher);
     let texts: Vec<String> = (watcher.remarks.borrow().iter())
         .map(|r| r.text.clone())
         .collect();
@@ -146,16 +125,15 @@ fn whoever_says_stop_is_heard_between_rounds() {
 
 #[test]
 fn the_truth_must_be_framed_as_the_scene_is() {
-    let (found, _) = measured("cube", "truth = [\"cube\"]", "pictures = false", usize::MAX);
+    let truth = "truth = { \"camera.zoom\" = 1 }";
+    let (found, _) = measured("cube", truth, "pictures = false", usize::MAX);
     let found = found.unwrap().unwrap();
     assert!(found.pictures.is_empty());
-    let opening = Warning::Opening {
-        text: "about cube".to_owned(),
-        mend: "none".to_owned(),
-    };
-    let openings = found.record.warnings.iter().filter(|w| **w == opening);
+    let is_opening = |w: &&Warning| matches!(w, Warning::Opening { .. });
+    let openings = found.record.warnings.iter().filter(is_opening);
     assert_eq!(openings.count(), 1, "{:?}", found.record.warnings);
-    let (found, _) = measured("cube", "truth = [\"crank\"]", "", usize::MAX);
+    let truth = "truth = { \"part.0.shape\" = \"crank\" }";
+    let (found, _) = measured("cube", truth, "", usize::MAX);
     let message = found.err().unwrap().to_string();
     assert!(message.contains("bounds"), "{message}");
 }

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use cutaway::document::Document;
 use serde_json::Value;
 
 use super::command::{Ran, Scratch};
@@ -11,11 +12,14 @@ question = "What does a cube cost?"
 analysis = "Little."
 [[run]]
 name = "cube"
-scene = ["shape:cube", "--section=-z=50%", "--relief=waves:amplitude={amplitude}"]
-resolution = "32,24"
+resolution = [32, 24]
 strategies = ["raycast+mask", "grid:8+vds:64"]
 rounds = 2
-sweep = { amplitude = ["2%", "5%"] }
+sweep.amplitude = { path = "cut.front.surfaces.0.amplitude", values = ["2%", "5%"] }
+[run.scene]
+part = [{ shape = "cube" }]
+relief.waves = { kind = "waves" }
+cut = [{ name = "front", surfaces = [{ section = "-z=50%", relief = "waves" }] }]
 [run.quick]
 rounds = 1
 sweep = { amplitude = ["5%"] }
@@ -57,15 +61,10 @@ fn records_are_left_kept_and_measured_again() {
     );
     let record = json(&folder, "out/01-cube/cube.2_.json");
     assert_eq!(record["parameters"]["amplitude"], "2%");
-    assert_eq!(
-        record["words"],
-        serde_json::json!([
-            "shape:cube",
-            "--section=-z=50%",
-            "--relief=waves:amplitude=2%",
-            "--resolution=32,24"
-        ])
-    );
+    let scene = Document::parse("scene.toml", record["scene"].as_str().unwrap()).unwrap();
+    let expected = "part = [{ shape = \"cube\" }]\nrelief.waves = { kind = \"waves\" }\nresolution = [32, 24]\n\
+        cut = [{ name = \"front\", surfaces = [{ section = \"-z=50%\", relief = \"waves\", amplitude = \"2%\" }] }]";
+    assert_eq!(scene, Document::parse("scene.toml", expected).unwrap());
     assert_eq!(record["truth"], Value::Null);
     assert_eq!(
         record["makers"][1],
@@ -90,14 +89,14 @@ fn records_are_left_kept_and_measured_again() {
 
     // The command of a record repeats it.
     let command = record["measurement"]["command"].as_str().unwrap();
-    let again = folder.run(&format!(
-        "{} --json -",
-        command.strip_prefix("cutaway ").unwrap()
-    ));
-    let again = again.exits(0).json();
+    folder
+        .run(command.strip_prefix("cutaway ").unwrap())
+        .exits(0);
+    let again = json(&folder, "target/again/01-cube/cube.2_.json");
     for i in 0..2 {
         for field in ["name", "decided_wrong_px", "crack_px", "depth_error_max"] {
-            let [a, b] = [&record["measurement"], &again].map(|m| &m["strategies"][i][field]);
+            let of = |r: &Value| r["measurement"]["strategies"][i][field].clone();
+            let [a, b] = [&record, &again].map(of);
             assert_eq!(a, b, "{field}");
         }
     }
@@ -113,7 +112,7 @@ fn records_are_left_kept_and_measured_again() {
     assert_eq!(counts(&measure("").exits(0)), [1, 1], "one is missing");
     folder.write(
         "01-cube.toml",
-        &CUBE.replace("[\"2%\", \"5%\"]", "[\"2%\", \"10%\"]"),
+        CUBE.replace("[\"2%\", \"5%\"]", "[\"2%\", \"10%\"]"),
     );
     let ran = measure("").exits(0);
     assert_eq!(counts(&ran), [1, 1], "one is another");
@@ -195,16 +194,17 @@ fn another_expectation_is_held_against_what_was_measured() {
 #[test]
 fn a_model_that_changed_is_measured_again() {
     let folder = Scratch::new("changed");
-    let text = CUBE.replace("shape:cube", "cube.toml");
-    folder.write("01-cube.toml", &text);
-    let scene = "[[part]]\nname = \"cube\"\nshape = \"cube\"\n";
+    let (before, rest) = CUBE.split_once("[run.scene]\n").unwrap();
+    let (scene, after) = rest.split_once("[run.quick]").unwrap();
+    let before = before.replace("rounds = 2", "rounds = 2\nscene = \"cube.toml\"");
+    folder.write("01-cube.toml", format!("{before}[run.quick]{after}"));
     folder.write("cube.toml", scene);
     let measure = || folder.run("measure 01-cube.toml --out out").exits(0);
     assert_eq!(counts(&measure()), [2, 0]);
     assert_eq!(counts(&measure()), [0, 2], "the control");
     folder.write(
         "cube.toml",
-        &scene.replace("shape = \"cube\"", "shape = \"sphere\""),
+        scene.replace("shape = \"cube\"", "shape = \"sphere\""),
     );
     assert_eq!(counts(&measure()), [2, 0]);
 }
@@ -244,7 +244,7 @@ fn an_expectation_that_fails_is_told_first_and_is_the_exit_code() {
     let folder = Scratch::new("fails");
     folder.write(
         "01-cube.toml",
-        &CUBE.replace("decided_wrong_px = 0", "decided_wrong_px = 3"),
+        CUBE.replace("decided_wrong_px = 0", "decided_wrong_px = 3"),
     );
     for times in ["measured", "kept"] {
         let ran = folder
@@ -280,7 +280,7 @@ fn a_dry_run_lists_what_would_be_measured_and_leaves_nothing() {
         "amplitude = 2%",
         "amplitude = 5%",
         "grid:8+vds:64",
-        "cutaway compare shape:cube",
+        "cutaway measure 01-cube.toml --only=cube:2_",
     ] {
         assert!(ran.text().contains(told), "{}", ran.text());
     }
@@ -291,8 +291,9 @@ fn a_dry_run_lists_what_would_be_measured_and_leaves_nothing() {
 fn bad_input_is_refused_before_anything_is_measured() {
     let folder = Scratch::new("refused");
     folder.write("01-cube.toml", CUBE);
-    folder.write("02-lost.toml", &CUBE.replace("shape:cube", "nowhere.stl"));
-    folder.write("03-spong.toml", &CUBE.replace("shape:cube", "shape:spong"));
+    let lost = CUBE.replace("shape = \"cube\"", "mesh = \"nowhere.stl\"");
+    folder.write("02-lost.toml", lost);
+    folder.write("03-spong.toml", CUBE.replace("\"cube\" }]", "\"spong\" }]"));
     let lost = "question = \"Is it lost?\"\nanalysis = \"It is.\"\n\n[[run]]\nname = \"lost\"\ncases = [\"1\", \"99\"]\n";
     folder.write("04-cases.toml", lost);
     folder.write("file", "");
@@ -309,7 +310,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
         ("measure 01-cube.toml --out file", "not a folder"),
         (
             "measure 01-cube.toml 02-lost.toml --out out",
-            "02-lost.toml: run `cube`: nowhere.stl",
+            "`part.0.mesh`: there is no file nowhere.stl",
         ),
         (
             "measure 01-cube.toml 04-cases.toml --out out",
@@ -333,14 +334,8 @@ fn bad_input_is_refused_before_anything_is_measured() {
 #[test]
 fn what_is_said_of_a_scene_stands_in_its_record_and_is_said_once_with_its_place() {
     let folder = Scratch::new("remarks");
-    let far = "\"--section=z=900\"";
-    let scene = format!("scene = [\"shape:cube\", {far}");
-    let text = CUBE
-        .replace("scene = [\"shape:cube\", \"--section=-z=50%\"", &scene)
-        .replace(
-            "resolution",
-            &format!("truth = [\"shape:cube\", {far}]\nresolution"),
-        );
+    let text = CUBE.replace("-z=50%", "z=900");
+    let text = text.replace("rounds = 2", "rounds = 2\ntruth = { \"camera.zoom\" = 1 }");
     folder.write("01-cube.toml", &text);
     let ran = folder
         .run("measure 01-cube.toml --quick --out out")
@@ -400,7 +395,7 @@ fn a_point_is_asked_for_by_the_name_of_its_files() {
     let folder = Scratch::new("only");
     folder.write(
         "01-cube.toml",
-        &CUBE.replace(
+        CUBE.replace(
             "rounds = 2",
             "rounds = 2\ndrift = { frames = 2, px = 0.5 }\npictures = \"last\"",
         ),
@@ -479,7 +474,7 @@ fn an_interrupted_run_keeps_what_is_complete_and_goes_on() {
     let many: Vec<String> = (1..=40).map(|i| format!("\"{i}%\"")).collect();
     folder.write(
         "01-cube.toml",
-        &CUBE.replace("[\"2%\", \"5%\"]", &format!("[{}]", many.join(", "))),
+        CUBE.replace("[\"2%\", \"5%\"]", &format!("[{}]", many.join(", "))),
     );
     let line = "measure 01-cube.toml --out out --rounds 1";
     let mut child = folder

@@ -1,14 +1,14 @@
 //! Promise: what other readers take is taken, whole, and what is left out of it is said with its line.
 
-use super::{Folder, ascii_ply, ascii_stl, buffer, gltf_json, must_load, obj};
-use cutaway::scene::load_mesh_file;
+use super::{Scratch, ascii_ply, ascii_stl, buffer, gltf_json, must_load, obj};
+use cutaway::load::load_mesh_file;
 
 const MARK: &str = "\u{feff}";
 
 #[test]
 fn a_byte_order_mark_takes_no_vertex_away() {
-    let folder = Folder::new();
-    folder.write("a b.bin", &buffer());
+    let folder = Scratch::new("mesh");
+    folder.write("a b.bin", buffer());
     let gltf = gltf_json(r#"{"byteLength":72,"uri":"a%20b.bin"}"#);
     for (name, text) in [
         ("a.obj", obj()),
@@ -29,7 +29,7 @@ fn a_byte_order_mark_takes_no_vertex_away() {
 
 #[test]
 fn text_in_utf_16_is_refused_by_name() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let words = format!("{MARK}{}", obj());
     let bytes: Vec<u8> = words.encode_utf16().flat_map(u16::to_le_bytes).collect();
     super::must_be_refused(&folder.write("wide.obj", &bytes), "UTF-16");
@@ -37,7 +37,7 @@ fn text_in_utf_16_is_refused_by_name() {
 
 #[test]
 fn a_line_with_an_unknown_first_word_is_told_once() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let known = format!("o a\ns off\nvt 0 0\nl 1 2\np 1\n{}", obj());
     let path = folder.write("known.obj", known.as_bytes());
     must_load(&path);
@@ -59,7 +59,7 @@ fn a_line_with_an_unknown_first_word_is_told_once() {
 
 #[test]
 fn faces_need_no_normals_and_no_texture() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let corner = |face: &str| obj().replace("f 1 3 2", face);
     for (face, is_told) in [
         ("f 1/9/ 3/9/ 2/9/", false),
@@ -78,7 +78,7 @@ fn faces_need_no_normals_and_no_texture() {
 
 #[test]
 fn a_bare_line_of_a_ply_header_is_a_comment() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let bare = "Created by Blender3D 2.42, source file: a.blend\n";
     for (name, bytes) in [
         ("a.ply", ascii_ply().into_bytes()),

@@ -1,16 +1,16 @@
 //! Promise: what is no file, leads out of its folder, unpacks without end or lies beyond all numbers is refused by name; and what many
 //! parts have alike is said once.
 
-use super::{Folder, buffer, gltf_json, gzipped, must_be_refused, must_load, obj, stl};
-use cutaway::scene::load_mesh_file;
+use super::{Scratch, buffer, gltf_json, gzipped, must_be_refused, must_load, obj, stl};
+use cutaway::load::load_mesh_file;
 use std::fs;
 use std::io::Write;
 
 #[test]
 fn a_buffer_is_a_file_of_the_models_folder_or_below() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     for below in ["model/deep/er", "model-too"] {
-        fs::create_dir_all(folder.0.join(below)).unwrap();
+        fs::create_dir_all(folder.path(below)).unwrap();
     }
     for place in [
         "a.bin",
@@ -18,7 +18,7 @@ fn a_buffer_is_a_file_of_the_models_folder_or_below() {
         "model/a b.bin",
         "model/deep/er/a.bin",
     ] {
-        folder.write(place, &buffer());
+        folder.write(place, buffer());
     }
     let with = |uri: &str| {
         let text = gltf_json(&format!(r#"{{"byteLength":72,"uri":"{uri}"}}"#));
@@ -27,7 +27,7 @@ fn a_buffer_is_a_file_of_the_models_folder_or_below() {
     for uri in ["a%20b.bin", "deep/er/a.bin", "./deep/../a b.bin"] {
         must_load(&with(uri));
     }
-    let absolute = folder.0.join("a.bin").to_string_lossy().into_owned();
+    let absolute = folder.path("a.bin").to_string_lossy().into_owned();
     for (uri, word) in [
         ("../a.bin", "leads out"),
         ("%2e%2e/a.bin", "leads out"),
@@ -48,12 +48,12 @@ fn a_buffer_is_a_file_of_the_models_folder_or_below() {
 #[cfg(unix)]
 #[test]
 fn a_link_leads_out_of_no_folder() {
-    let folder = Folder::new();
-    fs::create_dir_all(folder.0.join("model")).unwrap();
+    let folder = Scratch::new("mesh");
+    fs::create_dir_all(folder.path("model")).unwrap();
     for place in ["a.bin", "model/own.bin"] {
-        folder.write(place, &buffer());
+        folder.write(place, buffer());
     }
-    let link = |to: &str, name: &str| std::os::unix::fs::symlink(to, folder.0.join(name)).unwrap();
+    let link = |to: &str, name: &str| std::os::unix::fs::symlink(to, folder.path(name)).unwrap();
     link("../a.bin", "model/out.bin");
     link("own.bin", "model/in.bin");
     link("..", "model/up");
@@ -69,23 +69,23 @@ fn a_link_leads_out_of_no_folder() {
     with("own.bin");
     link("model/m.gltf", "linked.gltf");
     link("model/own.bin", "own.bin");
-    must_load(&folder.0.join("linked.gltf"));
+    must_load(&folder.path("linked.gltf"));
 }
 
 #[cfg(unix)]
 #[test]
 fn devices_pipes_and_folders_are_refused_by_name() {
-    let folder = Folder::new();
-    let fifo = folder.0.join("pipe.obj");
+    let folder = Scratch::new("mesh");
+    let fifo = folder.path("pipe.obj");
     let made = std::process::Command::new("mkfifo").arg(&fifo).status();
     assert!(made.unwrap().success());
     must_be_refused(&fifo, "pipe");
-    fs::create_dir(folder.0.join("folder.ply")).unwrap();
-    must_be_refused(&folder.0.join("folder.ply"), "folder");
-    std::os::unix::fs::symlink("/dev/zero", folder.0.join("zero.stl")).unwrap();
-    must_be_refused(&folder.0.join("zero.stl"), "device");
+    fs::create_dir(folder.path("folder.ply")).unwrap();
+    must_be_refused(&folder.path("folder.ply"), "folder");
+    std::os::unix::fs::symlink("/dev/zero", folder.path("zero.stl")).unwrap();
+    must_be_refused(&folder.path("zero.stl"), "device");
     // What a model names is looked at like the model.
-    std::os::unix::fs::symlink("/dev/zero", folder.0.join("zero.mtl")).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", folder.path("zero.mtl")).unwrap();
     let path = folder.write("m.obj", format!("mtllib zero.mtl\n{}", obj()).as_bytes());
     let notes = load_mesh_file(&path).unwrap().notes;
     assert!(
@@ -96,12 +96,12 @@ fn devices_pipes_and_folders_are_refused_by_name() {
 
 #[test]
 fn what_unpacks_to_hundreds_of_times_its_size_is_refused() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     // The control: little may pack as well as it likes.
     let spaces = " ".repeat(1 << 20);
     must_load(&folder.write(
         "spaces.obj.gz",
-        &gzipped(format!("{}#{spaces}", obj()).as_bytes()),
+        gzipped(format!("{}#{spaces}", obj()).as_bytes()),
     ));
     let mut bomb = obj().into_bytes();
     bomb.resize(65 << 20, b'\n');
@@ -117,7 +117,7 @@ fn what_unpacks_to_hundreds_of_times_its_size_is_refused() {
 
 #[test]
 fn coordinates_beyond_all_products_are_refused() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let scaled = |by: &str| obj().replace("v 1", &format!("v 1{by}"));
     // The controls: far more than anybody needs.
     for by in ["e30", "e99", "e-30"] {
@@ -141,7 +141,7 @@ fn coordinates_beyond_all_products_are_refused() {
 
 #[test]
 fn many_open_parts_are_one_note() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     let mut text = String::new();
     for part in 0..19 {
         let offset = 4 * part;

@@ -1,38 +1,9 @@
 //! Small glTF documents, put together as text with their numbers in a data URI.
 
-use std::fs;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicU32, Ordering};
-
-use cutaway::scene::{Loaded, load_mesh_file};
+use cutaway::load::{Loaded, load_mesh_file};
 use serde_json::{Value, json};
 
-/// A folder that is removed again.
-pub(crate) struct Folder(PathBuf);
-
-impl Folder {
-    pub(crate) fn new() -> Self {
-        static NEXT: AtomicU32 = AtomicU32::new(0);
-        let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        let name = format!("cutaway-motions-{}-{number}", std::process::id());
-        let path = std::env::temp_dir().join(name);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    pub(crate) fn write(&self, name: &str, text: &[u8]) -> PathBuf {
-        let path = self.0.join(name);
-        fs::write(&path, text).unwrap();
-        path
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A folder left behind in the temporary directory does no harm.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
+use super::command::Scratch;
 
 /// A document whose JSON may be changed at will before it is written.
 #[derive(Clone)]
@@ -148,7 +119,7 @@ impl Document {
     }
 
     pub(crate) fn try_load(&self) -> cutaway::Result<Loaded> {
-        let folder = Folder::new();
+        let folder = Scratch::new("mesh");
         load_mesh_file(&folder.write("motion.gltf", self.text().as_bytes()))
     }
 }

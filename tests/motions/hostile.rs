@@ -1,9 +1,11 @@
 //! Broken motion: the mesh is shown all the same, and a note says what was left out; what the mesh itself needs is refused.
 
-use cutaway::scene::{Topology, load_mesh_file};
+use cutaway::load::load_mesh_file;
+use cutaway::scene::Topology;
 use serde_json::json;
 
-use super::document::{Document, Folder, bending_bar, cube_document, morphing_cube};
+use super::command::Scratch;
+use super::document::{Document, bending_bar, cube_document, morphing_cube};
 
 /// A fault, how it gets into a document, and what is said about it.
 type Fault = (&'static str, fn(&mut Document), &'static [&'static str]);
@@ -556,7 +558,7 @@ fn what_is_welded_moves_as_one() {
 
 #[test]
 fn no_changed_byte_crashes() {
-    let folder = Folder::new();
+    let folder = Scratch::new("mesh");
     for document in [bending_bar(), morphing_cube()] {
         let whole = document.text().into_bytes();
         for at in (0..whole.len()).step_by(5) {

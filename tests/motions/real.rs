@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use cutaway::Part;
-use cutaway::scene::{Bounds, Topology, load_mesh_file};
+use cutaway::load::load_mesh_file;
+use cutaway::scene::{Bounds, Topology};
 use glam::DVec3;
 
 use super::data::data;

@@ -18,13 +18,7 @@ const RASTERISERS: [Rasteriser; 2] = [Rasteriser::Hardware, Rasteriser::Compute]
 
 /// The exact strategy's answer by a rasteriser.
 fn answer(question: &Question, rasteriser: Rasteriser) -> Judged {
-    session().set_options(FrameOptions {
-        rasteriser,
-        ..FrameOptions::default()
-    });
-    let judged = question.answer(&Strategy::RAYCAST_MASK);
-    session().set_options(FrameOptions::default());
-    judged
+    question.answer_with(&Strategy::RAYCAST_MASK, FrameOptions::by(rasteriser))
 }
 
 #[track_caller]

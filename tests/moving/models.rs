@@ -3,12 +3,13 @@
 
 use std::path::PathBuf;
 
+use cutaway::load::load_mesh_file;
 use cutaway::passes::Model;
-use cutaway::scene::{Scene, Topology, load_mesh_file, section_surface};
+use cutaway::scene::{Scene, Topology, section_surface};
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 
+use super::common::Question;
 use super::common::data::data;
-use super::common::{Question, session};
 use super::vertices::farthest_of_moving;
 
 const SIZE_PX: [u32; 2] = [128, 96];
@@ -59,12 +60,8 @@ fn animated_models_are_posed_and_cut_exactly() {
                 let is_closed = scene.parts.iter().all(|p| Topology::of(&p.mesh).closed);
                 let question = Question::of_model(next, &scene, SIZE_PX);
                 for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-                    session().set_options(FrameOptions {
-                        rasteriser,
-                        ..FrameOptions::default()
-                    });
-                    let judged = question.answer(&Strategy::RAYCAST_MASK);
-                    session().set_options(FrameOptions::default());
+                    let options = FrameOptions::by(rasteriser);
+                    let judged = question.answer_with(&Strategy::RAYCAST_MASK, options);
                     let wrong = judged.comparison.decided_wrong_px;
                     println!(
                         "{}, {rasteriser}: closed {is_closed}, {wrong} px wrong",

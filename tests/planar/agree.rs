@@ -6,7 +6,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
-use super::common::{Judged, Question, class_of, meshes, scenes, session};
+use super::common::{Judged, Question, class_of, meshes, scenes};
 use super::decided_differing;
 
 const SIZE: [u32; 2] = [160, 120];
@@ -134,9 +134,7 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
         asked += 1;
         let mask = question.answer(&Strategy::RAYCAST_MASK);
         for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-            session().set_options(FrameOptions::by(rasteriser));
-            let found = question.answer(&Strategy::PLANAR);
-            session().set_options(FrameOptions::default());
+            let found = question.answer_with(&Strategy::PLANAR, FrameOptions::by(rasteriser));
             if let Some(fault) = fault(&found, &mask) {
                 faults.push(format!("{name}, {rasteriser}: {fault}"));
             }

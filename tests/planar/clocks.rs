@@ -9,7 +9,7 @@ use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
-use super::common::{Question, meshes, scenes, session, software};
+use super::common::{Question, meshes, scenes, software};
 
 fn scene() -> Scene {
     let plane = ClipSurface::plane(DVec3::Z * 0.02, DVec3::new(0.1, 0.15, -1.0));
@@ -122,12 +122,10 @@ fn what_moves_is_sliced_where_it_stands() {
             * DAffine3::from_rotation_y(turn)
             * DAffine3::from_rotation_x(0.5 * turn);
         model = model.updated(&scene);
-        session().set_options(FrameOptions::by(rasteriser));
         let question = Question::of_model(model.clone(), &scene, [160, 120]);
-        let judged = question.answer(&Strategy::PLANAR);
+        let judged = question.answer_with(&Strategy::PLANAR, FrameOptions::by(rasteriser));
         let caps = judged.layers.pixels.iter();
         let of_cube = caps.filter(|p| p.part == 1 && p.clip_surface == 0).count();
-        session().set_options(FrameOptions::default());
         assert_eq!(judged.fault_of_exact(), None, "turned by {turn}");
         assert!(of_cube > 200, "turned by {turn}");
     }

@@ -5,9 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use cutaway::Comparison;
+use cutaway::document::{Document, cut, part, section};
 use cutaway::experiment::{
-    CaseRecord, CaseRecords, Ending, Expectation, Machine, Maker, Measurement, PassTime, PerClock,
-    Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement, Timing, Warning,
+    CaseRecord, CaseRecords, Ending, Expectation, Machine, Maker, Measurement, Parameter, PassTime,
+    PerClock, Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement, Timing,
+    Warning,
 };
 use cutaway::gpu::AdapterReport;
 use cutaway::plan::Clock;
@@ -76,10 +78,10 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
         format: Record::FORMAT,
         experiment: NAME.to_owned(),
         run: "crank".to_owned(),
-        parameters: BTreeMap::from([("size".to_owned(), size.to_owned())]),
+        parameters: BTreeMap::from([("size".to_owned(), Parameter::Text(size.to_owned()))]),
         is_quick: false,
         identity: size.to_owned(),
-        words: Vec::new(),
+        scene: Document::new(),
         truth: None,
         measurement: Measurement {
             scene: "crank".to_owned(),
@@ -102,7 +104,6 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
             strategies,
         },
         makers: vec![vec![Maker::default()]; count],
-        axes: Vec::new(),
         figures: vec![BTreeMap::new(); count],
         expectations: vec![reached("raycast+mask", true)],
         warnings: vec![Warning::SoftwareAdapter {
@@ -129,6 +130,17 @@ pub(crate) fn reached(strategy: &str, holds: bool) -> Reached {
     }
 }
 
+/// The crank, cut by a plane; its mesh may be broken.
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+pub(crate) fn scene(defect: Option<&str>) -> Document {
+    let mut scene = Document::new();
+    let crank = part("shape:crank");
+    let crank = defect.into_iter().fold(crank, |part, d| part.defect(d));
+    scene.add_part(crank).unwrap();
+    scene.add_cut(cut([section("x=1")])).unwrap();
+    scene
+}
+
 /// The records of the fixture: at each size the exact one, the paper's, one of a sweep, and one that refuses.
 pub(crate) fn records() -> Vec<Record> {
     let of = |size: &str, wrong: usize| {
@@ -143,7 +155,7 @@ pub(crate) fn records() -> Vec<Record> {
         );
         record.makers[2][0]
             .parameters
-            .insert("cells".to_owned(), "64".to_owned());
+            .insert("cells".to_owned(), Parameter::Whole(64));
         record.makers[2][0].family = "grid:{cells}+vds:1024".to_owned();
         record.figures[0].insert("flicker_px".to_owned(), 7.0);
         record
@@ -203,7 +215,7 @@ pub(crate) fn write(folder: &Path, records: &[Record], cases: Option<&CaseRecord
             "name": NAME,
             "question": "What does <it> cost?",
             "analysis": "Read *downwards*. <script>alert(2)</script>",
-            "run": [{ "name": "crank", "about": "a crank", "scene": ["shape:crank"] }],
+            "run": [{ "name": "crank", "about": "a crank", "scene": { "part": [{ "shape": "crank" }] } }],
             "chart": [
                 { "title": "Error against time", "x": "ratio", "y": "decided_wrong_px", "pareto": true, "log": ["x", "y"] },
                 { "title": "By size", "x": "size", "y": "time_ms.frame" },
@@ -212,7 +224,7 @@ pub(crate) fn write(folder: &Path, records: &[Record], cases: Option<&CaseRecord
         }),
     );
     for record in records {
-        let size = record.parameters["size"].replace('%', "");
+        let size = record.parameters["size"].to_string().replace('%', "");
         put(&format!("{NAME}/crank.{size}.json"), json!(record));
     }
     if let Some(cases) = cases {

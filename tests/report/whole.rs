@@ -7,7 +7,7 @@ use cutaway::experiment::{Picture, Sitting, Warning};
 use cutaway::report::PictureOptions;
 
 use super::command::Scratch;
-use super::fixture::{NAME, records, write};
+use super::fixture::{NAME, records, scene, write};
 use super::{report, report_of};
 
 /// Rewrites a JSON file.
@@ -78,7 +78,6 @@ fn folders_are_not_mixed_and_neither_are_quick_runs() {
         "cap_px",
         "surface_px",
         "undecided_px",
-        "words",
         "truth",
     ] {
         let count = heading.split(',').filter(|h| *h == name).count();
@@ -97,11 +96,14 @@ fn folders_are_not_mixed_and_neither_are_quick_runs() {
 fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
     let folder = Scratch::new("report-scene");
     let plain = report_of(&folder, &records());
-    assert!(!plain.markdown.contains("Judged by"), "the control");
+    assert!(
+        !plain.markdown.contains("exact image is the truth"),
+        "the control"
+    );
     let mut records = records();
     for record in &mut records {
-        record.words = ["shape:crank", "--section=x=1"].map(str::to_owned).into();
-        record.truth = Some(vec!["shape:whole".to_owned()]);
+        record.scene = scene(Some("holes"));
+        record.truth = Some(scene(None));
         record.warnings.push(Warning::Opening {
             text: "the section misses the model".to_owned(),
             mend: "move it".to_owned(),
@@ -110,18 +112,15 @@ fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
     let pages = report_of(&folder, &records);
     for page in [&pages.html, &pages.markdown] {
         for (said, count) in [
-            ("shape:crank --section=x=1", 2),
-            ("shape:whole", 2),
+            ("section = ", 4),
+            ("kind = ", 2),
+            ("The scene whose exact image is the truth", 2),
             ("the section misses the model", 3),
         ] {
             assert_eq!(page.matches(said).count(), count, "{said} in\n{page}");
         }
     }
-    assert!(
-        pages
-            .csv
-            .contains(",shape:crank --section=x=1,shape:whole,")
-    );
+    assert!(pages.csv.contains(",10,20,1,other,"), "{}", pages.csv);
 }
 
 #[test]
@@ -238,11 +237,7 @@ fn what_the_spread_covers_stands_beside_it() {
 #[test]
 fn a_chart_says_which_points_it_shows() {
     let folder = Scratch::new("report-captions");
-    let mut records = records();
-    records
-        .iter_mut()
-        .for_each(|r| r.axes = vec!["size".to_owned()]);
-    let page = report_of(&folder, &records).html;
+    let page = report_of(&folder, &records()).html;
     for (title, shown) in [
         ("Error against time (crank: size = 2%)", "size = 2%"),
         ("Error against time (crank: size = 10%)", "size = 10%"),

@@ -3,13 +3,13 @@
 use std::fs::File;
 use std::path::Path;
 
-use cutaway::scene::relief::read_offset_map;
+use cutaway::load::read_offset_map;
 use tiff::encoder::colortype::{
     ColorType, Gray16, Gray32, Gray32Float, Gray64Float, GrayI16, RGB32Float,
 };
 use tiff::encoder::{TiffEncoder, TiffValue};
 
-use super::Folder;
+use super::Scratch;
 
 fn write<C: ColorType>(path: &Path, size: [u32; 2], samples: &[C::Inner])
 where
@@ -24,8 +24,8 @@ where
 
 #[test]
 fn floats_and_whole_numbers_of_all_kinds_are_heights() {
-    let folder = Folder::new("tiff");
-    let path = folder.0.join("heights.tif");
+    let folder = Scratch::new("tiff");
+    let path = folder.path("heights.tif");
     let floats = [-3.5_f32, 0.0, 1e-3, 1234.5, 2.0, 3.0];
     let read = || {
         let map = read_offset_map(&path).unwrap();
@@ -50,8 +50,8 @@ fn floats_and_whole_numbers_of_all_kinds_are_heights() {
 
 #[test]
 fn heights_that_are_no_numbers_are_refused_by_their_place() {
-    let folder = Folder::new("tiff-nan");
-    let path = folder.0.join("odd.tiff");
+    let folder = Scratch::new("tiff-nan");
+    let path = folder.path("odd.tiff");
     for (bad, told) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         write::<Gray32Float>(&path, [2, 2], &[0.0, 1.0, bad, 2.0]);
         let message = read_offset_map(&path).unwrap_err().to_string();

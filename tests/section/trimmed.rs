@@ -205,7 +205,7 @@ surfaces = [{{ section = "x=0" }}]
         )
     };
     let areas = |more: &str| -> Vec<f64> {
-        folder.write("scene.toml", &scene(more));
+        folder.write("scene.toml", scene(more));
         // What is offset lies beside the plane that is told.
         let json = folder.run("section scene.toml --json -").exits(0).json();
         let parts = json["sections"][0]["parts"].as_array().unwrap().iter();
@@ -233,7 +233,7 @@ fn a_hole_in_what_is_removed_is_none_of_the_section() {
         .filter(|l| *l != "f 10 11 15 14")
         .map(|l| format!("{l}\n"))
         .collect();
-    folder.write("two.obj", &[block(0.0, 0), open].concat());
+    folder.write("two.obj", [block(0.0, 0), open].concat());
     let line = "section two.obj --section z=0.5 --json -";
     let whole = folder.run(line).exits(1).json();
     assert_eq!(

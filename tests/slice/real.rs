@@ -3,7 +3,8 @@
 //!
 //! `cargo test --test slice areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
 
-use cutaway::scene::{Fill, Mesh, Topology, load_mesh_file};
+use cutaway::load::load_mesh_file;
+use cutaway::scene::{Fill, Mesh, Topology};
 use glam::DVec3;
 
 use crate::closed_forms::volume_by_areas;

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use cutaway::scene::{Axis, Bounds, Deformer, Mesh, Part, Topology};
 use glam::{DMat3, DVec3};
 
-use super::{Folder, at};
+use super::{Scratch, at};
 use crate::common::meshes;
 use crate::common::numbers::Numbers;
 
@@ -289,7 +289,7 @@ fn bounds_hold_all_that_is_moved() {
 
 #[test]
 fn deformers_of_a_scene_file_are_those_it_says() {
-    let folder = Folder::new("deform");
+    let folder = Scratch::new("deform");
     let text = r#"
 [[part]]
 name = "bar"

@@ -4,11 +4,13 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
 
-use cutaway::scene::frames::Sequence;
-use cutaway::scene::{Cut, Mesh, Scene, Timeline, section_surface};
+use cutaway::document::{self, Document, cut, section};
+use cutaway::load::Assets;
+use cutaway::load::frames::Sequence;
+use cutaway::scene::Mesh;
 use glam::DVec3;
 
-use super::{Folder, at, part};
+use super::{Scratch, at, part};
 use crate::common::meshes;
 
 /// Meshes as one OBJ file, an object each.
@@ -34,7 +36,7 @@ fn block(size: f64) -> Mesh {
 }
 
 /// A cube, a ball and a torus, from frame 3 on.
-fn changing(folder: &Folder) {
+fn changing(folder: &Scratch) {
     for (number, shape) in [(3, "cube"), (4, "sphere"), (5, "torus")] {
         let text = obj(&[meshes::shape(shape)]);
         folder.write(&format!("walk_{number:03}.obj"), &text);
@@ -57,7 +59,7 @@ applies_to = ["walker"]
 
 #[test]
 fn frames_may_change_in_everything() {
-    let folder = Folder::new("changing");
+    let folder = Scratch::new("changing");
     changing(&folder);
     let timeline = folder.timeline(SCENE);
     assert_eq!(
@@ -96,13 +98,13 @@ fn frames_may_change_in_everything() {
 
 #[test]
 fn a_frame_may_hold_fewer_solids() {
-    let folder = Folder::new("fewer");
+    let folder = Scratch::new("fewer");
     let two = [
         block(1.0),
         meshes::block(DVec3::splat(2.0), DVec3::splat(3.0)),
     ];
-    folder.write("f1.obj", &obj(&two));
-    folder.write("f2.obj", &obj(&two[..1]));
+    folder.write("f1.obj", obj(&two));
+    folder.write("f2.obj", obj(&two[..1]));
     let text = "[[part]]\nname = \"run\"\nmesh = \"f%d.obj\"\nfps = 1\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n\
                 applies_to = [\"run/1\"]\n";
     let timeline = folder.timeline(text);
@@ -120,40 +122,38 @@ fn a_frame_may_hold_fewer_solids() {
 
 #[test]
 fn a_gap_is_told() {
-    let folder = Folder::new("gap");
+    let folder = Scratch::new("gap");
     changing(&folder);
-    std::fs::rename(folder.0.join("walk_005.obj"), folder.0.join("walk_009.obj"))
+    std::fs::rename(folder.path("walk_005.obj"), folder.path("walk_009.obj"))
         .expect("a frame is moved");
     let file = folder.load(SCENE).expect("two frames are left");
-    let notes = file.notes.join("\n");
+    let notes = file.notes().join("\n");
     assert!(
         notes.contains("frame 5") && notes.contains("frame 9"),
         "{notes}"
     );
-    assert_eq!(file.timeline.duration_s(), Some(1.0), "two frames");
+    assert_eq!(file.duration_s(), Some(1.0), "two frames");
 }
 
 #[test]
 fn sequences_of_the_command_line_join_a_scene() {
-    let folder = Folder::new("join");
+    let folder = Scratch::new("join");
     for (number, size) in [(0, 1.0), (1, 2.0)] {
-        folder.write(&format!("cube{number}.obj"), &obj(&[block(size)]));
+        folder.write(&format!("cube{number}.obj"), obj(&[block(size)]));
     }
-    let pattern = folder.0.join("cube%d.obj");
-    let sequence = Sequence::open(&pattern.to_string_lossy(), 10.0).expect("two frames");
-    assert_eq!(sequence.frame_count(), 2, "frames");
-    let scene = Scene {
-        parts: meshes::parts("cube"),
-        ..Scene::default()
-    };
-    let mut timeline = Timeline::of_scene(scene);
-    assert!(!timeline.moves(), "not yet");
-    timeline.add_sequence(sequence).expect("a sound scene");
+    let pattern = folder.path("cube%d.obj").to_string_lossy().into_owned();
+    let mut document = Document::new();
+    document
+        .add_part(document::part("shape:cube"))
+        .expect("a shape");
+    let frames = document::part(&pattern).with("fps", 10.0);
+    document.add_part(frames).expect("two frames");
+    document.add_cut(cut([section("z=50%")])).expect("a cut");
+    let assets = &mut Assets::default();
+    let timeline = document.timeline(assets).expect("a sound scene");
     assert_eq!(timeline.duration_s(), Some(0.2), "two frames");
     let stage = timeline.stage().expect("sound").expect("it moves");
     assert_eq!(stage.max, DVec3::splat(2.0), "the second frame is larger");
-    let surface = section_surface("z=50%", &stage).expect("a section");
-    timeline.add_cuts([Cut::of("cut", vec![surface])]);
     let scene = at(&timeline, 0.1);
     let names: Vec<&str> = scene.parts.iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["cube", "cube_2"], "names differ");
@@ -161,7 +161,7 @@ fn sequences_of_the_command_line_join_a_scene() {
     assert_eq!(scene.parts[1].bounds_in_world().max.x, 2.0, "second frame");
     // Every frame begins at its own time, whatever the rate.
     for fps in [23.976, 24.0, 29.97, 30.0, 60.0, 7.0] {
-        let sequence = Sequence::open(&pattern.to_string_lossy(), fps).expect("two frames");
+        let sequence = Sequence::open(&pattern, fps, assets).expect("two frames");
         for i in 0..5000 {
             let frame = sequence.frame_at(f64::from(i) / fps);
             assert_eq!(frame, (i % 2) as usize, "frame {i} at {fps} fps");
@@ -178,7 +178,7 @@ fn broken_frames_are_named() {
         ("empty", "", "walk_004.obj"),
         ("no faces", "v 0 0 0\n", "walk_004.obj"),
     ] {
-        let folder = Folder::new("broken");
+        let folder = Scratch::new("broken");
         changing(&folder);
         assert!(folder.load(SCENE).is_ok(), "the negative control");
         folder.write("walk_004.obj", text);
@@ -188,7 +188,7 @@ fn broken_frames_are_named() {
             "{name}: {error}"
         );
     }
-    let folder = Folder::new("patterns");
+    let folder = Scratch::new("patterns");
     changing(&folder);
     for (intact, broken, culprit, told) in [
         ("first = 3", "first = 1", "part.walker.mesh", "walk_001.obj"),
@@ -222,9 +222,10 @@ fn broken_frames_are_named() {
         ("nowhere/%d.ply", 24.0, "nowhere/0.ply"),
         ("walk.ply", 24.0, "no number"),
     ] {
-        let error = Sequence::open(pattern, fps).expect_err(pattern).to_string();
+        let opened = Sequence::open(pattern, fps, &mut Assets::default());
+        let error = opened.expect_err(pattern).to_string();
         assert!(error.contains(told) && error.contains("help:"), "{error}");
     }
-    let pattern = folder.0.join("walk_00%d.obj");
+    let pattern = folder.path("walk_00%d.obj");
     assert!(!Path::new(&pattern).exists(), "it is a pattern");
 }

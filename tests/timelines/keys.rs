@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use cutaway::document::{Document, Interpolation, Key};
 use cutaway::exact::evaluate;
-use cutaway::scene::{Interpolation, Key, OffsetMap, Prepared, Scene, Timeline, Viewpoint, shapes};
+use cutaway::load::Assets;
+use cutaway::scene::{OffsetMap, Prepared, Scene, Viewpoint};
 use glam::DVec3;
 
-use super::{Folder, at, part};
+use super::{Scratch, at, part};
 
 const SCENE: &str = r#"
 [camera]
@@ -58,7 +60,7 @@ fn near(a: DVec3, b: [f64; 3]) {
 
 #[test]
 fn values_hold_at_times_between_and_beyond() {
-    let folder = Folder::new("between");
+    let folder = Scratch::new("between");
     let keys = "[[key]]\ntarget = \"cut.front.surfaces.0.origin\"\ntimes_s = [1, 3, 4]\n\
                 values = [[0, 0, -1], [0, 4, 1], [0, 4, 2]]\n";
     let timeline = folder.timeline(&scene(keys));
@@ -76,10 +78,7 @@ fn values_hold_at_times_between_and_beyond() {
         near(origin(&at(&timeline, time_s)), expected);
     }
     // The file as it is written is what it was without a time.
-    near(
-        origin(&folder.load(&scene(keys)).expect("sound").scene),
-        [0.0, 0.0, 0.1],
-    );
+    near(origin(&folder.scene(&scene(keys))), [0.0, 0.0, 0.1]);
 }
 
 #[test]
@@ -104,7 +103,7 @@ fn interpolations_follow_their_formulas() {
 
 #[test]
 fn two_keys_move_one_vector() {
-    let folder = Folder::new("two");
+    let folder = Scratch::new("two");
     let keys = "[[key]]\ntarget = \"cut.0.surfaces.0.origin.0\"\ntimes_s = [0, 1]\nvalues = [0, 8]\n\
                 [[key]]\ntarget = \"cut.front.surfaces.0.origin.2\"\ntimes_s = [0, 2]\nvalues = [5, 7]\n\
                 interpolation = \"step\"\n";
@@ -116,7 +115,7 @@ fn two_keys_move_one_vector() {
 
 #[test]
 fn cameras_parts_and_amplitudes_move() {
-    let folder = Folder::new("others");
+    let folder = Scratch::new("others");
     let keys = "[[key]]\ntarget = \"camera.azimuth_deg\"\ntimes_s = [0, 2]\nvalues = [0, 90]\n\
                 [[key]]\ntarget = \"part.box.translate\"\ntimes_s = [0, 2]\nvalues = [[0, 0, 0], [0, 2, 0]]\n\
                 [[key]]\ntarget = \"part.1.scale\"\ntimes_s = [0, 2]\nvalues = [1, 3]\n\
@@ -145,7 +144,7 @@ fn cameras_parts_and_amplitudes_move() {
 
 #[test]
 fn a_matrix_moves_as_a_whole() {
-    let folder = Folder::new("matrix");
+    let folder = Scratch::new("matrix");
     let row = |x: &str| format!("[[1, 0, 0, {x}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
     let text = format!(
         "[[part]]\nname = \"a.b\"\nshape = \"cube\"\nmatrix = {}\n[[key]]\ntarget = \"part.a.b.matrix\"\n\
@@ -160,7 +159,7 @@ fn a_matrix_moves_as_a_whole() {
 
 #[test]
 fn what_does_not_change_stays_the_same_object() {
-    let folder = Folder::new("same");
+    let folder = Scratch::new("same");
     let keys = "[[key]]\ntarget = \"relief.ragged.gain\"\ntimes_s = [0, 2]\nvalues = [0.5, 0.9]\n";
     let timeline = folder.timeline(&scene(keys));
     let [first, later] = [0.5, 1.5].map(|t| at(&timeline, t));
@@ -188,7 +187,7 @@ fn what_does_not_change_stays_the_same_object() {
 
 #[test]
 fn whole_numbers_move_in_steps() {
-    let folder = Folder::new("whole");
+    let folder = Scratch::new("whole");
     let keys = "[[key]]\ntarget = \"relief.ragged.octaves\"\ntimes_s = [0, 2]\nvalues = [1, 2]\n";
     let step = format!("{keys}interpolation = \"step\"\n");
     assert_eq!(
@@ -202,30 +201,25 @@ fn whole_numbers_move_in_steps() {
 
 #[test]
 fn a_scene_without_movers_stands_still() {
-    let folder = Folder::new("still");
+    let folder = Scratch::new("still");
     let timeline = folder.timeline(&scene(""));
     assert!(!timeline.moves(), "nothing moves");
     assert_eq!(timeline.duration_s(), None, "nothing takes time");
     let scene = at(&timeline, 7.0);
     assert_eq!(scene.stage, None, "no stage is needed");
 
-    let still = Timeline::still(scene);
-    assert!(!still.moves() && still.clips().is_empty(), "{still:?}");
+    assert!(timeline.clips().is_empty(), "{:?}", timeline.clips());
     for time_s in [-1.0, f64::NAN, f64::INFINITY] {
-        let error = still.at(time_s).expect_err("no time").to_string();
+        let error = timeline.at(time_s).expect_err("no time").to_string();
         assert!(error.contains("help:"), "{error}");
     }
 }
 
 #[test]
 fn clips_that_are_not_there_are_refused() {
-    let parts = shapes::shape("cube").expect("a shape");
-    let scene = Scene {
-        parts,
-        ..Scene::default()
-    };
-    let error = Timeline::of_scene(scene).choose_clip("walk");
-    let error = error.expect_err("no clip").to_string();
+    let folder = Scratch::new("clips");
+    let text = "clip = \"walk\"\n[[part]]\nshape = \"cube\"\n";
+    let error = folder.load(text).expect_err("no clip").to_string();
     assert!(
         error.contains("`walk`") && error.contains("help:"),
         "{error}"
@@ -239,7 +233,8 @@ fn the_scenes_of_the_repository_move() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("a folder of scenes") {
         let path = entry.expect("an entry of it").path();
-        let timeline = Timeline::of_file(&path, &super::open_mesh, &shapes::shape);
+        let document = Document::read(&path);
+        let timeline = document.and_then(|d| d.timeline(&mut Assets::default()));
         let timeline = timeline.unwrap_or_else(|e| panic!("{e}"));
         let duration_s = timeline.duration_s().expect("it moves");
         let seen = |time_s: f64| {

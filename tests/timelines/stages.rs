@@ -1,11 +1,13 @@
 //! The stage: one box for all times.
 
-use cutaway::scene::{Bounds, Timeline, load_mesh_file};
+use cutaway::document::Timeline;
+use cutaway::load::load_mesh_file;
+use cutaway::scene::Bounds;
 use glam::DVec3;
 
 use super::common::data::data;
 use super::common::scenes::turning_gears;
-use super::{Folder, at, part};
+use super::{Scratch, at, part};
 
 const SCENE: &str = r#"
 [[part]]
@@ -58,7 +60,7 @@ fn outside(timeline: &Timeline, stage: Bounds, slack: f64, times: u32) -> usize 
 
 #[test]
 fn the_stage_holds_all_vertices_at_all_times() {
-    let folder = Folder::new("stage");
+    let folder = Scratch::new("stage");
     let timeline = folder.timeline(SCENE);
     let stage = timeline.stage().expect("sound").expect("it moves");
     assert_eq!(outside(&timeline, stage, 1e-12, 64), 0, "at sampled times");
@@ -73,7 +75,7 @@ fn the_stage_holds_all_vertices_at_all_times() {
 
 #[test]
 fn relative_sections_stay_where_they_are() {
-    let folder = Folder::new("sections");
+    let folder = Scratch::new("sections");
     let timeline = folder.timeline(SCENE);
     let stage = timeline.stage().expect("sound").expect("it moves");
     for time_s in [0.0, 0.7, 2.0] {
@@ -92,7 +94,7 @@ fn relative_sections_stay_where_they_are() {
 
 #[test]
 fn inflated_parts_keep_their_directions() {
-    let folder = Folder::new("directions");
+    let folder = Scratch::new("directions");
     let timeline = folder.timeline(SCENE);
     let [a, b] = [0.3, 1.3].map(|t| at(&timeline, t).parts[0].motion.clone());
     let [a, b] = [a, b].map(|m| m.expect("directions"));
@@ -107,7 +109,7 @@ fn inflated_parts_keep_their_directions() {
 fn gears_of_an_assembly_turn_by_keys() {
     let Some(data) = data() else { return };
     let file = data.join("assembly/cube_gears.glb");
-    let folder = Folder::new("gears");
+    let folder = Scratch::new("gears");
     let text = turning_gears(&file, "z=50%", 360.0);
     let timeline = folder.timeline(&text);
     let whole = load_mesh_file(&file).expect("a mesh that loads").parts;

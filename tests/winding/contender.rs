@@ -1,8 +1,9 @@
 //! Winding numbers beside the strategies: in the JSON as any of them, and the whole mesh as the truth about a broken one.
 
+use cutaway::document::parse_defect;
 use cutaway::experiment::{Contender, Question, Shown, errors, times};
+use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
-use cutaway::scene::defects::break_parts;
 
 use crate::command::Scratch;
 use crate::common::{scenes, session};
@@ -70,7 +71,7 @@ fn a_broken_mesh_is_judged_by_the_whole_one() {
     let of_whole = judged(&whole, Some(&whole), &contenders);
     assert_eq!(of_whole, [[0, 0], [0, 0]], "nothing is broken");
     let mut broken = whole.clone();
-    let holes = "holes:amount=5%".parse().unwrap();
+    let holes = parse_defect("holes:amount=5%").unwrap();
     break_parts(&mut broken.parts, &[holes]).unwrap();
     let own = judged(&broken, None, &contenders)[0];
     let by_whole = judged(&broken, Some(&whole), &contenders);

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
+use cutaway::document::parse_defect;
 use cutaway::exact::{Windings, evaluate};
+use cutaway::generate::defects::break_parts;
 use cutaway::layers::{Kind, Layers};
-use cutaway::scene::defects::{Defect, break_parts};
 use cutaway::scene::{Prepared, Scene, View};
 
 use crate::common::real::{cut, files};
@@ -14,7 +15,7 @@ const SIZE_PX: [u32; 2] = [256, 192];
 
 fn broken(scene: &Scene, defect: &str) -> Scene {
     let mut broken = scene.clone();
-    let defect: Defect = defect.parse().unwrap();
+    let defect = parse_defect(defect).unwrap();
     break_parts(&mut broken.parts, &[defect]).unwrap();
     broken
 }

@@ -6,10 +6,11 @@
 
 use std::sync::Arc;
 
+use cutaway::generate::shapes;
 use cutaway::gpu::run_words_with;
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
-use cutaway::scene::{ClipSurface, Cut, HeightFilter, OffsetMap, Scene, Wrap, shapes};
+use cutaway::scene::{ClipSurface, Cut, HeightFilter, OffsetMap, Scene, Wrap};
 use cutaway::strategies::{self, FrameOptions};
 use glam::{DVec2, DVec3};
 

@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
+use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Contents, Plan};
-use cutaway::scene::{
-    Camera, ClipSurface, Cut, OffsetMap, Projection, Scene, Viewpoint, Wrap, shapes,
-};
+use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Projection, Scene, Viewpoint, Wrap};
 use cutaway::strategies::{self, FrameOptions, ReliefWalk, Strategy};
 use glam::{DMat3, DVec3};
 

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use cutaway::generate::shapes;
 use cutaway::plan::pack::{self, CutTable, NO_RELIEF};
-use cutaway::scene::{ClipSurface, Cut, OffsetMap, Prepared, PreparedSurface, Scene, Wrap, shapes};
+use cutaway::scene::{ClipSurface, Cut, OffsetMap, Prepared, PreparedSurface, Scene, Wrap};
 use glam::{DVec2, DVec3, Vec2Swizzles as _};
 
 use crate::{Random, U, answers, answers_with, words_of};

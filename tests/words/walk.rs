@@ -6,11 +6,12 @@
 
 use std::sync::Arc;
 
+use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, pack};
 use cutaway::scene::{
-    Camera, ClipSurface, Cut, OffsetMap, Prepared, Projection, Scene, Viewpoint, Wrap, shapes,
+    Camera, ClipSurface, Cut, OffsetMap, Prepared, Projection, Scene, Viewpoint, Wrap,
 };
 use cutaway::strategies::{self, Strategy};
 use glam::{DVec2, DVec3};

@@ -147,7 +147,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if !run.fits {
         list.cut_short = true;
     }
-    for (var s = 0u; s < cut_table.surface_count; s++) {
+    // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
+    for (var left = cut_table.surface_count; left > 0u; left--) {
+        let s = left - 1u;
         if ((by_facing >> s) & 1u) != 0u {
             cross_by_facing(&list, run, s, ray, interval);
         } else if ((by_parity >> s) & 1u) != 0u {

@@ -5,9 +5,8 @@ use serde_json::{Value, json};
 use super::super::console::Console;
 use super::super::doubt::may_be_wrong;
 use super::super::notes::warn_of_doubt;
-use super::super::open::Opened;
 use super::super::picture::{self, Drawer};
-use super::super::sections::round;
+use super::super::subject::Subject;
 use super::AnimateArgs;
 use super::report::{self, FrameReport};
 use super::target::Target;
@@ -16,12 +15,13 @@ use super::turntable::turned;
 use crate::Result;
 use crate::experiment::{Shown, Stopwatch};
 use crate::scene::Camera;
+use crate::scene::told::round;
 use crate::session::{Outcome, Session};
 
 /// All that frames are drawn from.
 pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
-    pub(super) opened: &'a Opened,
+    pub(super) subject: &'a Subject,
     pub(super) times: Times,
     pub(super) drawer: Drawer,
     /// The scene at the time of the last frame.
@@ -38,10 +38,10 @@ impl Film<'_> {
         console: &Console,
     ) -> Result<(image::RgbaImage, FrameReport)> {
         let watch = Stopwatch::start();
-        let (opened, time_s) = (self.opened, self.times.at(frame));
+        let (subject, time_s) = (self.subject, self.times.at(frame));
         // The first was opened, and what stands still stays as it is.
-        if frame > 0 && opened.timeline.moves() {
-            let scene = opened.at(time_s)?;
+        if frame > 0 && subject.timeline.moves() {
+            let scene = subject.timeline.at(time_s)?;
             self.camera = scene.camera;
             self.shown = self.shown.updated(&scene);
         }
@@ -50,16 +50,17 @@ impl Film<'_> {
                 let share = self.times.share(frame);
                 turned(
                     &self.camera,
-                    &opened.scene.bounds(),
-                    opened.size_px,
+                    &subject.scene.bounds(),
+                    subject.size_px(),
                     turn_deg,
                     share,
                 )
             }
             None => self.camera,
         };
-        let view = opened.view_of(&self.shown.model.prepared, &camera);
-        let style = self.args.look.style(opened);
+        let prepared = &self.shown.model.prepared;
+        let view = prepared.view_of(&camera, subject.size_px());
+        let style = subject.style();
         let drawn = picture::draw(session, &self.shown, &view, self.drawer, style)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
         if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
@@ -74,15 +75,15 @@ impl Film<'_> {
     /// The run and its frames as JSON.
     pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
         json!({
-            "scene": self.opened.scene.name,
+            "scene": self.subject.scene.name,
             "output": target.path(),
             "format": target.name(),
-            "resolution": self.opened.size_px,
-            "supersample": self.args.look.supersample,
+            "resolution": self.subject.size_px(),
+            "supersample": self.subject.supersample(),
             "fps": self.times.fps,
             "start_s": self.times.start_s,
             "duration_s": self.times.duration_s(),
-            "clip": self.args.clip.clip,
+            "clip": self.subject.timeline.settings().clip,
             "turntable_deg": self.args.turn_deg,
             "adapter": session.gpu().report(),
             "strategy": self.drawer.to_string(),
@@ -95,7 +96,7 @@ impl Film<'_> {
 
     /// All of it in a line.
     pub(super) fn say(&self, frames: &[FrameReport], console: &Console) {
-        let [width, height] = self.opened.size_px;
+        let [width, height] = self.subject.size_px();
         let clocks = report::clocks(frames);
         let clocks = if clocks.is_empty() {
             clocks

@@ -1,7 +1,7 @@
 //! Which run a numbered frame is of: the words of the command, the files that it reads, the program and the device. A frame of the
 //! same run would be drawn to the same pixels, and need not be drawn again.
 
-use super::super::open::Opened;
+use super::super::subject::Subject;
 use super::AnimateArgs;
 use crate::experiment::Identity;
 use crate::session::Session;
@@ -14,7 +14,7 @@ fn program() -> String {
 }
 
 /// The identity of a run. Where results go is not part of it.
-pub(super) fn of(args: &AnimateArgs, opened: &Opened, session: &Session) -> Identity {
+pub(super) fn of(args: &AnimateArgs, subject: &Subject, session: &Session) -> Identity {
     let outputs = [Some(&args.output), args.json.as_ref()];
     let names_output = |word: &String| {
         let is_option = ["-o", "--output", "--json"].contains(&word.as_str());
@@ -34,7 +34,7 @@ pub(super) fn of(args: &AnimateArgs, opened: &Opened, session: &Session) -> Iden
     for word in words.filter(|word| !names_output(word)) {
         run.add(word);
     }
-    for file in opened.files.all() {
+    for file in subject.files.all() {
         run.add_file(&file);
     }
     run

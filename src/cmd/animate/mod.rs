@@ -22,18 +22,18 @@ use std::str::FromStr;
 use clap::Args;
 
 use super::Verdict;
-use super::args::{DeviceArgs, SceneArgs, parse_finite};
+use super::args::{AdapterArgs, MeansArgs, SceneArgs, parse_finite};
 use super::console::{Console, ConsoleArgs};
 use super::interrupt::Interrupt;
 use super::look::LookArgs;
-use super::open::{Opened, open_at};
 use super::output::Output;
 use super::picture::Drawer;
 use super::places::{no_place_twice, paths_of};
-use super::when::{ClipArgs, TimeArgs};
+use super::subject::Subject;
+use super::when::ClipArgs;
 use crate::experiment::{Identity, Shown};
-use crate::scene::frames::USUAL_FPS;
-use crate::session::Outcome;
+use crate::load::frames::USUAL_FPS;
+use crate::session::{Outcome, Session};
 use crate::{Error, Result};
 use encoder::encoder;
 use film::Film;
@@ -91,7 +91,9 @@ pub(super) struct AnimateArgs {
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
     #[command(flatten)]
-    device: DeviceArgs,
+    device: AdapterArgs,
+    #[command(flatten)]
+    means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -135,42 +137,41 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 1);
     console.step("opening");
     let (target, json) = outputs(args)?;
-    args.look.asked()?;
-    let when = TimeArgs {
-        time_s: Some(args.times.start_s),
-        clip: args.clip.clone(),
-        // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
-        played_fps: Some(rate(args, &target).1),
-    };
     turn_is_no_input(args)?;
-    let opened = open_at(&args.scene, &when, &console)?;
-    let times = times(args, &target, &opened, &console)?;
-    note_of_even_size(&target, &opened, &console);
+    // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
+    let played_fps = rate(args, &target).1;
+    let mut document = args.scene.document(Some(played_fps))?;
+    args.clip.amend(&mut document)?;
+    args.look.amend(&mut document)?;
+    args.means.amend(&mut document)?;
+    let subject = args
+        .scene
+        .open(document, Some(args.times.start_s), &console)?;
+    let times = times(args, &target, &subject, &console)?;
+    note_of_even_size(&target, subject.size_px(), &console);
 
-    let drawer = args.look.drawer(&opened)?;
-    let mut session = args.device.open()?;
-    session.set_options(opened.options(session.options()));
+    let drawer = subject.drawer()?;
     let plays = args.plays.unwrap_or(Plays::Forever);
     let files = target.files(times.count).into_iter();
     let files = files.map(|file| ("--output", file));
-    opened
-        .files
-        .keep_from(files.chain(paths_of(&[("--json", json.as_ref())])))?;
+    let json_file = [("--json", json.as_ref())];
+    subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
+    let mut session = Session::with_options(args.device.open()?, subject.options()?);
     // Its files are read once more for it, which only numbered frames have any use for.
     let run = match target {
-        Target::Numbered(_) => identity::of(args, &opened, &session),
+        Target::Numbered(_) => identity::of(args, &subject, &session),
         _ => Identity::default(),
     };
-    let mut encoder = encoder(&target, opened.size_px, &times, plays, run)?;
+    let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
     let interrupt = Interrupt::listen("animate", "frame")?;
     console.expect_frames(times.count);
     let mut film = Film {
         args,
-        opened: &opened,
+        subject: &subject,
         times,
         drawer,
-        shown: Shown::of(&opened.scene),
-        camera: opened.scene.camera,
+        shown: Shown::of(&subject.scene),
+        camera: subject.scene.camera,
     };
     let mut frames = Vec::with_capacity(times.count as usize);
     for frame in 0..times.count {
@@ -250,8 +251,13 @@ fn turn_is_no_input(args: &AnimateArgs) -> Result<()> {
 }
 
 /// The times of the frames; an error where all of them would show the same.
-fn times(args: &AnimateArgs, target: &Target, opened: &Opened, console: &Console) -> Result<Times> {
-    let timeline = &opened.timeline;
+fn times(
+    args: &AnimateArgs,
+    target: &Target,
+    subject: &Subject,
+    console: &Console,
+) -> Result<Times> {
+    let timeline = &subject.timeline;
     let moving_s = timeline
         .duration_s()
         .filter(|s| timeline.moves() && *s > 0.0);
@@ -267,7 +273,7 @@ fn times(args: &AnimateArgs, target: &Target, opened: &Opened, console: &Console
     if (fps - asked).abs() > 1e-9 * asked {
         console.note(format!(
             "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
-            super::sections::round(fps)
+            crate::scene::told::round(fps)
         ));
     }
     args.times.times(fps, moving_s)
@@ -287,9 +293,9 @@ fn rate(args: &AnimateArgs, target: &Target) -> (f64, f64) {
     }
 }
 
-fn note_of_even_size(target: &Target, opened: &Opened, console: &Console) {
-    let [width, height] = ffmpeg::even(opened.size_px);
-    if matches!(target, Target::Mp4(..)) && [width, height] != opened.size_px {
+fn note_of_even_size(target: &Target, size_px: [u32; 2], console: &Console) {
+    let [width, height] = ffmpeg::even(size_px);
+    if matches!(target, Target::Mp4(..)) && [width, height] != size_px {
         console.note(format!(
             "sizes of an MP4 are even: it becomes {width} x {height}, continued at its border"
         ));
@@ -307,7 +313,7 @@ fn verdict(frames: &[FrameReport], drawer: Drawer, console: &Console) -> Verdict
     console.failed(format!(
         "{drawer} did not draw all of {} frames, the first at {} s: {}",
         incomplete.len(),
-        super::sections::round(first.time_s),
+        crate::scene::told::round(first.time_s),
         first.outcome.reason().unwrap_or_default()
     ));
     Verdict::Failed

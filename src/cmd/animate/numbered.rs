@@ -15,7 +15,7 @@ use super::super::output::write_file;
 use super::encoder::{Encoder, cannot_encode};
 use crate::Result;
 use crate::experiment::Identity;
-use crate::scene::frames::Pattern;
+use crate::load::frames::Pattern;
 
 /// The keyword of the text chunk.
 const KEYWORD: &str = "cutaway frame";

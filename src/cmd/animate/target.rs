@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::super::output::Output;
 use super::ffmpeg::Program;
 use crate::error::did_you_mean;
-use crate::scene::frames::Pattern;
+use crate::load::frames::Pattern;
 use crate::{Error, Result};
 
 const OPTION: &str = "--output";

@@ -70,8 +70,10 @@ impl Start {
                     azimuth_deg,
                     elevation_deg,
                 };
+                // What is fitted is zoomed later.
                 Camera {
                     viewpoint,
+                    zoom: 1.0,
                     ..*camera
                 }
                 .view(|p| p, 1.0, *bounds, size_px)

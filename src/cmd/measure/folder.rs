@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use crate::cmd::output::{checked_folder, write_file};
 use crate::cmd::picture;
 use crate::experiment::run::Measured;
-use crate::experiment::{CaseRecords, Definition, Picture, Record, Run};
+use crate::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis};
 use crate::gpu::AdapterReport;
 use crate::{Error, Result};
 
@@ -90,9 +90,14 @@ impl Folder {
     /// Writes what was asked, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
     /// folder can tell what is missing, and what is left from before.
     pub(super) fn write_definition(&self, definition: &Definition, stems: &[String]) -> Result<()> {
-        let mut json = definition.json.clone();
-        json["points"] = serde_json::json!(stems);
-        write_json(&self.of(&definition.name).join("experiment.json"), &json)
+        let synopsis = Synopsis {
+            points: stems.to_vec(),
+            ..definition.synopsis.clone()
+        };
+        write_json(
+            &self.of(&definition.name).join("experiment.json"),
+            &synopsis,
+        )
     }
 
     /// The record of these files, if it is of this identity and its pictures are there.

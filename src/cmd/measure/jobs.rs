@@ -4,14 +4,15 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::folder::Folder;
-use super::{MeasureArgs, cases, words};
+use super::{MeasureArgs, cases};
 use crate::cmd::judge::quoted;
 use crate::cmd::places::InputFiles;
+use crate::document::Document;
 use crate::error::did_you_mean;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
 use crate::experiment::run::file_stem;
 use crate::experiment::sweep::Point;
-use crate::experiment::{Definition, Identity, files_of};
+use crate::experiment::{Definition, Identity};
 use crate::gpu::AdapterReport;
 use crate::scene::glob_matches;
 use crate::{Error, Result};
@@ -83,23 +84,7 @@ impl Job<'_> {
             self.definition.path.display(),
             self.run.name
         );
-        match error {
-            Error::Input {
-                culprit,
-                what,
-                mend,
-            } => Error::input(format!("{place}: {culprit}"), what, mend),
-            Error::File {
-                path,
-                line,
-                what,
-                mend,
-            } => {
-                let line = line.map(|n| format!(":{n}")).unwrap_or_default();
-                Error::input(format!("{place}: {}{line}", path.display()), what, mend)
-            }
-            other => other,
-        }
+        error.within(&place)
     }
 
     /// How many rounds it is measured, if it is.
@@ -112,28 +97,14 @@ impl Job<'_> {
 
     /// The command line that measures it again.
     pub(super) fn command(&self, args: &MeasureArgs) -> String {
-        let mut again: Vec<String> = Vec::new();
-        match self.task {
-            Task::Point(run, point, _) if point.truth.is_none() && run.drift.is_none() => {
-                again.push("compare".to_owned());
-                again.extend(point.scene.iter().cloned());
-                let names: Vec<String> = point
-                    .entrants
-                    .iter()
-                    .map(|e| e.contender.to_string())
-                    .collect();
-                again.push(format!("--strategies={}", names.join(",")));
-                again.push(format!("--rounds={}", self.rounds(args)));
-            }
-            _ => {
-                again.push("measure".to_owned());
-                again.push(self.definition.path.display().to_string());
-                again.push(format!("--only={}", self.address()));
-                again.extend(args.quick.then(|| "--quick".to_owned()));
-                again.extend(args.rounds.map(|n| format!("--rounds={n}")));
-                again.push("--out=target/again".to_owned());
-            }
-        }
+        let mut again = vec![
+            "measure".to_owned(),
+            self.definition.path.display().to_string(),
+            format!("--only={}", self.address()),
+        ];
+        again.extend(args.quick.then(|| "--quick".to_owned()));
+        again.extend(args.rounds.map(|n| format!("--rounds={n}")));
+        again.push("--out=target/again".to_owned());
         again.extend(
             args.device
                 .adapter
@@ -157,9 +128,11 @@ impl Job<'_> {
         identity.add(&self.run.name);
         match self.task {
             Task::Point(run, point, keeps_pictures) => {
-                identity.add_words(&point.scene);
+                identity.add_document(&point.scene);
                 identity.add("truth");
-                identity.add_words(point.truth.as_deref().unwrap_or_default());
+                if let Some(truth) = &point.truth {
+                    identity.add_document(truth);
+                }
                 for entrant in &point.entrants {
                     identity.add(format!("{} {:?}", entrant.contender, entrant.makers));
                 }
@@ -186,8 +159,8 @@ pub(super) fn keep_inputs(
     files.add(definitions.iter().map(|d| d.path.clone()));
     for job in jobs {
         if let Task::Point(_, point, _) = job.task {
-            let words = std::iter::once(&point.scene).chain(&point.truth);
-            words.for_each(|words| files.add(files_of(words)));
+            let scenes = std::iter::once(&point.scene).chain(&point.truth);
+            scenes.for_each(|scene| files.add(scene.files()));
         }
     }
     for definition in definitions {
@@ -216,7 +189,7 @@ pub(super) fn load(paths: &[PathBuf]) -> Result<Vec<Definition>> {
     Ok(all)
 }
 
-/// All that is asked of some experiments; refused where words are no words of the command line.
+/// All that is asked of some experiments; refused where a scene names what is not there.
 pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Result<Vec<Job<'a>>> {
     let mut jobs: Vec<Job<'_>> = definitions
         .iter()
@@ -230,7 +203,7 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
         let checked = match job.task {
             Task::Point(_, point, _) => {
                 let mut all = std::iter::once(&point.scene).chain(&point.truth);
-                all.try_for_each(|w| words::check(w))
+                all.try_for_each(Document::check)
             }
             Task::Cases(asked) => cases::check(&asked.cases, asked.contenders.as_deref()),
             Task::Search(asked) => cases::check(&[], asked.contenders.as_deref()),

@@ -8,7 +8,6 @@ mod folder;
 mod jobs;
 mod machine;
 mod tally;
-mod words;
 
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -23,9 +22,10 @@ use super::judge::command_line;
 use super::output::write_stdout;
 use crate::Result;
 use crate::experiment::expect::judge_again;
-use crate::experiment::run::{Assignment, Remark, measure};
+use crate::experiment::run::{Assignment, measure};
 use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Sitting, Stopwatch, Watcher};
 use crate::gpu::Gpu;
+use crate::scene::Remark;
 use crate::session::Session;
 use folder::Folder;
 use jobs::{Job, Task};
@@ -177,7 +177,7 @@ impl Work<'_> {
         self.folder.write_run(&self.run)?;
         let stems = jobs::stems(definition, self.args.quick);
         self.folder.write_definition(definition, &stems)?;
-        if self.args.quick && !definition.has_quick() {
+        if self.args.quick && !definition.runs.iter().any(|r| r.has_quick) {
             let name = &definition.name;
             let text = format!("{name}: --quick changes nothing: no run has a [run.quick]");
             self.console.note(text);
@@ -288,12 +288,7 @@ impl Work<'_> {
         };
         self.console.detail(job.place());
         let watching = Watching::of(job, &self.console, &self.interrupt);
-        let measured = measure(
-            &mut self.session,
-            &assignment,
-            &words::OpensWords,
-            &watching,
-        )?;
+        let measured = measure(&mut self.session, &assignment, &watching)?;
         let Some(measured) = measured else {
             tally.lost = Some(watching.lost(steps(job, self.args), assignment.rounds));
             return Ok(None);
@@ -372,7 +367,9 @@ impl<'a> Watching<'a> {
 
 impl Watcher for Watching<'_> {
     fn opened(&self, remark: &Remark) {
-        self.console.remark(&self.place, remark);
+        let text = format!("{}: {}", self.place, remark.text);
+        let is_warning = remark.is_warning;
+        self.console.remark(&Remark { is_warning, text });
     }
 
     fn step(&self, what: String) {

@@ -160,7 +160,7 @@ fn solid_angle(face: &[Vec3; 3], point: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::shapes::shape;
+    use crate::generate::shapes::shape;
 
     /// What taking faces together may change. At the middle of a ball all that are taken together are seen from one side, and their
     /// errors add up to 0.0106; half of a whole number is what decides.

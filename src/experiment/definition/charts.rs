@@ -4,25 +4,13 @@ use std::collections::BTreeSet;
 
 use super::{Asked, DefinedRun};
 use crate::Result;
+use crate::document::reader::{Entry, Table};
 use crate::error::did_you_mean;
+use crate::experiment::ChartSynopsis;
 use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
-use crate::scene::reader::{Entry, Table};
-
-/// What is drawn.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Chart {
-    /// What it shows, as a sentence.
-    pub title: String,
-    /// Names of runs.
-    pub runs: Vec<String>,
-    /// A parameter or a figure.
-    pub x: String,
-    /// A figure.
-    pub y: String,
-}
 
 /// Reads a chart of some runs, and checks that they have what it shows.
-pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<Chart> {
+pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<ChartSynopsis> {
     let table = entry.table(&["title", "runs", "x", "y", "log", "pareto", "note"])?;
     let of_scenes = |run: &&DefinedRun| matches!(run.full, Asked::Scenes(_));
     let names: Vec<&str> = (runs.iter().filter(of_scenes))
@@ -43,7 +31,7 @@ pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<Chart> {
     let mut values = BTreeSet::new();
     for run in runs.iter().filter(|r| shown.contains(&r.name)) {
         if let Asked::Scenes(run) = &run.full {
-            values.extend(run.axes.placeholders());
+            values.extend(run.axes.names());
         }
     }
     let figures: Vec<&str> = figures.iter().map(String::as_str).collect();
@@ -52,14 +40,16 @@ pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<Chart> {
         .copied()
         .chain(figures.iter().copied())
         .collect();
-    let chart = Chart {
+    let note = table.get("note");
+    Ok(ChartSynopsis {
         title: table.need("title", "\"The gap falls\"")?.text()?.to_owned(),
         runs: shown,
         x: one_of(&table.need("x", "\"ratio\"")?, &all)?,
         y: one_of(&table.need("y", "\"crack_px\"")?, &figures)?,
-    };
-    check_looks(&table)?;
-    Ok(chart)
+        log: axes(&table)?,
+        pareto: table.get("pareto").map_or(Ok(false), |e| e.flag())?,
+        note: note.map(|e| e.text().map(str::to_owned)).transpose()?,
+    })
 }
 
 fn named(entry: &Entry<'_>, names: &[&str]) -> Result<Vec<String>> {
@@ -82,17 +72,17 @@ fn one_of(entry: &Entry<'_>, known: &[&str]) -> Result<String> {
     Err(entry.fault(what, did_you_mean(word, known.iter().copied())))
 }
 
-/// What only the report reads.
-fn check_looks(table: &Table<'_>) -> Result<()> {
-    if let Some(log) = table.get("log")
-        && let Some(stray) = log.texts()?.iter().find(|a| *a != "x" && *a != "y")
-    {
-        return Err(log.fault(
-            format_args!("`{stray}` is no axis"),
-            "write some of `log = [\"x\", \"y\"]`",
-        ));
+/// Which axes are logarithmic.
+fn axes(table: &Table<'_>) -> Result<Vec<String>> {
+    let Some(log) = table.get("log") else {
+        return Ok(Vec::new());
+    };
+    let axes = log.texts()?;
+    match axes.iter().find(|a| *a != "x" && *a != "y") {
+        Some(stray) => {
+            let mend = "write some of `log = [\"x\", \"y\"]`";
+            Err(log.fault(format_args!("`{stray}` is no axis"), mend))
+        }
+        None => Ok(axes),
     }
-    table.get("pareto").map_or(Ok(false), |e| e.flag())?;
-    table.get("note").map_or(Ok(""), |e| e.text())?;
-    Ok(())
 }

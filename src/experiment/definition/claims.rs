@@ -7,12 +7,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::scenes::{SceneRun, some_texts};
 use crate::Result;
+use crate::document::reader::{Entry, Table};
 use crate::error::did_you_mean;
 use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
 use crate::experiment::sweep::{Entrant, Point};
-use crate::experiment::{Bound, Ending, Parameters};
+use crate::experiment::{Bound, Ending, Parameter, Parameters};
 use crate::scene::glob_matches;
-use crate::scene::reader::{Entry, Table};
 
 /// Keys beside the names of figures.
 const BESIDE_FIGURES: [&str; 5] = ["strategies", "where", "why", "outcome", "reason"];
@@ -47,7 +47,7 @@ impl Claim {
     /// Whether a contender of a point is meant: its name, and the values that made the two.
     pub fn means(&self, name: &str, of_point: &Parameters, entrant: &Entrant) -> bool {
         let is_made_so = |own: &Parameters| {
-            let has = |(key, value): (&String, &String)| {
+            let has = |(key, value): (&String, &Parameter)| {
                 [own, of_point].iter().any(|p| p.get(key) == Some(value))
             };
             self.conditions.iter().all(has)
@@ -150,14 +150,19 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
     let Some(entry) = table.get("where") else {
         return Ok(conditions);
     };
-    let known: Vec<&str> = run.axes.placeholders().collect();
+    let known: Vec<&str> = run.axes.names().collect();
     for (key, value) in entry.table(&known)?.all() {
-        let word = value.word()?;
-        if !run.axes.have(key, &word) {
+        let is = Parameter::of(&value.node.value);
+        let axis = run.axes.get(key).into_iter();
+        let held = axis
+            .flat_map(|a| &a.values)
+            .find(|v| Some(&v.is) == is.as_ref());
+        let Some(held) = held else {
+            let told = is.map_or_else(String::new, |is| is.to_string());
             let mend = "name a value that [run.sweep] has, written as it is there";
-            return Err(value.fault(format_args!("it is never `{word}`"), mend));
-        }
-        conditions.insert(key.to_owned(), word);
+            return Err(value.fault(format_args!("it is never `{told}`"), mend));
+        };
+        conditions.insert(key.to_owned(), held.is.clone());
     }
     Ok(conditions)
 }
@@ -215,7 +220,7 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
 fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     let meant = (point.entrants.iter())
         .filter(|e| claim.means(&e.contender.to_string(), &point.parameters, e));
-    let mut seen: BTreeMap<usize, &String> = BTreeMap::new();
+    let mut seen: BTreeMap<usize, &Parameter> = BTreeMap::new();
     for (template, maker) in meant.flat_map(|e| &e.makers) {
         if let Some(value) = maker.parameters.get(axis)
             && *seen.entry(*template).or_insert(value) != value

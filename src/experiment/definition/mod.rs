@@ -1,9 +1,8 @@
 //! An experiment as it is written: one TOML file with a question, scenes, what is varied, who is asked, and what is expected.
 //!
 //! Reading a file checks all that can be checked without opening a scene: every key is known, every strategy has a name, every
-//! placeholder has values and every value a use, and every expectation means somebody. What is read is already expanded: each run
-//! of scenes holds its points twice, in full and as `--quick` takes them. The words of scenes are those of the command line, whose
-//! parser is to the right of here: who runs an experiment parses them (see [`super::Opener`]).
+//! path can be set and every value has a use, and every expectation means somebody. What is read is already expanded: each run
+//! of scenes holds its points twice, in full and as `--quick` takes them, each with its document.
 //!
 //! The format is told in `experiments/README.md`; the readers of its parts are beside this file.
 
@@ -16,15 +15,13 @@ mod scenes;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
-
-pub use charts::Chart;
 pub use claims::{Claim, Wanted};
 pub use moves::Moves;
 pub use others::{AskedCases, AskedSearch};
 pub use scenes::{Pictures, SceneRun};
 
-use crate::scene::reader::{Entry, Table, with_table};
+use super::{RunSynopsis, Synopsis};
+use crate::document::reader::{Entry, Table, with_table};
 use crate::{Error, Result};
 
 /// Keys of the file.
@@ -37,16 +34,10 @@ pub struct Definition {
     pub path: PathBuf,
     /// The stem of the file.
     pub name: String,
-    /// What is asked, in a sentence that ends in a question mark.
-    pub question: String,
-    /// How to read the answer, in Markdown.
-    pub analysis: String,
     /// What is run.
     pub runs: Vec<DefinedRun>,
-    /// What is drawn of it.
-    pub charts: Vec<Chart>,
-    /// All of the file, as JSON, with its `name`.
-    pub json: Value,
+    /// What a record of it tells, but for the points, which are those in full or of `--quick`.
+    pub synopsis: Synopsis,
 }
 
 /// A run of an experiment.
@@ -54,16 +45,12 @@ pub struct Definition {
 pub struct DefinedRun {
     /// Its name, unique in the experiment.
     pub name: String,
-    /// What it is, in a line.
-    pub about: Option<String>,
-    /// What a user would call the input that it stands for, if it stands for one: `plane cuts`.
-    pub input: Option<String>,
-    /// What moves where that input is used.
-    pub moves: Moves,
     /// What is asked.
     pub full: Asked,
     /// What is asked by `--quick`.
     pub quick: Asked,
+    /// Whether that is said: otherwise it is what is asked in full.
+    pub has_quick: bool,
 }
 
 impl DefinedRun {
@@ -109,27 +96,25 @@ impl Definition {
             let question = question(root)?;
             let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
             let analysis = analysis.text()?.trim().to_owned();
-            let runs = runs(root)?;
+            let (runs, told): (Vec<_>, _) = runs(root, path)?.into_iter().unzip();
             let charts = root.tables("chart")?;
             let charts = charts.iter().map(|e| charts::read(e, &runs));
-            Ok(Self {
-                path: path.to_owned(),
+            let synopsis = Synopsis {
                 name: name.clone(),
                 question,
                 analysis,
                 charts: charts.collect::<Result<_>>()?,
+                runs: told,
+                points: Vec::new(),
+                toml: text.to_owned(),
+            };
+            Ok(Self {
+                path: path.to_owned(),
+                name,
                 runs,
-                json: as_json(&name, path, text)?,
+                synopsis,
             })
         })
-    }
-}
-
-impl Definition {
-    /// Whether any run says what `--quick` takes instead.
-    pub fn has_quick(&self) -> bool {
-        let runs = self.json["run"].as_array();
-        runs.is_some_and(|runs| runs.iter().any(|r| r.get("quick").is_some()))
     }
 }
 
@@ -152,21 +137,24 @@ fn question(root: &Table<'_>) -> Result<String> {
     Ok(question.to_owned())
 }
 
-fn runs(root: &Table<'_>) -> Result<Vec<DefinedRun>> {
+fn runs(root: &Table<'_>, path: &Path) -> Result<Vec<(DefinedRun, RunSynopsis)>> {
     let entries = root.tables("run")?;
     if entries.is_empty() {
         let mend = "add `[[run]]` with `name`, `scene` and `strategies`";
         return Err(root.entry.fault("the experiment runs nothing", mend));
     }
-    let runs: Vec<DefinedRun> = entries.iter().map(run).collect::<Result<_>>()?;
+    let runs: Vec<_> = entries
+        .iter()
+        .map(|e| run(e, path))
+        .collect::<Result<_>>()?;
     let mut seen = BTreeSet::new();
-    match runs.iter().position(|r| !seen.insert(r.name.as_str())) {
+    match runs.iter().position(|(r, _)| !seen.insert(&*r.name)) {
         Some(i) => Err(entries[i].fault("the name is taken", "give every run its own name")),
         None => Ok(runs),
     }
 }
 
-fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
+fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
     let table = entry.open_table()?;
     let is_cases = table.get("cases").is_some();
     let is_search = table.get("random").is_some();
@@ -190,16 +178,22 @@ fn run(entry: &Entry<'_>) -> Result<DefinedRun> {
     } else if is_search {
         others::read_search(entry)?
     } else {
-        scenes::read(entry)?
+        scenes::read(entry, path)?
     };
-    Ok(DefinedRun {
-        name: name.text()?.to_owned(),
+    let name = name.text()?.to_owned();
+    let told = RunSynopsis {
+        name: name.clone(),
         about,
         input,
         moves: moves.unwrap_or_default(),
+    };
+    let run = DefinedRun {
+        name,
         full,
         quick,
-    })
+        has_quick: table.get("quick").is_some(),
+    };
+    Ok((run, told))
 }
 
 fn input(entry: &Entry<'_>) -> Result<String> {
@@ -210,12 +204,4 @@ fn input(entry: &Entry<'_>) -> Result<String> {
         )),
         text => Ok(text.to_owned()),
     }
-}
-
-fn as_json(name: &str, path: &Path, text: &str) -> Result<Value> {
-    let fault = |e: String| Error::file(path, e, "report this: it was read before");
-    let table: toml::Table = text.parse().map_err(|e| fault(format!("{e}")))?;
-    let mut json = json!(table);
-    json["name"] = json!(name);
-    Ok(json)
 }

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Result;
+use crate::document::reader::Entry;
 use crate::error::did_you_mean;
-use crate::scene::reader::Entry;
 
 /// What moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

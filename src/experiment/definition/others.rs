@@ -3,9 +3,9 @@
 use super::Asked;
 use super::scenes;
 use crate::Result;
+use crate::document::reader::{Entry, Table};
 use crate::experiment::Contender;
 use crate::experiment::sweep::named;
-use crate::scene::reader::{Entry, Table};
 
 /// Hard cases that are asked for.
 #[derive(Clone, Debug, PartialEq)]

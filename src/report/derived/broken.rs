@@ -7,7 +7,8 @@
 use super::standing::names;
 use super::{Spread, Standing};
 use crate::Comparison;
-use crate::experiment::Record;
+use crate::document::Node;
+use crate::experiment::{Parameter, Record};
 
 /// Whether the truth of a point is the exact image of another scene.
 pub(crate) fn has_other_truth(record: &Record) -> bool {
@@ -16,11 +17,19 @@ pub(crate) fn has_other_truth(record: &Record) -> bool {
 
 /// Whether something is broken: a sweep may begin with a defect of amount 0.
 pub(crate) fn has_defect(record: &Record) -> bool {
-    let is_none = |word: &String| {
-        let mut keys = word.split([':', ',']);
-        word.starts_with("--defect") && keys.any(|k| matches!(k, "amount=0%" | "amount=0"))
+    let amounts = |part: &Node| -> Vec<Option<f64>> {
+        let defects = part.get("defects").map_or(&[] as &[_], Node::items);
+        let amount = |defect: &Node| Parameter::of(&defect.get("amount")?.value)?.number();
+        defects.iter().map(amount).collect()
     };
-    has_other_truth(record) && !record.words.iter().any(is_none)
+    let parts = record
+        .scene
+        .root()
+        .get("part")
+        .map_or(&[] as &[_], Node::items);
+    let mut amounts = parts.iter().flat_map(amounts);
+    // Without an amount it is the usual one.
+    has_other_truth(record) && amounts.any(|a| a != Some(0.0))
 }
 
 /// What a strategy makes of broken meshes.
@@ -103,6 +112,7 @@ fn harm(name: &str, records: &[&Record]) -> Harm {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{Document, part};
     use crate::experiment::{Ending, example};
     use crate::report::derived::standing::tests::record_of;
 
@@ -121,8 +131,11 @@ mod tests {
         });
         measurement.strategies = named.collect();
         let mut record = record_of(measurement);
-        record.words = vec![format!("--defect=holes:amount={amount},patch=1")];
-        record.truth = Some(Vec::new());
+        let mut scene = Document::new();
+        let defect = format!("holes:amount={amount},patch=1");
+        scene.add_part(part("shape:cube").defect(&defect)).unwrap();
+        record.scene = scene;
+        record.truth = Some(Document::new());
         record
     }
 

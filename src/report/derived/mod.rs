@@ -25,7 +25,7 @@ mod usage;
 
 pub(super) use broken::{Harm, TOO_MUCH, harms, has_defect, has_other_truth};
 pub(super) use front::{Offer, Price, front, steps};
-pub(super) use order::{natural, number_of};
+pub(super) use order::natural;
 pub(super) use paper::papers;
 pub(super) use ranking::{BETWEEN_RUNS, Ranked, ranked};
 pub(super) use row::{Row, rows, rows_by_maker};

@@ -15,7 +15,7 @@ const SUFFIXES: [(&str, f64); 8] = [
 ];
 
 /// The number that a value stands for; a pair, as of pixels, stands for its product.
-pub(crate) fn number_of(text: &str) -> Option<f64> {
+fn number_of(text: &str) -> Option<f64> {
     let side = |t: &str| t.trim().parse::<u32>().ok().map(f64::from);
     let pair = text.split_once([',', 'x']);
     if let Some((Some(a), Some(b))) = pair.map(|(a, b)| (side(a), side(b))) {

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::Situation;
 use crate::experiment::figures::figures;
-use crate::experiment::{Maker, Record, StrategyMeasurement};
+use crate::experiment::{Maker, Parameter, Record, StrategyMeasurement};
 
 /// A strategy at a point.
 #[derive(Clone, Debug)]
@@ -60,12 +60,10 @@ impl<'a> Row<'a> {
         &self.record.measurement.strategies[self.index]
     }
 
-    /// A parameter of the scene or of the strategy, as it is written.
-    pub(crate) fn parameter(&self, name: &str) -> Option<&'a str> {
+    /// A parameter of the scene or of the strategy.
+    pub(crate) fn parameter(&self, name: &str) -> Option<&'a Parameter> {
         let of_strategy = self.maker.parameters.get(name);
-        of_strategy
-            .or_else(|| self.record.parameters.get(name))
-            .map(String::as_str)
+        of_strategy.or_else(|| self.record.parameters.get(name))
     }
 }
 
@@ -78,17 +76,17 @@ mod tests {
     #[test]
     fn a_strategy_is_as_often_there_as_it_was_made() {
         let mut record = record_of(example());
-        let maker = |family: &str, name: &str, value: &str| Maker {
+        let maker = |family: &str, name: &str, value: i64| Maker {
             family: family.to_owned(),
-            parameters: BTreeMap::from([(name.to_owned(), value.to_owned())]),
+            parameters: BTreeMap::from([(name.to_owned(), Parameter::Whole(value))]),
         };
         record.makers[0] = vec![
-            maker("grid:{cells}+vds:1024", "cells", "256"),
-            maker("grid:256+vds:{texels}", "texels", "1024"),
+            maker("grid:{cells}+vds:1024", "cells", 256),
+            maker("grid:256+vds:{texels}", "texels", 1024),
         ];
         assert_eq!(rows(&record).len(), 2);
         let all = rows_by_maker(&record);
         let told: Vec<_> = all.iter().map(|r| r.parameter("texels")).collect();
-        assert_eq!(told, [None, Some("1024"), None]);
+        assert_eq!(told, [None, Some(&Parameter::Whole(1024)), None]);
     }
 }

@@ -3,7 +3,8 @@
 //! Structures are redone on their own clocks. When only the view moves, a frame costs the clock of the frame; when the cut moves, the
 //! clock of the cut comes on top; when the mesh moves, all three. Clocks are added round by round.
 
-use crate::experiment::definition::Moves;
+use crate::document::Node;
+use crate::experiment::Moves;
 use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 
 /// What moves.
@@ -87,7 +88,7 @@ pub(crate) fn is_exact(found: &StrategyMeasurement) -> bool {
     found.outcome == Ending::Complete && found.comparison.is_some_and(|c| c.decided_wrong_px == 0)
 }
 
-/// By what a scene is cut, as far as its words tell.
+/// By what a scene is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// One plane alone.
@@ -96,28 +97,33 @@ pub(crate) enum Kind {
     Planes,
     /// At least one relief.
     Relief,
-    /// What a scene file says.
-    SceneFile,
 }
 
 impl Kind {
     /// All.
-    pub(crate) const ALL: [Self; 4] = [Self::Plane, Self::Planes, Self::Relief, Self::SceneFile];
+    pub(crate) const ALL: [Self; 3] = [Self::Plane, Self::Planes, Self::Relief];
 
     /// Of the scene of a point.
     pub(crate) fn of(record: &Record) -> Self {
-        // The command is of older records; where nothing shorter repeats a point it names the experiment's file, which says nothing.
-        let command = record.measurement.command.split_whitespace();
-        let words: Vec<&str> = match record.words.is_empty() {
-            true => command.collect(),
-            false => record.words.iter().map(String::as_str).collect(),
+        let cuts = record.scene.root().get("cut");
+        let cuts = cuts.map_or(&[] as &[_], Node::items);
+        let regions = |cut: &'_ Node| -> Vec<Node> {
+            let keys = ["box", "wedge", "volume"].iter();
+            let held = keys.filter_map(|key| cut.get(key));
+            // One or several.
+            held.flat_map(|node| match node.items() {
+                [] => vec![node.clone()],
+                several => several.to_vec(),
+            })
+            .collect()
         };
-        let is_file = |w: &&str| w.ends_with(".toml") && !w.starts_with("--");
-        if words.iter().any(|w| w.starts_with("--relief")) {
+        let regions: Vec<Node> = cuts.iter().flat_map(regions).collect();
+        let surfaces = cuts.iter().filter_map(|cut| cut.get("surfaces"));
+        let surfaces: Vec<&Node> = surfaces.flat_map(Node::items).collect();
+        let mut faces = surfaces.iter().copied().chain(&regions);
+        if faces.any(|face| face.get("relief").is_some()) {
             Self::Relief
-        } else if words.iter().any(is_file) {
-            Self::SceneFile
-        } else if words.iter().filter(|w| w.starts_with("--section")).count() == 1 {
+        } else if surfaces.len() == 1 && regions.is_empty() {
             Self::Plane
         } else {
             Self::Planes
@@ -130,7 +136,6 @@ impl Kind {
             Self::Relief => "reliefs",
             Self::Plane => "one plane",
             Self::Planes => "several planes",
-            Self::SceneFile => "scene files",
         }
     }
 }
@@ -138,6 +143,7 @@ impl Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Value;
     use crate::experiment::{PerClock, Samples, example};
 
     /// A strategy that has something to do on each clock.
@@ -157,19 +163,30 @@ mod tests {
     }
 
     #[test]
-    fn words_say_by_what_a_scene_is_cut() {
+    fn a_document_says_by_what_its_scene_is_cut() {
         let mut record = record();
-        record.measurement.command = "cutaway measure experiments/a.toml --only=b".to_owned();
-        assert_eq!(Kind::of(&record), Kind::SceneFile, "no words: a guess");
-        for (words, kind) in [
-            ("shape:crank --section=x=1", Kind::Plane),
-            ("shape:crank --section=x=1 --section=y=1", Kind::Planes),
-            ("shape:crank --wedge=x", Kind::Planes),
-            ("shape:crank --section=x=1 --relief=waves", Kind::Relief),
-            ("a/scene.toml --time=1", Kind::SceneFile),
+        for (cuts, kind) in [
+            ("[{ surfaces = [{ section = \"x=1\" }] }]", Kind::Plane),
+            (
+                "[{ surfaces = [{ section = \"x=1\" }, { section = \"y=1\" }] }]",
+                Kind::Planes,
+            ),
+            (
+                "[{ surfaces = [{ section = \"x=1\" }], wedge = { axis = \"x\" } }]",
+                Kind::Planes,
+            ),
+            ("[{ wedge = { axis = \"x\" } }]", Kind::Planes),
+            (
+                "[{ wedge = { axis = \"x\", relief = \"a\" } }]",
+                Kind::Relief,
+            ),
+            (
+                "[{ surfaces = [{ section = \"x=1\", relief = \"a\" }] }]",
+                Kind::Relief,
+            ),
         ] {
-            record.words = words.split(' ').map(str::to_owned).collect();
-            assert_eq!(Kind::of(&record), kind, "{words:?}");
+            record.scene.set("cut", Value::read(cuts)).unwrap();
+            assert_eq!(Kind::of(&record), kind, "{cuts}");
         }
     }
 }

@@ -144,7 +144,8 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::experiment::{Maker, Measurement, example};
+    use crate::document::Document;
+    use crate::experiment::{Maker, Measurement, Parameter, example};
 
     pub(crate) fn record_of(measurement: Measurement) -> Record {
         let count = measurement.strategies.len();
@@ -155,11 +156,10 @@ pub(super) mod tests {
             parameters: BTreeMap::new(),
             is_quick: false,
             identity: String::new(),
-            words: Vec::new(),
+            scene: Document::new(),
             truth: None,
             measurement,
             makers: vec![vec![Maker::default()]; count],
-            axes: Vec::new(),
             figures: vec![BTreeMap::new(); count],
             expectations: Vec::new(),
             warnings: Vec::new(),
@@ -194,7 +194,7 @@ pub(super) mod tests {
     fn strategies_of_sweeps_do_not_stand_for_themselves() {
         let mut record = record_of(example());
         let own = &mut record.makers[0][0].parameters;
-        own.insert("cells".to_owned(), "64".to_owned());
+        own.insert("cells".to_owned(), Parameter::Whole(64));
         let names: Vec<String> = standings(&[&record]).into_iter().map(|s| s.name).collect();
         assert_eq!(names, ["planar+<mask>"]);
     }

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Definition, MISSING, PeerRecord, read_json, read_numbered};
-use crate::experiment::{CaseRecords, Record, Run, Sitting};
+use super::{MISSING, PeerRecord, read_json, read_numbered};
+use crate::experiment::{CaseRecords, Record, Run, Sitting, Synopsis};
 use crate::report::derived::{natural, sittings};
 use crate::{Error, Result};
 
@@ -24,7 +24,7 @@ pub struct Folder {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Experiment {
     /// What was asked.
-    pub definition: Definition,
+    pub synopsis: Synopsis,
     /// Its points: runs in the order of the definition, and in them as it lists its points; those that it does not list come after, by
     /// their parameters.
     pub records: Vec<Record>,
@@ -74,7 +74,7 @@ impl Folder {
             }
             experiments.push(Experiment::read(&entry)?);
         }
-        experiments.sort_by(|a, b| a.definition.name.cmp(&b.definition.name));
+        experiments.sort_by(|a, b| a.synopsis.name.cmp(&b.synopsis.name));
         Ok(Self {
             path: path.to_owned(),
             run,
@@ -90,20 +90,20 @@ impl Folder {
 
     /// The folder of an experiment's pictures.
     pub fn pictures(&self, experiment: &Experiment) -> PathBuf {
-        self.path.join(&experiment.definition.name)
+        self.path.join(&experiment.synopsis.name)
     }
 }
 
 impl Experiment {
     fn read(path: &Path) -> Result<Self> {
-        let definition: Definition = read_json(&path.join(EXPERIMENT_FILE))?;
+        let synopsis: Synopsis = read_json(&path.join(EXPERIMENT_FILE))?;
         let mut records: Vec<(usize, Record)> = Vec::new();
         let mut cases: Vec<CaseRecords> = Vec::new();
-        let mut missing = definition.points.clone();
+        let mut missing = synopsis.points.clone();
         for file in json_files(path)? {
             let stem = file.file_stem().unwrap_or_default().to_string_lossy();
             missing.retain(|point| *point != stem);
-            let place = definition.points.iter().position(|point| *point == stem);
+            let place = synopsis.points.iter().position(|point| *point == stem);
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             if name == EXPERIMENT_FILE {
                 continue;
@@ -114,33 +114,33 @@ impl Experiment {
             } else {
                 let record = read_numbered(&file, Record::FORMAT)?;
                 is_at_one(&file, &record)?;
-                records.push((place.unwrap_or(definition.points.len()), record));
+                records.push((place.unwrap_or(synopsis.points.len()), record));
                 records.last().map(|(_, r)| &r.experiment)
             };
-            if experiment != Some(&definition.name) {
+            if experiment != Some(&synopsis.name) {
                 return Err(Error::file(
                     &file,
                     format!(
                         "it is of experiment `{}`, in the folder of `{}`",
                         experiment.map_or("", String::as_str),
-                        definition.name
+                        synopsis.name
                     ),
                     "move it to where it belongs, or measure again",
                 ));
             }
         }
         records.sort_by(|(a_place, a), (b_place, b)| {
-            let of_run = |r: &Record| definition.place_of(&r.run);
+            let of_run = |r: &Record| synopsis.place_of(&r.run);
             let values = a.parameters.values().zip(b.parameters.values());
-            let by_values = values.map(|(a, b)| natural(a, b));
+            let by_values = values.map(|(a, b)| natural(&a.to_string(), &b.to_string()));
             (of_run(a).cmp(&of_run(b)))
                 .then_with(|| a.run.cmp(&b.run))
                 .then(a_place.cmp(b_place))
                 .then_with(|| by_values.fold(std::cmp::Ordering::Equal, |o, by| o.then(by)))
         });
-        cases.sort_by_key(|c| definition.place_of(&c.run));
+        cases.sort_by_key(|c| synopsis.place_of(&c.run));
         Ok(Self {
-            definition,
+            synopsis,
             records: records.into_iter().map(|(_, record)| record).collect(),
             cases,
             missing,

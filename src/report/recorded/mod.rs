@@ -4,11 +4,9 @@
 //! one file for each point, and `peers/*.json`. A folder in it without `experiment.json` is of something else, and passed over. A file that is half-written, of a form that is not known, or at odds with itself is an
 //! error that names it; what is no JSON is left alone. Nothing is worked out here.
 
-mod definition;
 mod folder;
 mod peers;
 
-pub use definition::{ChartDefinition, Definition, RunDefinition};
 pub use folder::{Experiment, Folder};
 pub use peers::{PeerCheck, PeerRecord, PeerRow};
 

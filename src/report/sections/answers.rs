@@ -263,7 +263,7 @@ fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
         }
         let question = of_it
             .first()
-            .map_or("", |p| p.experiment.definition.question.as_str());
+            .map_or("", |p| p.experiment.synopsis.question.as_str());
         let exact = exact_count(&records);
         let situation = situation_of(&of_it);
         let first = [

@@ -37,13 +37,13 @@ pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
 
 /// What an experiment asks that has no other section to say it.
 fn asked(experiment: &Experiment) -> Vec<Block> {
-    let definition = &experiment.definition;
+    let synopsis = &experiment.synopsis;
     if !experiment.records.is_empty() {
         return Vec::new();
     }
     vec![
-        Block::Heading(5, definition.question.clone()),
-        Block::Prose(definition.analysis.clone()),
+        Block::Heading(5, synopsis.question.clone()),
+        Block::Prose(synopsis.analysis.clone()),
     ]
 }
 

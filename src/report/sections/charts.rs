@@ -5,14 +5,14 @@
 
 use super::figures::{label, times};
 use super::point::{Point, Points};
-use crate::experiment::Ending;
-use crate::report::derived::{Offer, Price, Row, front, natural, number_of, rows_by_maker, steps};
+use crate::experiment::ChartSynopsis;
+use crate::experiment::{Ending, Parameter};
+use crate::report::derived::{Offer, Price, Row, front, natural, rows_by_maker, steps};
 use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
-use crate::report::recorded::ChartDefinition;
 
 /// All charts of a definition, from the points of its experiment.
 pub(super) fn blocks(
-    charts: &[ChartDefinition],
+    charts: &[ChartSynopsis],
     points: &Points<'_>,
     all: &[Point<'_>],
 ) -> Vec<Block> {
@@ -55,7 +55,7 @@ struct Placed<'a> {
     series: String,
 }
 
-fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+fn drawn(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
     let rows: Vec<Row<'_>> = points
         .iter()
         .flat_map(|p| rows_by_maker(p.record))
@@ -111,14 +111,16 @@ fn drawn(asked: &ChartDefinition, facet: &str, points: &[Point<'_>]) -> Vec<Bloc
 }
 
 /// The note of a chart, and which points it shows: each run with the values that its axes have there.
-fn note(asked: &ChartDefinition, placed: &[Placed<'_>]) -> String {
-    let mut runs: Named<'_, Named<'_, Vec<&str>>> = Vec::new();
+fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
+    let mut runs: Named<'_, Named<'_, Vec<String>>> = Vec::new();
     for record in placed.iter().map(|p| p.row.record) {
         let run = place_of(&mut runs, record.run.as_str());
-        for axis in &record.axes {
+        for (axis, value) in &record.parameters {
             let values = place_of(run, axis.as_str());
-            let value = record.parameters.get(axis).map(String::as_str);
-            values.extend(value.filter(|v| !values.contains(v)));
+            let value = value.to_string();
+            if !values.contains(&value) {
+                values.push(value);
+            }
         }
     }
     let shown = runs.into_iter().map(|(run, axes)| {
@@ -150,25 +152,29 @@ fn place_of<'l, 'n, T: Default>(list: &'l mut Named<'n, T>, name: &'n str) -> &'
 }
 
 /// Values of the x axis in order, where they are not all numbers.
-fn categories(asked: &ChartDefinition, rows: &[Row<'_>]) -> Vec<String> {
-    let mut values: Vec<&str> = rows.iter().filter_map(|r| r.parameter(&asked.x)).collect();
-    if values.iter().all(|v| number_of(v).is_some()) {
+fn categories(asked: &ChartSynopsis, rows: &[Row<'_>]) -> Vec<String> {
+    let values = || rows.iter().filter_map(|r| r.parameter(&asked.x));
+    if values().all(|v| v.number().is_some()) {
         return Vec::new();
     }
-    values.sort_by(|a, b| natural(a, b));
-    values.dedup();
-    values.into_iter().map(str::to_owned).collect()
+    let mut names: Vec<String> = values().map(ToString::to_string).collect();
+    names.sort_by(|a, b| natural(a, b));
+    names.dedup();
+    names
 }
 
-fn x_of(asked: &ChartDefinition, categories: &[String], row: &Row<'_>) -> Option<f64> {
+fn x_of(asked: &ChartSynopsis, categories: &[String], row: &Row<'_>) -> Option<f64> {
     match row.parameter(&asked.x) {
         None => row.figures.get(&asked.x).copied(),
-        Some(value) if categories.is_empty() => number_of(value),
-        Some(value) => categories.iter().position(|c| c == value).map(|i| i as f64),
+        Some(value) if categories.is_empty() => value.number(),
+        Some(value) => {
+            let name = value.to_string();
+            categories.iter().position(|c| *c == name).map(|i| i as f64)
+        }
     }
 }
 
-fn offer(asked: &ChartDefinition, placed: &Placed<'_>) -> Offer {
+fn offer(asked: &ChartSynopsis, placed: &Placed<'_>) -> Offer {
     Offer {
         error: placed.at[1],
         cost: placed.at[0],
@@ -198,11 +204,11 @@ const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
 
 /// A series has one strategy and one value of whatever is varied over the chart, but for what is along x: where that is a parameter,
 /// all other parameters are told apart; where it is a figure, the strategy's own parameters run along the series.
-fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
+fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
     let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
     let mut names: Vec<&String> = placed
         .iter()
-        .flat_map(|p| &p.row.record.axes)
+        .flat_map(|p| p.row.record.parameters.keys())
         .filter(|name| **name != asked.x && !is_of_scene)
         .collect();
     names.sort();
@@ -232,7 +238,7 @@ fn name_series(asked: &ChartDefinition, placed: &mut [Placed<'_>]) {
 }
 
 /// What a series calls its strategy.
-fn who(asked: &ChartDefinition, row: &Row<'_>, is_of_scene: bool) -> String {
+fn who(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
     let own = &row.maker.parameters;
     let runs_along = own.contains_key(&asked.x);
     let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;
@@ -241,12 +247,12 @@ fn who(asked: &ChartDefinition, row: &Row<'_>, is_of_scene: bool) -> String {
         (false, true) => row.maker.family.clone(),
         (false, false) => row.found().name.clone(),
         (true, _) => others.fold(row.maker.family.clone(), |family, (name, value)| {
-            family.replace(&format!("{{{name}}}"), value)
+            family.replace(&format!("{{{name}}}"), &value.to_string())
         }),
     }
 }
 
-fn series(asked: &ChartDefinition, placed: &[Placed<'_>]) -> Vec<Series> {
+fn series(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> Vec<Series> {
     let mut names: Vec<&str> = Vec::new();
     for p in placed {
         if !names.contains(&p.series.as_str()) {
@@ -267,7 +273,7 @@ fn series(asked: &ChartDefinition, placed: &[Placed<'_>]) -> Vec<Series> {
 }
 
 /// By the strategy's own parameters where x is a figure, else along x.
-fn in_order(asked: &ChartDefinition, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
+fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
     let values = |p: &Placed<'_>| p.row.maker.parameters.clone();
     let along_x = a.at[0].total_cmp(&b.at[0]);
     if a.row.parameter(&asked.x).is_some() {
@@ -275,16 +281,17 @@ fn in_order(asked: &ChartDefinition, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp
     }
     let (a, b) = (values(a), values(b));
     let pairs = a.values().zip(b.values());
-    let by_values = pairs.fold(std::cmp::Ordering::Equal, |o, (a, b)| o.then(natural(a, b)));
+    let by_value = |(a, b): (&Parameter, &Parameter)| natural(&a.to_string(), &b.to_string());
+    let by_values = pairs.fold(std::cmp::Ordering::Equal, |o, pair| o.then(by_value(pair)));
     by_values.then(along_x)
 }
 
-fn mark(asked: &ChartDefinition, placed: &Placed<'_>) -> Mark {
+fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
     let row = &placed.row;
     let told = |figure: &str, value: f64| {
         let word = row
             .parameter(figure)
-            .map_or_else(|| word_of(value), str::to_owned);
+            .map_or_else(|| word_of(value), ToString::to_string);
         match spread(row, figure) {
             0.0 => format!("{}: {word}", label(figure)),
             mad => format!("{}: {word} ± {}", label(figure), word_of(mad)),

@@ -2,6 +2,7 @@
 
 use super::point::{Point, Points};
 use super::{charts, costs, counted, expectations, head, pictures};
+use crate::document::Document;
 use crate::experiment::{Record, Warning};
 use crate::report::document::{Block, Tone};
 use crate::report::recorded::Recorded;
@@ -14,7 +15,7 @@ pub(super) fn section(
     let mut blocks = Vec::new();
     let all = || (recorded.folders.iter()).flat_map(|f| f.experiments.iter().map(move |e| (f, e)));
     for (folder, experiment) in all().filter(|(_, e)| e.records.is_empty()) {
-        let name = &experiment.definition.name;
+        let name = &experiment.synopsis.name;
         let missing = head::missing(folder, experiment);
         if !missing.is_empty() && !points.by_experiment().iter().any(|(n, _)| n == name) {
             blocks.push(Block::Heading(3, name.clone()));
@@ -25,25 +26,25 @@ pub(super) fn section(
         let Some(first) = of_it.first() else {
             continue;
         };
-        let definition = &first.experiment.definition;
+        let synopsis = &first.experiment.synopsis;
         blocks.push(Block::Heading(3, name.to_owned()));
-        if !definition.question.is_empty() {
-            blocks.push(Block::Heading(4, definition.question.clone()));
+        if !synopsis.question.is_empty() {
+            blocks.push(Block::Heading(4, synopsis.question.clone()));
         }
-        if !definition.analysis.is_empty() {
-            blocks.push(Block::Prose(definition.analysis.clone()));
+        if !synopsis.analysis.is_empty() {
+            blocks.push(Block::Prose(synopsis.analysis.clone()));
         }
-        for (folder, experiment) in all().filter(|(_, e)| e.definition.name == name) {
+        for (folder, experiment) in all().filter(|(_, e)| e.synopsis.name == name) {
             blocks.extend(head::missing(folder, experiment));
         }
-        blocks.extend(charts::blocks(&definition.charts, points, &of_it));
+        blocks.extend(charts::blocks(&synopsis.charts, points, &of_it));
         let mut runs: Vec<&str> = of_it.iter().map(|p| p.record.run.as_str()).collect();
         runs.dedup();
-        runs.sort_by_key(|run| definition.place_of(run));
+        runs.sort_by_key(|run| synopsis.place_of(run));
         runs.dedup();
         for run in runs {
             blocks.push(Block::Heading(4, format!("Run {run}")));
-            let about = definition.runs.iter().find(|r| r.name == run);
+            let about = synopsis.runs.iter().find(|r| r.name == run);
             if let Some(about) = about.and_then(|r| r.about.as_ref()) {
                 blocks.push(Block::Text(about.clone()));
             }
@@ -84,7 +85,7 @@ fn folded(
 fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> Vec<Block> {
     let record = point.record;
     let mut blocks = vec![Block::Text(facts(record))];
-    blocks.extend(scene(record).map(Block::Text));
+    blocks.extend(scenes(record));
     let common = points.common(point.folder);
     // What was said of a scene belongs to it, even if all have it.
     let is_told = |w: &&Warning| matches!(w, Warning::Opening { .. }) || !common.contains(w);
@@ -116,13 +117,17 @@ fn one(points: &Points<'_>, point: &Point<'_>, pictures: &pictures::Chosen) -> V
     blocks
 }
 
-/// The words of a point's scene, and of the one that is the truth where that is another; nothing where they were not recorded.
-fn scene(record: &Record) -> Option<String> {
-    let words = (!record.words.is_empty()).then(|| format!("Scene: `{}`.", record.words.join(" ")));
+/// The scene of a point, and the one that is the truth where that is another.
+fn scenes(record: &Record) -> Vec<Block> {
     let truth = record.truth.as_ref();
-    let truth = truth.map(|t| format!("Judged by the exact image of: `{}`.", t.join(" ")));
-    let all: Vec<String> = words.into_iter().chain(truth).collect();
-    (!all.is_empty()).then(|| all.join(" "))
+    let truth = truth.map(|truth| ("The scene whose exact image is the truth", truth));
+    let folded = |(what, scene): (&str, &Document)| Block::Folded {
+        summary: what.to_owned(),
+        open: false,
+        blocks: vec![Block::Command(scene.to_string().trim().to_owned())],
+    };
+    let all = std::iter::once(("The scene, as a file", &record.scene)).chain(truth);
+    all.map(folded).collect()
 }
 
 fn facts(record: &Record) -> String {

@@ -129,14 +129,14 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
     if lacking.is_empty() {
         return Vec::new();
     }
-    let asked = experiment.definition.points.len();
+    let asked = experiment.synopsis.points.len();
     let text = format!(
         "{} of {} of {} missing in {}: {}. What is told here is not all of it. To go on:",
         lacking.len(),
         counted(asked, "point"),
         match lacking.len() {
-            1 => format!("{} is", experiment.definition.name),
-            _ => format!("{} are", experiment.definition.name),
+            1 => format!("{} is", experiment.synopsis.name),
+            _ => format!("{} are", experiment.synopsis.name),
         },
         folder.path.display(),
         lacking.join(", ")

@@ -64,7 +64,7 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
         }
         let situation = Situation::from(run.moves);
         let is_it = |i: &&mut Input<'_>| i.name == name && i.situation == situation;
-        let told = format!("{}: {}", point.experiment.definition.name, run.name);
+        let told = format!("{}: {}", point.experiment.synopsis.name, run.name);
         match inputs.iter_mut().find(is_it) {
             Some(input) => {
                 input.records.push(point.record);

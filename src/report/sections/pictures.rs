@@ -129,7 +129,11 @@ impl Chosen {
 
 fn key(point: &Point<'_>) -> (PathBuf, String, String) {
     let record = point.record;
-    let values: Vec<String> = record.parameters.values().cloned().collect();
+    let values: Vec<String> = record
+        .parameters
+        .values()
+        .map(ToString::to_string)
+        .collect();
     let name = format!("{}.{}", record.run, values.join("."));
     (point.folder.path.clone(), record.experiment.clone(), name)
 }

@@ -1,8 +1,8 @@
 //! The points of all folders, each with what it belongs to.
 
-use crate::experiment::{Record, Warning};
+use crate::experiment::{Record, RunSynopsis, Warning};
 use crate::gpu::AdapterReport;
-use crate::report::recorded::{Experiment, Folder, Recorded, RunDefinition};
+use crate::report::recorded::{Experiment, Folder, Recorded};
 
 /// A point of an experiment.
 #[derive(Clone, Copy, Debug)]
@@ -13,19 +13,17 @@ pub(super) struct Point<'a> {
 }
 
 impl Point<'_> {
-    /// Its parameters: `amplitude = 1%, size = 2 k`; where it is known which are axes, without those that only go along with one.
+    /// Its parameters: `amplitude = 1%, size = 2 k`.
     pub(super) fn parameters(&self) -> String {
-        let axes = &self.record.axes;
         let words: Vec<String> = (self.record.parameters.iter())
-            .filter(|(name, _)| axes.is_empty() || axes.contains(name))
             .map(|(name, value)| format!("{name} = {value}"))
             .collect();
         words.join(", ")
     }
 
     /// The run that it is of, as it was asked.
-    pub(super) fn run(&self) -> Option<&RunDefinition> {
-        let mut runs = self.experiment.definition.runs.iter();
+    pub(super) fn run(&self) -> Option<&RunSynopsis> {
+        let mut runs = self.experiment.synopsis.runs.iter();
         runs.find(|r| r.name == self.record.run)
     }
 
@@ -157,7 +155,7 @@ impl<'a> Points<'a> {
 }
 
 fn name_of<'a>(point: &Point<'a>) -> &'a str {
-    &point.experiment.definition.name
+    &point.experiment.synopsis.name
 }
 
 /// Warnings of no strategy in particular that all points share, word for word.

@@ -19,15 +19,15 @@ use crate::scene::{Mesh, Part, Pose};
 
 /// A mesh as it was bound, and what can move it.
 #[derive(Debug)]
-pub(in crate::scene) struct Bound {
-    pub(in crate::scene) mesh: Arc<Mesh>,
-    pub(in crate::scene) motion: Option<Arc<Motion>>,
+pub(crate) struct Bound {
+    pub(crate) mesh: Arc<Mesh>,
+    pub(crate) motion: Option<Arc<Motion>>,
     /// Measured when somebody asks.
     reach: OnceLock<Reach>,
 }
 
 impl Bound {
-    pub(in crate::scene) fn new(mesh: Mesh, motion: Motion) -> Self {
+    pub(crate) fn new(mesh: Mesh, motion: Motion) -> Self {
         Self {
             mesh: Arc::new(mesh),
             motion: (motion != Motion::default()).then(|| Arc::new(motion)),
@@ -48,7 +48,7 @@ impl Bound {
 
 /// What takes a part to where it is.
 #[derive(Clone, Debug)]
-pub(in crate::scene) enum Hold {
+pub(crate) enum Hold {
     /// Its node, as a whole.
     Node,
     /// One joint of a skin, as a whole.
@@ -76,7 +76,7 @@ pub struct Driver {
 
 impl Driver {
     /// Ties a bound mesh to a node. `rest_weights` are those of its morph targets.
-    pub(in crate::scene) fn new(
+    pub(crate) fn new(
         rig: &Arc<Rig>,
         node: usize,
         hold: Hold,
@@ -148,7 +148,7 @@ impl Driver {
     }
 
     /// The mesh and its place at rest.
-    pub(in crate::scene) fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
+    pub(crate) fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
         (
             Arc::clone(&self.rest_mesh),
             self.placed * self.file_from_part,
@@ -156,7 +156,7 @@ impl Driver {
     }
 
     /// Whether the mesh and its place at rest are finite.
-    pub(in crate::scene) fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         let is_bound = Arc::ptr_eq(&self.rest_mesh, &self.bound.mesh);
         let positions = &self.rest_mesh.positions;
         self.file_from_part.is_finite() && (is_bound || positions.iter().all(|p| p.is_finite()))
@@ -168,7 +168,7 @@ impl Driver {
     }
 
     /// Whether the file has anything that could move the part.
-    pub(in crate::scene) fn is_needed(&self) -> bool {
+    pub(crate) fn is_needed(&self) -> bool {
         !self.rig.clips().is_empty() || self.bound.motion.is_some()
     }
 

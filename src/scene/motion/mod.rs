@@ -25,11 +25,11 @@ mod track;
 pub use defect::MotionDefect;
 pub use deform::{Axis, Deformer};
 pub use driver::Driver;
-pub(super) use driver::{Bound, Hold};
-pub(super) use outward::Outwards;
+pub(crate) use driver::{Bound, Hold};
+pub(crate) use outward::Outwards;
 pub use rig::Clip;
-pub(super) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
-pub(super) use track::{Track, Way};
+pub(crate) use rig::{Moment, NodeTracks, Rig, RigNode, RigSkin, Stand};
+pub(crate) use track::{Track, Way};
 
 use std::sync::Arc;
 
@@ -79,7 +79,7 @@ impl Motion {
     }
 
     /// How far a target moves a position at weight 1; nowhere if it says nothing about it.
-    pub(super) fn displacement(&self, target: usize, position: usize) -> DVec3 {
+    pub(crate) fn displacement(&self, target: usize, position: usize) -> DVec3 {
         let of_target = self.targets.get(target);
         of_target
             .and_then(|t| t.get(position))
@@ -88,7 +88,7 @@ impl Motion {
     }
 
     /// What moves a choice of the positions, in the order of the choice.
-    pub(super) fn of_positions(&self, chosen: &[u32]) -> Self {
+    pub(crate) fn of_positions(&self, chosen: &[u32]) -> Self {
         let of_target = |t| {
             chosen
                 .iter()

@@ -55,14 +55,14 @@ impl Part {
 /// The motions that were given outward directions: each is made once, so that the same mesh has the same [`Motion`] at all
 /// times.
 #[derive(Debug, Default)]
-pub(in crate::scene) struct Outwards(Mutex<Vec<Known>>);
+pub(crate) struct Outwards(Mutex<Vec<Known>>);
 
 /// Of which mesh and motion, and the motion with its directions.
 type Known = (Arc<Mesh>, Option<Arc<Motion>>, Arc<Motion>);
 
 impl Outwards {
     /// Gives a part the directions that its pose asks for.
-    pub(in crate::scene) fn complete(&self, part: &mut Part) {
+    pub(crate) fn complete(&self, part: &mut Part) {
         if !part.lacks_outward() {
             return;
         }

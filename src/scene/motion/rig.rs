@@ -20,50 +20,50 @@ pub struct Clip {
 
 /// A time in a clip.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::scene) struct Moment {
-    pub(in crate::scene) clip: usize,
-    pub(in crate::scene) time_s: f64,
+pub(crate) struct Moment {
+    pub(crate) clip: usize,
+    pub(crate) time_s: f64,
 }
 
 /// How a node stands in its parent.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::scene) struct Stand {
-    pub(in crate::scene) translation: DVec3,
-    pub(in crate::scene) rotation: DQuat,
-    pub(in crate::scene) scale: DVec3,
+pub(crate) struct Stand {
+    pub(crate) translation: DVec3,
+    pub(crate) rotation: DQuat,
+    pub(crate) scale: DVec3,
 }
 
 impl Stand {
-    pub(in crate::scene) fn affine(self) -> DAffine3 {
+    pub(crate) fn affine(self) -> DAffine3 {
         DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
     }
 }
 
 /// A node of the file.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct RigNode {
+pub(crate) struct RigNode {
     /// Index into [`Rig::nodes`], less than that of the node itself.
-    pub(in crate::scene) parent: Option<usize>,
+    pub(crate) parent: Option<usize>,
     /// Where it is while no clip moves it.
-    pub(in crate::scene) rest: DAffine3,
+    pub(crate) rest: DAffine3,
     /// The same in pieces; `None` for a matrix that does not come apart.
-    pub(in crate::scene) stand: Option<Stand>,
+    pub(crate) stand: Option<Stand>,
 }
 
 /// What pulls at the vertices of a mesh.
 #[derive(Clone, Debug, Default)]
-pub(in crate::scene) struct RigSkin {
+pub(crate) struct RigSkin {
     /// Nodes and their inverse bind matrices.
-    pub(in crate::scene) joints: Vec<(usize, DAffine3)>,
+    pub(crate) joints: Vec<(usize, DAffine3)>,
 }
 
 /// What a clip changes of one node.
 #[derive(Clone, Debug, Default)]
-pub(in crate::scene) struct NodeTracks {
-    pub(in crate::scene) translation: Option<Track<DVec3>>,
-    pub(in crate::scene) rotation: Option<Track<DQuat>>,
-    pub(in crate::scene) scale: Option<Track<DVec3>>,
-    pub(in crate::scene) weights: Option<Track<Vec<f64>>>,
+pub(crate) struct NodeTracks {
+    pub(crate) translation: Option<Track<DVec3>>,
+    pub(crate) rotation: Option<Track<DQuat>>,
+    pub(crate) scale: Option<Track<DVec3>>,
+    pub(crate) weights: Option<Track<Vec<f64>>>,
 }
 
 impl NodeTracks {
@@ -82,17 +82,17 @@ struct Moves {
 
 /// What moves the parts of a file.
 #[derive(Clone, Debug, Default)]
-pub(in crate::scene) struct Rig {
+pub(crate) struct Rig {
     /// Parents first.
-    pub(in crate::scene) nodes: Vec<RigNode>,
-    pub(in crate::scene) skins: Vec<RigSkin>,
+    pub(crate) nodes: Vec<RigNode>,
+    pub(crate) skins: Vec<RigSkin>,
     clips: Vec<Clip>,
     moves: Vec<Moves>,
 }
 
 impl Rig {
     /// Nodes and skins without clips.
-    pub(in crate::scene) fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
+    pub(crate) fn new(nodes: Vec<RigNode>, skins: Vec<RigSkin>) -> Self {
         Self {
             nodes,
             skins,
@@ -101,12 +101,12 @@ impl Rig {
     }
 
     /// The clips of the file.
-    pub(in crate::scene) fn clips(&self) -> &[Clip] {
+    pub(crate) fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
     /// Adds a clip by what it changes of each node. A node may have tracks only if it comes apart.
-    pub(in crate::scene) fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
+    pub(crate) fn add(&mut self, clip: Clip, of_node: BTreeMap<usize, NodeTracks>) {
         let mut is_moved: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
             let above = node.parent.is_some_and(|p| is_moved[p]);
@@ -117,19 +117,19 @@ impl Rig {
     }
 
     /// Removes the clip that was added last.
-    pub(in crate::scene) fn take_back(&mut self) {
+    pub(crate) fn take_back(&mut self) {
         self.clips.pop();
         self.moves.pop();
     }
 
     /// Whether a clip moves a node, by itself or with its parent.
-    pub(in crate::scene) fn moves(&self, clip: usize, node: usize) -> bool {
+    pub(crate) fn moves(&self, clip: usize, node: usize) -> bool {
         let moves = self.moves.get(clip);
         moves.is_some_and(|m| m.is_moved.get(node) == Some(&true))
     }
 
     /// Weights of a node's morph targets, if the clip changes them.
-    pub(in crate::scene) fn weights(&self, node: usize, moment: Moment) -> Option<Vec<f64>> {
+    pub(crate) fn weights(&self, node: usize, moment: Moment) -> Option<Vec<f64>> {
         let tracks = self.tracks(node, moment.clip)?.weights.as_ref()?;
         Some(tracks.at(moment.time_s))
     }
@@ -160,7 +160,7 @@ impl Rig {
     }
 
     /// Where a node is; at rest without a moment.
-    pub(in crate::scene) fn world(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
+    pub(crate) fn world(&self, node: usize, moment: Option<Moment>) -> DAffine3 {
         // From the root down, as `worlds` multiplies: the same node must not be in two places by a rounding.
         let above = |n: &usize| self.nodes[*n].parent;
         let mut chain: Vec<usize> = std::iter::successors(Some(node), above).collect();
@@ -173,7 +173,7 @@ impl Rig {
     }
 
     /// Where all nodes are.
-    pub(in crate::scene) fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
+    pub(crate) fn worlds(&self, moment: Option<Moment>) -> Vec<DAffine3> {
         let mut worlds: Vec<DAffine3> = Vec::with_capacity(self.nodes.len());
         for (index, node) in self.nodes.iter().enumerate() {
             let local = self.local(index, moment);
@@ -183,7 +183,7 @@ impl Rig {
     }
 
     /// Where the joints of a skin take what they pull, from bind space to the file's world.
-    pub(in crate::scene) fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
+    pub(crate) fn palette(&self, skin: usize, moment: Option<Moment>) -> Vec<DAffine3> {
         let worlds = self.worlds(moment);
         let joints = self.skins[skin].joints.iter();
         joints
@@ -192,18 +192,13 @@ impl Rig {
     }
 
     /// Where one joint of a skin takes what it pulls.
-    pub(in crate::scene) fn joint(
-        &self,
-        skin: usize,
-        joint: usize,
-        moment: Option<Moment>,
-    ) -> DAffine3 {
+    pub(crate) fn joint(&self, skin: usize, joint: usize, moment: Option<Moment>) -> DAffine3 {
         let (node, inverse) = self.skins[skin].joints[joint];
         self.world(node, moment) * inverse
     }
 
     /// Whether a clip moves any joint of a skin.
-    pub(in crate::scene) fn moves_skin(&self, clip: usize, skin: usize) -> bool {
+    pub(crate) fn moves_skin(&self, clip: usize, skin: usize) -> bool {
         let joints = &self.skins[skin].joints;
         joints.iter().any(|(node, _)| self.moves(clip, *node))
     }

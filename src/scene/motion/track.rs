@@ -9,7 +9,7 @@ use glam::{DQuat, DVec3};
 
 /// How a track goes from key to key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::scene) enum Way {
+pub(crate) enum Way {
     /// Stays until the next key.
     Step,
     /// Goes evenly to the next key.
@@ -19,7 +19,7 @@ pub(in crate::scene) enum Way {
 }
 
 /// What a track can be made of.
-pub(in crate::scene) trait Value: Clone {
+pub(crate) trait Value: Clone {
     /// Sum of values times factors.
     fn sum(terms: &[(f64, &Self)]) -> Self;
 
@@ -107,7 +107,7 @@ impl Value for DQuat {
 
 /// Keys and the way between them.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct Track<V> {
+pub(crate) struct Track<V> {
     /// Ascending, at least one.
     times_s: Vec<f64>,
     way: Way,
@@ -117,11 +117,7 @@ pub(in crate::scene) struct Track<V> {
 
 impl<V: Value> Track<V> {
     /// Checks what a file has; the error says what is wrong with it.
-    pub(in crate::scene) fn new(
-        times_s: Vec<f64>,
-        way: Way,
-        mut values: Vec<V>,
-    ) -> Result<Self, String> {
+    pub(crate) fn new(times_s: Vec<f64>, way: Way, mut values: Vec<V>) -> Result<Self, String> {
         let per_key = if way == Way::Cubic { 3 } else { 1 };
         if times_s.is_empty() || values.len() != per_key * times_s.len() {
             return Err(format!(
@@ -161,12 +157,12 @@ impl<V: Value> Track<V> {
     }
 
     /// Time of the last key.
-    pub(in crate::scene) fn end_s(&self) -> f64 {
+    pub(crate) fn end_s(&self) -> f64 {
         self.times_s.last().copied().unwrap_or_default()
     }
 
     /// Times and values of the keys.
-    pub(in crate::scene) fn keys(&self) -> impl Iterator<Item = (f64, &V)> {
+    pub(crate) fn keys(&self) -> impl Iterator<Item = (f64, &V)> {
         (self.times_s.iter().enumerate()).map(|(key, time_s)| (*time_s, self.value(key)))
     }
 
@@ -178,7 +174,7 @@ impl<V: Value> Track<V> {
     }
 
     /// The value at a time.
-    pub(in crate::scene) fn at(&self, time_s: f64) -> V {
+    pub(crate) fn at(&self, time_s: f64) -> V {
         let next = self.times_s.partition_point(|t| *t <= time_s);
         let key = next.saturating_sub(1);
         let value = self.value(key);

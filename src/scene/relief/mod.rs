@@ -1,27 +1,24 @@
 //! Where the heights of a relief come from: a procedure, an image, numbers, a blend of two others or a place between layers.
 //!
-//! A [`Relief`] says where heights come from; [`resolve`] turns named ones, which may blend each other, into offset maps.
-//! [`ReliefSpec`] is the form of the command line: a relief, and how high and wide it stands on a section.
+//! A [`Relief`] says where heights come from; [`resolve`] turns named ones, which may blend each other, into offset maps;
+//! [`place_map`] puts a map on a section, so high and so wide as a [`Placement`] says.
 
 mod blend;
-mod grey_tiff;
 mod heights;
-mod image;
 mod layers;
 mod noise;
+mod place;
 mod procedures;
-mod spec;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub use blend::BlendOp;
-pub use image::read_offset_map;
 pub use layers::between_layers;
+pub(crate) use place::parse_wrap;
+pub use place::{Placement, place_map};
 pub use procedures::{MAX_TEXELS, Procedure, ProcedureKind};
-pub(super) use spec::parse_wrap;
-pub use spec::{Placement, ReliefSpec, apply_relief, place_map};
 
 use super::{OffsetMap, Wrap};
 use crate::error::{Error, Result, did_you_mean};
@@ -31,8 +28,8 @@ use crate::error::{Error, Result, did_you_mean};
 pub enum Relief {
     /// Computed.
     Procedure(Procedure),
-    /// Read from a file.
-    Image(PathBuf),
+    /// The map of an image file.
+    Image(Image),
     /// Two named reliefs made into one.
     Blend {
         /// Names of the two.
@@ -53,15 +50,22 @@ pub enum Relief {
     },
 }
 
-impl Relief {
-    /// The file of an image.
-    pub fn image(&self) -> Option<&Path> {
-        match self {
-            Self::Image(path) => Some(path),
-            _ => None,
-        }
-    }
+/// The heights of an image file, read and shared. Images are the same that are of one file and one reading.
+#[derive(Clone, Debug)]
+pub struct Image {
+    /// The file.
+    pub path: PathBuf,
+    /// What it holds.
+    pub map: Arc<OffsetMap>,
+}
 
+impl PartialEq for Image {
+    fn eq(&self, other: &Self) -> bool {
+        self.path == other.path && Arc::ptr_eq(&self.map, &other.map)
+    }
+}
+
+impl Relief {
     /// Names of the reliefs that it is made of.
     pub fn of(&self) -> &[String] {
         match self {
@@ -117,7 +121,7 @@ fn resolve_within(
     within.pop();
     let map = match relief {
         Relief::Procedure(procedure) => Arc::new(procedure.map()),
-        Relief::Image(path) => Arc::new(read_offset_map(path)?),
+        Relief::Image(image) => Arc::clone(&image.map),
         Relief::Blend { op, .. } => {
             let blended = op.blend(&parts[0], &parts[1]);
             let mend = "scale the images of the two down";

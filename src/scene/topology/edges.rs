@@ -3,26 +3,26 @@
 use rayon::prelude::*;
 
 /// The uses of all edges, sorted: smaller index, larger index, then direction.
-pub(in crate::scene) struct Edges {
+pub(crate) struct Edges {
     keys: Vec<u64>,
 }
 
 /// How many edges there are of each sort.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::scene) struct EdgeCount {
-    pub(in crate::scene) edges: usize,
+pub(crate) struct EdgeCount {
+    pub(crate) edges: usize,
     /// One use.
-    pub(in crate::scene) boundary: usize,
+    pub(crate) boundary: usize,
     /// An odd number of uses.
-    pub(in crate::scene) open: usize,
+    pub(crate) open: usize,
     /// More than two uses.
-    pub(in crate::scene) non_manifold: usize,
+    pub(crate) non_manifold: usize,
     /// Two uses in the same direction.
-    pub(in crate::scene) inconsistent: usize,
+    pub(crate) inconsistent: usize,
 }
 
 impl Edges {
-    pub(in crate::scene) fn of(triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
         let mut keys: Vec<u64> = triangles
             .par_iter()
             .flat_map_iter(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]])
@@ -39,7 +39,7 @@ impl Edges {
         self.keys.chunk_by(|a, b| a >> 1 == b >> 1)
     }
 
-    pub(in crate::scene) fn count(&self) -> EdgeCount {
+    pub(crate) fn count(&self) -> EdgeCount {
         let mut count = EdgeCount::default();
         for run in self.runs() {
             count.edges += 1;
@@ -52,7 +52,7 @@ impl Edges {
     }
 
     /// Edges with an odd number of uses, by their vertices.
-    pub(in crate::scene) fn open(&self) -> impl Iterator<Item = [u32; 2]> {
+    pub(crate) fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.runs()
             .filter(|run| run.len() % 2 == 1)
             .map(|run| [(run[0] >> 32) as u32, ((run[0] & 0xffff_ffff) >> 1) as u32])
@@ -60,14 +60,14 @@ impl Edges {
 }
 
 /// Representatives of a partition of `0..n`; the least member represents its set.
-pub(in crate::scene) struct Sets(Vec<u32>);
+pub(crate) struct Sets(Vec<u32>);
 
 impl Sets {
-    pub(in crate::scene) fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         Self((0..n as u32).collect())
     }
 
-    pub(in crate::scene) fn find(&mut self, mut i: u32) -> u32 {
+    pub(crate) fn find(&mut self, mut i: u32) -> u32 {
         while self.0[i as usize] != i {
             let up = self.0[self.0[i as usize] as usize];
             self.0[i as usize] = up;
@@ -76,7 +76,7 @@ impl Sets {
         i
     }
 
-    pub(in crate::scene) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.0[a.max(b) as usize] = a.min(b);
     }

@@ -24,7 +24,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let at = centre_of(id.xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
-        for (var s = 0u; s < cut_table.surface_count; s++) {
+        // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
+        for (var left = cut_table.surface_count; left > 0u; left--) {
+            let s = left - 1u;
             if ((sheets >> s) & 1u) != 0u {
                 continue;
             }

@@ -1,0 +1,207 @@
+//! What a command is about: the document that its words amount to, and what that shows.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::console::Console;
+use super::edits::EditArgs;
+use super::output::write_file;
+use super::picture::{Backdrop, Drawer, Style};
+use super::places::InputFiles;
+use super::sections::SectionArgs;
+use crate::document::{Background, Document, Timeline, part};
+use crate::experiment::frame_options;
+use crate::generate::shapes::shape;
+use crate::load::Assets;
+use crate::load::frames::Pattern;
+use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
+use crate::strategies::{FrameOptions, Strategy};
+use crate::{Error, Result};
+
+/// How many times as fine pictures are drawn where nobody says it.
+const USUAL_SUPERSAMPLE: u32 = 2;
+
+/// A document and what it shows.
+pub(super) struct Subject {
+    /// The scene at the moment that is meant.
+    pub(super) scene: Scene,
+    /// The same over time.
+    pub(super) timeline: Timeline,
+    /// All files that were read.
+    pub(super) files: InputFiles,
+    document: Document,
+    /// Where the document is saved.
+    saved: Option<PathBuf>,
+}
+
+impl Subject {
+    /// Opens a document that options have amended, at a time or at the moment that it asks for itself.
+    pub(super) fn open(
+        mut document: Document,
+        at_s: Option<f64>,
+        edits: &EditArgs,
+        console: &Console,
+    ) -> Result<Self> {
+        edits.amend(&mut document)?;
+        let saved = edits.place(&document)?;
+        let timeline = document.timeline(&mut Assets::default())?;
+        let name = document.path().display().to_string();
+        let notes = timeline.notes().iter().map(|note| match name.as_str() {
+            "" => note.clone(),
+            name => format!("{name}: {note}"),
+        });
+        console.notes(&notes.collect::<Vec<_>>());
+        let scene = match at_s {
+            Some(time_s) => timeline.at(time_s)?,
+            None => timeline.scene()?,
+        };
+        let files = InputFiles::default();
+        files.add(timeline.files().map(Path::to_owned));
+        let subject = Self {
+            scene,
+            timeline,
+            files,
+            document,
+            saved,
+        };
+        if subject.timeline.settings().time_s.is_some() && !subject.timeline.moves() {
+            console.note("nothing moves in this scene: it is the same at all times");
+        }
+        Ok(subject)
+    }
+
+    /// Refuses cuts of the command line that remove nothing.
+    pub(super) fn must_be_cut_by(&self, sections: &SectionArgs) -> Result<()> {
+        sections.must_be_of_use(&self.document, &self.scene)
+    }
+
+    /// Says what is nearly always a slip, and refuses a camera whose rays would be no numbers.
+    pub(super) fn doubt(&self, console: &Console) -> Result<()> {
+        doubts(&self.scene).iter().for_each(|d| console.remark(d));
+        check_view(&self.scene, self.size_px())
+    }
+
+    /// Refuses outputs that would replace what is read, or each other; then saves the document, if it is to be. Each is an option and
+    /// the file that it names.
+    pub(super) fn save_beside<'a>(
+        &self,
+        outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
+        edits: &EditArgs,
+    ) -> Result<()> {
+        let own = fs::canonicalize(self.document.path()).ok();
+        // Only the scene itself may be replaced, where that is wanted.
+        let is_own = |path: &Path| own.is_some() && fs::canonicalize(path).ok() == own;
+        let is_checked = |path: &PathBuf| !(edits.is_forced() && is_own(path));
+        let save = self.saved.clone().filter(is_checked);
+        let save = save.map(|path| ("--save", path));
+        self.files.keep_from(outputs.into_iter().chain(save))?;
+        match &self.saved {
+            Some(path) => write_file(path, self.document.moved_to(path)?.to_string().as_bytes()),
+            None => Ok(()),
+        }
+    }
+
+    /// Size of the picture.
+    pub(super) fn size_px(&self) -> [u32; 2] {
+        self.timeline.settings().size_px()
+    }
+
+    /// How many times as fine pictures are drawn along each side.
+    pub(super) fn supersample(&self) -> u32 {
+        let asked = self.timeline.settings().supersample;
+        asked.unwrap_or(USUAL_SUPERSAMPLE)
+    }
+
+    /// By which means frames are drawn.
+    pub(super) fn options(&self) -> Result<FrameOptions> {
+        frame_options(self.timeline.settings())
+    }
+
+    /// Who draws.
+    pub(super) fn drawer(&self) -> Result<Drawer> {
+        match &self.timeline.settings().strategy {
+            Some(name) => name.parse(),
+            None => Ok(Drawer::By(Strategy::RAYCAST_MASK)),
+        }
+    }
+
+    /// How pictures are drawn.
+    pub(super) fn style(&self) -> Style {
+        Style {
+            supersample: self.supersample(),
+            backdrop: match self.timeline.settings().background {
+                Some(Background::Color(color)) => Backdrop::Color(color),
+                Some(Background::Transparent) => Backdrop::Transparent,
+                None => Backdrop::Gradient,
+            },
+        }
+    }
+
+    /// The view of the scene.
+    pub(super) fn view(&self, prepared: &Prepared) -> View {
+        prepared.view(self.size_px())
+    }
+}
+
+/// The document of the positional inputs: one scene file, or models.
+pub(super) fn document(inputs: &[String], played_fps: Option<f64>) -> Result<Document> {
+    if let [one] = inputs
+        && is_scene(one)
+    {
+        return Document::read(Path::new(one));
+    }
+    if let Some(scene) = inputs.iter().find(|i| is_scene(i)) {
+        return Err(Error::input(
+            scene.as_str(),
+            "a scene file stands alone",
+            "give it by itself, and name the meshes in it as [[part]] entries",
+        ));
+    }
+    let mut document = Document::new();
+    for input in inputs {
+        check_model(input)?;
+        let mut draft = part(input);
+        if let (true, Some(fps)) = (
+            Pattern::is_in(input) && !Path::new(input).exists(),
+            played_fps,
+        ) {
+            draft = draft.with("fps", fps);
+        }
+        document.add_part(draft)?;
+    }
+    Ok(document)
+}
+
+/// Refuses a file that is not there; a built-in shape has its prefix forgotten more often than not.
+pub(super) fn check_model(input: &str) -> Result<()> {
+    let path = Path::new(input);
+    if input.starts_with("shape:") || Pattern::is_in(input) || path.exists() {
+        return Ok(());
+    }
+    let mend = match shape(input) {
+        Ok(_) => format!("write shape:{input} for the built-in shape"),
+        Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
+    };
+    Err(Error::file(path, "there is no such file", mend))
+}
+
+/// Whether an input is a scene file by its name.
+fn is_scene(input: &str) -> bool {
+    let extension = Path::new(input).extension();
+    !input.starts_with("shape:") && extension.is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+}
+
+/// Refuses a camera whose rays would be no numbers.
+fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
+    let bounds = scene.bounds();
+    let space = SceneSpace::of(&bounds);
+    let in_scene = Bounds::of([bounds.min, bounds.max].map(|p| space.point(p)));
+    let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
+    match view.defect() {
+        Some(what) => {
+            let mend = "move it nearer to the model, and let it look at another point than its own";
+            Err(Error::input("camera", what, mend))
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,209 @@
+//! The files that a document names, and how they are named from elsewhere.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::Document;
+use super::node::{Node, Place, Value};
+use crate::error::Result;
+use crate::load::companions;
+use crate::load::frames::Pattern;
+
+impl Document {
+    /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. Whether any is
+    /// there is not asked.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        for Named { name, first, .. } in names(&self.root) {
+            let path = self.folder().join(name);
+            let pattern = Pattern::parse(name).map(|p| p.inside(self.folder()));
+            let numbered = match pattern {
+                Ok(pattern) if !path.is_file() => pattern.files(first).ok(),
+                _ => None,
+            };
+            for path in numbered.map_or_else(|| vec![path], |(files, _)| files) {
+                files.extend(companions(&path));
+                files.push(path);
+            }
+        }
+        files
+    }
+
+    /// The same document as a file of another name, for which what it names is found from there.
+    ///
+    /// # Errors
+    ///
+    /// Text that cannot be edited.
+    pub fn moved_to(&self, path: &Path) -> Result<Self> {
+        let mut moved = self.clone();
+        path.clone_into(&mut moved.path);
+        moved.is_within = false;
+        for Named { place, name, .. } in names(&self.root) {
+            if let Some(name) = renamed(name, self.folder(), moved.folder()) {
+                moved.set_at(&place, Node::new(name))?;
+            }
+        }
+        Ok(moved)
+    }
+}
+
+/// A file or a pattern of numbered ones, as it is named.
+struct Named<'a> {
+    /// Where.
+    place: Place,
+    name: &'a str,
+    /// The number of the first, where it is said.
+    first: Option<u32>,
+}
+
+/// All files that are named.
+fn names(root: &Node) -> Vec<Named<'_>> {
+    let mut names = Vec::new();
+    let below = |node: &Node| match &node.value {
+        Value::Table(entries) => entries.len(),
+        Value::List(list) => list.len(),
+        _ => 0,
+    };
+    let Value::Table(entries) = &root.value else {
+        return names;
+    };
+    for (at, (key, entries)) in entries.iter().enumerate() {
+        let keys: &[&str] = match &**key {
+            "part" => &["mesh"],
+            "cut" => &["volume"],
+            "relief" => &["image", "images"],
+            _ => continue,
+        };
+        for entry in 0..below(entries) {
+            let Some(Value::Table(fields)) = entries.child(entry).map(|n| &n.value) else {
+                continue;
+            };
+            let first = fields.iter().find(|(key, _)| **key == *"first");
+            let first = first.and_then(|(_, node)| match &node.value {
+                Value::Number(number) => number.whole?.try_into().ok(),
+                _ => None,
+            });
+            for (field, (key, node)) in fields.iter().enumerate() {
+                if let Value::Text(name) = &node.value
+                    && keys.contains(&&**key)
+                    && !name.starts_with("shape:")
+                {
+                    let place = vec![at, entry, field];
+                    names.push(Named { place, name, first });
+                }
+            }
+        }
+    }
+    names
+}
+
+/// A file that is named from one folder, as it is named from another; none if it is named alike.
+pub(super) fn renamed(name: &str, from: &Path, to: &Path) -> Option<String> {
+    if Path::new(name).is_absolute() || from == to {
+        return None;
+    }
+    // In a pattern `%` is written twice, so what is before its first one is a name like any other.
+    let first = if Pattern::is_in(name) {
+        name.find('%')
+    } else {
+        None
+    };
+    let Some(first) = first else {
+        return Some(from_folder(&place(&from.join(name)), to));
+    };
+    let (above, pattern) = match name[..first].rfind('/') {
+        Some(slash) => name.split_at(slash + 1),
+        None => ("", name),
+    };
+    let above = from_folder(&folder(&from.join(above)), to).replace('%', "%%");
+    Some(match above.as_str() {
+        "" => pattern.to_owned(),
+        above => format!("{}/{pattern}", above.trim_end_matches('/')),
+    })
+}
+
+/// A path as it is named from a folder, with slashes.
+fn from_folder(path: &Path, to: &Path) -> String {
+    let renamed = pathdiff::diff_paths(path, folder(to)).unwrap_or_else(|| path.to_owned());
+    let text = renamed.to_string_lossy();
+    text.replace(std::path::MAIN_SEPARATOR, "/")
+}
+
+/// The place of a file that need not exist.
+fn place(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default();
+    folder(path.parent().unwrap_or_else(|| Path::new(""))).join(name)
+}
+
+/// A folder by a name without links, or else by whichever leads there.
+fn folder(path: &Path) -> PathBuf {
+    let path = if path.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        path
+    };
+    fs::canonicalize(path)
+        .or_else(|_| std::path::absolute(path))
+        .unwrap_or_else(|_| path.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbered_files_begin_where_the_document_says() {
+        let folder = std::env::temp_dir().join(format!("cutaway-files-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let frames = ["w_7.stl", "w_8.stl"].map(|name| folder.join(name));
+        for frame in &frames {
+            fs::write(frame, "").expect("a file");
+        }
+        let text = "part = [{ mesh = \"w_%d.stl\", first = 7 }]";
+        let document = Document::parse(folder.join("scene.toml"), text).expect("a document");
+        assert_eq!(document.files(), frames);
+        fs::remove_dir_all(&folder).expect("a folder");
+    }
+
+    #[test]
+    fn names_lead_to_the_same_files_from_elsewhere() {
+        let text = "\
+[[part]]
+mesh = \"a.stl\" # the solid
+
+[[part]]
+mesh = \"/models/b_%04d.stl\"
+
+[[cut]]
+volume = \"shape:cube\"
+
+[[cut]]
+volume = \"../c.stl\"
+
+[relief.rock]
+image = \"maps/rock.png\"
+";
+        // Folders that there are: links and `..` are followed.
+        let document = Document::parse("src/document/scene.toml", text).expect("a document");
+        let moved = document
+            .moved_to(Path::new("src/scene.toml"))
+            .expect("moved");
+        let expected = text
+            .replace("a.stl", "document/a.stl")
+            .replace("../c.stl", "c.stl")
+            .replace("maps/", "document/maps/");
+        assert_eq!(moved.to_string(), expected);
+        // Of a pattern the number stays open, and nothing of its folder is taken for one.
+        for (name, from, to, expected) in [
+            ("w_%d.stl", "src/d%d", "src", "d%%d/w_%d.stl"),
+            ("a%%b/w_%d.stl", "src", "src/d%d", "../a%%b/w_%d.stl"),
+            ("%d/w.stl", "src/document", "src", "document/%d/w.stl"),
+            ("w%.stl", "src/d%", "src", "d%/w%.stl"),
+        ] {
+            let found = renamed(name, Path::new(from), Path::new(to));
+            assert_eq!(found.as_deref(), Some(expected), "{name}");
+        }
+        let beside = document.moved_to(Path::new("src/document/other.toml"));
+        assert_eq!(beside.expect("moved").to_string(), text);
+    }
+}

@@ -1,0 +1,224 @@
+//! `[camera]`.
+//!
+//! An angle of an orbit that is `"auto"`, and both where there is no `[camera]`, turns to where most faces of the cuts are seen:
+//! half of all sections would show only their backs.
+
+use glam::DVec3;
+
+use super::reader::{Entry, Table};
+use crate::document::Keys;
+use crate::document::Value;
+use crate::error::Result;
+use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
+
+static KEYS: Keys = Keys::below("camera");
+
+/// A cut face counts as seen if the cosine between its normal and the view is more.
+const LEAST_COSINE: f64 = 0.1;
+
+/// A camera, and which of its angles are to be found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) camera: Camera,
+    /// Azimuth and elevation.
+    pub(crate) free: [bool; 2],
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self {
+            camera: Camera::default(),
+            free: [true; 2],
+        }
+    }
+}
+
+impl Seen {
+    /// Whether an angle is to be found.
+    pub(crate) fn is_free(&self) -> bool {
+        self.free.contains(&true)
+    }
+
+    /// The angles from which most faces are seen of the cuts that a scene has at some times; of equals those nearest to the usual.
+    pub(crate) fn turned<'a>(&self, cuts: impl Iterator<Item = &'a Cut> + Clone) -> Viewpoint {
+        let Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } = self.camera.viewpoint
+        else {
+            return self.camera.viewpoint;
+        };
+        let azimuths: &[f64] = match self.free[0] {
+            true => &[
+                azimuth_deg,
+                -azimuth_deg,
+                azimuth_deg + 180.0,
+                -azimuth_deg - 180.0,
+            ],
+            false => &[azimuth_deg],
+        };
+        let elevations: &[f64] = match self.free[1] {
+            true => &[elevation_deg, -elevation_deg],
+            false => &[elevation_deg],
+        };
+        let mut best = (0, self.camera.viewpoint);
+        for elevation_deg in elevations.iter().copied() {
+            for azimuth_deg in azimuths.iter().copied() {
+                let viewpoint = Viewpoint::Orbit {
+                    azimuth_deg,
+                    elevation_deg,
+                };
+                let camera = Camera {
+                    viewpoint,
+                    ..self.camera
+                };
+                // Where an orbit looks does not depend on what it looks at.
+                let anything = Bounds::of([DVec3::ZERO, DVec3::ONE]);
+                let forward = camera.view(|p| p, 1.0, anything, [1, 1]).forward;
+                let enabled = cuts.clone().filter(|c| c.enabled);
+                let seen = enabled
+                    .flat_map(|c| &c.surfaces)
+                    .filter(|s| s.frame().normal.dot(forward) > LEAST_COSINE)
+                    .count();
+                if seen > best.0 {
+                    best = (seen, viewpoint);
+                }
+            }
+        }
+        best.1
+    }
+}
+
+/// Reads a camera; without a focal point it looks at the middle of the bounds.
+pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds) -> Result<Seen> {
+    let table = entry.table(KEYS.all())?;
+    let mut camera = Camera::default();
+    if let Some(up) = table.get("up") {
+        camera.up = up.choice(&[("+Y", Up::PlusY), ("+Z", Up::PlusZ)])?;
+    }
+    let free = ["azimuth_deg", "elevation_deg"].map(|key| is_free(&table, key));
+    camera.viewpoint = viewpoint(&table, (camera.viewpoint, camera.up), bounds.centre())?;
+    camera.projection = projection(&table)?;
+    camera.near = table.get("near").map(|n| n.positive()).transpose()?;
+    if let Some(cap) = table.get("near_cap") {
+        camera.near_cap = cap.flag()?;
+    }
+    if let Some(zoom) = table.get("zoom") {
+        camera.zoom = zoom.number()?;
+        if !(1e-3..=1e3).contains(&camera.zoom) {
+            let mend = "2 shows the model twice as large";
+            return Err(zoom.fault("it must be from 0.001 to 1000", mend));
+        }
+    }
+    Ok(Seen { camera, free })
+}
+
+/// Whether an angle is `"auto"`.
+fn is_free(table: &Table<'_>, key: &str) -> bool {
+    let auto = Value::from("auto");
+    table.get(key).is_some_and(|e| e.node.value == auto)
+}
+
+/// An angle, unless it is to be found.
+fn angle(table: &Table<'_>, key: &str, usual: f64) -> Result<f64> {
+    match table.get(key) {
+        Some(_) if is_free(table, key) => Ok(usual),
+        Some(entry) if entry.is_text() => {
+            let what = "it must be a number of degrees, or \"auto\"";
+            Err(entry.fault(what, format!("write for example `{key} = 20`")))
+        }
+        Some(entry) => entry.number(),
+        None => Ok(usual),
+    }
+}
+
+fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> Result<Viewpoint> {
+    let explicit = ["position", "focal_point", "view_up"]
+        .iter()
+        .find_map(|key| table.get(key));
+    let Some(first) = explicit else {
+        let Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } = usual
+        else {
+            return Ok(usual);
+        };
+        return Ok(Viewpoint::Orbit {
+            azimuth_deg: angle(table, "azimuth_deg", azimuth_deg)?,
+            elevation_deg: angle(table, "elevation_deg", elevation_deg)?,
+        });
+    };
+    for key in ["azimuth_deg", "elevation_deg"] {
+        if let Some(angle) = table.get(key) {
+            let what = format!("the camera is already given by `{}`", first.key);
+            return Err(angle.fault(what, "keep either the angles or position and focal_point"));
+        }
+    }
+    let eye = table.need("position", "[0, 0, 5]")?;
+    let position = DVec3::from(eye.vector()?);
+    let focal_point = match table.get("focal_point") {
+        Some(entry) => DVec3::from(entry.vector()?),
+        None => middle,
+    };
+    if focal_point == position {
+        let mend = "move one of them: the camera looks from position to focal_point";
+        return Err(match table.get("focal_point") {
+            Some(focal) => focal.fault("it is the camera's position", mend),
+            None => eye.fault("it is the point that the camera looks at", mend),
+        });
+    }
+    let view_up = match table.get("view_up") {
+        None => None,
+        Some(entry) => {
+            let view_up = DVec3::from(entry.vector()?);
+            let forward = (focal_point - position).normalize_or_zero();
+            if view_up.normalize_or_zero().cross(forward).length() < 1e-9 {
+                let what = "it points along the viewing direction, or nowhere";
+                let mend = format!(
+                    "use a direction across it, for example {:?}",
+                    up.axis().to_array()
+                );
+                return Err(entry.fault(what, mend));
+            }
+            Some(view_up)
+        }
+    };
+    Ok(Viewpoint::Explicit {
+        position,
+        focal_point,
+        view_up,
+    })
+}
+
+fn projection(table: &Table<'_>) -> Result<Projection> {
+    let orthographic = match table.get("projection") {
+        Some(p) => p.choice(&[("perspective", false), ("orthographic", true)])?,
+        None => false,
+    };
+    let (used, stray, of) = if orthographic {
+        ("height", "fov_y_deg", "perspective")
+    } else {
+        ("fov_y_deg", "height", "orthographic")
+    };
+    if let Some(entry) = table.get(stray) {
+        let what = format!("it belongs to a camera with projection = \"{of}\"");
+        return Err(entry.fault(
+            what,
+            format!("remove it, use `{used}`, or set that projection"),
+        ));
+    }
+    let used = table.get(used);
+    if orthographic {
+        let height = used.map(|h| h.positive()).transpose()?;
+        return Ok(Projection::Orthographic { height });
+    }
+    let Some(entry) = used else {
+        return Ok(Camera::default().projection);
+    };
+    let fov_y_deg = entry.positive()?;
+    if fov_y_deg > 170.0 {
+        return Err(entry.fault("it must be at most 170", "30 is usual, 60 is wide"));
+    }
+    Ok(Projection::Perspective { fov_y_deg })
+}

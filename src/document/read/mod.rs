@@ -1,0 +1,395 @@
+//! The readers of a document: what is cut, how, and from where it is seen.
+//!
+//! Every unknown key is an error with the nearest known one; every number has to be finite. Paths are relative to the
+//! scene file.
+//!
+//! ```toml
+//! [[part]]
+//! name = "crank"
+//! shape = "crank"                        # or `{ name = "crank", throws = 3 }`, whose numbers have paths
+//! material = { color = "#8a94a6" }
+//!
+//! [relief.ragged]
+//! kind = "fractal"
+//!
+//! [[cut]]
+//! name = "front"
+//! surfaces = [{ section = "-z=50%", relief = "ragged", amplitude = "6%" }]
+//!
+//! [[cut]]
+//! volume = "shape:sphere"                # or a mesh file: what is inside is removed, if it is closed
+//! scale = 0.3                            # placed as parts are: `translate`, `rotate_deg`, `scale`, `pivot`, `matrix`
+//! translate = [0.5, 0, 0]
+//! flip = false                           # true removes what is outside
+//! ```
+//!
+//! # Cuts
+//!
+//! A cut removes what all of its `surfaces`, its `box` and its `wedge` remove; the scene removes the union of its cuts.
+//!
+//! ```toml
+//! [[cut]]
+//! name = "slice"
+//! applies_to = ["*"]
+//! except = ["core"]
+//! offset = { mantle = 0.08, "crust*" = "5%" }   # so much more of these parts is kept; percent of the diagonal
+//! enabled = true
+//! wedge = { axis = "z", from_deg = 0, to_deg = 90, relief = "ragged", faces = ["from", "to"] }   # or a list of some
+//!
+//! [[cut]]
+//! box = { min = ["50%", 0, 0], max = ["100%", 1, 1] }
+//! ```
+//!
+//! An offset moves every clip-surface of the cut, relief and all, towards the side that is removed: the part stands out of the
+//! cut. Where several globs fit a part, its own name has to be there and counts.
+//!
+//! # The camera
+//!
+//! Without `[camera]` the scene is seen from the side, turned to where most faces of its cuts are seen. With it nothing is turned
+//! but angles that are `"auto"`.
+//!
+//! ```toml
+//! [camera]
+//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`
+//! elevation_deg = 25
+//! up = "+Z"                              # images on sections stand upright by it
+//! zoom = 2                               # twice as large as so everything is shown
+//! near = 0.5                             # distance of the near plane
+//! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
+//! ```
+//!
+//! Without `near_cap` a ray that begins inside a solid shows neither the near plane's section nor the wall by which it leaves the
+//! solid, but the next surface or cap that it enters.
+//!
+//! # How heights are read
+//!
+//! `height_filter = "hardware"` reads reliefs through the sampler of the GPU where a strategy asks for heights at
+//! points; `"exact"`, which is usual, from four texels.
+//!
+//! # How it is drawn
+//!
+//! Before all tables: what is asked for where nobody asks for anything else.
+//!
+//! ```toml
+//! resolution = [1024, 768]
+//! background = "#ffffff"                 # or "transparent"
+//! interference = "#ff00aa"               # hatches caps that several solids share
+//! supersample = 2                        # so many times as fine along each side, 1 to 4
+//! time_s = 0.5                           # the moment that is shown
+//! clip = "walk"                          # the animation that is played, by its name or number
+//!
+//! [strategy]
+//! name = "raycast+mask"
+//! rasteriser = "compute"
+//! ```
+//!
+//! # What moves
+//!
+//! A `[[key]]` moves any number of `camera`, `part`, `relief` and `cut`, or a list of them, in time. `interpolation` is
+//! `"linear"`, `"step"` or `"smooth"`. The number has to be in the file, as a number: those in texts such as `"6%"` stay. What is
+//! `true` or `false`, as `cut.slice.enabled`, is moved by such values in steps.
+//!
+//! ```toml
+//! [[part]]
+//! name = "bar"
+//! shape = "cube?divisions=20"
+//! pivot = "centre"                      # about which it is scaled and turned; or a point; the origin otherwise
+//! rotate_deg = [0, 0, 0]
+//! deform = [
+//!   { kind = "twist", axis = "y", turn_deg = 90 },     # from one end of the part to the other
+//!   { kind = "bend", turn_deg = 45, across = "x" },    # along the longest side, rolled towards x
+//!   { kind = "wave", amplitude = "2%", period = 0.5, phase_deg = 0 },
+//!   { kind = "inflate", by = 0.01 },
+//! ]
+//!
+//! [[part]]
+//! name = "walker"
+//! mesh = "frames/walk_%04d.ply"         # one mesh per frame
+//! fps = 24
+//! first = 1                             # without it 0 or 1
+//! loop = false                          # true without it
+//!
+//! [[part]]
+//! name = "left"
+//! mesh = "gearbox.glb"
+//! only = ["gear 2"]                     # or `except`: some of the solids of a file
+//! defects = [{ kind = "holes", amount = "5%", seed = 1 }]   # broken on purpose, once: see `scene::defects`
+//!
+//! [[key]]
+//! target = "part.bar.deform.0.turn_deg"
+//! times_s = [0, 2]
+//! values = [0, 360]
+//! ```
+
+mod camera;
+mod cuts;
+mod cutters;
+mod defects;
+mod deform;
+mod keys;
+mod parts;
+pub(crate) mod reader;
+mod regions;
+mod reliefs;
+mod settings;
+mod stock;
+mod table;
+mod target;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+
+pub(super) use camera::Seen;
+pub use keys::{Interpolation, Key};
+pub(super) use keys::{Keyed, Moment};
+use reader::{Entry, Source, Table};
+pub(super) use reliefs::{Images, Resolved};
+pub use settings::{Background, Settings};
+pub(super) use stock::Held;
+use stock::Opening;
+
+use super::node::Node;
+use super::paths::{Keys, keys_below};
+use crate::error::Result;
+use crate::generate::defects::Defect;
+use crate::generate::shapes;
+use crate::load::Assets;
+use crate::load::frames::Pattern;
+use crate::scene::{Bounds, ClipSurface, Outwards, Part, Scene, Up};
+
+/// Keys of a scene.
+static KEYS: Keys = Keys::below("");
+
+/// What a document names, opened.
+#[derive(Debug)]
+pub(super) struct Stock {
+    /// Of each part.
+    pub(super) parts: Vec<Held>,
+    /// Of each cut.
+    cutters: Vec<Option<cutters::Held>>,
+    images: Images,
+    /// What is to be said of it.
+    pub(super) notes: Vec<String>,
+    /// The files.
+    pub(super) files: BTreeSet<PathBuf>,
+}
+
+/// The root of a document at a moment, if something moves.
+pub(super) fn root<'a>(
+    path: &'a Path,
+    node: &'a Node,
+    moment: Option<Moment<'a>>,
+) -> Result<Table<'a>> {
+    Table::of_file(Source { path, moment }, node, KEYS.all())
+}
+
+/// Opens all that a document names.
+pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Result<Stock> {
+    let mut opening = Opening {
+        folder,
+        assets,
+        notes: Vec::new(),
+        files: BTreeSet::new(),
+    };
+    let (parts, cuts) = (root.tables("part")?, root.tables("cut")?);
+    names_differ(&parts)?;
+    names_differ(&cuts)?;
+    if parts.is_empty() {
+        let mend = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
+        return Err(root.entry.fault("the scene has no part", mend));
+    }
+    let parts = stock::open(&parts, &mut opening)?;
+    let cutters = cutters::open(&cuts, &mut opening)?;
+    let images = reliefs::open(root, folder, opening.assets)?;
+    opening.files.extend(images.files().cloned());
+    Ok(Stock {
+        parts,
+        cutters,
+        images,
+        notes: opening.notes,
+        files: opening.files,
+    })
+}
+
+/// Checks what can be checked before anything is opened.
+pub(super) fn check(root: &Table<'_>, folder: &Path) -> Result<()> {
+    must_be_known(&root.entry, "")?;
+    settings::read(root)?;
+    keys::read(root)?;
+    if let Some(camera) = root.get("camera") {
+        camera::read(&camera, &Bounds::of([DVec3::ZERO, DVec3::ONE]))?;
+    }
+    for entry in root.tables("part")? {
+        let table = entry.table(parts::KEYS.all())?;
+        match (table.get("shape"), table.get("mesh")) {
+            (Some(shape), _) => {
+                shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;
+            }
+            (None, Some(mesh)) => must_be_there(&mesh, folder)?,
+            (None, None) => {}
+        }
+    }
+    for entry in root.tables("cut")? {
+        let volume = entry.table(cuts::KEYS.all())?.get("volume");
+        match volume {
+            Some(shape) if shape.text()?.starts_with("shape:") => {
+                shapes::check(shape.text()?).map_err(|e| shape.place(e))?;
+            }
+            Some(mesh) => must_be_there(&mesh, folder)?,
+            None => {}
+        }
+    }
+    Ok(())
+}
+
+/// Refuses keys that no reader knows, all the way down.
+fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
+    let below = |key: &str| match above {
+        "" => key.to_owned(),
+        above => format!("{above}.{key}"),
+    };
+    let known = keys_below(above);
+    let is_named = known.contains(&"*");
+    if entry.is_list() && !known.is_empty() {
+        // A `box` may be a list of some, which paths do not tell.
+        let above = if is_named {
+            below("*")
+        } else {
+            above.to_owned()
+        };
+        return (entry.list()?.into_iter()).try_for_each(|e| must_be_known(&e.named(), &above));
+    }
+    if !entry.is_table() || known.is_empty() {
+        return Ok(());
+    }
+    let table = if is_named {
+        entry.open_table()?
+    } else {
+        entry.table(&known)?
+    };
+    let mut all = table.all();
+    all.try_for_each(|(key, e)| must_be_known(&e, &below(if is_named { "*" } else { key })))
+}
+
+fn must_be_there(entry: &Entry<'_>, folder: &Path) -> Result<()> {
+    let path = folder.join(entry.text()?);
+    if path.exists() || Pattern::is_in(entry.text()?) {
+        return Ok(());
+    }
+    Err(stock::missing(entry, &path))
+}
+
+/// What a document asks for beside the scene itself.
+pub(super) fn settings(root: &Table<'_>) -> Result<Settings> {
+    settings::read(root)
+}
+
+/// What moves.
+pub(super) fn keys(root: &Table<'_>) -> Result<Vec<Keyed>> {
+    keys::read(root)
+}
+
+/// The parts at a time.
+pub(super) fn parts(
+    root: &Table<'_>,
+    stock: &Stock,
+    time_s: f64,
+    outwards: &Outwards,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Part>> {
+    let mut all = Vec::new();
+    for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
+        all.extend(parts::read(entry, held, time_s, outwards, notes)?);
+    }
+    Ok(all)
+}
+
+/// The scene of some parts, and its camera.
+pub(super) fn scene(
+    root: &Table<'_>,
+    stock: &Stock,
+    (parts, stage): (Vec<Part>, Option<Bounds>),
+    reliefs: &mut Resolved,
+    notes: &mut Vec<String>,
+) -> Result<(Scene, Seen)> {
+    let mut scene = Scene {
+        parts,
+        stage,
+        ..Scene::default()
+    };
+    let bounds = scene.bounds();
+    let seen = match root.get("camera") {
+        Some(entry) => camera::read(&entry, &bounds)?,
+        None => Seen::default(),
+    };
+    scene.camera = seen.camera;
+    let maps = match root.get("relief") {
+        Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
+        None => reliefs::Maps::new(),
+    };
+    let names: Vec<&str> = (stock.parts.iter().flat_map(Held::names))
+        .map(String::as_str)
+        .collect();
+    let context = cuts::Context {
+        bounds,
+        up: scene.camera.up,
+        parts: &scene.parts,
+        names: &names,
+        maps: &maps,
+    };
+    let mut cuts = Vec::new();
+    for (i, entry) in root.tables("cut")?.iter().enumerate() {
+        let cutter = stock.cutters.get(i).and_then(Option::as_ref);
+        cuts.extend(cuts::read(entry, i, cutter, &context, notes)?);
+    }
+    scene.cuts = cuts;
+    Ok((scene, seen))
+}
+
+/// A defect by itself.
+pub(super) fn defect(defect: &Node) -> Result<Defect> {
+    let nothing = Node::new(super::Value::Table(Vec::new()));
+    let root = root(Path::new(""), &nothing, None)?;
+    defects::read_one(&root.entry.at("defect", defect))
+}
+
+/// A clip-surface by itself, whose images are in the current folder.
+pub(super) fn surface(
+    surface: &Node,
+    reliefs: &Node,
+    bounds: &Bounds,
+    up: Up,
+) -> Result<ClipSurface> {
+    let table = Node::new(super::Value::Table(vec![(
+        "relief".into(),
+        reliefs.clone(),
+    )]));
+    let root = root(Path::new(""), &table, None)?;
+    let images = reliefs::open(&root, Path::new(""), &mut Assets::default())?;
+    let maps = match root.get("relief") {
+        Some(entry) => reliefs::read(&entry, &images, &mut Resolved::default())?,
+        None => reliefs::Maps::new(),
+    };
+    let context = cuts::Context {
+        bounds: *bounds,
+        up,
+        parts: &[],
+        names: &[],
+        maps: &maps,
+    };
+    cuts::surface(&root.entry.at("surface", surface), &context)
+}
+
+/// Names tell entries apart in globs, errors and animation keys.
+fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
+    let mut seen = BTreeSet::new();
+    match entries
+        .iter()
+        .find(|entry| !seen.insert(entry.key.as_str()))
+    {
+        Some(entry) => Err(entry.fault("the name is taken", "give every entry its own name")),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,179 @@
+//! `[[part]]`: meshes and built-in shapes, deformed, placed and coloured.
+
+use glam::{DAffine3, DMat3, DVec3, Vec3};
+
+use super::deform;
+use super::reader::{Entry, Table};
+use super::settings::color;
+use super::stock::Held;
+use crate::document::Keys;
+use crate::error::{Result, did_you_mean};
+use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
+
+/// Keys of a part.
+pub(super) static KEYS: Keys = Keys::below("part.*");
+
+/// Hatches of ISO 128-50 and the habits around it.
+const HATCHES: &[&str] = &[
+    "general",
+    "steel",
+    "iron",
+    "aluminium",
+    "copper",
+    "brass",
+    "plastic",
+    "rubber",
+    "glass",
+    "wood",
+    "concrete",
+    "earth",
+];
+
+/// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
+pub(super) fn read(
+    entry: &Entry<'_>,
+    held: &Held,
+    time_s: f64,
+    outwards: &Outwards,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Part>> {
+    let table = entry.table(KEYS.all())?;
+    let solids = held.at(time_s);
+    let placed = placement(&table, held.rest)?;
+    let role = table
+        .get("role")
+        .map(|r| r.choice(&[("exterior", Role::Exterior), ("interior", Role::Interior)]));
+    let role = role.transpose()?;
+    let priority = table
+        .get("priority")
+        .map(|p| p.whole::<i32>())
+        .transpose()?;
+    let fill = table
+        .get("fill")
+        .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
+        .transpose()?;
+    let look = table.get("material").map(|m| look(&m)).transpose()?;
+    let mut parts = solids.parts.clone();
+    for (part, rest) in parts.iter_mut().zip(&solids.rest) {
+        part.name = held.name(&part.name).to_owned();
+        part.place(placed);
+        part.role = role.unwrap_or(part.role);
+        part.priority = priority.or(part.priority);
+        part.fill = fill.unwrap_or(part.fill);
+        if let Some(look) = &look {
+            part.material.color = look.color.unwrap_or(part.material.color);
+            part.material.cap_color = look.cap_color.or(part.material.cap_color);
+        }
+        let whole = if held.share_a_space { held.rest } else { *rest };
+        if let Some(list) = table.get("deform") {
+            part.pose.deformers = deform::read(&list, whole)?;
+            outwards.complete(part);
+        }
+        let deformers = part.pose.deformers.iter();
+        let reach = deformers.fold(*rest, |reach, deformer| deformer.bounds(reach));
+        let corners = reach.corners();
+        let corners = corners.map(|c| part.world_from_part.transform_point3(c));
+        let is_finite = corners.iter().all(|c| c.is_finite());
+        let what = if is_finite {
+            range::defect(&Bounds::of(corners))
+        } else {
+            Some("reaches to infinity".to_owned())
+        };
+        if let Some(what) = what {
+            let what = format!("part `{}` {what} once it is placed", part.name);
+            return Err(entry.fault(what, "use another scale, translation or deformation"));
+        }
+    }
+    if let Some(hatch) = look.and_then(|l| l.hatch) {
+        notes.push(format!(
+            "{}: the hatch `{hatch}` is read, but not drawn yet",
+            entry.key
+        ));
+    }
+    Ok(parts)
+}
+
+/// Scaled first, then turned about x, y and z of the world in that order, both about the pivot, then moved.
+pub(super) fn placement(table: &Table<'_>, rest: Bounds) -> Result<DAffine3> {
+    let steps = ["translate", "rotate_deg", "scale", "pivot"].map(|key| table.get(key));
+    if let Some(matrix) = table.get("matrix") {
+        if let Some(step) = steps.iter().flatten().next() {
+            return Err(step.fault("the part has a matrix too", "keep one of the two"));
+        }
+        return affine(&matrix);
+    }
+    let [translate, rotate, scale, pivot] = steps;
+    let mut placed = DMat3::IDENTITY;
+    if let Some(entry) = scale {
+        let factors = if entry.is_list() {
+            DVec3::from(entry.vector()?)
+        } else {
+            DVec3::splat(entry.number()?)
+        };
+        if factors.cmpeq(DVec3::ZERO).any() {
+            return Err(entry.fault("a scale of 0 flattens the solid", "use 1 for no change"));
+        }
+        placed = DMat3::from_diagonal(factors);
+    }
+    if let Some(entry) = rotate {
+        let [x, y, z] = entry.vector()?.map(f64::to_radians);
+        let turn =
+            DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
+        placed = turn * placed;
+    }
+    let moved = translate.map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+    let pivot = match pivot {
+        None => DVec3::ZERO,
+        Some(entry) if entry.is_text() => entry.choice(&[("centre", rest.centre())])?,
+        Some(entry) => DVec3::from(entry.vector()?),
+    };
+    let moved = DVec3::from(moved) + (pivot - placed * pivot);
+    Ok(DAffine3::from_mat3_translation(placed, moved))
+}
+
+fn affine(entry: &Entry<'_>) -> Result<DAffine3> {
+    const MEND: &str =
+        "write 4 rows of 4 numbers, the last [0, 0, 0, 1]; translation is the last column";
+    let rows = entry.list()?;
+    let [a, b, c, last] = rows.as_slice() else {
+        return Err(entry.fault(format_args!("it has {} rows, not 4", rows.len()), MEND));
+    };
+    if last.vector()? != [0.0, 0.0, 0.0, 1.0] {
+        return Err(last.fault("the last row must be [0, 0, 0, 1]", MEND));
+    }
+    let [a, b, c] = [a.vector::<4>()?, b.vector::<4>()?, c.vector::<4>()?];
+    let column = |i: usize| DVec3::new(a[i], b[i], c[i]);
+    let matrix = DMat3::from_cols(column(0), column(1), column(2));
+    if matrix.determinant() == 0.0 || !matrix.determinant().is_finite() {
+        return Err(entry.fault("it flattens the solid", MEND));
+    }
+    Ok(DAffine3::from_mat3_translation(matrix, column(3)))
+}
+
+struct Look {
+    color: Option<Vec3>,
+    cap_color: Option<Vec3>,
+    hatch: Option<String>,
+}
+
+static MATERIAL: Keys = Keys::below("part.*.material");
+
+fn look(entry: &Entry<'_>) -> Result<Look> {
+    let table = entry.table(MATERIAL.all())?;
+    let hatch = match table.get("hatch") {
+        None => None,
+        Some(hatch) => {
+            let name = hatch.text()?;
+            if !HATCHES.contains(&name) {
+                let mend = did_you_mean(name, HATCHES.iter().copied());
+                return Err(hatch.fault(format_args!("{name:?} is no hatch"), mend));
+            }
+            Some(name.to_owned())
+        }
+    };
+    Ok(Look {
+        color: table.get("color").map(|c| color(&c)).transpose()?,
+        cap_color: table.get("cap_color").map(|c| color(&c)).transpose()?,
+        hatch,
+    })
+}

@@ -1,0 +1,306 @@
+//! What the parts of a scene are made of: meshes, shapes and frames, opened once.
+//!
+//! The numbers of a document may change from time to time, its texts may not: whatever is named by text is opened when the document
+//! is. All parts have names of their own: of those that a file gives, a name that is taken gets a number. Parts that neither their
+//! file nor the document colours differ in colour.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use glam::DAffine3;
+
+use super::defects;
+use super::parts::KEYS;
+use super::reader::{Entry, Table};
+use crate::document::Origin;
+use crate::error::{Error, Result, did_you_mean};
+use crate::load::Assets;
+use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
+use crate::scene::{Bounds, Material, Part, glob_matches};
+
+/// Solids as a file or shape has them.
+#[derive(Clone, Debug)]
+pub(super) struct Solids {
+    pub(super) parts: Vec<Part>,
+    /// Bounds of each in part space.
+    pub(super) rest: Vec<Bounds>,
+}
+
+impl Solids {
+    fn of(parts: Vec<Part>) -> Self {
+        let rest = parts.iter().map(|p| p.posed_mesh().bounds()).collect();
+        Self { parts, rest }
+    }
+}
+
+/// What one entry `[[part]]` is made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Held {
+    /// One, or one for each frame.
+    frames: Vec<Solids>,
+    sequence: Option<Sequence>,
+    /// What each solid is called in its file, at any time, and what its part is called.
+    names: BTreeMap<String, String>,
+    /// Bounds of all solids at all times, in the space of the file where they share it, else in the world.
+    pub(super) rest: Bounds,
+    /// Whether the file puts all solids in one space.
+    pub(super) share_a_space: bool,
+}
+
+impl Held {
+    fn of(frames: Vec<Solids>, sequence: Option<Sequence>) -> Self {
+        let parts = || frames.iter().flat_map(|f| &f.parts);
+        let share_a_space = parts().all(|p| p.world_from_part == DAffine3::IDENTITY);
+        let rest = if share_a_space {
+            let all = frames.iter().flat_map(|f| f.rest.iter().copied());
+            all.fold(Bounds::EMPTY, Bounds::union)
+        } else {
+            parts()
+                .map(Part::bounds_in_world)
+                .fold(Bounds::EMPTY, Bounds::union)
+        };
+        Self {
+            names: BTreeMap::new(),
+            frames,
+            sequence,
+            rest,
+            share_a_space,
+        }
+    }
+
+    /// The solids at a time.
+    pub(super) fn at(&self, time_s: f64) -> &Solids {
+        let frame = self.sequence.as_ref().map_or(0, |s| s.frame_at(time_s));
+        &self.frames[frame]
+    }
+
+    /// How the frames are played, if there are some.
+    pub(crate) fn sequence(&self) -> Option<&Sequence> {
+        self.sequence.as_ref()
+    }
+
+    /// The name of a part from that of its solid.
+    pub(super) fn name(&self, of_solid: &str) -> &str {
+        self.names.get(of_solid).map_or("", String::as_str)
+    }
+
+    /// The names of all parts that the entry has at any time.
+    pub(super) fn names(&self) -> impl Iterator<Item = &String> {
+        self.names.values()
+    }
+
+    /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
+    fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
+        let mut solids: Vec<&str> = Vec::new();
+        for part in self.frames.iter().flat_map(|f| &f.parts) {
+            if !solids.contains(&part.name.as_str()) {
+                solids.push(&part.name);
+            }
+        }
+        let wanted = |solid: &str| match of_entry {
+            None => solid.to_owned(),
+            Some(name) if solids.len() == 1 => name.to_owned(),
+            // Solids of a frame are called after the frames and their number.
+            Some(name) if self.sequence.is_some() => {
+                let own = solid.rsplit('/').next().unwrap_or(solid);
+                format!("{name}/{own}")
+            }
+            Some(name) => format!("{name}/{solid}"),
+        };
+        let mut names = BTreeMap::new();
+        for solid in &solids {
+            let wanted = wanted(solid);
+            let numbered = (2..).map(|count| format!("{wanted}_{count}"));
+            let mut free = std::iter::once(wanted.clone()).chain(numbered);
+            let name = free.find(|n| !taken.contains(n)).unwrap_or_default();
+            taken.insert(name.clone());
+            names.insert((*solid).to_owned(), name);
+        }
+        self.names = names;
+    }
+
+    /// Colours the parts that their file has not, as those of a scene that has `count` parts already. How many it has now.
+    fn colour(&mut self, count: usize) -> usize {
+        for frame in &mut self.frames {
+            for (i, part) in frame.parts.iter_mut().enumerate() {
+                if part.material == Material::of_index(i) {
+                    part.material = Material::of_index(count + i);
+                }
+            }
+        }
+        count + self.frames.iter().map(|f| f.parts.len()).max().unwrap_or(0)
+    }
+}
+
+/// Opens what the parts of a document name.
+pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<Held>> {
+    let mut stock = Vec::with_capacity(entries.len());
+    let mut given = Vec::with_capacity(entries.len());
+    for entry in entries {
+        let table = entry.table(KEYS.all())?;
+        let name = table.get("name");
+        if let Some(name) = &name
+            && name.text()?.is_empty()
+        {
+            return Err(name.fault("it is empty", "give the part a name, or leave the key out"));
+        }
+        given.push(name.map(|n| n.text()).transpose()?);
+        stock.push(opening.entry(&table)?);
+    }
+    let mut taken = BTreeSet::new();
+    // What the document calls its parts counts before what files call them.
+    for is_given in [true, false] {
+        let entries = stock.iter_mut().zip(&given);
+        entries
+            .filter(|(_, name)| name.is_some() == is_given)
+            .for_each(|(held, name)| held.call(*name, &mut taken));
+    }
+    stock.iter_mut().fold(0, |count, held| held.colour(count));
+    Ok(stock)
+}
+
+/// What it takes to open what a document names.
+pub(super) struct Opening<'a> {
+    /// The folder that files are named from.
+    pub(super) folder: &'a Path,
+    pub(super) assets: &'a mut Assets,
+    /// What is to be said of what was opened, each once.
+    pub(super) notes: Vec<String>,
+    /// Files that were read.
+    pub(super) files: BTreeSet<PathBuf>,
+}
+
+impl Opening<'_> {
+    fn entry(&mut self, table: &Table<'_>) -> Result<Held> {
+        let (origin, text, is_mesh) = match (table.get("mesh"), table.get("shape")) {
+            (Some(mesh), None) => (mesh.clone(), mesh.text()?.to_owned(), true),
+            (None, Some(shape)) => (shape.clone(), spec_of(&shape)?, false),
+            (Some(_), Some(shape)) => {
+                return Err(shape.fault("the part has a mesh too", "keep one of the two"));
+            }
+            (None, None) => {
+                let mend = "add `mesh = \"FILE\"` or `shape = \"crank\"`";
+                return Err(table.entry.fault("it has neither a mesh nor a shape", mend));
+            }
+        };
+        let path = self.folder.join(&text);
+        if is_mesh && !self.assets.has_mesh(&path) && text.contains('%') {
+            return self.frames(&origin, table);
+        }
+        for key in ["fps", "first", "loop"] {
+            if let Some(entry) = table.get(key) {
+                let mend = "remove it, or name frames as in `mesh = \"walk_%04d.ply\"`";
+                return Err(entry.fault("only frames have it", mend));
+            }
+        }
+        let parts = if is_mesh {
+            self.mesh(&origin, &text)?
+        } else {
+            self.shape(&origin, &text)?
+        };
+        if parts.is_empty() {
+            return Err(origin.fault("it holds no solid", "use a file or shape with triangles"));
+        }
+        let mut parts = chosen(table, parts)?;
+        defects::apply(table, &mut parts, &mut self.notes)?;
+        Ok(Held::of(vec![Solids::of(parts)], None))
+    }
+
+    /// The solids of a mesh file.
+    pub(super) fn mesh(&mut self, origin: &Entry<'_>, name: &str) -> Result<Vec<Part>> {
+        let path = self.folder.join(name);
+        if !self.assets.has_mesh(&path) {
+            return Err(missing(origin, &path));
+        }
+        let loaded = self.assets.mesh(&path)?;
+        let parts = loaded.parts.clone();
+        self.files.extend(loaded.files.iter().cloned());
+        let new = loaded.notes.iter().filter(|n| !self.notes.contains(n));
+        let new: Vec<String> = new.cloned().collect();
+        self.notes.extend(new);
+        Ok(parts)
+    }
+
+    /// The solids of a built-in shape.
+    pub(super) fn shape(&mut self, origin: &Entry<'_>, spec: &str) -> Result<Vec<Part>> {
+        let parts = self.assets.shape(spec).map_err(|e| origin.place(e))?;
+        Ok(parts.to_vec())
+    }
+
+    fn frames(&mut self, origin: &Entry<'_>, table: &Table<'_>) -> Result<Held> {
+        let pattern = Pattern::parse(origin.text()?).map_err(|e| origin.place(e))?;
+        let pattern = pattern.inside(self.folder);
+        let first = table.get("first").map(|f| f.whole::<u32>()).transpose()?;
+        let fps = match table.get("fps") {
+            Some(fps) => fps.positive()?,
+            None => USUAL_FPS,
+        };
+        let loops = table.get("loop").map_or(Ok(true), |l| l.flag())?;
+        let sequence = Sequence::open_from(&pattern, first, self.assets)
+            .and_then(|s| s.timed(fps, loops))
+            .map_err(|e| origin.place(e))?;
+        self.notes.extend(sequence.notes().iter().cloned());
+        self.files.extend(sequence.files().iter().cloned());
+        let frames = sequence
+            .frames()
+            .map(|parts| {
+                let mut parts = chosen(table, parts.to_vec())?;
+                defects::apply(table, &mut parts, &mut self.notes)?;
+                Ok(Solids::of(parts))
+            })
+            .collect::<Result<_>>()?;
+        Ok(Held::of(frames, Some(sequence)))
+    }
+}
+
+/// A built-in shape as [`shape`](crate::generate::shapes::shape) takes it: a text, or a table of its name and its numbers.
+pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
+    if !entry.is_table() {
+        return entry.text().map(str::to_owned);
+    }
+    let table = entry.open_table()?;
+    let name = table.need("name", "\"crank\"")?.text()?;
+    let numbers = table.all().filter(|(key, _)| *key != "name");
+    let pairs: Result<Vec<String>> = numbers
+        .map(|(key, value)| Ok(format!("{key}={}", value.number()?)))
+        .collect();
+    Ok(match pairs?.join("&") {
+        pairs if pairs.is_empty() => name.to_owned(),
+        pairs => format!("{name}?{pairs}"),
+    })
+}
+
+/// There is no such file.
+pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
+    let what = format!("there is no file {}", path.display());
+    let mend = match origin.node.origin {
+        Origin::Text { .. } => {
+            "check the name; it is relative to the scene file, and built-in shapes are `shape = \"crank\"`, cutters `shape:NAME`"
+        }
+        _ => "check the path; built-in shapes are written shape:NAME",
+    };
+    origin.fault(what, mend)
+}
+
+/// The solids that `only` and `except` leave.
+fn chosen(table: &Table<'_>, parts: Vec<Part>) -> Result<Vec<Part>> {
+    let mut left = parts.clone();
+    for (key, keep) in [("only", true), ("except", false)] {
+        let Some(entry) = table.get(key) else {
+            continue;
+        };
+        for glob in entry.texts()? {
+            if !parts.iter().any(|p| glob_matches(&glob, &p.name)) {
+                let names = parts.iter().map(|p| p.name.as_str());
+                let what = format!("there is no solid `{glob}`");
+                return Err(entry.fault(what, did_you_mean(&glob, names)));
+            }
+        }
+        let globs = entry.texts()?;
+        left.retain(|p| keep == globs.iter().any(|g| glob_matches(g, &p.name)));
+        if left.is_empty() {
+            return Err(entry.fault("it leaves no solid", "choose fewer or others"));
+        }
+    }
+    Ok(left)
+}

@@ -1,0 +1,126 @@
+//! What a key moves: the numbers at a dotted path, and where they stand in the tree.
+
+use std::fmt;
+
+use crate::document::{Lost, Node, Origin, Place, Step, Value, astray, children, farther, walk};
+
+/// How numbers are nested in lists.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    Number,
+    /// True or false.
+    Flag,
+    List(Vec<Self>),
+}
+
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number => write!(f, "a number"),
+            Self::Flag => write!(f, "true or false"),
+            Self::List(all) if all.iter().all(|s| *s == Self::Number) => {
+                write!(f, "a list of {} numbers", all.len())
+            }
+            Self::List(all) => write!(f, "{} lists in a list", all.len()),
+        }
+    }
+}
+
+/// The numbers at a path.
+#[derive(Debug)]
+pub(super) struct Target {
+    /// The path as errors write it: entries by name where they have one.
+    pub(super) path: String,
+    /// In the order of the text.
+    pub(super) places: Vec<Place>,
+    /// How they are nested.
+    pub(super) shape: Shape,
+}
+
+/// Finds the numbers at a path; `example` is a value for them.
+pub(super) fn find(root: &Node, path: &str, example: &str) -> Result<Target, Lost> {
+    let step = walk(root, path);
+    if !step.rest.is_empty() {
+        return Err(missing(&step, example));
+    }
+    let mut places = Vec::new();
+    match numbers(&step.node.value, &step.place, &mut places) {
+        Some(shape) if !places.is_empty() => Ok(Target {
+            path: step.path,
+            places,
+            shape,
+        }),
+        _ => Err(no_number(&step)),
+    }
+}
+
+fn numbers(value: &Value, place: &Place, places: &mut Vec<Place>) -> Option<Shape> {
+    match value {
+        Value::Number(_) | Value::Flag(_) => {
+            places.push(place.clone());
+            let is_flag = matches!(value, Value::Flag(_));
+            Some(if is_flag { Shape::Flag } else { Shape::Number })
+        }
+        Value::List(list) => {
+            let shape = |(index, child): (usize, &Node)| {
+                let below = place.iter().copied().chain([index]).collect();
+                numbers(&child.value, &below, places)
+            };
+            let shapes: Option<_> = list.iter().enumerate().map(shape).collect();
+            shapes.map(Shape::List)
+        }
+        _ => None,
+    }
+}
+
+/// The path leads to something else than numbers.
+fn no_number(step: &Step<'_>) -> Lost {
+    let last = step.path.rsplit('.').next().unwrap_or_default();
+    match &step.node.value {
+        Value::Text(text) => {
+            let mend = match last {
+                "section" => {
+                    "write the plane as `normal = [0, 0, 1], origin = [0, 0, 0]` and move its origin"
+                }
+                _ if text.trim_end().ends_with('%') => {
+                    "write it as a number in scene units: a number in a text cannot move"
+                }
+                _ => "let the target be a number of the file",
+            };
+            (
+                format!("it names no number: {} is the text {text:?}", step.path),
+                mend.into(),
+            )
+        }
+        Value::Table(_) | Value::List(_) => {
+            let what = "it names no number of the scene, but what holds some";
+            (what.into(), farther(step.node))
+        }
+        _ => (
+            "it names no number of the scene".into(),
+            "let the target be a number of the file".into(),
+        ),
+    }
+}
+
+/// The path leads nowhere: often to a number that the scene has without the file saying so.
+fn missing(step: &Step<'_>, example: &str) -> Lost {
+    let is_field = matches!(step.node.value, Value::Table(_)) && !step.rest.contains('.');
+    let (path, next) = (&step.path, &step.rest);
+    if !is_field || ["", "relief"].contains(&path.as_str()) {
+        return astray(step);
+    }
+    let below = children(step.node);
+    let mut names = below.iter().map(|(names, _)| &*names[0]);
+    let mend = match names.find(|n| strsim::jaro_winkler(n, next) > 0.9) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!(
+            "add `{next} = {example}` to `{path}`{}: a key moves a number that the file has",
+            match step.node.origin {
+                Origin::Text { line, .. } => format!(" in line {line}"),
+                _ => String::new(),
+            }
+        ),
+    };
+    (format!("the file has no `{next}` in `{path}`"), mend)
+}

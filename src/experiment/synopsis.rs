@@ -1,0 +1,80 @@
+//! What was asked: an experiment in words, its runs, its charts.
+//!
+//! It is read from the file of an experiment, written beside its records as `experiment.json`, and all that a report knows of it. What
+//! each point drew is in its record. Keys of `experiment.json` that are not here are passed over.
+
+use serde::{Deserialize, Serialize};
+
+use super::Moves;
+
+/// An experiment, told.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Synopsis {
+    /// The stem of its file.
+    pub name: String,
+    /// One sentence that ends in a question mark.
+    #[serde(default)]
+    pub question: String,
+    /// Markdown: what was asked, how to read the answer, what it cannot say.
+    #[serde(default)]
+    pub analysis: String,
+    /// Its runs, in order.
+    #[serde(default, rename = "run")]
+    pub runs: Vec<RunSynopsis>,
+    /// Its charts, in order.
+    #[serde(default, rename = "chart")]
+    pub charts: Vec<ChartSynopsis>,
+    /// Files of all records that its runs make, without `.json`; empty in records that are older than this.
+    #[serde(default)]
+    pub points: Vec<String>,
+    /// The file of the experiment, as it was; empty in records that are older than this.
+    #[serde(default)]
+    pub toml: String,
+}
+
+/// A run of an experiment, told.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RunSynopsis {
+    /// Unique in the experiment.
+    pub name: String,
+    /// What it is, in a line.
+    #[serde(default)]
+    pub about: Option<String>,
+    /// What a user would call the input that it stands for, if it stands for one: `plane cuts`.
+    #[serde(default)]
+    pub input: Option<String>,
+    /// What moves where that is used.
+    #[serde(default)]
+    pub moves: Moves,
+}
+
+/// A chart of an experiment.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ChartSynopsis {
+    /// What it shows, as a sentence.
+    pub title: String,
+    /// Names of runs; all if empty.
+    #[serde(default)]
+    pub runs: Vec<String>,
+    /// A parameter or a figure.
+    pub x: String,
+    /// A figure.
+    pub y: String,
+    /// Which axes are logarithmic: `x`, `y`.
+    #[serde(default)]
+    pub log: Vec<String>,
+    /// Whether y is an error and x its cost, so that there is a front.
+    #[serde(default)]
+    pub pareto: bool,
+    /// One line under it.
+    #[serde(default)]
+    pub note: Option<String>,
+}
+
+impl Synopsis {
+    /// Place of a run in the experiment; after all others where it is not there.
+    pub fn place_of(&self, run: &str) -> usize {
+        let place = self.runs.iter().position(|r| r.name == run);
+        place.unwrap_or(self.runs.len())
+    }
+}

@@ -1,0 +1,166 @@
+//! The bytes behind a glTF buffer's URI: a data URI, or a file of the model's folder or below.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+use crate::load::input_file;
+
+const BESIDE: &str =
+    "keep the .bin file in the folder of the model or below, and name it relative to the model";
+
+/// Reads a URI relative to the file `from`; a file that was read is added to `files`.
+pub(super) fn read(from: &Path, uri: &str, files: &mut Vec<PathBuf>) -> Result<Vec<u8>> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let bytes = data
+            .split_once(',')
+            .filter(|(kind, _)| kind.ends_with(";base64"))
+            .and_then(|(_, text)| from_base64(text));
+        return bytes.ok_or_else(|| {
+            Error::file(
+                from,
+                "a buffer's data URI is not base64",
+                "export the file again",
+            )
+        });
+    }
+    let name = percent_decoded(uri);
+    if let Some(what) = leads_away(&name) {
+        let what = format!("its buffer {name:?} {what}");
+        return Err(Error::file(from, what, BESIDE));
+    }
+    let folder = from.parent().unwrap_or(Path::new(""));
+    let path = folder.join(&name);
+    if path.exists() && !is_below(&path, from) {
+        let what = format!("its buffer {name:?} is a link that leads out of the folder");
+        return Err(Error::file(from, what, BESIDE));
+    }
+    let bytes = input_file::read(&path).map_err(|e| {
+        let why = match e {
+            Error::File { what, .. } => what,
+            other => other.to_string(),
+        };
+        Error::file(from, format!("its buffer {name:?} {why}"), BESIDE)
+    })?;
+    files.push(path);
+    Ok(bytes)
+}
+
+/// Why a name is not that of a file of the same folder or below, if it is not: a file from elsewhere must not choose what is read.
+fn leads_away(name: &str) -> Option<&'static str> {
+    let scheme = name.split_once(':').map(|(scheme, _)| scheme);
+    let is_scheme = |s: &str| {
+        let rest = |c: char| c.is_ascii_alphanumeric() || "+-.".contains(c);
+        s.starts_with(|c: char| c.is_ascii_alphabetic()) && s.chars().all(rest)
+    };
+    if scheme.is_some_and(is_scheme) {
+        return Some("has a scheme or a drive, and nothing is fetched from elsewhere");
+    }
+    if name.starts_with(['/', '\\']) {
+        return Some("is an absolute path");
+    }
+    let mut depth = 0_i32;
+    for step in name.split(['/', '\\']) {
+        depth += match step {
+            ".." => -1,
+            "" | "." => 0,
+            _ => 1,
+        };
+        if depth < 0 {
+            return Some("leads out of the folder");
+        }
+    }
+    None
+}
+
+/// Whether a file that exists is in the folder of `from` or below, links followed; of a `from` that is a link either folder counts.
+fn is_below(path: &Path, from: &Path) -> bool {
+    let folder = match from.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let own = folder.canonicalize().ok();
+    let of_target = from.canonicalize().ok();
+    let of_target = of_target.as_deref().and_then(Path::parent);
+    let mut folders = own.iter().map(PathBuf::as_path).chain(of_target);
+    path.canonicalize()
+        .is_ok_and(|path| folders.any(|folder| path.starts_with(folder)))
+}
+
+/// `%20` and the like; anything else stays.
+fn percent_decoded(text: &str) -> String {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, more @ ..] = rest {
+        let hex = (*first == b'%')
+            .then(|| std::str::from_utf8(more.get(..2)?).ok())
+            .flatten()
+            .and_then(|hex| u8::from_str_radix(hex, 16).ok());
+        bytes.push(hex.unwrap_or(*first));
+        rest = if hex.is_some() { &more[2..] } else { more };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+fn from_base64(text: &str) -> Option<Vec<u8>> {
+    let text = text.trim_end_matches('=');
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    let (mut held, mut bits) = (0_u32, 0);
+    for c in text.bytes() {
+        let six = match c {
+            b'A'..=b'Z' => c - b'A',
+            b'a'..=b'z' => c - b'a' + 26,
+            b'0'..=b'9' => c - b'0' + 52,
+            b'+' | b'-' => 62,
+            b'/' | b'_' => 63,
+            _ => return None,
+        };
+        held = (held << 6) | u32::from(six);
+        bits += 6;
+        if bits >= 8 {
+            bits -= 8;
+            bytes.push((held >> bits) as u8);
+            held &= (1 << bits) - 1;
+        }
+    }
+    Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_lead_away_are_told_apart() {
+        for name in [
+            "a.bin",
+            "deep/er/a.bin",
+            "deep/../a.bin",
+            "./a.bin",
+            "a..b",
+            "1:a",
+        ] {
+            assert_eq!(leads_away(name), None, "{name}");
+        }
+        for name in [
+            "/etc/passwd",
+            "\\\\host\\a",
+            "../a.bin",
+            "a/../../b",
+            "a\\..\\..\\b",
+            "file:a.bin",
+            "https://a/b",
+            "C:\\a.bin",
+        ] {
+            assert!(leads_away(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn base64_and_percent() {
+        assert_eq!(from_base64("TWFu").unwrap(), b"Man");
+        assert_eq!(from_base64("TWE=").unwrap(), b"Ma");
+        assert_eq!(from_base64("TQ==").unwrap(), b"M");
+        assert!(from_base64("T!").is_none());
+        assert_eq!(percent_decoded("a%20b%zz%"), "a b%zz%");
+    }
+}

@@ -1,0 +1,105 @@
+//! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
+
+use super::told::bounds_told;
+use super::{Cut, Cutter, Fill, Part, Scene, Topology, section_misses};
+
+/// What is said of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// Whether it is nearly always a slip.
+    pub is_warning: bool,
+    /// What is said: a line, more lines that are indented, and last a `help: ` if there is one.
+    pub text: String,
+}
+
+impl Remark {
+    /// Something to know.
+    pub fn note(text: impl Into<String>) -> Self {
+        Self {
+            is_warning: false,
+            text: text.into(),
+        }
+    }
+
+    fn warning(text: String) -> Self {
+        Self {
+            is_warning: true,
+            text,
+        }
+    }
+}
+
+/// What is doubtful about a scene: cuts and cutters that pass by the model, and faces that do not agree which side is out where that
+/// matters.
+pub fn doubts(scene: &Scene) -> Vec<Remark> {
+    let bounds = scene.bounds();
+    let mut doubts: Vec<Remark> = nonzero_hears(&scene.parts).into_iter().collect();
+    for (cut, stays) in misses(scene) {
+        let side = if stays { "stays" } else { "is removed" };
+        doubts.push(Remark::warning(format!(
+            "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
+             the bounds, or a percentage of them such as z=50%",
+            cut.name,
+            bounds_told(&bounds)
+        )));
+    }
+    let cuts = scene.cuts.iter().filter(|c| c.enabled);
+    let cutters = cuts.filter_map(|c| c.volume.as_ref());
+    doubts.extend(cutters.filter_map(|cutter| missing(cutter, scene)));
+    doubts
+}
+
+/// Cuts that pass by the model, and whether all of it stays. A face of several that lies beyond the model on the removed side
+/// does no harm, as where a box sticks out.
+pub(crate) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
+    let bounds = scene.bounds();
+    let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
+    cuts.filter_map(move |cut| {
+        let missing = cut.surfaces.iter().filter(|s| section_misses(s, &bounds));
+        let stays: Vec<bool> = missing
+            .map(|s| s.kept_height(bounds.centre()) > 0.0)
+            .collect();
+        let is_said = stays.contains(&true) || stays.len() == cut.surfaces.len();
+        is_said.then(|| (cut, stays.contains(&true)))
+    })
+}
+
+fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
+    let (bounds, own) = (scene.bounds(), cutter.bounds_in_world());
+    let is_apart = (own.min.cmpgt(bounds.max) | bounds.min.cmpgt(own.max)).any();
+    is_apart.then(|| {
+        let (name, own, of_model) = (cutter.name(), bounds_told(&own), bounds_told(&bounds));
+        Remark::warning(format!(
+            "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
+             `scale` and `rotate_deg` place it"
+        ))
+    })
+}
+
+/// Under the nonzero rule, faces that do not agree which side is out are as bad as holes. All such parts are one note.
+fn nonzero_hears(parts: &[Part]) -> Option<Remark> {
+    let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
+    let edges = filled.map(|p| (p, Topology::of(&p.mesh).inconsistent_edges));
+    let doubtful: Vec<(&Part, usize)> = edges.filter(|(_, edges)| *edges > 0).collect();
+    let (part, edges) = doubtful.iter().max_by_key(|(_, edges)| *edges)?;
+    let place = match doubtful.len() {
+        1 => format!("{}: fill is nonzero, but at {edges} edges", part.name),
+        count => format!(
+            "{count} parts: fill is nonzero, but at edges (worst: {}, {edges})",
+            part.name
+        ),
+    };
+    Some(Remark::note(format!(
+        "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  help: turn the faces, or \
+         use even-odd, which hears of no side"
+    )))
+}
+
+/// What to say of a model of which nothing is seen.
+pub(crate) fn empty_picture(scene: &Scene) -> Remark {
+    Remark::warning(format!(
+        "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
+         other side (--flip), move the section, or leave the camera options out",
+        bounds_told(&scene.bounds())
+    ))
+}

@@ -1,0 +1,132 @@
+//! Where a map of heights stands on a section.
+//!
+//! The section plane runs through the middle of the heights: the surface never leaves the slab of half its amplitude on either
+//! side, and flat heights give back the plane. The middle of the map lies over the middle of the bounds. Height 1 of the map
+//! rises from the kept side, so grooves of a map are grooves of the solid.
+
+use std::sync::Arc;
+
+use crate::error::did_you_mean;
+use crate::scene::section::Amount;
+use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap, range};
+
+/// How a map stands on a section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Height from the lowest to the highest texel; percent are of the bounds' diagonal.
+    pub amplitude: Amount,
+    /// Length of one repeat of the map along `U`; `None` is a share of the diagonal that suits the relief.
+    pub period: Option<Amount>,
+    /// How the map goes on beyond one repeat.
+    pub wrap: Wrap,
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        Self {
+            amplitude: Amount::Percent(6.0),
+            period: None,
+            wrap: Wrap::Repeat,
+        }
+    }
+}
+
+/// The wrap mode of a name.
+pub(crate) fn parse_wrap(name: &str) -> Result<Wrap, String> {
+    match name {
+        "repeat" => Ok(Wrap::Repeat),
+        "mirror" => Ok(Wrap::Mirror),
+        "clamp" => Ok(Wrap::Clamp),
+        _ => Err(did_you_mean(name, ["repeat", "mirror", "clamp"])),
+    }
+}
+
+impl Placement {
+    /// Why the numbers make no placement, if they do not.
+    pub fn defect(&self) -> Option<String> {
+        match self.period {
+            Some(Amount::Units(v) | Amount::Percent(v)) if v <= 0.0 => {
+                Some(format!("the period must be above 0, but is {v}"))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The period in percent of the diagonal where none is given: one clamped map over all of the model, about ten teeth of
+/// a saw-tooth, whose map is 2 x 2, and little more than one repeat of the others.
+fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
+    match (wrap, map.size) {
+        (Wrap::Clamp, _) => 100.0,
+        (_, [2, 2]) => 10.0,
+        _ => 60.0,
+    }
+}
+
+/// Puts a map on a plane; what is wrong if the placement has no length. Texels of images that have both a width and a
+/// height stay as square as they are: `|V|` follows from the period, `|U|`.
+pub fn place_map(
+    surface: ClipSurface,
+    map: Arc<OffsetMap>,
+    placement: &Placement,
+    bounds: &Bounds,
+) -> Result<ClipSurface, String> {
+    let diagonal = bounds.size().length();
+    let of_diagonal = |amount: Amount| match amount {
+        Amount::Units(v) => v,
+        Amount::Percent(p) => diagonal * p / 100.0,
+    };
+    let amplitude = of_diagonal(placement.amplitude);
+    let usual = Amount::Percent(usual_period(&map, placement.wrap));
+    let period = of_diagonal(placement.period.unwrap_or(usual));
+    let [w, h] = map.size.map(f64::from);
+    let lengths = [
+        period,
+        if w > 1.0 && h > 1.0 {
+            period * h / w
+        } else {
+            period
+        },
+    ];
+    if !(amplitude.is_finite() && lengths.iter().all(|l| l.is_finite() && *l > 0.0)) {
+        return Err(format!(
+            "amplitude {amplitude} and period {period} make no relief"
+        ));
+    }
+    let shortest = lengths[0].min(lengths[1]);
+    if let Some(what) = range::beside(amplitude, bounds) {
+        return Err(format!("the amplitude {amplitude:.2e} is {what}"));
+    }
+    // As many repeats of the map lie across the model.
+    if diagonal > 0.0 && shortest < diagonal / range::MOST_RADII {
+        let (most, shortest) = (range::MOST_RADII, shortest);
+        return Err(format!(
+            "the period {shortest:.2e} is less than a {most:.0e}th of the bounds' diagonal"
+        ));
+    }
+    let [lo, hi] = map.range().map(f64::from);
+    let frame = surface.frame();
+    let (u, v) = (frame.u_hat * lengths[0], frame.v_hat * lengths[1]);
+    let to_centre = bounds.centre() - surface.origin;
+    let middle = surface.origin
+        + frame.u_hat * to_centre.dot(frame.u_hat)
+        + frame.v_hat * to_centre.dot(frame.v_hat);
+    let height = if hi > lo {
+        amplitude / (hi - lo)
+    } else {
+        amplitude
+    };
+    let surface = ClipSurface {
+        // The surface lies at -f.Sz along N: the middle height must come to lie on the plane.
+        origin: middle - (u + v) * 0.5 + frame.normal * (height * (lo + hi) * 0.5),
+        u,
+        v,
+        scale: glam::DVec3::new(1.0, 1.0, height),
+        relief: Some(map),
+        wrap: placement.wrap,
+    };
+    match surface.defect_beside(bounds) {
+        Some(what) => Err(what),
+        None => Ok(surface),
+    }
+}
