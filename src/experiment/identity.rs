@@ -77,7 +77,10 @@ mod tests {
         std::fs::create_dir_all(&folder).unwrap();
         let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
         write("walk_1.ply", "frame");
-        write("a.gltf", "{ \"buffers\": [{ \"uri\": \"a.bin\" }] }");
+        write(
+            "a.gltf",
+            "{ \"asset\": { \"version\": \"2.0\" }, \"buffers\": [{ \"byteLength\": 1, \"uri\": \"a.bin\" }] }",
+        );
         write("a.obj", "mtllib a.mtl\n");
         for (key, file) in [
             ("part = [{ mesh = \"b.stl\" }]", "b.stl"),

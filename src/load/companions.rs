@@ -1,29 +1,52 @@
-//! The files that a mesh file names: buffers of glTF, material lists of OBJ. Nothing is checked here; who opens the mesh does that.
+//! The files that a mesh file names: buffers of glTF, material libraries of OBJ. Nothing is checked here; who opens the mesh does that.
+//!
+//! It reads the whole file, for a library may be named anywhere in an OBJ.
 
 use std::path::{Path, PathBuf};
 
-/// The files that a mesh file names, beside it.
+use super::{format_and_stem, gltf, input_file, mtl};
+
+/// The files that a mesh file names, beside it. None if it cannot be read.
 pub fn companions(path: &Path) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
-    let text = || std::fs::read_to_string(path).unwrap_or_default();
-    let names = match extension.to_str() {
-        Some("gltf") => buffers(&text()),
-        Some("obj") => {
-            let text = text();
-            let libraries = text.lines().filter_map(|l| l.strip_prefix("mtllib "));
-            libraries.map(|name| name.trim().to_owned()).collect()
-        }
-        _ => Vec::new(),
+    let format = format_and_stem(path).map(|(format, _)| format);
+    let names = match format.as_deref() {
+        Ok("gltf" | "glb") => gltf::named_buffers,
+        Ok("obj") => mtl::libraries,
+        _ => return Vec::new(),
     };
-    names.into_iter().map(|name| folder.join(name)).collect()
+    let bytes = input_file::read_unpacked(path);
+    bytes.map_or_else(|_| Vec::new(), |bytes| names(folder, &bytes))
 }
 
-/// The buffers of a glTF document that are files.
-fn buffers(text: &str) -> Vec<String> {
-    let document: serde_json::Value = serde_json::from_str(text).unwrap_or_default();
-    let buffers = document["buffers"].as_array().cloned().unwrap_or_default();
-    let names = buffers.iter().filter_map(|b| b["uri"].as_str());
-    let files = names.filter(|uri| !uri.starts_with("data:"));
-    files.map(str::to_owned).collect()
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn they_are_named_as_the_loaders_read_them() {
+        let folder = std::env::temp_dir().join(format!("cutaway-beside-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let json = "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{\"byteLength\": 1, \"uri\": \"my%20mesh.bin\"}, {\"byteLength\": 1, \"uri\": \"data:,\"}]}";
+        let mut glb = b"glTF\x02\0\0\0".to_vec();
+        let padded = format!("{json:<0$}", json.len().next_multiple_of(4));
+        glb.extend((padded.len() as u32 + 20).to_le_bytes());
+        glb.extend((padded.len() as u32).to_le_bytes());
+        glb.extend(b"JSON");
+        glb.extend(padded.as_bytes());
+        let obj = "# A mesh.\nmtllib\ta.mtl  b.mtl\nv 0 0 0\nmtllib sub\\c.mtl\n";
+        for (name, bytes, expected) in [
+            ("a.gltf", json.as_bytes(), &["my mesh.bin"][..]),
+            ("a.glb", &glb, &["my mesh.bin"]),
+            ("a.obj", obj.as_bytes(), &["a.mtl", "b.mtl", "sub/c.mtl"]),
+            ("a.stl", obj.as_bytes(), &[]),
+        ] {
+            let path = folder.join(name);
+            fs::write(&path, bytes).expect("a file");
+            let expected: Vec<PathBuf> = expected.iter().map(|name| folder.join(name)).collect();
+            assert_eq!(companions(&path), expected, "{name}");
+        }
+        fs::remove_dir_all(&folder).expect("a folder");
+    }
 }

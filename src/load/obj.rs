@@ -16,7 +16,6 @@ use glam::{DVec3, Vec3};
 
 use super::{Draft, Group, mtl, without_mark};
 use crate::error::{Error, Result};
-use crate::load::input_file;
 
 /// First words of lines without effect on the surface: texture and parameter coordinates, smoothing, points, lines, display.
 const PASSED_OVER: [&str; 14] = [
@@ -320,7 +319,7 @@ impl Reader<'_> {
         } else if with_normals > 0 && self.no_normals.count == 0 {
             notes.push("the file gives normals to some faces only: they are not used".to_owned());
         }
-        let colors = read_libraries(self.path, &self.libraries, notes, files);
+        let colors = mtl::read_all(self.path, &self.libraries, notes, files);
         for (label, group) in sorted(self.labels) {
             self.draft.groups[group as usize].color = colors.get(&label.material).copied();
         }
@@ -342,43 +341,6 @@ fn sorted(labels: HashMap<Label, u32>) -> Vec<(Label, u32)> {
     let mut all: Vec<_> = labels.into_iter().collect();
     all.sort_by_key(|(_, group)| *group);
     all
-}
-
-/// Colours by material name. `mtllib` takes one name with spaces or several without.
-fn read_libraries(
-    obj: &Path,
-    lines: &[String],
-    notes: &mut Vec<String>,
-    files: &mut Vec<PathBuf>,
-) -> HashMap<String, Vec3> {
-    let folder = obj.parent().unwrap_or(Path::new(""));
-    let mut colors = HashMap::new();
-    for line in lines {
-        let names: Vec<&str> = if folder.join(line).is_file() {
-            vec![line]
-        } else {
-            line.split_whitespace().collect()
-        };
-        for name in names {
-            // Written on Windows, read anywhere.
-            let path = folder.join(name.replace('\\', "/"));
-            match input_file::read(&path) {
-                Ok(bytes) => {
-                    files.push(path);
-                    let all = mtl::colors(&String::from_utf8_lossy(without_mark(&bytes)));
-                    colors.extend(all.into_iter().filter_map(|(n, c)| Some((n, c?))));
-                }
-                Err(e) => {
-                    let why = match e {
-                        Error::File { what, .. } => what,
-                        other => other.to_string(),
-                    };
-                    notes.push(format!("material library {name} {why}: default colours"));
-                }
-            }
-        }
-    }
-    colors
 }
 
 #[cfg(test)]

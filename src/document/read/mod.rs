@@ -218,7 +218,12 @@ pub(super) fn check(root: &Table<'_>, folder: &Path) -> Result<()> {
     must_be_known(&root.entry, "")?;
     settings::read(root)?;
     keys::read(root)?;
-    if let Some(camera) = root.get("camera") {
+    // Where it looks is known when what it looks at is.
+    let is_whole = |camera: &Entry<'_>| {
+        let has = |key: &str| camera.node.get(key).is_some();
+        has("focal_point") || !has("position")
+    };
+    if let Some(camera) = root.get("camera").filter(is_whole) {
         camera::read(&camera, &Bounds::of([DVec3::ZERO, DVec3::ONE]))?;
     }
     for entry in root.tables("part")? {

@@ -56,6 +56,20 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
     Ok((root.map_err(gltf::Error::Deserialize)?, blob))
 }
 
+/// The files that its buffers are in, of a document that can be read.
+pub(in crate::load) fn named_buffers(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
+    if check_glb(bytes).is_err() {
+        return Vec::new();
+    }
+    let root = root(bytes, &mut Vec::new());
+    let buffers = root.map_or_else(|_| Vec::new(), |(root, _)| root.buffers);
+    let uris = buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
+    let files = uris.filter(|uri| !uri.starts_with("data:"));
+    files
+        .map(|uri| folder.join(uri::percent_decoded(uri)))
+        .collect()
+}
+
 /// The document without the animations that are no animations, if those are all that is wrong with it.
 fn without_odd_clips(json: &[u8], notes: &mut Vec<String>) -> Option<Root> {
     let mut value: Value = serde_json::from_slice(json).ok()?;

@@ -29,6 +29,7 @@ use crate::error::{Error, Result};
 use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
 
 use document::Opened;
+pub(super) use document::named_buffers;
 
 const DAMAGED: &str =
     "the file is cut off, damaged or uses an extension: export it again as plain glTF 2.0";

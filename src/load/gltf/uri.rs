@@ -87,7 +87,7 @@ fn is_below(path: &Path, from: &Path) -> bool {
 }
 
 /// `%20` and the like; anything else stays.
-fn percent_decoded(text: &str) -> String {
+pub(super) fn percent_decoded(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
     while let [first, more @ ..] = rest {
