@@ -1,6 +1,6 @@
-//! A device with the programs of some strategies: draws scenes and redraws only what changed.
+//! A device with the programs of some methods: draws scenes and redraws only what changed.
 //!
-//! Each strategy keeps its own program, so that several can be measured in turns without a rebuild between them; large
+//! Each method keeps its own program, so that several can be measured in turns without a rebuild between them; large
 //! uploads are shared. A frame whose bounded buffers were too small is drawn again with the sizes it reported, up to
 //! [`MOST_TRIES`] times; what still overflows is the outcome of the frame.
 //!
@@ -14,7 +14,7 @@ use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
-use crate::strategies::{self, FrameOptions, Strategy};
+use crate::strategies::{self, Method, Strategy};
 use crate::{Error, Result};
 
 mod bands;
@@ -23,9 +23,6 @@ use bands::{Band, Slot};
 
 /// How often a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
-
-/// The slot of frames with nothing cut: no strategy has such a name.
-const UNCUT: &str = "uncut";
 
 /// How a frame ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,33 +77,17 @@ impl Drawn {
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
-    options: FrameOptions,
-    slots: BTreeMap<String, Slot>,
+    /// Frames by their method; without one, those with nothing cut.
+    slots: BTreeMap<Option<Method>, Slot>,
 }
 
 impl Session {
-    /// A session on a device, with the usual options.
-    pub fn new(gpu: Gpu) -> Self {
-        Self::with_options(gpu, FrameOptions::default())
-    }
-
     /// A session on a device.
-    pub fn with_options(gpu: Gpu, options: FrameOptions) -> Self {
+    pub fn new(gpu: Gpu) -> Self {
         Self {
             gpu,
-            options,
             slots: BTreeMap::new(),
         }
-    }
-
-    /// The options of the frames to come, and of those that are looked at: each keeps frames of its own.
-    pub fn set_options(&mut self, options: FrameOptions) {
-        self.options = options;
-    }
-
-    /// The options in force.
-    pub fn options(&self) -> FrameOptions {
-        self.options
     }
 
     /// The device.
@@ -114,32 +95,31 @@ impl Session {
         &self.gpu
     }
 
-    /// Draws a frame. Passes whose inputs did not change since the last frame of the same strategy do not run.
-    pub fn draw(&mut self, model: &Model, view: &View, strategy: &Strategy) -> Result<Drawn> {
-        let name = self.slot_name(strategy);
-        let mut options = self.options;
-        options
-            .wide_atomics
-            .get_or_insert(self.gpu.limits().wide_atomics);
-        let slot = self.slots.entry(name).or_default();
+    /// Draws a frame. Passes whose inputs did not change since the last frame by the same method do not run.
+    pub fn draw(&mut self, model: &Model, view: &View, method: impl Into<Method>) -> Result<Drawn> {
+        let method = method.into();
+        let mut asked = method;
+        let wide_atomics = self.gpu.limits().wide_atomics;
+        asked.means.wide_atomics.get_or_insert(wide_atomics);
+        let slot = self.slots.entry(Some(method)).or_default();
         slot.draw(&self.gpu, model, view, |view, capacities| {
-            strategies::record_with(model, view, strategy, &options, capacities)
+            strategies::record(model, view, asked, capacities)
         })
     }
 
     /// Draws a frame with nothing cut, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one piece.
     pub fn draw_uncut(&mut self, model: &Model, view: &View) -> Result<Drawn> {
         let model = model.without_cuts();
-        let slot = self.slots.entry(UNCUT.to_owned()).or_default();
+        let slot = self.slots.entry(None).or_default();
         // Where there is nothing to cut, all strategies record the same plan.
         slot.draw(&self.gpu, &model, view, |view, capacities| {
-            strategies::record(&model, view, &Strategy::RAYCAST_MASK, capacities)
+            strategies::record(&model, view, Strategy::RAYCAST_MASK, capacities)
         })
     }
 
     /// Runs the last frame with nothing cut again on some clocks, for its times.
     pub fn repeat_uncut(&self, clocks: ClockSet) -> Result<RunTimes> {
-        let slot = self.slots.get(UNCUT);
+        let slot = self.slots.get(&None);
         let slot = slot.ok_or_else(|| Error::Plan("no frame was drawn with nothing cut".into()))?;
         slot.repeat(&self.gpu, clocks)
     }
@@ -149,14 +129,14 @@ impl Session {
         self.slots.clear();
     }
 
-    /// Runs the last frame of a strategy again on some clocks, for its times.
-    pub fn repeat(&self, strategy: &Strategy, clocks: ClockSet) -> Result<RunTimes> {
-        self.slot(strategy)?.repeat(&self.gpu, clocks)
+    /// Runs the last frame by a method again on some clocks, for its times.
+    pub fn repeat(&self, method: impl Into<Method>, clocks: ClockSet) -> Result<RunTimes> {
+        self.slot(method)?.repeat(&self.gpu, clocks)
     }
 
-    /// The layers of the last frame of a strategy.
-    pub fn layers(&self, strategy: &Strategy) -> Result<Layers> {
-        let slot = self.slot(strategy)?;
+    /// The layers of the last frame by a method.
+    pub fn layers(&self, method: impl Into<Method>) -> Result<Layers> {
+        let slot = self.slot(method)?;
         let mut pixels = Vec::new();
         for band in &slot.bands {
             let layers = band.program.layers(&self.gpu, band.size_px(slot.size_px))?;
@@ -168,35 +148,40 @@ impl Session {
         })
     }
 
-    /// The picture of the last frame of a strategy: RGBA8, rows from the top.
-    pub fn picture(&self, strategy: &Strategy) -> Result<Vec<u8>> {
+    /// The picture of the last frame by a method: RGBA8, rows from the top.
+    pub fn picture(&self, method: impl Into<Method>) -> Result<Vec<u8>> {
         let mut picture = Vec::new();
-        for band in &self.slot(strategy)?.bands {
+        for band in &self.slot(method)?.bands {
             picture.extend(band.program.picture(&self.gpu)?);
         }
         Ok(picture)
     }
 
-    /// The plan of the last frame of a strategy, of its first band where it was drawn in several.
-    pub fn plan(&self, strategy: &Strategy) -> Result<&Plan> {
-        Ok(self.first_band(strategy)?.program.plan())
+    /// The plan of the last frame by a method, of its first band where it was drawn in several.
+    pub fn plan(&self, method: impl Into<Method>) -> Result<&Plan> {
+        Ok(self.first_band(method)?.program.plan())
     }
 
-    /// In how many bands the last frame of a strategy was drawn.
-    pub fn bands(&self, strategy: &Strategy) -> Result<usize> {
-        Ok(self.slot(strategy)?.bands.len())
+    /// In how many bands the last frame by a method was drawn.
+    pub fn bands(&self, method: impl Into<Method>) -> Result<usize> {
+        Ok(self.slot(method)?.bands.len())
     }
 
-    /// Bytes of what the last frame of a strategy produces, by clock, as [`Plan::bytes_on`] counts them, of all bands.
-    pub fn bytes(&self, strategy: &Strategy) -> Result<[u64; 3]> {
-        let bands = &self.slot(strategy)?.bands;
+    /// Bytes of what the last frame by a method produces, by clock, as [`Plan::bytes_on`] counts them, of all bands.
+    pub fn bytes(&self, method: impl Into<Method>) -> Result<[u64; 3]> {
+        let bands = &self.slot(method)?.bands;
         let on = |clock| bands.iter().map(|b| b.program.plan().bytes_on(clock)).sum();
         Ok(Clock::ALL.map(on))
     }
 
-    /// Bytes on the device that the last frame of a strategy has on a clock, as [`Program::allocated_on`] counts them.
-    pub fn allocated_on(&self, strategy: &Strategy, clock: Clock, is_scene: bool) -> Result<u64> {
-        let bands = self.slot(strategy)?.bands.iter();
+    /// Bytes on the device that the last frame by a method has on a clock, as [`Program::allocated_on`] counts them.
+    pub fn allocated_on(
+        &self,
+        method: impl Into<Method>,
+        clock: Clock,
+        is_scene: bool,
+    ) -> Result<u64> {
+        let bands = self.slot(method)?.bands.iter();
         Ok(bands.map(|b| b.program.allocated_on(clock, is_scene)).sum())
     }
 
@@ -219,7 +204,6 @@ impl Session {
 
     fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let mut recorder = Recorder::new(model, view).map_err(Error::Plan)?;
-        recorder.interference = self.options.interference;
         recorder.given_layers(&crate::gpu::words_from_layers(layers));
         recorder.shade();
         let mut program = Program::default();
@@ -228,15 +212,12 @@ impl Session {
         program.picture(&self.gpu)
     }
 
-    fn slot_name(&self, strategy: &Strategy) -> String {
-        format!("{strategy}, {:?}", self.options)
-    }
-
-    fn slot(&self, strategy: &Strategy) -> Result<&Slot> {
-        let none = |why: &str| Error::Plan(format!("{strategy} has no frame to look at: {why}"));
+    fn slot(&self, method: impl Into<Method>) -> Result<&Slot> {
+        let method = method.into();
+        let none = |why: &str| Error::Plan(format!("{method} has no frame to look at: {why}"));
         let slot = self
             .slots
-            .get(&self.slot_name(strategy))
+            .get(&Some(method))
             .ok_or_else(|| none("it was never asked for one"))?;
         match &slot.refused {
             Some(reason) => Err(none(reason)),
@@ -244,13 +225,14 @@ impl Session {
         }
     }
 
-    fn first_band(&self, strategy: &Strategy) -> Result<&Band> {
-        let first = self.slot(strategy)?.bands.first();
-        first.ok_or_else(|| Error::Plan(format!("{strategy} has no band")))
+    fn first_band(&self, method: impl Into<Method>) -> Result<&Band> {
+        let method = method.into();
+        let first = self.slot(method)?.bands.first();
+        first.ok_or_else(|| Error::Plan(format!("{method} has no band")))
     }
 
-    /// The words of a buffer of the last frame of a strategy, by name: for tests. Of the first band, if there are several.
-    pub fn words(&self, strategy: &Strategy, buffer: &str) -> Result<Vec<u32>> {
-        self.first_band(strategy)?.program.words(&self.gpu, buffer)
+    /// The words of a buffer of the last frame by a method, by name: for tests. Of the first band, if there are several.
+    pub fn words(&self, method: impl Into<Method>, buffer: &str) -> Result<Vec<u32>> {
+        self.first_band(method)?.program.words(&self.gpu, buffer)
     }
 }

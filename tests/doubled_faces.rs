@@ -6,8 +6,8 @@ mod common;
 use common::meshes::{joined, shape, turned};
 use common::scenes::{orbit, scene};
 use common::{Judged, Question};
-use cutaway::hard_cases::Entrant;
 use cutaway::scene::{ClipSurface, Mesh, Scene};
+use cutaway::strategies::Method;
 use glam::{DAffine3, DVec3};
 
 const EXACT: [&str; 6] = [
@@ -32,11 +32,11 @@ fn faults(scene: &Scene) -> Vec<String> {
             ));
         }
         for name in EXACT {
-            let entrant = Entrant::named(name).expect("a strategy");
-            let judged: Judged = question.answer_of(&entrant);
+            let method = name.parse::<Method>().expect("a strategy");
+            let judged: Judged = question.answer(&method);
             if judged.comparison.decided_wrong_px > 0 {
                 let told = judged.fault_of_exact().unwrap_or_default();
-                all.push(format!("{} at {azimuth}: {entrant}: {told}", scene.name));
+                all.push(format!("{} at {azimuth}: {method}: {told}", scene.name));
             }
         }
     }

@@ -10,11 +10,12 @@ use common::meshes::{self, block};
 use common::numbers::Numbers;
 use common::real::files;
 use common::scenes::{looking, of_parts, sectioned};
-use cutaway::hard_cases::{Entrant, Judged};
+use cutaway::hard_cases::Judged;
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Scene, section_surface};
 use cutaway::slice::{SlicePlane, Slicer};
+use cutaway::strategies::Method;
 use glam::DVec3;
 
 /// Every strategy that is exact for planes, by both rasterisers where there are two.
@@ -39,18 +40,18 @@ fn views(all: usize) -> usize {
 
 /// What is wrong with the answers of the exact strategies.
 fn faults(question: &Question, what: &str) -> Vec<String> {
-    let entrants = EXACT.map(|name| Entrant::named(name).expect("a strategy"));
-    let fault = |entrant: &Entrant| {
-        let judged: Judged = question.answer_of(entrant);
+    let methods = EXACT.map(|name| name.parse::<Method>().expect("a strategy"));
+    let fault = |method: &Method| {
+        let judged: Judged = question.answer(method);
         // A near plane in the solid, which grazing views may have, is not what is asked about.
         let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.contains("near plane"));
         let wrong = judged.comparison.decided_wrong_px;
         (wrong > 0 && !is_refused).then(|| {
             let told = judged.fault_of_exact().unwrap_or_default();
-            format!("{what}: {entrant}: {told}")
+            format!("{what}: {method}: {told}")
         })
     };
-    entrants.iter().filter_map(fault).collect()
+    methods.iter().filter_map(fault).collect()
 }
 
 /// A view that runs along a plane: the eye is a little off it.

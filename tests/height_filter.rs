@@ -7,7 +7,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Limits, Plan, Shape};
 use cutaway::scene::{Cut, HeightFilter, Scene, Wrap};
-use cutaway::strategies::{self, FrameOptions};
+use cutaway::strategies::{self, Means, Method};
 use glam::DVec3;
 
 #[path = "common/command.rs"]
@@ -25,10 +25,10 @@ const FILTERING: Limits = Limits {
     ..Limits::CORE
 };
 
-fn options(filter: HeightFilter) -> FrameOptions {
-    FrameOptions {
+fn options(filter: HeightFilter) -> Means {
+    Means {
         height_filter: Some(filter),
-        ..FrameOptions::default()
+        ..Means::default()
     }
 }
 
@@ -55,18 +55,17 @@ fn ring(size: [u32; 2], wrap: Wrap) -> Scene {
     scene
 }
 
-fn recorded(scene: &Scene, name: &str, options: &FrameOptions) -> Result<Plan, String> {
+fn recorded(scene: &Scene, name: &str, options: &Means) -> Result<Plan, String> {
     let question = Question::of(scene, [64, 48]);
     let capacities = Capacities {
         sheets: Some(100_000),
         crossings: Some(31),
         ..Capacities::UNKNOWN
     };
-    let plan = strategies::record_with(
+    let plan = strategies::record(
         &question.model,
         &question.view,
-        &strategy(name),
-        options,
+        Method::new(strategy(name), *options),
         &capacities,
     );
     plan.map_err(|refusal| refusal.reason)
@@ -111,7 +110,7 @@ fn only_what_asks_for_heights_at_points_reads_them_through_the_sampler() {
         exact
             .check(&Limits::CORE)
             .unwrap_or_else(|e| panic!("{name}: {e}"));
-        let usual = recorded(&scene, name, &FrameOptions::default());
+        let usual = recorded(&scene, name, &Means::default());
         assert_eq!(usual.map(|p| p.to_text()), Ok(exact.to_text()), "{name}");
     }
 }
@@ -168,7 +167,7 @@ fn what_a_sampler_cannot_do_is_refused_with_the_reason() {
     // The control: the same scenes are drawn where no sampler is asked for.
     for scene in [ring([8, 4], Wrap::Repeat), ring([8, 8], Wrap::Mirror)] {
         for name in ["grid:16+vds:32", "raycast+mask"] {
-            let usual = recorded(&scene, name, &FrameOptions::default());
+            let usual = recorded(&scene, name, &Means::default());
             assert!(usual.is_ok(), "{name}: {:?}", usual.err());
         }
     }
@@ -202,12 +201,11 @@ fn frames_read_heights_through_the_sampler_and_are_what_they_were_but_for_its_bi
     for name in ["grid:64+vds:128", "grid:64+mask"] {
         let draw = |filter| {
             let mut session = session();
-            session.set_options(options(filter));
-            let drawn = session.draw(&question.model, &question.view, &strategy(name));
+            let method = Method::new(strategy(name), options(filter));
+            let drawn = session.draw(&question.model, &question.view, method);
             let drawn = drawn.unwrap_or_else(|e| panic!("{name}: {e}"));
-            let layers = session.layers(&strategy(name)).expect("layers");
-            let plan = session.plan(&strategy(name)).expect("a plan").clone();
-            session.set_options(FrameOptions::default());
+            let layers = session.layers(method).expect("layers");
+            let plan = session.plan(method).expect("a plan").clone();
             assert_eq!(drawn.outcome.name(), "complete", "{name}");
             (layers, plan)
         };

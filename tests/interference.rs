@@ -8,16 +8,17 @@ use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Camera, Cut, Part, Role, Scene, section_surface};
 use cutaway::session::Outcome;
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
-use glam::{DAffine3, DVec3};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
+use glam::{DAffine3, DVec3, Vec3};
 
 const SIZE: [u32; 2] = [128, 96];
 const MAGENTA: [u8; 3] = [255, 0, 170];
 
-fn asking(rasteriser: Rasteriser) -> FrameOptions {
-    FrameOptions {
-        interference: Some(MAGENTA),
-        ..FrameOptions::by(rasteriser)
+/// The scene, with its overlaps hatched.
+fn asking(scene: &Scene) -> Scene {
+    Scene {
+        interference: Some(Vec3::from(MAGENTA.map(f32::from)) / 255.0),
+        ..scene.clone()
     }
 }
 
@@ -37,17 +38,15 @@ fn balls(offsets: &[f64]) -> Scene {
     scene
 }
 
-fn shown(question: &Question, strategy: &Strategy, options: FrameOptions) -> (Layers, Vec<u8>) {
+fn shown(question: &Question, strategy: &Strategy, options: Means) -> (Layers, Vec<u8>) {
     let mut session = session();
-    session.set_options(options);
-    let drawn = (session.draw(&question.model, &question.view, strategy)).expect("a frame");
+    let method = Method::new(*strategy, options);
+    let drawn = (session.draw(&question.model, &question.view, method)).expect("a frame");
     assert_eq!(drawn.outcome, Outcome::Complete, "{strategy}");
-    let found = (
-        session.layers(strategy).expect("layers"),
-        session.picture(strategy).expect("a picture"),
-    );
-    session.set_options(FrameOptions::default());
-    found
+    (
+        session.layers(method).expect("layers"),
+        session.picture(method).expect("a picture"),
+    )
 }
 
 /// Decided pixels where two frames disagree on overlap.
@@ -92,7 +91,10 @@ fn overlapping() -> Vec<(&'static str, Scene)> {
 #[test]
 fn overlaps_are_those_of_exact() {
     for (name, scene) in overlapping() {
-        let question = Question::of(&scene, SIZE);
+        let (question, unasked) = (
+            Question::of(&asking(&scene), SIZE),
+            Question::of(&scene, SIZE),
+        );
         let open = question.exact.overlap_open.iter().filter(|o| **o).count();
         let caps = question.exact.layers.count(Kind::Cap);
         assert!(open * 50 < caps, "{name}: {open} of {caps} are open");
@@ -108,7 +110,7 @@ fn overlaps_are_those_of_exact() {
             (strategy("raycast+abuffer"), Rasteriser::Hardware),
             (strategy("raycast+abuffer"), Rasteriser::Compute),
         ] {
-            let (layers, _) = shown(&question, &strategy, asking(rasteriser));
+            let (layers, _) = shown(&question, &strategy, Means::by(rasteriser));
             let what = format!("{name}: {strategy} by {rasteriser}");
             assert_eq!(question.compare(&layers).decided_wrong_px, 0, "{what}");
             assert_eq!(
@@ -119,9 +121,9 @@ fn overlaps_are_those_of_exact() {
             assert_eq!(differing(&question, &layers), 0, "{what}");
         }
         // The control: who does not ask is not told, and that is noticed.
-        let (layers, _) = shown(&question, &Strategy::RAYCAST_MASK, FrameOptions::default());
+        let (layers, _) = shown(&unasked, &Strategy::RAYCAST_MASK, Means::default());
         assert_eq!(layers.overlap_px(), 0, "{name}: nobody asked");
-        assert!(differing(&question, &layers) > 0, "{name}: anything passes");
+        assert!(differing(&unasked, &layers) > 0, "{name}: anything passes");
     }
 }
 
@@ -132,18 +134,14 @@ fn what_no_cut_opens_does_not_overlap() {
     let mut spared = balls(&[-0.2, 0.2]);
     spared.parts[0].role = Role::Interior;
     for scene in [apart, spared] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::of(&asking(&scene), SIZE);
         assert!(
             question.exact.layers.count(Kind::Cap) > 100,
             "{}",
             scene.name
         );
         assert_eq!(question.exact.layers.overlap_px(), 0, "{}", scene.name);
-        let (layers, _) = shown(
-            &question,
-            &Strategy::RAYCAST_MASK,
-            asking(Rasteriser::Hardware),
-        );
+        let (layers, _) = shown(&question, &Strategy::RAYCAST_MASK, Means::default());
         assert_eq!(layers.overlap_px(), 0, "{}", scene.name);
     }
 }
@@ -171,10 +169,11 @@ fn the_picture_is_hatched_there_and_nowhere_else() {
 }
 
 fn hatched_by(rasteriser: Rasteriser) {
-    let question = Question::of(&balls(&[-0.2, 0.2]), SIZE);
-    let exact = Strategy::RAYCAST_MASK;
-    let plain = shown(&question, &exact, FrameOptions::by(rasteriser));
-    let asked = shown(&question, &exact, asking(rasteriser));
+    let scene = balls(&[-0.2, 0.2]);
+    let [plain, asked] = [scene.clone(), asking(&scene)].map(|scene| {
+        let question = Question::of(&scene, SIZE);
+        shown(&question, &Strategy::RAYCAST_MASK, Means::by(rasteriser))
+    });
     let pixels = plain.1.chunks(4).zip(asked.1.chunks(4)).enumerate();
     let (mut striped, mut between) = (0, 0);
     for (i, (before, after)) in pixels {
@@ -195,12 +194,17 @@ fn hatched_by(rasteriser: Rasteriser) {
     );
 }
 
-fn plan_of(scene: &Scene, name: &str, options: FrameOptions) -> Result<Plan, String> {
+fn plan_of(scene: &Scene, name: &str, options: Means) -> Result<Plan, String> {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
     let strategy = strategy(name);
-    strategies::record_with(&model, &view, &strategy, &options, &Capacities::UNKNOWN)
-        .map_err(|refusal| refusal.reason)
+    strategies::record(
+        &model,
+        &view,
+        Method::new(strategy, options),
+        &Capacities::UNKNOWN,
+    )
+    .map_err(|refusal| refusal.reason)
 }
 
 #[test]
@@ -226,34 +230,25 @@ fn asked_of(rasteriser: Rasteriser) {
         assert!(asks == shows && shows == bound, "all of it or nothing");
         asks
     };
-    let (off, on) = (FrameOptions::by(rasteriser), asking(rasteriser));
+    let means = Means::by(rasteriser);
+    let plan = |scene: &Scene| plan_of(scene, "raycast+mask", means).expect("a plan");
     let two = balls(&[-0.2, 0.2]);
-    assert!(
-        !asks(&plan_of(&two, "raycast+mask", off).expect("a plan")),
-        "off"
-    );
-    assert!(
-        asks(&plan_of(&two, "raycast+mask", on).expect("a plan")),
-        "on"
-    );
+    assert!(!asks(&plan(&two)), "off");
+    assert!(asks(&plan(&asking(&two))), "on");
     let one = balls(&[0.0]);
-    let plan = plan_of(&one, "raycast+mask", on).expect("a plan");
-    assert!(!asks(&plan), "one part");
-    assert_eq!(
-        plan,
-        plan_of(&one, "raycast+mask", off).expect("a plan"),
-        "one part"
-    );
+    let hatched = plan(&asking(&one));
+    assert!(!asks(&hatched), "one part");
+    assert_eq!(hatched, plan(&one), "one part");
     if rasteriser == Rasteriser::Compute {
         return;
     }
     // Who draws the caps of each part by themselves cannot tell, and says so.
     for name in ["stencil", "grid:8+vds:64"] {
-        let told = plan_of(&two, name, on).expect_err(name);
+        let told = plan_of(&asking(&two), name, means).expect_err(name);
         assert!(
             told.contains("does not tell where solids overlap"),
             "{told}"
         );
-        assert!(plan_of(&two, name, off).is_ok(), "{name}: nobody asked");
+        assert!(plan_of(&two, name, means).is_ok(), "{name}: nobody asked");
     }
 }

@@ -18,7 +18,7 @@ use cutaway::layers::Layers;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Cut, Part, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use common::{Question, meshes, scenes};
@@ -44,13 +44,6 @@ fn row() -> Scene {
     scene
 }
 
-fn with(rasteriser: Rasteriser) -> FrameOptions {
-    FrameOptions {
-        rasteriser,
-        ..FrameOptions::default()
-    }
-}
-
 /// Draws a question, and looks at the frame.
 fn drawn<T>(
     question: &Question,
@@ -59,13 +52,11 @@ fn drawn<T>(
     look: impl FnOnce(&Session, &Outcome) -> T,
 ) -> T {
     let mut session = common::session();
-    session.set_options(with(rasteriser));
+    let method = Method::new(*strategy, Means::by(rasteriser));
     let drawn = session
-        .draw(&question.model, &question.view, strategy)
+        .draw(&question.model, &question.view, method)
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
     let seen = look(&session, &drawn.outcome);
-    // The session is shared: other tests expect the usual options.
-    session.set_options(FrameOptions::default());
     seen
 }
 

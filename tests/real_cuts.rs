@@ -12,7 +12,7 @@ use cutaway::compare::Comparison;
 use cutaway::gpu::Gpu;
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 
@@ -22,19 +22,17 @@ fn wrong(c: &Comparison) -> usize {
 }
 
 /// The inside mask of the last frame.
-fn mask_of(session: &Session) -> Vec<u32> {
-    let words = session.words(&Strategy::RAYCAST_MASK, "mask");
+fn mask_of(session: &Session, rasteriser: Rasteriser) -> Vec<u32> {
+    let method = Method::new(Strategy::RAYCAST_MASK, Means::by(rasteriser));
+    let words = session.words(method, "mask");
     words.expect("the mask of a drawn frame")
 }
 
 #[test]
 fn the_exact_strategy_is_exact_on_every_closed_mesh() {
-    // Sessions of its own: beside this test others make the shared one forget.
-    let [mut by_hardware, mut by_compute] =
-        [Rasteriser::Hardware, Rasteriser::Compute].map(|rasteriser| {
-            let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
-            Session::with_options(gpu, FrameOptions::by(rasteriser))
-        });
+    // A session of its own: beside this test others make the shared one forget.
+    let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
+    let mut session = Session::new(gpu);
     let mut faults = Vec::new();
     let exact_strategies = ["raycast+mask", "raycast+abuffer", "raycast+kbuffer:32"].map(strategy);
     let (mut judged, mut by_slots) = (0, 0);
@@ -63,8 +61,9 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
                 }
             }
             for exact in &exact_strategies {
-                for session in [&mut by_hardware, &mut by_compute] {
-                    let Answer { fault, by, vouched } = answer(session, &question, exact);
+                for by in [Rasteriser::Hardware, Rasteriser::Compute] {
+                    let Answer { fault, vouched } =
+                        answer(&mut session, &question, Method::new(*exact, Means::by(by)));
                     by_slots += usize::from(vouched && Some(exact) == exact_strategies.last());
                     if let Some(fault) = fault {
                         let relief = relief.unwrap_or("plane");
@@ -72,7 +71,10 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
                     }
                 }
             }
-            let (by_it, by_us) = (mask_of(&by_hardware), mask_of(&by_compute));
+            let (by_it, by_us) = (
+                mask_of(&session, Rasteriser::Hardware),
+                mask_of(&session, Rasteriser::Compute),
+            );
             let pixels = question.exact.undecided.len();
             let differ = (by_it.iter().zip(&by_us).enumerate())
                 .filter(|(i, (a, b))| a != b && !question.exact.undecided[i % pixels])
@@ -101,23 +103,21 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
 /// How a strategy that is meant to be exact did.
 struct Answer {
     fault: Option<String>,
-    by: Rasteriser,
     /// All of the frame was drawn.
     vouched: bool,
 }
 
 /// Slots may be too few, or too many for a binding: then what is not marked is right, or there is a reason.
-fn answer(session: &mut Session, question: &Question, strategy: &Strategy) -> Answer {
-    let by = session.options().rasteriser;
+fn answer(session: &mut Session, question: &Question, method: Method) -> Answer {
     let drawn = session
-        .draw(&question.model, &question.view, strategy)
-        .unwrap_or_else(|e| panic!("{strategy}: {e}"));
-    let slots = strategy.to_string().contains("kbuffer");
+        .draw(&question.model, &question.view, method)
+        .unwrap_or_else(|e| panic!("{method}: {e}"));
+    let slots = method.to_string().contains("kbuffer");
     let fault = match &drawn.outcome {
         Outcome::Refused(reason) if slots && reason.contains("nearest fragments") => None,
         Outcome::Refused(reason) => Some(reason.clone()),
         outcome => {
-            let layers = session.layers(strategy).expect("layers of a drawn frame");
+            let layers = session.layers(method).expect("layers of a drawn frame");
             let c = question.compare(&layers);
             let judged = Judged {
                 comparison: c,
@@ -140,7 +140,6 @@ fn answer(session: &mut Session, question: &Question, strategy: &Strategy) -> An
     };
     Answer {
         fault,
-        by,
         vouched: drawn.outcome == Outcome::Complete,
     }
 }

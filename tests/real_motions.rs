@@ -16,7 +16,7 @@ use cutaway::load::{Assets, load_mesh_file};
 use cutaway::passes::Model;
 use cutaway::scene::{Part, Topology};
 use cutaway::session::Outcome;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 const SIZE_PX: [u32; 2] = [256, 192];
 const OBLIQUE: &str = "-0.3,-0.25,-1@50%,50%,50%";
@@ -72,7 +72,7 @@ impl Tally {
             self.caps += usize::from(layers.iter().any(|l| l.kind == Kind::Cap));
             for (name, rasteriser) in EXACT {
                 let strategy: Strategy = name.parse().expect("a strategy");
-                let answer = question.answer_with(&strategy, FrameOptions::by(*rasteriser));
+                let answer = question.answer(Method::new(strategy, Means::by(*rasteriser)));
                 self.frames += 1;
                 let fault = match &answer.outcome {
                     Outcome::Refused(reason) => Some(reason.clone()),

@@ -128,11 +128,11 @@ values = [[0, 0, -1], [0, 0, 1]]
     let expected = Settings {
         size_px: Some([640, 480]),
         background: Some(Background::Color(Vec3::ONE)),
-        interference: Some(Vec3::Z),
         strategy: Some("raycast+mask".to_owned()),
         ..Settings::default()
     };
     assert_eq!(file.settings(), &expected);
+    assert_eq!(scene.interference, Some(Vec3::Z));
 
     let camera = scene.camera;
     assert_eq!(

@@ -336,6 +336,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
         cuts: vec![Cut::of("c", vec![plane])],
         camera: Camera::default(),
         stage: None,
+        interference: None,
         name: String::new(),
     };
     let model = Model::of(&scene);

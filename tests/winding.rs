@@ -8,7 +8,7 @@ mod common;
 
 #[path = "winding/closed.rs"]
 mod closed;
-#[path = "winding/contender.rs"]
-mod contender;
 #[path = "winding/open.rs"]
 mod open;
+#[path = "winding/renderer.rs"]
+mod renderer;

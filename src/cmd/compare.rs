@@ -15,11 +15,11 @@ use super::places::paths_of;
 use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::compare::legend;
-use crate::experiment::{Contender, Judgement, Measurement, Shown};
+use crate::experiment::{Judgement, Measurement, Renderer, Shown};
 use crate::layers::Layer;
 use crate::report;
 use crate::session::Session;
-use crate::strategies::Strategy;
+use crate::strategies::Means;
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -74,7 +74,7 @@ pub(super) struct CompareArgs {
 
 /// Runs `compare`.
 pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
-    let contenders = parse_contenders(&args.strategies)?;
+    let renderers = parse_renderers(&args.strategies)?;
     let rounds = args.rounds as usize;
     let json = args
         .json
@@ -84,33 +84,26 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     if let Some(folder) = &args.heatmaps {
         checked_folder("--heatmaps", folder)?;
     }
-    let console = Console::new(args.console, 1 + judge::steps(contenders.len(), rounds));
+    let console = Console::new(args.console, 1 + judge::steps(renderers.len(), rounds));
     console.step("opening");
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
     args.means.amend(&mut document)?;
     let subject = args.scene.open(document, None, &console)?;
-    check_memory(subject.size_px(), contenders.len())?;
+    check_memory(subject.size_px(), renderers.len())?;
     let written = args
         .heatmaps
         .as_deref()
-        .map(|folder| files_of(folder, &contenders));
+        .map(|folder| files_of(folder, &renderers));
     let written = written
         .into_iter()
         .flatten()
         .map(|path| ("--heatmaps", path));
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(written.chain(paths_of(&json_file)), &args.scene.edits)?;
-    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let mut session = Session::new(args.device.open()?);
     let shown = Shown::of(&subject.scene);
-    let judgement = judge(
-        &mut session,
-        &shown,
-        &subject,
-        &contenders,
-        rounds,
-        &console,
-    )?;
+    let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
     if let Some(folder) = &args.heatmaps {
         write_pictures(folder, &mut session, &shown, &subject, &judgement)?;
@@ -125,13 +118,13 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     Ok(verdict(report, args.max_decided_wrong, &console))
 }
 
-/// Most bytes of layers that a comparison may keep: those of exact, and of one frame for each contender.
+/// Most bytes of layers that a comparison may keep: those of exact, and of one frame for each renderer.
 const MOST_LAYER_BYTES: u64 = 8 << 30;
 
 /// Refuses what would take minutes to run out of memory.
-fn check_memory(size_px: [u32; 2], contenders: usize) -> Result<()> {
+fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
     let [width, height] = size_px.map(u64::from);
-    let frames = contenders as u64 + 1;
+    let frames = renderers as u64 + 1;
     let bytes = width * height * size_of::<Layer>() as u64 * frames;
     if bytes <= MOST_LAYER_BYTES {
         return Ok(());
@@ -166,29 +159,19 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
 }
 
 /// The strategies of a list, each once.
-fn parse_contenders(list: &str) -> Result<Vec<Contender>> {
-    let mut contenders: Vec<Contender> = Vec::new();
+fn parse_renderers(list: &str) -> Result<Vec<Renderer>> {
+    let mut renderers: Vec<Renderer> = Vec::new();
     for name in split_list(list) {
-        match name {
-            "all" => contenders.extend(Strategy::ALL.map(Contender::from)),
-            "exact" => {
-                return Err(Error::input(
-                    "--strategies exact",
-                    "exact is what strategies are measured against",
-                    "leave it out; its picture and time are part of every comparison",
-                ));
-            }
-            name => contenders.push(name.parse()?),
-        }
+        renderers.extend(Renderer::named(name)?);
     }
-    let mut seen: Vec<Contender> = Vec::new();
-    contenders.retain(|c| {
+    let mut seen: Vec<Renderer> = Vec::new();
+    renderers.retain(|c| {
         !seen.contains(c) && {
             seen.push(*c);
             true
         }
     });
-    Ok(contenders)
+    Ok(renderers)
 }
 
 /// The names of a list. What follows an `@` may have commas of its own: `a+b@compute,32-bit,c+d` is two names.
@@ -198,7 +181,7 @@ fn split_list(list: &str) -> Vec<&str> {
     for (at, _) in list.match_indices(',').chain([(list.len(), "")]) {
         let next = list[at..].trim_start_matches(',').trim_start();
         let word = next.split([',', '@', '+']).next().unwrap_or(next).trim();
-        if list[from..at].contains('@') && Contender::is_means(word) {
+        if list[from..at].contains('@') && Means::is_word(word) {
             continue;
         }
         names.push(list[from..at].trim());
@@ -213,15 +196,15 @@ pub(super) fn file_stem(name: &impl ToString) -> String {
 }
 
 /// The files that [`write_pictures`] may write.
-fn files_of(folder: &Path, contenders: &[Contender]) -> Vec<PathBuf> {
-    let of_contender = |contender: &Contender| {
-        let stem = file_stem(contender);
+fn files_of(folder: &Path, renderers: &[Renderer]) -> Vec<PathBuf> {
+    let of_renderer = |renderer: &Renderer| {
+        let stem = file_stem(renderer);
         [format!("{stem}.png"), format!("{stem}.heatmap.png")]
     };
     let names = ["exact.png", "legend.png", "legend.txt"].map(str::to_owned);
     (names
         .into_iter()
-        .chain(contenders.iter().flat_map(of_contender)))
+        .chain(renderers.iter().flat_map(of_renderer)))
     .map(|name| folder.join(name))
     .collect()
 }
@@ -244,7 +227,7 @@ fn write_pictures(
         let Some(heatmap) = judgement.heatmap(frame) else {
             continue;
         };
-        let stem = file_stem(&frame.contender);
+        let stem = file_stem(&frame.renderer);
         let drawn = picture::plain(&judgement.picture(session, frame)?, view.size_px);
         write(&format!("{stem}.png"), &drawn)?;
         write(&format!("{stem}.heatmap.png"), &heatmap)?;
@@ -279,19 +262,20 @@ pub(super) fn legend_text() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::strategies::Strategy;
 
     #[test]
     fn a_strategy_named_twice_is_measured_once() {
-        let all = parse_contenders("all").unwrap();
-        assert_eq!(all, Strategy::ALL.map(Contender::from));
+        let all = parse_renderers("all").unwrap();
+        assert_eq!(all, Strategy::ALL.map(Renderer::from));
         assert_eq!(
-            parse_contenders("raycast+mask, all").unwrap().len(),
+            parse_renderers("raycast+mask, all").unwrap().len(),
             all.len()
         );
-        let message = parse_contenders("raycats+mask").unwrap_err().to_string();
+        let message = parse_renderers("raycats+mask").unwrap_err().to_string();
         assert!(message.contains("did you mean `raycast`"), "{message}");
         assert!(
-            parse_contenders("exact").is_err(),
+            parse_renderers("exact").is_err(),
             "the yardstick is not measured"
         );
     }
@@ -299,7 +283,7 @@ mod tests {
     #[test]
     fn means_may_be_several() {
         let list = "raycast+mask@compute,32-bit, stencil,raycast+mask@cells";
-        let names: Vec<String> = (parse_contenders(list).unwrap().iter())
+        let names: Vec<String> = (parse_renderers(list).unwrap().iter())
             .map(ToString::to_string)
             .collect();
         let expected = [
@@ -308,7 +292,7 @@ mod tests {
             "raycast+mask@cells",
         ];
         assert_eq!(names, expected);
-        assert!(parse_contenders("stencil,").is_err(), "a name is missing");
+        assert!(parse_renderers("stencil,").is_err(), "a name is missing");
     }
 
     #[test]

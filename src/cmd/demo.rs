@@ -12,11 +12,11 @@ use super::console::{Console, ConsoleArgs};
 use super::edits::EditArgs;
 use super::judge::{self, judge};
 use super::output::{checked_folder, write_file, write_stdout};
-use super::picture::{self, Backdrop, Drawer, Style};
+use super::picture::{self, Backdrop, Style};
 use super::subject::Subject;
 use crate::Result;
 use crate::document::{Document, cut, part, section};
-use crate::experiment::{Contender, Judgement, Shown};
+use crate::experiment::{Judgement, Renderer, Shown};
 use crate::report::{self, Figure};
 use crate::session::Session;
 use crate::strategies::Strategy;
@@ -77,7 +77,7 @@ pub(super) struct DemoArgs {
 pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     checked_folder("--out", &args.out)?;
     let strategies = Strategy::ALL;
-    let contenders = strategies.map(Contender::from);
+    let renderers = strategies.map(Renderer::from);
     let rounds = args.rounds as usize;
     let steps = 2 + strategies.len() + judge::steps(strategies.len(), rounds);
     let console = Console::new(args.console, steps);
@@ -86,26 +86,19 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     args.means.amend(&mut document)?;
     let text = document.to_string();
     let subject = Subject::open(document, None, &EditArgs::default(), &console)?;
-    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let mut session = Session::new(args.device.open()?);
     let shown = Shown::of(&subject.scene);
-    let judgement = judge(
-        &mut session,
-        &shown,
-        &subject,
-        &contenders,
-        rounds,
-        &console,
-    )?;
+    let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
     let mut pictures = Vec::new();
-    for drawer in std::iter::once(Drawer::Exact).chain(strategies.map(Drawer::By)) {
-        console.step(format!("picture by {drawer}"));
+    for renderer in std::iter::once(Renderer::EXACT).chain(renderers) {
+        console.step(format!("picture by {renderer}"));
         pictures.extend(pictures_of(
             &mut session,
             &shown,
             &subject,
             &judgement,
-            drawer,
+            renderer,
         )?);
     }
     write(&args.out, &judgement, &pictures)?;
@@ -123,38 +116,39 @@ struct Picture {
     png: Vec<u8>,
 }
 
-/// The picture of a drawer and, for a strategy, its heat map. A strategy that refuses the scene has none.
+/// The picture of a renderer and, for a strategy, its heat map. A strategy that refuses the scene has none.
 fn pictures_of(
     session: &mut Session,
     shown: &Shown,
     subject: &Subject,
     judgement: &Judgement,
-    drawer: Drawer,
+    renderer: Renderer,
 ) -> Result<Vec<Picture>> {
     let style = Style {
         supersample: 2,
         backdrop: Backdrop::Gradient,
     };
     let view = subject.view(&shown.model.prepared);
-    let Drawer::By(strategy) = drawer else {
-        let exact = picture::draw(session, shown, &view, drawer, style)?.image;
+    if renderer == Renderer::EXACT {
+        let exact = picture::draw(session, shown, &view, renderer, style)?.image;
         let caption =
             "Evaluated from the definition for every pixel, on the CPU in double precision.";
         return Ok(vec![picture("exact", "exact", caption, &exact)?]);
-    };
+    }
     let frames = judgement
         .frames
         .iter()
         .zip(&judgement.measurement.strategies);
-    let mut of_strategy = frames.filter(|(f, _)| f.contender.strategy() == Some(strategy));
-    let (Some((frame, found)), name) = (of_strategy.next(), strategy.to_string()) else {
+    let mut of_renderer = frames.filter(|(f, _)| f.renderer == renderer);
+    let (Some((frame, found)), name) = (of_renderer.next(), renderer.to_string()) else {
         return Ok(Vec::new());
     };
     let (Some(heatmap), Some(comparison)) = (judgement.heatmap(frame), &found.comparison) else {
         return Ok(Vec::new());
     };
-    let stem = file_stem(&strategy);
-    let drawn = picture::draw(session, shown, &view, drawer, style)?.image;
+    let stem = file_stem(&renderer);
+    let drawn = renderer.or(subject.means()?);
+    let drawn = picture::draw(session, shown, &view, drawn, style)?.image;
     let wrong = comparison.decided_wrong_px;
     let caption = match wrong {
         0 => "No pixel is wrong where the exact reference is sure.".to_owned(),

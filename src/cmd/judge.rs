@@ -4,13 +4,13 @@ use super::console::Console;
 use super::subject::Subject;
 use crate::Result;
 use crate::experiment::{
-    Contender, Judgement, Question, Shown, error_steps, errors, times, timing_steps,
+    Judgement, Question, Renderer, Shown, error_steps, errors, times, timing_steps,
 };
 use crate::session::Session;
 
 /// How many steps [`judge`] tells the console of.
-pub(super) fn steps(contenders: usize, rounds: usize) -> usize {
-    error_steps(contenders) + timing_steps(rounds)
+pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
+    error_steps(renderers) + timing_steps(rounds)
 }
 
 /// Judges strategies on a scene: error, then time.
@@ -18,7 +18,7 @@ pub(super) fn judge(
     session: &mut Session,
     shown: &Shown,
     subject: &Subject,
-    contenders: &[Contender],
+    renderers: &[Renderer],
     rounds: usize,
     console: &Console,
 ) -> Result<Judgement> {
@@ -27,10 +27,11 @@ pub(super) fn judge(
         shown,
         view: subject.view(&shown.model.prepared),
         truth: None,
+        means: subject.means()?,
         command: command_line(),
     };
     let mut step = |what: String| console.step(what);
-    let mut judgement = errors(session, &question, contenders, &mut step)?;
+    let mut judgement = errors(session, &question, renderers, &mut step)?;
     times(
         session,
         &question,

@@ -1,9 +1,9 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
 use super::args::say;
-use super::picture::Drawer;
 use crate::Result;
 use crate::document::{Document, Value};
+use crate::experiment::Renderer;
 use clap::Args;
 
 /// How pictures are drawn.
@@ -30,7 +30,7 @@ impl LookArgs {
     /// Puts them into a document.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
         if let Some(name) = &self.strategy {
-            name.parse::<Drawer>()?;
+            name.parse::<Renderer>()?;
         }
         let strategy = self.strategy.as_deref().map(Value::from);
         say(document, "strategy.name", "--strategy", strategy)?;

@@ -1,7 +1,7 @@
 //! What is said of a frame that is not as somebody may expect.
 
 use super::console::Console;
-use super::picture::Drawer;
+use crate::experiment::Renderer;
 use crate::layers::{Kind, Layers};
 use crate::scene::{Scene, empty_picture, misses};
 
@@ -11,14 +11,14 @@ pub(super) fn unreliable_px(layers: &Layers) -> usize {
 }
 
 /// Warns of pixels that may be wrong because the mesh is open along their rays.
-pub(super) fn warn_of_doubt(may_be_wrong: &[bool], drawer: Drawer, console: &Console) {
+pub(super) fn warn_of_doubt(may_be_wrong: &[bool], renderer: Renderer, console: &Console) {
     let count = may_be_wrong.iter().filter(|w| **w).count();
     if count == 0 {
         return;
     }
-    let other = match drawer {
-        Drawer::Exact => "",
-        Drawer::By(_) => ", or see whether --strategy exact shows what you expect",
+    let other = match renderer {
+        Renderer::Cpu(_) => "",
+        Renderer::Method(_) => ", or see whether --strategy exact shows what you expect",
     };
     console.warn(format!(
         "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \

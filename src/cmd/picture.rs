@@ -5,48 +5,17 @@
 //! device, and changes nothing about what is measured: layers and times are always those of the plain resolution.
 
 use std::io::Cursor;
-use std::str::FromStr;
 
 use glam::{DVec2, Vec3};
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
-use crate::exact::evaluate;
-use crate::experiment::Shown;
+use crate::experiment::{Renderer, Shown};
 use crate::layers::{Kind, Layers};
 use crate::scene::View;
 use crate::session::{Drawn, Outcome, Session};
 use crate::strategies::Strategy;
 use crate::{Error, Result};
-
-/// Who draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Drawer {
-    /// The exact reference, shaded by the same pass as strategies.
-    Exact,
-    /// A strategy.
-    By(Strategy),
-}
-
-impl FromStr for Drawer {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<Self> {
-        match name {
-            "exact" => Ok(Self::Exact),
-            name => name.parse().map(Self::By),
-        }
-    }
-}
-
-impl std::fmt::Display for Drawer {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Exact => f.write_str("exact"),
-            Self::By(strategy) => strategy.fmt(f),
-        }
-    }
-}
 
 /// What is behind the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +50,7 @@ pub(super) fn draw(
     session: &mut Session,
     shown: &Shown,
     view: &View,
-    drawer: Drawer,
+    renderer: Renderer,
     style: Style,
 ) -> Result<Picture> {
     let n = style.supersample;
@@ -90,20 +59,20 @@ pub(super) fn draw(
     for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
         let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(n);
         let view = view.sampled_at(at);
-        let (rgba, layers) = match drawer {
-            Drawer::Exact => {
-                let layers = evaluate(shown.truth()?, &view).layers;
+        let (rgba, layers) = match renderer {
+            Renderer::Cpu(evaluator) => {
+                let layers = evaluator.evaluate(shown.truth()?, &view).layers;
                 (session.shade(&shown.model, &view, &layers)?, Some(layers))
             }
-            Drawer::By(strategy) => {
-                let drawn = session.draw(&shown.model, &view, &strategy)?;
+            Renderer::Method(method) => {
+                let drawn = session.draw(&shown.model, &view, method)?;
                 if let Outcome::Refused(reason) = drawn.outcome {
-                    return Err(refused(drawer, &reason));
+                    return Err(refused(renderer, &reason));
                 }
                 frames.push(drawn);
                 let wanted = samples.empty.is_some();
-                let layers = wanted.then(|| session.layers(&strategy)).transpose()?;
-                (session.picture(&strategy)?, layers)
+                let layers = wanted.then(|| session.layers(method)).transpose()?;
+                (session.picture(method)?, layers)
             }
         };
         samples.add([i, j], &rgba, layers.as_ref());
@@ -147,14 +116,25 @@ impl Samples {
     }
 }
 
+/// The strategy of a renderer, by whatever means, as JSON names it.
+pub(super) fn strategy_name(renderer: Renderer) -> String {
+    match renderer.method() {
+        Some(method) => method.strategy.to_string(),
+        None => renderer.to_string(),
+    }
+}
+
 /// The error of a strategy that does not draw what it was asked to.
-pub(super) fn refused(drawer: Drawer, reason: &str) -> Error {
-    let mend = if drawer == Drawer::By(Strategy::RAYCAST_MASK) {
+pub(super) fn refused(renderer: Renderer, reason: &str) -> Error {
+    let mend = if renderer
+        .method()
+        .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
+    {
         "lower --resolution, or cut by fewer or flatter clip-surfaces"
     } else {
         "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
     };
-    Error::input(format!("strategy {drawer}"), reason, mend)
+    Error::input(format!("strategy {renderer}"), reason, mend)
 }
 
 /// A picture as PNG.

@@ -6,13 +6,13 @@ use super::Verdict;
 use super::args::{MeansArgs, SceneArgs, say};
 use super::console::{Console, ConsoleArgs};
 use super::output::{Output, write_stdout};
-use super::picture::{Drawer, refused};
+use super::picture::refused;
 use super::places::paths_of;
 use super::when::TimeArgs;
 use crate::document::Value;
-use crate::experiment::Shown;
+use crate::experiment::{Renderer, Shown};
 use crate::plan::Capacities;
-use crate::strategies::{self, Strategy};
+use crate::strategies::{self, Method};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -67,38 +67,31 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         asked.map(Value::from),
     )?;
     let subject = args.scene.open(document, None, &console)?;
-    let strategy = passes_of(subject.drawer()?)?;
+    let method = passes_of(subject.renderer()?)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let Shown { model, .. } = Shown::of(&subject.scene);
     let view = subject.view(&model.prepared);
-    let plan = strategies::record_with(
-        &model,
-        &view,
-        &strategy,
-        &subject.options()?,
-        &Capacities::UNKNOWN,
-    )
-    .map_err(|refusal| refused(Drawer::By(strategy), &refusal.reason))?;
+    let plan = strategies::record(&model, &view, method, &Capacities::UNKNOWN)
+        .map_err(|refusal| refused(method.into(), &refusal.reason))?;
     if let Some(output) = &json {
         let mut value = plan.to_json();
-        value["strategy"] = strategy.to_string().into();
+        value["strategy"] = method.strategy.to_string().into();
         output.write(format!("{value:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {
-        let text = format!("{strategy}\n{}", plan.to_text());
+        let text = format!("{method}\n{}", plan.to_text());
         write_stdout(text.as_bytes())?;
     }
     Ok(Verdict::Done)
 }
 
-/// The strategy, if it has passes.
-fn passes_of(drawer: Drawer) -> Result<Strategy> {
-    match drawer {
-        Drawer::By(strategy) => Ok(strategy),
-        Drawer::Exact => Err(Error::input(
-            "--strategy exact",
-            "the exact reference runs on the CPU and has no passes",
+/// The method, which alone has passes.
+fn passes_of(renderer: Renderer) -> Result<Method> {
+    renderer.method().ok_or_else(|| {
+        Error::input(
+            format!("--strategy {renderer}"),
+            "it runs on the CPU and has no passes",
             "name a strategy, for example raycast+mask",
-        )),
-    }
+        )
+    })
 }

@@ -14,12 +14,11 @@ use super::layers_file;
 use super::look::LookArgs;
 use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use super::output::{Output, write_file};
-use super::picture::{self, Drawer};
+use super::picture;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::TimeArgs;
-use crate::exact::evaluate;
-use crate::experiment::{PerClock, Shown, Stopwatch};
+use crate::experiment::{PerClock, Renderer, Shown, Stopwatch};
 use crate::layers::{Kind, Layers};
 use crate::passes::Model;
 use crate::plan::Clock;
@@ -92,9 +91,9 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     args.means.amend(&mut document)?;
     let subject = args.scene.open(document, None, &console)?;
     subject.files.add(args.reference.clone());
-    let drawer = subject.drawer()?;
+    let renderer = subject.renderer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
-    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let mut session = Session::new(args.device.open()?);
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,
@@ -103,17 +102,17 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let shown = Shown::of(&subject.scene);
     let view = subject.view(&shown.model.prepared);
 
-    console.step(drawer.to_string());
-    let facts = Facts::of(&mut session, &shown, &view, drawer, &outputs)?;
+    console.step(renderer.to_string());
+    let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
     if let Some(layers) = &facts.layers {
         // What a full buffer dropped is told below, and need not be a fault of the mesh.
         if facts.outcome == Outcome::Complete {
-            warn_of_doubt(&facts.may_be_wrong, drawer, &console);
+            warn_of_doubt(&facts.may_be_wrong, renderer, &console);
         }
         note_what_is_not_seen(layers, &subject.scene, &console);
     }
     console.step("picture");
-    let drawn = picture::draw(&mut session, &shown, &view, drawer, subject.style())?.image;
+    let drawn = picture::draw(&mut session, &shown, &view, renderer, subject.style())?.image;
 
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
@@ -127,12 +126,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         output.write(&layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
-        let json = facts.json(&subject, &session, &shown.model, drawer);
+        let json = facts.json(&subject, &session, &shown.model, renderer);
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     let mut verdict = Verdict::Done;
     if let Outcome::Overflowed(reason) = &facts.outcome {
-        console.failed(format!("{drawer} did not draw all of it: {reason}"));
+        console.failed(format!("{renderer} did not draw all of it: {reason}"));
         verdict = Verdict::Failed;
     }
     if let (Some(reference), Some(path)) = (reference, outputs.picture.path()) {
@@ -219,34 +218,35 @@ impl Facts {
         session: &mut Session,
         shown: &Shown,
         view: &View,
-        drawer: Drawer,
+        renderer: Renderer,
         outputs: &Outputs,
     ) -> Result<Self> {
-        let mut facts = match drawer {
-            Drawer::Exact => {
+        let mut facts = match renderer {
+            Renderer::Cpu(evaluator) => {
                 let watch = Stopwatch::start();
                 let truth = shown.truth()?;
-                let exact = (outputs.want_facts()).then(|| evaluate(truth, view));
+                let evaluated = (outputs.want_facts()).then(|| evaluator.evaluate(truth, view));
+                let times = [(renderer.to_string(), watch.ms().into())];
                 Self {
                     outcome: Outcome::Complete,
-                    layers: exact.map(|e| e.layers),
+                    layers: evaluated.map(|e| e.layers),
                     may_be_wrong: Vec::new(),
-                    times: json!({ "exact": watch.ms() }),
+                    times: Value::Object(times.into_iter().collect()),
                     bytes: PerClock::default(),
                 }
             }
-            Drawer::By(strategy) => {
-                let drawn = session.draw(&shown.model, view, &strategy)?;
+            Renderer::Method(method) => {
+                let drawn = session.draw(&shown.model, view, method)?;
                 if let Outcome::Refused(reason) = &drawn.outcome {
-                    return Err(picture::refused(drawer, reason));
+                    return Err(picture::refused(renderer, reason));
                 }
-                let bytes = session.bytes(&strategy)?;
+                let bytes = session.bytes(method)?;
                 Self {
                     bytes: PerClock::of(|clock| bytes[clock as usize]),
                     times: json!(PerClock::of(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),
-                    layers: Some(session.layers(&strategy)?),
+                    layers: Some(session.layers(method)?),
                     may_be_wrong: Vec::new(),
                     outcome: drawn.outcome,
                 }
@@ -258,7 +258,14 @@ impl Facts {
         Ok(facts)
     }
 
-    fn json(&self, subject: &Subject, session: &Session, model: &Model, drawer: Drawer) -> Value {
+    fn json(
+        &self,
+        subject: &Subject,
+        session: &Session,
+        model: &Model,
+        renderer: Renderer,
+    ) -> Value {
+        let means = renderer.means();
         let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
         json!({
             "scene": subject.scene.name,
@@ -267,9 +274,9 @@ impl Facts {
             "time_s": subject.timeline.time_s(),
             "supersample": subject.supersample(),
             "adapter": session.gpu().report(),
-            "strategy": drawer.to_string(),
-            "rasteriser": session.options().rasteriser.to_string(),
-            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
+            "strategy": picture::strategy_name(renderer),
+            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": means.height_filter.unwrap_or_default().to_string(),
             "outcome": self.outcome.name(),
             "reason": self.outcome.reason(),
             "cap_px": count(Kind::Cap),

@@ -6,16 +6,16 @@ use std::path::{Path, PathBuf};
 use super::console::Console;
 use super::edits::EditArgs;
 use super::output::write_file;
-use super::picture::{Backdrop, Drawer, Style};
+use super::picture::{Backdrop, Style};
 use super::places::InputFiles;
 use super::sections::SectionArgs;
 use crate::document::{Background, Document, Timeline, part};
-use crate::experiment::frame_options;
+use crate::experiment::{Renderer, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
-use crate::strategies::{FrameOptions, Strategy};
+use crate::strategies::{Means, Strategy};
 use crate::{Error, Result};
 
 /// How many times as fine pictures are drawn where nobody says it.
@@ -113,16 +113,17 @@ impl Subject {
     }
 
     /// By which means frames are drawn.
-    pub(super) fn options(&self) -> Result<FrameOptions> {
-        frame_options(self.timeline.settings())
+    pub(super) fn means(&self) -> Result<Means> {
+        means(self.timeline.settings())
     }
 
-    /// Who draws.
-    pub(super) fn drawer(&self) -> Result<Drawer> {
-        match &self.timeline.settings().strategy {
-            Some(name) => name.parse(),
-            None => Ok(Drawer::By(Strategy::RAYCAST_MASK)),
-        }
+    /// What draws, by these means where it names no others.
+    pub(super) fn renderer(&self) -> Result<Renderer> {
+        let renderer = match &self.timeline.settings().strategy {
+            Some(name) => name.parse()?,
+            None => Renderer::from(Strategy::RAYCAST_MASK),
+        };
+        Ok(renderer.or(self.means()?))
     }
 
     /// How pictures are drawn.

@@ -3,14 +3,14 @@
 //! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
 //! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
 //! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
-//! change. Costs one frame of every contender and one of exact for each step.
+//! change. Costs one frame of every renderer and one of exact for each step.
 
 use std::collections::BTreeMap;
 
 use glam::DVec2;
 
 use super::figures::OF_DRIFT;
-use super::{Contender, Question};
+use super::{Question, Renderer};
 use crate::Result;
 use crate::exact::{Exact, evaluate};
 use crate::layers::{Kind, Layer, Layers};
@@ -68,19 +68,18 @@ fn class(layer: &Layer) -> (Kind, u16, u8, bool) {
     }
 }
 
-/// Lets the camera of a scene drift; the figures of each contender, none of one that refuses or is no strategy. Ends early with `None` as soon as
+/// Lets the camera of a scene drift; the figures of each renderer, none of one that refuses or is no method. Ends early with `None` as soon as
 /// `goes_on` says no.
 pub fn flicker(
     session: &mut Session,
     question: &Question<'_>,
-    contenders: &[Contender],
+    renderers: &[Renderer],
     drift: Drift,
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<BTreeMap<String, f64>>>> {
-    let usual = session.options();
     let truth = question.truth.unwrap_or(question.shown).truth()?;
-    let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); contenders.len()];
+    let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); renderers.len()];
     let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
     for frame in 0..drift.frames {
         if !goes_on() {
@@ -90,20 +89,18 @@ pub fn flicker(
         let shift = DVec2::new(f64::from(frame) * drift.px, 0.0);
         let view = question.view.sampled_at(shift + 0.5);
         let exact = evaluate(truth, &view);
-        let mut drawn = Vec::with_capacity(contenders.len());
-        for contender in contenders {
-            let Some(strategy) = contender.strategy() else {
+        let mut drawn = Vec::with_capacity(renderers.len());
+        for renderer in renderers {
+            let Some(method) = renderer.or(question.means).method() else {
                 drawn.push(None);
                 continue;
             };
-            session.set_options(contender.options(usual));
-            let outcome = session.draw(&question.shown.model, &view, &strategy);
+            let outcome = session.draw(&question.shown.model, &view, method);
             let layers = match outcome.map(|d| d.outcome) {
                 Ok(Outcome::Refused(_)) => Ok(None),
-                Ok(_) => session.layers(&strategy).map(Some),
+                Ok(_) => session.layers(method).map(Some),
                 Err(e) => Err(e),
             };
-            session.set_options(usual);
             drawn.push(layers?);
         }
         if let Some((last, drawn_before)) = &before {

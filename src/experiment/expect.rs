@@ -21,7 +21,7 @@ pub fn judge_again(run: &SceneRun, point: &Point, record: &mut Record) -> bool {
 
 /// What was found at a point.
 pub struct Findings<'a> {
-    /// The strategies, in the order of the point's entrants.
+    /// The strategies, in the order of the point's trials.
     pub measurement: &'a Measurement,
     /// Figures that one frame does not have, in the same order.
     pub figures: &'a [BTreeMap<String, f64>],
@@ -38,11 +38,11 @@ pub fn reached(run: &SceneRun, point: &Point, found: &Findings<'_>) -> Vec<Reach
 fn of_claim(run: &SceneRun, point: &Point, claim: &Claim, found: &Findings<'_>) -> Vec<Reached> {
     let names = || found.measurement.strategies.iter().map(|s| s.name.as_str());
     let is_meant = |i: &usize| {
-        let entrant = &point.entrants[*i];
+        let trial = &point.trials[*i];
         let name = names().nth(*i).unwrap_or_default();
-        claim.means(name, &point.parameters, entrant)
+        claim.means(name, &point.parameters, trial)
     };
-    let meant: Vec<usize> = (0..point.entrants.len()).filter(is_meant).collect();
+    let meant: Vec<usize> = (0..point.trials.len()).filter(is_meant).collect();
     let mut all = Vec::new();
     for index in &meant {
         let strategy = &found.measurement.strategies[*index];
@@ -176,11 +176,11 @@ fn falls(
 /// A text of the strategies, and the values of what is varied in it but for one axis.
 type Chain = (usize, Vec<(String, String)>);
 
-/// The contenders that differ by an axis alone, each with the number of its value, in the order of the values.
+/// The renderers that differ by an axis alone, each with the number of its value, in the order of the values.
 fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(usize, usize)>> {
     let mut chains: BTreeMap<Chain, Vec<(usize, usize)>> = BTreeMap::new();
     for index in meant {
-        for (template, maker) in &point.entrants[*index].makers {
+        for (template, maker) in &point.trials[*index].makers {
             let own = maker.parameters.get(&axis.name);
             let Some(value) = axis.values.iter().position(|v| Some(&v.is) == own) else {
                 continue;

@@ -6,23 +6,23 @@
 //! what disturbs the machine disturbs all alike.
 //!
 //! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]). What runs on the CPU, as the
-//! contender `winding` does, always is.
+//! renderer `winding` does, always is.
 
 use image::RgbaImage;
 
 use super::measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
-use super::{Contender, Samples, Shown, Stopwatch};
+use super::{Evaluator, Renderer, Samples, Shown, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
-use crate::exact::{Exact, Windings, evaluate};
+use crate::exact::{Exact, evaluate};
 use crate::gpu::{ClockSet, PassTime as TimeOfPass, RunTimes};
 use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::Clock;
 use crate::scene::{Prepared, View};
 use crate::session::{Outcome, Session};
-use crate::strategies::FrameOptions;
+use crate::strategies::Means;
 use crate::{Error, Result};
 
 /// A frame that is asked for, and what the truth about it is asked of.
@@ -37,6 +37,8 @@ pub struct Question<'a> {
     pub truth: Option<&'a Shown>,
     /// The command line that asks it again.
     pub command: String,
+    /// By which means those draw that say no others.
+    pub means: Means,
 }
 
 impl<'a> Question<'a> {
@@ -56,10 +58,10 @@ impl<'a> Question<'a> {
     }
 }
 
-/// A frame of a strategy.
+/// A frame of a renderer.
 pub struct Frame {
     /// Who drew it.
-    pub contender: Contender,
+    pub renderer: Renderer,
     /// How it ended.
     pub outcome: Outcome,
     /// What it shows; none if it was refused.
@@ -74,7 +76,7 @@ pub struct Judgement {
     pub exact: Exact,
     /// The frames, in the order of the measurement.
     pub frames: Vec<Frame>,
-    usual: FrameOptions,
+    means: Means,
     model: Model,
     view: View,
 }
@@ -87,20 +89,17 @@ impl Judgement {
 
     /// The picture of a frame, at the resolution that was measured: RGBA8, rows from the top.
     pub fn picture(&self, session: &mut Session, frame: &Frame) -> Result<Vec<u8>> {
-        session.set_options(frame.contender.options(self.usual));
-        let picture = match (frame.contender.strategy(), &frame.layers) {
-            (Some(strategy), _) => session.picture(&strategy),
-            (None, Some(layers)) => session.shade(&self.model, &self.view, layers),
-            (None, None) => Err(Error::Plan(format!("{} drew nothing", frame.contender))),
-        };
-        session.set_options(self.usual);
-        picture
+        match (frame.renderer.or(self.means), &frame.layers) {
+            (Renderer::Method(method), _) => session.picture(method),
+            (_, Some(layers)) => session.shade(&self.model, &self.view, layers),
+            (_, None) => Err(Error::Plan(format!("{} drew nothing", frame.renderer))),
+        }
     }
 }
 
 /// How many steps [`errors`] tells of.
-pub fn error_steps(contenders: usize) -> usize {
-    1 + contenders
+pub fn error_steps(renderers: usize) -> usize {
+    1 + renderers
 }
 
 /// How many steps [`times`] tells of.
@@ -108,11 +107,11 @@ pub fn timing_steps(rounds: usize) -> usize {
     1 + rounds
 }
 
-/// Draws a frame by every contender and compares it with exact. The session's options are those of all that name no others.
+/// Draws a frame by every renderer and compares it with exact.
 pub fn errors(
     session: &mut Session,
     question: &Question<'_>,
-    contenders: &[Contender],
+    renderers: &[Renderer],
     step: &mut dyn FnMut(String),
 ) -> Result<Judgement> {
     let model = &question.shown.model;
@@ -121,15 +120,11 @@ pub fn errors(
     let exact = evaluate(question.whole()?, &question.view);
     let exact_ms = watch.ms();
 
-    let usual = session.options();
-    let mut frames = Vec::with_capacity(contenders.len());
-    let mut found = Vec::with_capacity(contenders.len());
-    for contender in contenders {
-        step(contender.to_string());
-        session.set_options(contender.options(usual));
-        let drawn = drawn(session, question, contender, &exact);
-        session.set_options(usual);
-        let (frame, strategy) = drawn?;
+    let mut frames = Vec::with_capacity(renderers.len());
+    let mut found = Vec::with_capacity(renderers.len());
+    for renderer in renderers {
+        step(renderer.to_string());
+        let (frame, strategy) = drawn(session, question, renderer, &exact)?;
         frames.push(frame);
         found.push(strategy);
     }
@@ -155,7 +150,7 @@ pub fn errors(
         measurement,
         exact,
         frames,
-        usual,
+        means: question.means,
         model: model.clone(),
         view: question.view,
     })
@@ -170,14 +165,11 @@ pub fn times(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<bool> {
-    let usual = judgement.usual;
     draw_uncut(session, question)?;
     let mut runners = vec![Runner::Uncut];
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
-    runners.extend(drawn.map(|f| Runner::Contender(f.contender)));
-    let runs = in_turns(session, question, usual, &runners, rounds, step, goes_on);
-    session.set_options(usual);
-    let Some(runs) = runs? else {
+    runners.extend(drawn.map(|f| Runner::Of(f.renderer.or(question.means))));
+    let Some(runs) = in_turns(session, question, &runners, rounds, step, goes_on)? else {
         return Ok(false);
     };
     let measurement = &mut judgement.measurement;
@@ -197,32 +189,31 @@ pub fn times(
 fn drawn(
     session: &mut Session,
     question: &Question<'_>,
-    contender: &Contender,
+    renderer: &Renderer,
     exact: &Exact,
 ) -> Result<(Frame, StrategyMeasurement)> {
     let (model, view) = (&question.shown.model, &question.view);
-    let (outcome, layers, bytes) = match contender.strategy() {
-        Some(strategy) => {
-            let outcome = session.draw(model, view, &strategy)?.outcome;
+    let (outcome, layers, bytes) = match renderer.or(question.means) {
+        Renderer::Method(method) => {
+            let outcome = session.draw(model, view, method)?.outcome;
             match outcome {
                 Outcome::Refused(_) => (outcome, None, [0; 3]),
                 _ => {
-                    let layers = session.layers(&strategy)?;
-                    (outcome, Some(layers), session.bytes(&strategy)?)
+                    let layers = session.layers(method)?;
+                    (outcome, Some(layers), session.bytes(method)?)
                 }
             }
         }
-        None => {
-            let whole = question.shown.truth()?;
-            let windings = Windings::of(whole);
-            let layers = windings.layers(whole, view);
-            (Outcome::Complete, Some(layers), [windings.bytes(), 0, 0])
+        Renderer::Cpu(evaluator) => {
+            let evaluated = evaluator.evaluate(question.shown.truth()?, view);
+            let bytes = [evaluated.bytes, 0, 0];
+            (Outcome::Complete, Some(evaluated.layers), bytes)
         }
     };
     let comparison: Option<Comparison> =
         (layers.as_ref()).map(|l| compare(exact, l, view, model.prepared.scale));
     let found = StrategyMeasurement {
-        name: contender.to_string(),
+        name: renderer.to_string(),
         outcome: Ending::of(&outcome),
         reason: outcome.reason().map(str::to_owned),
         comparison,
@@ -233,7 +224,7 @@ fn drawn(
         passes: Vec::new(),
     };
     let frame = Frame {
-        contender: *contender,
+        renderer: *renderer,
         outcome,
         layers,
     };
@@ -244,52 +235,38 @@ fn drawn(
 enum Runner {
     /// The scene with nothing cut.
     Uncut,
-    /// The last frame of a contender.
-    Contender(Contender),
+    /// The frame of a renderer.
+    Of(Renderer),
 }
 
 impl Runner {
     /// Runs all clocks.
-    fn run(
-        &self,
-        session: &mut Session,
-        question: &Question<'_>,
-        usual: FrameOptions,
-    ) -> Result<RunTimes> {
+    fn run(&self, session: &mut Session, question: &Question<'_>) -> Result<RunTimes> {
         match self {
             Self::Uncut => session.repeat_uncut(ClockSet::ALL),
-            Self::Contender(contender) => match contender.strategy() {
-                Some(strategy) => {
-                    session.set_options(contender.options(usual));
-                    session.repeat(&strategy, ClockSet::ALL)
-                }
-                None => wound(question),
-            },
+            Self::Of(Renderer::Method(method)) => session.repeat(method, ClockSet::ALL),
+            Self::Of(Renderer::Cpu(evaluator)) => times_of(*evaluator, question),
         }
     }
 }
 
-/// Draws by winding numbers, for the time it takes.
-fn wound(question: &Question<'_>) -> Result<RunTimes> {
-    let whole = question.shown.truth()?;
-    let watch = Stopwatch::start();
-    let windings = Windings::of(whole);
-    let tree_ms = watch.ms();
-    let watch = Stopwatch::start();
+/// The times of a frame on the CPU.
+fn times_of(evaluator: Evaluator, question: &Question<'_>) -> Result<RunTimes> {
+    let evaluated = evaluator.evaluate(question.shown.truth()?, &question.view);
     // Not to be left out for having no use.
-    std::hint::black_box(windings.layers(whole, &question.view));
-    let frame_ms = watch.ms();
-    let pass = |name: &str, clock, time_ms| TimeOfPass {
-        name: name.to_owned(),
+    std::hint::black_box(&evaluated.layers);
+    let pass = |name: String, clock, time_ms| TimeOfPass {
+        name,
         clock,
         time_ms,
     };
+    let (solid_ms, frame_ms) = (evaluated.solid_ms, evaluated.frame_ms);
     Ok(RunTimes {
         passes: vec![
-            pass("winding: tree (CPU)", Clock::Solid, tree_ms),
-            pass("winding (CPU)", Clock::Frame, frame_ms),
+            pass(format!("{evaluator}: tree (CPU)"), Clock::Solid, solid_ms),
+            pass(format!("{evaluator} (CPU)"), Clock::Frame, frame_ms),
         ],
-        clocks_ms: [Some(tree_ms), None, Some(frame_ms)],
+        clocks_ms: [Some(solid_ms), None, Some(frame_ms)],
     })
 }
 
@@ -297,7 +274,6 @@ fn wound(question: &Question<'_>) -> Result<RunTimes> {
 fn in_turns(
     session: &mut Session,
     question: &Question<'_>,
-    usual: FrameOptions,
     runners: &[Runner],
     rounds: usize,
     step: &mut dyn FnMut(String),
@@ -306,7 +282,7 @@ fn in_turns(
     let mut runs: Vec<Vec<RunTimes>> = runners.iter().map(|_| Vec::new()).collect();
     step("warm-up".to_owned());
     for runner in runners {
-        runner.run(session, question, usual)?;
+        runner.run(session, question)?;
     }
     for round in 0..rounds {
         step(format!("round {} of {rounds}", round + 1));
@@ -315,13 +291,13 @@ fn in_turns(
                 return Ok(None);
             }
             let who = (round + turn) % runners.len();
-            runs[who].push(runners[who].run(session, question, usual)?);
+            runs[who].push(runners[who].run(session, question)?);
         }
     }
     Ok(Some(runs))
 }
 
-/// Draws the scene with nothing cut, so that it can run in turns with the contenders.
+/// Draws the scene with nothing cut, so that it can run in turns with the renderers.
 fn draw_uncut(session: &mut Session, question: &Question<'_>) -> Result<()> {
     let drawn = session.draw_uncut(&question.shown.model, &question.view)?;
     match drawn.outcome {

@@ -4,7 +4,6 @@
 //! a [`Record`] for each point of its sweeps, written as soon as it is found; [`crate::report`] makes pages of records and needs
 //! nothing else. Errors are found before any time is taken, and time is taken in turns (see [`times`]).
 
-mod contender;
 pub mod definition;
 pub mod drift;
 pub mod expect;
@@ -14,6 +13,7 @@ mod judge;
 mod measurement;
 mod parameter;
 mod record;
+mod renderer;
 pub mod run;
 mod samples;
 mod shown;
@@ -22,7 +22,6 @@ pub mod sweep;
 mod synopsis;
 mod warnings;
 
-pub use contender::{Contender, Drawn};
 pub use definition::{Definition, Moves};
 pub use identity::Identity;
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
@@ -34,9 +33,10 @@ pub use record::{
     Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Picture, Reached, Record, Run,
     Sitting, Warning,
 };
+pub use renderer::{Evaluation, Evaluator, Renderer};
 pub use run::Watcher;
 pub use samples::Samples;
-pub use shown::{Shown, frame_options};
+pub use shown::{Shown, means};
 pub(crate) use stopwatch::Stopwatch;
 pub use synopsis::{ChartSynopsis, RunSynopsis, Synopsis};
 

@@ -15,7 +15,7 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Contender, Machine, Picture, Reached, Record, Shown, Sitting, Warning, frame_options};
+use super::{Machine, Picture, Reached, Record, Renderer, Shown, Sitting, Warning, means};
 use crate::document::{Document, Timeline};
 use crate::load::Assets;
 use crate::scene::{Remark, doubts};
@@ -64,7 +64,7 @@ impl SceneRun {
     /// How many steps are told of one of its points.
     pub fn steps(&self, point: &Point, rounds: usize) -> usize {
         let drift = self.drift.map_or(0, |d| d.frames as usize);
-        1 + drift + error_steps(point.entrants.len()) + timing_steps(rounds)
+        1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)
     }
 }
 
@@ -93,10 +93,8 @@ pub fn measure(
     assignment: &Assignment<'_>,
     watcher: &dyn Watcher,
 ) -> Result<Option<Measured>> {
-    let usual = session.options();
     let measured = measure_with(session, assignment, watcher);
     session.forget();
-    session.set_options(usual);
     measured
 }
 
@@ -125,28 +123,28 @@ fn measure_with(
     let truth = point.truth.as_ref().map(&mut open).transpose()?;
     let truth = truth.map(|(_, truth)| truth);
     must_be_framed_alike(&shown, truth.as_ref())?;
-    session.set_options(frame_options(timeline.settings())?);
     let question = Question {
         name: point.scene.name(),
         view: shown.model.prepared.view(timeline.settings().size_px()),
         shown: &shown,
         truth: truth.as_ref(),
+        means: means(timeline.settings())?,
         command: assignment.command.clone(),
     };
-    let contenders: Vec<Contender> = point.entrants.iter().map(|e| e.contender).collect();
+    let renderers: Vec<Renderer> = point.trials.iter().map(|e| e.renderer).collect();
     let mut step = |what| watcher.step(what);
     let goes_on = || watcher.goes_on();
     let figures = match assignment.run.drift {
-        None => vec![BTreeMap::new(); contenders.len()],
+        None => vec![BTreeMap::new(); renderers.len()],
         Some(drift) => {
-            let found = flicker(session, &question, &contenders, drift, &mut step, &goes_on)?;
+            let found = flicker(session, &question, &renderers, drift, &mut step, &goes_on)?;
             let Some(found) = found else {
                 return Ok(None);
             };
             found
         }
     };
-    let mut judgement = errors(session, &question, &contenders, &mut step)?;
+    let mut judgement = errors(session, &question, &renderers, &mut step)?;
     let found = Findings {
         measurement: &judgement.measurement,
         figures: &figures,
@@ -190,7 +188,7 @@ fn measure_with(
         truth: (point.truth.as_ref())
             .map(|truth| truth.moved_to(Path::new("scene.toml")))
             .transpose()?,
-        makers: (point.entrants.iter())
+        makers: (point.trials.iter())
             .map(|e| e.makers.iter().map(|(_, maker)| maker.clone()).collect())
             .collect(),
         figures,
@@ -248,8 +246,8 @@ fn pictures(
         let Some(heatmap) = judgement.heatmap(frame) else {
             continue;
         };
-        let drawer = frame.contender.to_string();
-        let safe = drawer.replace([':', ',', '@'], "-");
+        let renderer = frame.renderer.to_string();
+        let safe = renderer.replace([':', ',', '@'], "-");
         let (file, map) = (
             format!("{stem}.{safe}.png"),
             format!("{stem}.{safe}.heatmap.png"),
@@ -257,7 +255,7 @@ fn pictures(
         images.push((file.clone(), image(judgement.picture(session, frame)?)));
         images.push((map.clone(), heatmap));
         pictures.push(Picture {
-            drawer,
+            drawer: renderer,
             file,
             heatmap: Some(map),
         });

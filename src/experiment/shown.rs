@@ -5,13 +5,11 @@
 
 use std::sync::OnceLock;
 
-use glam::Vec3;
-
 use crate::document::Settings;
 use crate::layers::NEAR_PLANE;
 use crate::passes::Model;
 use crate::scene::{Prepared, Scene};
-use crate::strategies::FrameOptions;
+use crate::strategies::Means;
 use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
@@ -54,14 +52,12 @@ impl Shown {
     }
 }
 
-/// The options of frames that a document asks for.
-pub fn frame_options(settings: &Settings) -> Result<FrameOptions> {
-    let rasteriser = settings.rasteriser.as_deref().map(str::parse).transpose()?;
-    let bytes = |color: Vec3| (color * 255.0).to_array().map(|c| c.round() as u8);
-    Ok(FrameOptions {
-        interference: settings.interference.map(bytes),
+/// The means that a document asks for.
+pub fn means(settings: &Settings) -> Result<Means> {
+    Ok(Means {
+        rasteriser: settings.rasteriser.as_deref().map(str::parse).transpose()?,
         height_filter: settings.height_filter,
-        ..FrameOptions::by(rasteriser.unwrap_or_default())
+        ..Means::default()
     })
 }
 

@@ -1,22 +1,21 @@
-//! What is varied: axes with values, and the points and contenders that they make.
+//! What is varied: axes with values, and the points and renderers that they make.
 //!
 //! An axis of the scene sets values of the document by their paths and makes *points*: one frame and one record for each value, and for
 //! each combination where there are several such axes. An axis whose name stands in braces in a strategy, `grid:{cells}+mask`, makes
-//! more *contenders* within each point, so that they are measured in turns.
+//! more *renderers* within each point, so that they are measured in turns.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Contender, Maker, Parameter, Parameters};
+use super::{Maker, Parameter, Parameters, Renderer};
 use crate::document::{Document, Node};
 use crate::error::did_you_mean;
-use crate::strategies::Strategy;
 use crate::{Error, Result};
 
 /// Points that one run may have: more are a slip.
 const MOST_POINTS: usize = 10_000;
 
-/// Contenders that one point may have: all of them are kept on the device, and measured in turns.
-const MOST_CONTENDERS: usize = 200;
+/// Renderers that one point may have: all of them are kept on the device, and measured in turns.
+const MOST_RENDERERS: usize = 200;
 
 /// Values of a document, by their paths, in order.
 pub type Changes = Vec<(String, Node)>;
@@ -116,7 +115,7 @@ pub struct Variable {
     pub scene: Document,
     /// What its truth has otherwise, where that is another scene.
     pub truth: Option<Changes>,
-    /// Names of contenders.
+    /// Names of renderers.
     pub strategies: Vec<String>,
 }
 
@@ -132,19 +131,19 @@ pub struct Point {
     /// The scene that is the truth, where that is another.
     pub truth: Option<Document>,
     /// Who is asked.
-    pub entrants: Vec<Entrant>,
+    pub trials: Vec<Trial>,
 }
 
-/// A contender, and what made it.
+/// A renderer, and what made it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entrant {
+pub struct Trial {
     /// Who is asked.
-    pub contender: Contender,
-    /// What made it: each text of the strategies, with values, that comes to this contender.
+    pub renderer: Renderer,
+    /// What made it: each text of the strategies, with values, that comes to this renderer.
     pub makers: Vec<(usize, Maker)>,
 }
 
-impl Entrant {
+impl Trial {
     /// Whether something holds for what made it.
     pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
         self.makers
@@ -165,7 +164,7 @@ pub fn changed(document: &Document, changes: &Changes) -> Result<Document> {
 /// Makes all points.
 pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
     check_braces(axes, &of.strategies)?;
-    let (of_contenders, of_points): (Vec<&Axis>, Vec<&Axis>) =
+    let (of_renderers, of_points): (Vec<&Axis>, Vec<&Axis>) =
         axes.0.iter().partition(|a| a.is_of_strategies());
     let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
         let what = "the values make too many points";
@@ -173,7 +172,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
         return Err(Error::input("sweep", what, mend));
     };
     must_be_apart(axes, &of.scene)?;
-    let entrants = entrants(&of.strategies, &of_contenders)?;
+    let trials = trials(&of.strategies, &of_renderers)?;
     let mut stems = BTreeSet::new();
     let mut points = Vec::with_capacity(count);
     for values in combinations(&of_points) {
@@ -185,7 +184,7 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
         points.push(Point {
             parameters: named_values(&of_points, &values),
             stem: stem(&values, &mut stems),
-            entrants: entrants.clone(),
+            trials: trials.clone(),
             scene,
             truth,
         });
@@ -297,13 +296,13 @@ fn stem(values: &[&Value], taken: &mut BTreeSet<String>) -> String {
     stem
 }
 
-fn entrants(texts: &[String], axes: &[&Axis]) -> Result<Vec<Entrant>> {
-    let mut entrants: Vec<Entrant> = Vec::new();
+fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
+    let mut trials: Vec<Trial> = Vec::new();
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     for (template, text) in texts.iter().enumerate() {
         let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
-        if product(&own).is_none_or(|count| count > MOST_CONTENDERS) {
-            let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
+        if product(&own).is_none_or(|count| count > MOST_RENDERERS) {
+            let mend = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
             return Err(Error::input(
                 format!("`{text}`"),
                 "it has too many values",
@@ -316,8 +315,8 @@ fn entrants(texts: &[String], axes: &[&Axis]) -> Result<Vec<Entrant>> {
                 text.replace(&format!("{{{name}}}"), &value.to_string())
             };
             let name = parameters.iter().fold(text.clone(), fill);
-            for contender in named(&name)? {
-                let name = contender.to_string();
+            for renderer in Renderer::named(&name)? {
+                let name = renderer.to_string();
                 let maker = Maker {
                     family: match own.is_empty() {
                         false => text.clone(),
@@ -326,38 +325,25 @@ fn entrants(texts: &[String], axes: &[&Axis]) -> Result<Vec<Entrant>> {
                     parameters: parameters.clone(),
                 };
                 let place = *places.entry(name).or_insert_with(|| {
-                    entrants.push(Entrant {
-                        contender,
+                    trials.push(Trial {
+                        renderer,
                         makers: Vec::new(),
                     });
-                    entrants.len() - 1
+                    trials.len() - 1
                 });
-                entrants[place].makers.push((template, maker));
+                trials[place].makers.push((template, maker));
             }
         }
     }
-    if entrants.len() > MOST_CONTENDERS {
-        let what = format!("the values make {} contenders", entrants.len());
-        let mend = format!("leave some out: at most {MOST_CONTENDERS} are measured in turns");
+    if trials.len() > MOST_RENDERERS {
+        let what = format!("the values make {} renderers", trials.len());
+        let mend = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
         return Err(Error::input("strategies", what, mend));
     }
-    Ok(entrants)
+    Ok(trials)
 }
 
 /// How many combinations there are; none where that is more than can be counted.
 fn product(axes: &[&Axis]) -> Option<usize> {
     (axes.iter()).try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
-}
-
-/// The contenders of a name: `all` are all strategies with their usual parameters.
-pub fn named(name: &str) -> Result<Vec<Contender>> {
-    match name.trim() {
-        "all" => Ok(Strategy::ALL.map(Contender::from).to_vec()),
-        "exact" => Err(Error::input(
-            "`exact`",
-            "exact is what strategies are measured against",
-            "leave it out; its picture and time are part of every record",
-        )),
-        name => Ok(vec![name.parse()?]),
-    }
 }

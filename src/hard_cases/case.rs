@@ -6,9 +6,9 @@
 use super::expected::Expected::{
     self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, Share,
 };
-use super::{Entrant, Judged, failures};
+use super::{Judged, failures};
 use crate::scene::{Scene, glob_matches};
-use crate::strategies::{CapSurface, InsideTest};
+use crate::strategies::{CapSurface, InsideTest, Method};
 
 /// What makes the cuts of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,17 +70,17 @@ impl Keeps {
 }
 
 impl Case {
-    /// What a strategy is expected to make of it. Bounds are of the built-in entrants: another resolution may miss them.
-    pub fn expected(&self, entrant: &Entrant) -> Expected {
-        let expected = self.declared(entrant);
-        match (expected, failures::bounds(self.name, entrant)) {
+    /// What a strategy is expected to make of it. Bounds are of the built-in methods: another resolution may miss them.
+    pub fn expected(&self, method: &Method) -> Expected {
+        let expected = self.declared(method);
+        match (expected, failures::bounds(self.name, method)) {
             (Fails(why), Some([least, most])) => Expected::FailsWithin(why, least, most),
             _ => expected,
         }
     }
 
-    fn declared(&self, entrant: &Entrant) -> Expected {
-        let name = entrant.to_string();
+    fn declared(&self, method: &Method) -> Expected {
+        let name = method.to_string();
         let apart = self
             .apart
             .iter()
@@ -88,7 +88,7 @@ impl Case {
         if let Some((_, expected)) = apart {
             return *expected;
         }
-        let strategy = &entrant.strategy;
+        let strategy = &method.strategy;
         if matches!(self.paper, Refuses(_)) && !strategy.counts_winding() {
             return self.paper;
         }
@@ -122,10 +122,10 @@ impl Case {
         &self,
         question: &super::Question,
         judged: &Judged,
-        entrant: &Entrant,
+        method: &Method,
     ) -> Option<String> {
-        let expected = self.expected(entrant);
-        let fault = expected.fault(question, judged, entrant);
+        let expected = self.expected(method);
+        let fault = expected.fault(question, judged, method);
         fault.or_else(|| match expected {
             Exact => self.keeps.fault(judged),
             _ => None,

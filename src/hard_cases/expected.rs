@@ -6,8 +6,9 @@
 use std::fmt;
 
 use super::tolerances::RIM_SHARE;
-use super::{Entrant, Judged, Question, band};
+use super::{Judged, Question, band};
 use crate::session::Outcome;
+use crate::strategies::Method;
 
 /// What a strategy is to make of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +56,7 @@ impl Expected {
     }
 
     /// What is wrong with one picture.
-    pub fn fault(&self, question: &Question, judged: &Judged, entrant: &Entrant) -> Option<String> {
+    pub fn fault(&self, question: &Question, judged: &Judged, method: &Method) -> Option<String> {
         if let Self::Refuses(words) | Self::RefusesSome(words) = self {
             let told = judged.outcome.reason().unwrap_or_default();
             let is_refused = matches!(judged.outcome, Outcome::Refused(_));
@@ -80,7 +81,7 @@ impl Expected {
             Self::Exact | Self::Overflows(_) => judged.fault_of_exact(),
             Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
             Self::Doubted => unmarked_fault(judged),
-            Self::Band => band::fault(question, judged, entrant.resolution()?),
+            Self::Band => band::fault(question, judged, method.strategy.inside.resolution()?),
             Self::Share(most) | Self::Within(most, _) => share_fault(question, judged, *most),
             Self::Listed(most) => {
                 list_fault(judged).or_else(|| share_fault(question, judged, *most))

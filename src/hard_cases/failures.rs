@@ -4,15 +4,15 @@
 //! A failure that gets worse is told, and so is one that is nearly mended. Strategies with other parameters have no line here: of them
 //! no more is asked than to fail.
 
-use super::Entrant;
 use super::tolerances::FACTOR;
+use crate::strategies::Method;
 
 /// The name of a case, that of a strategy, and the least and the most that was found.
 type Found = (&'static str, &'static str, [f64; 2]);
 
 /// How much of the covered pixels may be wrong, at least and at most, where a strategy is expected to fail at a case.
-pub(super) fn bounds(case: &str, entrant: &Entrant) -> Option<[f64; 2]> {
-    let name = entrant.to_string();
+pub(super) fn bounds(case: &str, method: &Method) -> Option<[f64; 2]> {
+    let name = method.to_string();
     let line = FOUND.iter().find(|(c, e, _)| *c == case && *e == name)?;
     let [least, most] = line.2;
     Some([least / FACTOR, most * FACTOR])
@@ -202,6 +202,7 @@ const FOUND: &[Found] = &[
 
 #[cfg(test)]
 mod tests {
+    use super::super::usual_methods;
     use super::*;
     use crate::hard_cases::{Expected, cases};
 
@@ -209,10 +210,10 @@ mod tests {
     fn failures() -> Vec<(&'static str, String, bool)> {
         let mut all = Vec::new();
         for case in cases() {
-            for entrant in Entrant::all(0) {
-                match case.expected(&entrant) {
-                    Expected::Fails(_) => all.push((case.name, entrant.to_string(), false)),
-                    Expected::FailsWithin(..) => all.push((case.name, entrant.to_string(), true)),
+            for method in usual_methods(0) {
+                match case.expected(&method) {
+                    Expected::Fails(_) => all.push((case.name, method.to_string(), false)),
+                    Expected::FailsWithin(..) => all.push((case.name, method.to_string(), true)),
                     _ => {}
                 }
             }
@@ -235,7 +236,8 @@ mod tests {
 
     #[test]
     fn other_parameters_have_no_bounds() {
-        let bounds = |name| bounds("plane in a face", &Entrant::named(name).expect("a name"));
+        let bounds =
+            |name: &str| bounds("plane in a face", &name.parse::<Method>().expect("a name"));
         assert!(bounds("grid:256+vds:512").is_some(), "built in");
         assert_eq!(bounds("grid:16+vds:32"), None);
     }

@@ -1,9 +1,11 @@
 //! The table asked of a session.
 
-use super::{Case, Entrant, Question, Tally, cases, list};
+use super::methods::{usual_methods, usual_sizes_px};
+use super::{Case, Question, Tally, cases, list};
 use crate::layers::Kind;
 use crate::scene::glob_matches;
 use crate::session::Session;
+use crate::strategies::Method;
 use crate::{Error, Result};
 
 /// A case, and what came of it.
@@ -41,8 +43,8 @@ pub struct Asked<'a> {
     pub ids: &'a [String],
     /// Sides of the pictures.
     pub sizes_px: &'a [u32],
-    /// Who is asked: exactly these, or those of [`Entrant::all`]. The bounds of the table are of the latter.
-    pub entrants: Option<&'a [Entrant]>,
+    /// Who is asked: exactly these, or [the usual](super::usual_methods). The bounds of the table are of the latter.
+    pub methods: Option<&'a [Method]>,
 }
 
 /// Refuses globs that fit no case.
@@ -59,7 +61,7 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
 }
 
 /// Asks the cases whose ids fit one of the globs, at each size, and tells each before it is asked. Ends early, with nothing, as soon as
-/// `goes_on` says no; it is heard before each entrant.
+/// `goes_on` says no; it is heard before each method.
 pub fn found(
     session: &mut Session,
     asked: &Asked<'_>,
@@ -101,23 +103,23 @@ pub fn pictures(case: &Case, size_px: u32) -> Vec<(String, Question)> {
     scenes.iter().map(of).collect()
 }
 
-/// What an entrant makes of the pictures of a case.
+/// What a method makes of the pictures of a case.
 pub fn tallied(
     session: &mut Session,
     case: &Case,
-    entrant: &Entrant,
+    method: &Method,
     pictures: &[(String, Question)],
 ) -> Result<Tally> {
     let is_unasked = |px: &u32| pictures.iter().all(|(_, q)| q.view.size_px[0] != *px);
     let mut tally = Tally {
-        unasked_px: (entrant.usual_sizes_px().iter().copied())
+        unasked_px: (usual_sizes_px(method).iter().copied())
             .filter(is_unasked)
             .collect(),
         ..Tally::default()
     };
     for (name, question) in pictures {
-        let judged = question.answer(session, entrant)?;
-        let fault = case.fault(question, &judged, entrant);
+        let judged = question.answer(session, method)?;
+        let fault = case.fault(question, &judged, method);
         tally.add(&judged, name, fault);
     }
     Ok(tally)
@@ -138,32 +140,32 @@ fn reached(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<Reached>>> {
-    let mut tallies: Vec<(Entrant, Tally)> = Vec::new();
+    let mut tallies: Vec<(Method, Tally)> = Vec::new();
     for size_px in asked.sizes_px {
         step(format!("case {} at {size_px} px", case.id));
         let pictures = pictures(case, *size_px);
-        let entrants = match asked.entrants {
+        let methods = match asked.methods {
             Some(named) => named.to_vec(),
-            None => Entrant::all(*size_px),
+            None => usual_methods(*size_px),
         };
-        for entrant in entrants {
+        for method in methods {
             if !goes_on() {
                 session.forget();
                 return Ok(None);
             }
-            let tally = tallied(session, case, &entrant, &pictures)?;
-            match tallies.iter_mut().find(|(e, _)| *e == entrant) {
+            let tally = tallied(session, case, &method, &pictures)?;
+            match tallies.iter_mut().find(|(e, _)| *e == method) {
                 Some((_, so_far)) => so_far.join(tally),
-                None => tallies.push((entrant, tally)),
+                None => tallies.push((method, tally)),
             }
         }
         // Nothing of these scenes is asked for again.
         session.forget();
     }
-    let told = |(entrant, tally): (Entrant, Tally)| {
-        let expected = case.expected(&entrant);
+    let told = |(method, tally): (Method, Tally)| {
+        let expected = case.expected(&method);
         Reached {
-            strategy: entrant.to_string(),
+            strategy: method.to_string(),
             expected: expected.to_string(),
             why: expected.why().filter(|_| tally.is_short_of_exact()),
             found: tally.told(&expected),

@@ -5,7 +5,6 @@
 
 use std::sync::Arc;
 
-use super::Entrant;
 use crate::Result;
 use crate::compare::{Comparison, compare};
 use crate::exact::{Exact, evaluate};
@@ -13,7 +12,7 @@ use crate::layers::{Kind, Layer, Layers};
 use crate::passes::Model;
 use crate::scene::{Camera, Scene, View};
 use crate::session::{Outcome, Session};
-use crate::strategies::FrameOptions;
+use crate::strategies::Method;
 
 /// One frame of one scene, and the truth about it.
 #[derive(Clone)]
@@ -52,16 +51,11 @@ impl Question {
         Self { model, view, exact }
     }
 
-    /// The answer of a strategy, judged. Fails where the device does; a refusal is an outcome.
-    pub fn answer(&self, session: &mut Session, entrant: &Entrant) -> Result<Judged> {
-        let usual = session.options();
-        session.set_options(FrameOptions {
-            rasteriser: entrant.rasteriser.unwrap_or(usual.rasteriser),
-            ..usual
-        });
-        let drawn = self.drawn(session, entrant);
-        session.set_options(usual);
-        let (outcome, layers) = drawn?;
+    /// The answer of a method, judged. Fails where the device does; a refusal is an outcome.
+    pub fn answer(&self, session: &mut Session, method: &Method) -> Result<Judged> {
+        let outcome = session.draw(&self.model, &self.view, method)?.outcome;
+        let is_drawn = !matches!(outcome, Outcome::Refused(_));
+        let layers = is_drawn.then(|| session.layers(method)).transpose()?;
         let comparison = layers.as_ref().map(|l| self.compare(l));
         Ok(Judged {
             comparison: comparison.unwrap_or_default(),
@@ -69,14 +63,6 @@ impl Question {
             layers: layers.unwrap_or_else(|| Layers::background(self.view.size_px)),
             outcome,
         })
-    }
-
-    fn drawn(&self, session: &mut Session, entrant: &Entrant) -> Result<(Outcome, Option<Layers>)> {
-        let strategy = &entrant.strategy;
-        let outcome = session.draw(&self.model, &self.view, strategy)?.outcome;
-        let is_drawn = !matches!(outcome, Outcome::Refused(_));
-        let layers = is_drawn.then(|| session.layers(strategy)).transpose()?;
-        Ok((outcome, layers))
     }
 
     /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.

@@ -29,6 +29,7 @@ pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Sce
         cuts,
         camera: Camera::default(),
         stage: None,
+        interference: None,
     }
 }
 

@@ -1,5 +1,7 @@
 //! From what was drawn to layers, and from layers to a picture: the end that every strategy and the exact reference share.
 
+use glam::Vec3;
+
 use super::recorder::{Recorder, or_one, pixels};
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::shader::Shader;
@@ -45,7 +47,7 @@ impl Recorder<'_> {
 
     /// Whether anything asks where solids overlap, and two are there that could.
     pub fn shows_overlaps(&self) -> bool {
-        self.interference.is_some() && self.relevance.lanes > 1
+        self.model.prepared.interference.is_some() && self.relevance.lanes > 1
     }
 
     /// The picture of the frame: one RGBA8 word per pixel.
@@ -71,7 +73,8 @@ impl Recorder<'_> {
 
     /// The file that fills `cutaway::overlap`, and what it binds.
     pub(super) fn overlap(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
-        match self.interference.filter(|_| self.shows_overlaps()) {
+        let color = self.model.prepared.interference;
+        match color.filter(|_| self.shows_overlaps()) {
             None => "lib/overlap/plain.wgsl",
             Some(color) => {
                 let color = linear_from_srgb(color);
@@ -111,9 +114,8 @@ impl Recorder<'_> {
 }
 
 /// The colour as the shader mixes it.
-fn linear_from_srgb(color: [u8; 3]) -> [f32; 4] {
-    let [r, g, b] = color.map(|c| {
-        let c = f32::from(c) / 255.0;
+fn linear_from_srgb(color: Vec3) -> [f32; 4] {
+    let [r, g, b] = color.to_array().map(|c| {
         if c <= 0.040_45 {
             c / 12.92
         } else {

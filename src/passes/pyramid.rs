@@ -22,7 +22,7 @@ const LEVELS_OF_PASS: u32 = 5;
 const NODE_BYTES: u64 = 8;
 
 /// How rays are followed through the heights of a relief.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ReliefWalk {
     /// From cell to cell.
     Cells,

@@ -7,7 +7,7 @@ use crate::Error;
 use crate::error::did_you_mean;
 
 /// Who rasterises the mesh of a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rasteriser {
     /// The GPU's own.
     #[default]

@@ -54,8 +54,6 @@ pub struct Recorder<'a> {
     pub height_filter: HeightFilter,
     /// Frames before had pyramids, and a camera that moves is not to build them again and again.
     pub keeps_pyramids: bool,
-    /// The colour of caps that several solids share, as sRGB; `None` does not ask where they are.
-    pub interference: Option<[u8; 3]>,
     pub(super) drawn: bool,
     /// What the compute rasteriser looked for the samples of the frame on.
     pub(super) screen_of_frame: Option<Screen>,
@@ -76,7 +74,6 @@ impl<'a> Recorder<'a> {
             relief_walk: None,
             height_filter: HeightFilter::Exact,
             keeps_pyramids: false,
-            interference: None,
             drawn: false,
             screen_of_frame: None,
         })

@@ -7,7 +7,7 @@ use crate::Error;
 use crate::error::did_you_mean;
 
 /// Who interpolates heights where a strategy asks for them at points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum HeightFilter {
     /// The shader, from four texels in f32: the definition of a relief.
     #[default]

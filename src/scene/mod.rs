@@ -81,6 +81,8 @@ pub struct Scene {
     /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
     /// its times, so that pictures do not jump.
     pub stage: Option<Bounds>,
+    /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
+    pub interference: Option<glam::Vec3>,
 }
 
 impl Scene {

@@ -16,7 +16,7 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
@@ -124,6 +124,8 @@ pub struct Prepared {
     pub centre_in_world: DVec3,
     /// Scene units per world unit, a power of two.
     pub scale: f64,
+    /// As of the scene.
+    pub interference: Option<Vec3>,
     camera: Camera,
 }
 
@@ -169,6 +171,7 @@ impl Prepared {
             cuts,
             centre_in_world: space.centre_in_world,
             scale: space.scale,
+            interference: scene.interference,
             camera: scene.camera,
         }
     }

@@ -6,12 +6,12 @@
 pub mod inside;
 pub mod surface;
 
+mod method;
 mod name;
-mod options;
 
 pub use crate::passes::{Rasteriser, ReliefWalk};
+pub use method::{Means, Method};
 pub use name::{CapSurface, InsideTest, Strategy, Tau};
-pub use options::FrameOptions;
 
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};
@@ -27,33 +27,27 @@ pub struct Refusal {
     pub reason: String,
 }
 
-/// The plan of a frame by a strategy, with the usual options.
+/// The plan of a frame by a method.
 ///
-/// The plan is the minimum for the scene and the view: where nothing is cut, it is the same for every strategy.
+/// The plan is the minimum for the scene and the view: where nothing is cut, it is the same for every method, and the GPU's own rasteriser
+/// draws.
+///
+/// # Errors
+///
+/// What of the scene the method does not draw.
 pub fn record(
     model: &Model,
     view: &View,
-    strategy: &Strategy,
+    method: impl Into<Method>,
     capacities: &Capacities,
 ) -> Result<Plan, Refusal> {
-    record_with(model, view, strategy, &FrameOptions::default(), capacities)
-}
-
-/// The plan of a frame by a strategy.
-///
-/// Where nothing is cut there is no mask to write, and the GPU's own rasteriser draws whatever the options say.
-pub fn record_with(
-    model: &Model,
-    view: &View,
-    strategy: &Strategy,
-    options: &FrameOptions,
-    capacities: &Capacities,
-) -> Result<Plan, Refusal> {
+    let Method { strategy, means } = method.into();
+    let strategy = &strategy;
     let refuse = |reason: String| Refusal {
         strategy: strategy.to_string(),
         reason,
     };
-    let rasteriser = options.rasteriser;
+    let rasteriser = means.rasteriser.unwrap_or_default();
     let needs_targets = strategy.is_by_the_papers_rule()
         || matches!(
             strategy.inside,
@@ -66,10 +60,9 @@ pub fn record_with(
         )));
     }
     let mut recorder = Recorder::new(model, view).map_err(refuse)?;
-    recorder.wide_atomics = options.wide_atomics.unwrap_or(false);
-    recorder.interference = options.interference;
-    recorder.relief_walk = options.relief_walk;
-    recorder.height_filter = options.height_filter.unwrap_or_default();
+    recorder.wide_atomics = means.wide_atomics.unwrap_or(false);
+    recorder.relief_walk = means.relief_walk;
+    recorder.height_filter = means.height_filter.unwrap_or_default();
     recorder.keeps_pyramids = capacities.pyramids;
     if let Some(reason) = beyond(&recorder, strategy) {
         return Err(refuse(reason));

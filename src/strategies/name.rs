@@ -7,7 +7,7 @@ use crate::Error;
 use crate::error::did_you_mean;
 
 /// A way to produce cap points per pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CapSurface {
     /// All crossings of each pixel's ray, exactly.
     Raycast,
@@ -28,7 +28,7 @@ pub enum CapSurface {
 }
 
 /// An error on the screen, kept in thousandths of a pixel so that it is equal to itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Tau {
     thousandths_px: u32,
 }
@@ -59,7 +59,7 @@ impl fmt::Display for Tau {
 }
 
 /// A way to tell whether a point is inside a solid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InsideTest {
     /// None: the cap surface ends where the solid does.
     Alone,
@@ -91,10 +91,18 @@ impl InsideTest {
     pub fn counts_winding(self) -> bool {
         matches!(self, Self::Mask | Self::Stencil)
     }
+
+    /// Texels along a side of its depth images, if it has any.
+    pub fn resolution(self) -> Option<u32> {
+        match self {
+            Self::Vds { resolution } | Self::Ldi { resolution } => Some(resolution),
+            _ => None,
+        }
+    }
 }
 
 /// A cap surface with an inside test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Strategy {
     /// Where caps may be.
     pub surface: CapSurface,

@@ -1,10 +1,11 @@
 //! Near planes in solids: with a cap there, and without one, where what the ray enters next is seen.
 
 use cutaway::exact::evaluate;
-use cutaway::hard_cases::{Entrant, Judged, Question};
+use cutaway::hard_cases::{Judged, Question};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene};
+use cutaway::strategies::Method;
 use glam::DVec3;
 
 use crate::common::{scenes, session};
@@ -68,8 +69,8 @@ fn question(scene: &Scene) -> Question {
 }
 
 fn answer(question: &Question, name: &str) -> Judged {
-    let entrant = Entrant::named(name).unwrap_or_else(|| panic!("{name}"));
-    let judged = question.answer(&mut session(), &entrant);
+    let method = name.parse::<Method>().unwrap_or_else(|_| panic!("{name}"));
+    let judged = question.answer(&mut session(), &method);
     judged.unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 

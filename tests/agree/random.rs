@@ -3,8 +3,9 @@
 //! A scene that comes out wrong is made simpler as long as it stays wrong, and printed to become a regression.
 
 use cutaway::hard_cases::random::{PICTURE_PX, Searched, fault, recipe, search, shrunk};
-use cutaway::hard_cases::{Entrant, Question};
+use cutaway::hard_cases::{Question, usual_methods};
 use cutaway::session::Outcome;
+use cutaway::strategies::Method;
 
 use crate::common::{session, strategy};
 
@@ -21,10 +22,8 @@ fn asked(usual: u64) -> u64 {
     asked.map_or(usual, |n: u64| n.max(usual))
 }
 
-fn searched(scenes: u64, entrants: &[Entrant]) -> Searched {
-    let searched = search(&mut session(), scenes, SEED, entrants, &mut |_| (), &|| {
-        true
-    });
+fn searched(scenes: u64, methods: &[Method]) -> Searched {
+    let searched = search(&mut session(), scenes, SEED, methods, &mut |_| (), &|| true);
     searched.expect("frames").expect("nobody ends it")
 }
 
@@ -43,7 +42,7 @@ fn nothing_found(searched: &Searched) {
 #[test]
 fn random_scenes_have_no_decided_wrong_pixel() {
     let scenes = asked(SCENES);
-    let searched = searched(scenes, &[Entrant::named("raycast+mask").expect("a name")]);
+    let searched = searched(scenes, &["raycast+mask".parse::<Method>().expect("a name")]);
     let (covered, undecided) = (searched.covered_px, searched.undecided_px);
     let caps = searched.caps_px;
     println!("{caps} cap pixels, {undecided} undecided of {covered} covered");
@@ -63,25 +62,25 @@ fn random_scenes_have_no_decided_wrong_pixel() {
 #[test]
 fn every_strategy_draws_random_scenes_as_it_must() {
     let scenes = asked(SCENES_OF_OTHERS);
-    let mut entrants = Entrant::all(PICTURE_PX[0]);
-    entrants.retain(|e| e.to_string() != "raycast+mask");
-    let searched = searched(scenes, &entrants);
-    for (entrant, drawn) in entrants.iter().zip(&searched.drawn) {
-        println!("{entrant}: {drawn} of {scenes} drawn");
+    let mut methods = usual_methods(PICTURE_PX[0]);
+    methods.retain(|e| e.to_string() != "raycast+mask");
+    let searched = searched(scenes, &methods);
+    for (method, drawn) in methods.iter().zip(&searched.drawn) {
+        println!("{method}: {drawn} of {scenes} drawn");
     }
     nothing_found(&searched);
-    for (entrant, drawn) in entrants.iter().zip(searched.drawn) {
+    for (method, drawn) in methods.iter().zip(searched.drawn) {
         // Who draws planes alone refuses most scenes; nobody may refuse all.
-        let few = entrant.strategy == strategy("stencil") || entrant.strategy == strategy("planar");
+        let few = method.strategy == strategy("stencil") || method.strategy == strategy("planar");
         let least = if few { 1 } else { scenes as usize * 8 / 10 };
-        assert!(drawn >= least, "{entrant} drew only {drawn} of {scenes}");
+        assert!(drawn >= least, "{method} drew only {drawn} of {scenes}");
     }
 }
 
 #[test]
 fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
     // The paper's strategy with a coarse sprite stands for an exact one with a fault.
-    let coarse = Entrant::named("grid:8+vds:32").expect("a name");
+    let coarse = "grid:8+vds:32".parse::<Method>().expect("a name");
     let fault = |recipe: &_| {
         let recipe: &cutaway::hard_cases::random::Recipe = recipe;
         let judged = Question::of(&recipe.scene(), PICTURE_PX).answer(&mut session(), &coarse)?;
@@ -121,10 +120,10 @@ fn what_is_wrong_is_found_whoever_drew_it() {
         "grid:256+mask",
         "adaptive:0.5+mask",
     ] {
-        let entrant = Entrant::named(name).expect(name);
-        let mut judged = question.answer(&mut session(), &entrant).expect("a frame");
+        let method = name.parse::<Method>().expect(name);
+        let mut judged = question.answer(&mut session(), &method).expect("a frame");
         assert_eq!(judged.outcome, Outcome::Complete, "{name}");
-        assert_eq!(fault(&question, &judged, &entrant), None, "{name}");
+        assert_eq!(fault(&question, &judged, &method), None, "{name}");
         let of_cap = |i: &usize| {
             judged.exact.layers.pixels[*i].kind == cutaway::layers::Kind::Cap
                 && !judged.exact.undecided[*i]
@@ -134,7 +133,7 @@ fn what_is_wrong_is_found_whoever_drew_it() {
         judged.layers.pixels[pixel].back_face = true;
         judged.comparison = question.compare(&judged.layers);
         assert!(
-            fault(&question, &judged, &entrant).is_some(),
+            fault(&question, &judged, &method).is_some(),
             "{name}: planted"
         );
     }

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use cutaway::exact::evaluate;
-use cutaway::hard_cases::Entrant;
+
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap, section_surface};
 use cutaway::session::Session;
-use cutaway::strategies::Strategy;
+use cutaway::strategies::{Method, Strategy};
 use glam::{DVec2, DVec3};
 
 use crate::common::data::data;
@@ -100,8 +100,8 @@ fn regression_0005_a_face_in_the_plane_seen_from_along_it() {
             "stencil",
             "planar",
         ] {
-            let entrant = Entrant::named(name).expect("a strategy");
-            let fault = question.answer_of(&entrant).fault_of_exact();
+            let method = name.parse::<Method>().expect("a strategy");
+            let fault = question.answer(&method).fault_of_exact();
             assert_eq!(fault, None, "{section} by {name}");
         }
     }
@@ -274,8 +274,8 @@ fn regression_0010_of_clip_surfaces_in_one_plane_the_first_has_the_cap() {
             "adaptive:0.5+mask",
             "planar",
         ] {
-            let strategy = name.parse().expect("a strategy");
-            let fault = question.answer(&strategy).fault_of_exact();
+            let method: Method = name.parse().expect("a method");
+            let fault = question.answer(method).fault_of_exact();
             assert_eq!(fault, None, "{sections:?}: {name}");
         }
     }

@@ -21,12 +21,12 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use cutaway::compare::{Comparison, compare};
 use cutaway::exact::{Exact, evaluate};
 use cutaway::gpu::{Gpu, GpuOptions};
-use cutaway::hard_cases::{self, Entrant};
+use cutaway::hard_cases::{self};
 use cutaway::layers::Layers;
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene, View};
 use cutaway::session::Session;
-use cutaway::strategies::{FrameOptions, Strategy};
+use cutaway::strategies::{Method, Strategy};
 
 #[allow(
     unused_imports,
@@ -91,24 +91,11 @@ impl Question {
         Self { model, view, exact }
     }
 
-    /// The answer of a strategy, judged.
-    pub(crate) fn answer(&self, strategy: &Strategy) -> Judged {
-        self.answer_of(&Entrant::from(*strategy))
-    }
-
-    /// The answer of a strategy by a rasteriser, judged.
-    pub(crate) fn answer_of(&self, entrant: &Entrant) -> Judged {
-        (self.asked().answer(&mut session(), entrant))
-            .unwrap_or_else(|e| panic!("{entrant} could not draw: {e}"))
-    }
-
-    /// The answer of a strategy with options of a frame, judged. The session stays locked meanwhile, so that no other test has them.
-    pub(crate) fn answer_with(&self, strategy: &Strategy, options: FrameOptions) -> Judged {
-        let mut session = session();
-        session.set_options(options);
-        let judged = self.asked().answer(&mut session, &(*strategy).into());
-        session.set_options(FrameOptions::default());
-        judged.unwrap_or_else(|e| panic!("{strategy} could not draw: {e}"))
+    /// The answer of a method, judged.
+    pub(crate) fn answer(&self, method: impl Into<Method>) -> Judged {
+        let method = method.into();
+        (self.asked().answer(&mut session(), &method))
+            .unwrap_or_else(|e| panic!("{method} could not draw: {e}"))
     }
 
     /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.

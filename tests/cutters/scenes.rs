@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use cutaway::Gpu;
 use cutaway::scene::{Cut, Cutter, Mesh, Part, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{FrameOptions, Rasteriser};
+use cutaway::strategies::{Means, Method, Rasteriser};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Judged, Question, meshes, scenes, software, strategy};
@@ -15,20 +15,17 @@ pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
     static SESSION: OnceLock<Mutex<Session>> = OnceLock::new();
     let session = SESSION.get_or_init(|| {
         let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
-        Mutex::new(Session::with_options(
-            gpu,
-            FrameOptions::by(Rasteriser::Compute),
-        ))
+        Mutex::new(Session::new(gpu))
     });
     let mut session = session.lock().unwrap_or_else(PoisonError::into_inner);
-    let strategy = strategy(name);
-    let drawn = session.draw(&question.model, &question.view, &strategy);
+    let method = Method::new(strategy(name), Means::by(Rasteriser::Compute));
+    let drawn = session.draw(&question.model, &question.view, method);
     let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
     assert!(
         !matches!(outcome, Outcome::Refused(_)),
         "{name}: {outcome:?}"
     );
-    let layers = session.layers(&strategy).expect("layers of a drawn frame");
+    let layers = session.layers(method).expect("layers of a drawn frame");
     Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),

@@ -131,6 +131,7 @@ pub(crate) fn scene(meshes: Vec<Mesh>, cuts: Vec<Vec<ClipSurface>>, camera: Came
             .collect(),
         camera,
         stage: None,
+        interference: None,
     }
 }
 

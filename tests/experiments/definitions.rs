@@ -88,12 +88,12 @@ fn a_file_is_read_and_expanded() {
     assert_eq!(first.parameters["size"], small);
     assert!(
         !first.parameters.contains_key("cells"),
-        "it makes contenders"
+        "it makes renderers"
     );
     let names: Vec<String> = first
-        .entrants
+        .trials
         .iter()
-        .map(|e| e.contender.to_string())
+        .map(|e| e.renderer.to_string())
         .collect();
     assert_eq!(
         names,
@@ -107,9 +107,9 @@ fn a_file_is_read_and_expanded() {
             "grid:32+mask"
         ]
     );
-    let cells = &first.entrants[2].makers[0].1.parameters["cells"];
+    let cells = &first.trials[2].makers[0].1.parameters["cells"];
     assert_eq!(*cells, Parameter::Whole(16));
-    let families = [0, 2, 4].map(|e: usize| first.entrants[e].makers[0].1.family.as_str());
+    let families = [0, 2, 4].map(|e: usize| first.trials[e].makers[0].1.family.as_str());
     assert_eq!(
         families,
         ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
@@ -130,7 +130,7 @@ fn a_file_is_read_and_expanded() {
     assert_eq!(amplitude(&quick.points[0]), Value::from("2%"));
     let size = &quick.points[0].scene.get("resolution").unwrap().value;
     assert_eq!(*size, Value::read("[32, 24]"));
-    assert_eq!(quick.points[0].entrants.len(), 2);
+    assert_eq!(quick.points[0].trials.len(), 2);
     assert_eq!(quick.rounds, 1);
 }
 
@@ -141,10 +141,7 @@ fn all_names_every_strategy_once() {
         r#"["all", "raycast+mask", "grid:{cells}+vds:64"]"#,
     );
     let run = scenes(&read(&text).unwrap(), false);
-    assert_eq!(
-        run.points[0].entrants.len(),
-        cutaway::Strategy::ALL.len() + 3
-    );
+    assert_eq!(run.points[0].trials.len(), cutaway::Strategy::ALL.len() + 3);
 }
 
 #[test]
@@ -371,8 +368,8 @@ fn what_two_texts_come_to_is_asked_once_and_belongs_to_both() {
     let falls = "[[run.expect]]\nstrategies = [\"*\"]\ndecided_wrong_px = { falls_along = \"texels\" }\nwhy = \"it does\"";
     let definition = read(&format!("{text}{falls}")).unwrap();
     let full = scenes(&definition, false);
-    let entrants = &full.points[0].entrants;
-    let names: Vec<String> = entrants.iter().map(|e| e.contender.to_string()).collect();
+    let trials = &full.points[0].trials;
+    let names: Vec<String> = trials.iter().map(|e| e.renderer.to_string()).collect();
     let expected = [
         "grid:128+vds:1024",
         "grid:256+vds:1024",
@@ -380,7 +377,7 @@ fn what_two_texts_come_to_is_asked_once_and_belongs_to_both() {
         "grid:256+vds:2048",
     ];
     assert_eq!(names, expected);
-    let makers: Vec<&str> = entrants[1]
+    let makers: Vec<&str> = trials[1]
         .makers
         .iter()
         .map(|(_, m)| m.family.as_str())

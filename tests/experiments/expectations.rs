@@ -61,7 +61,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
     }
 }
 
-/// What comes of an expectation, where these were found in the order of the contenders.
+/// What comes of an expectation, where these were found in the order of the renderers.
 fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
     let text = format!(
         "question = \"Is it?\"\nanalysis = \"\"\n[[run]]\nname = \"cube\"\nscene.part = [{{ shape = \"cube\" }}]\n\
@@ -71,12 +71,12 @@ fn outcome(expect: &str, found: &[Found<'_>]) -> Vec<Reached> {
     let run = scenes(&read(&text).unwrap(), false);
     let point = &run.points[0];
     let names: Vec<String> = point
-        .entrants
+        .trials
         .iter()
-        .map(|e| e.contender.to_string())
+        .map(|e| e.renderer.to_string())
         .collect();
     let expected: Vec<&str> = found.iter().map(|f| f.0).collect();
-    assert_eq!(names, expected, "figures are in the order of contenders");
+    assert_eq!(names, expected, "figures are in the order of renderers");
     let measurement = measurement(found);
     let figures = vec![BTreeMap::new(); found.len()];
     let found = Findings {

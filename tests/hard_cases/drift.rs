@@ -1,9 +1,9 @@
 //! Cases 7 and 40: what many triangles and many frames ask beyond their outcome.
 
-use cutaway::hard_cases::{Entrant, Question, class_of, scenes};
+use cutaway::hard_cases::{Question, class_of, scenes};
 use cutaway::layers::Layers;
 use cutaway::scene::{Camera, Scene, Viewpoint};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use cutaway::{Exact, Model};
 use glam::DVec2;
 
@@ -21,7 +21,7 @@ struct Flicker {
     lagging: usize,
 }
 
-fn drifting(scene: &Scene, entrant: &Entrant) -> Flicker {
+fn drifting(scene: &Scene, method: &Method) -> Flicker {
     let model = Model::of(scene);
     let truth = model.truth(scene);
     let whole = model.prepared.view([SIDE_PX; 2]);
@@ -36,8 +36,8 @@ fn drifting(scene: &Scene, entrant: &Entrant) -> Flicker {
             view,
             exact: std::sync::Arc::new(exact.clone()),
         };
-        let judged = question.answer(&mut session(), entrant).expect("a frame");
-        assert_eq!(judged.outcome.reason(), None, "{entrant}: frame {frame}");
+        let judged = question.answer(&mut session(), method).expect("a frame");
+        assert_eq!(judged.outcome.reason(), None, "{method}: frame {frame}");
         if let Some((layers_before, exact_before)) = &before {
             for p in 0..exact.undecided.len() {
                 if exact.undecided[p] || exact_before.undecided[p] {
@@ -69,14 +69,14 @@ fn case_40_a_drifting_camera_flips_what_exact_flips() {
         "fractal:size=32,amplitude=6%",
     );
     scene.cuts = vec![cutaway::scene::Cut::of("cut", vec![rough])];
-    let entrant = |name: &str| Entrant::named(name).expect(name);
+    let method = |name: &str| name.parse::<Method>().expect(name);
     for name in ["raycast+mask", "raycast+mask@compute"] {
-        let flicker = drifting(&scene, &entrant(name));
+        let flicker = drifting(&scene, &method(name));
         assert!(flicker.flips > 300, "only {} pixels changed", flicker.flips);
         assert_eq!(flicker.excess, 0, "{name}");
     }
     // The control: what is off by a texel flips where exact does not.
-    let coarse = drifting(&scene, &entrant("grid:32+vds:64"));
+    let coarse = drifting(&scene, &method("grid:32+vds:64"));
     println!(
         "a coarse sprite flips {} pixels in excess of {}",
         coarse.excess, coarse.flips
@@ -104,18 +104,17 @@ fn case_07_a_million_triangles_leave_no_odd_pixel() {
     let strategy = Strategy::RAYCAST_MASK;
     let mut drawn = Vec::new();
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-        session.set_options(FrameOptions::by(rasteriser));
+        let method = Method::new(strategy, Means::by(rasteriser));
         let outcome = session
-            .draw(&model, &view, &strategy)
+            .draw(&model, &view, method)
             .expect("a frame")
             .outcome;
         assert_eq!(outcome.reason(), None, "{rasteriser}");
-        let layers = session.layers(&strategy).expect("layers");
+        let layers = session.layers(method).expect("layers");
         let odd = layers.pixels.iter().filter(|p| p.unreliable).count();
         assert_eq!(odd, 0, "{rasteriser}: odd pixels");
         drawn.push(layers);
     }
-    session.set_options(FrameOptions::default());
     session.forget();
     let differing = (drawn[0].pixels.iter().zip(&drawn[1].pixels))
         .filter(|(a, b)| class_of(a) != class_of(b))

@@ -6,7 +6,7 @@ use cutaway::passes::NEED_OF_CROSSINGS;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Fill, Mesh, Scene, Wrap};
 use cutaway::session::Outcome;
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
@@ -41,14 +41,12 @@ fn answer(
     rasteriser: Rasteriser,
 ) -> (Judged, Vec<u32>, u32) {
     let mut session = session();
-    session.set_options(FrameOptions::by(rasteriser));
-    let drawn = (session.draw(&question.model, &question.view, strategy))
+    let method = Method::new(*strategy, Means::by(rasteriser));
+    let drawn = (session.draw(&question.model, &question.view, method))
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
-    let layers = session.layers(strategy).expect("layers of a drawn frame");
-    let mask = session.words(strategy, "mask").expect("a mask");
-    let capacity = session.plan(strategy).expect("a plan").bounded[0].capacity;
-    // The session is shared: other tests expect the usual options.
-    session.set_options(FrameOptions::default());
+    let layers = session.layers(method).expect("layers of a drawn frame");
+    let mask = session.words(method, "mask").expect("a mask");
+    let capacity = session.plan(method).expect("a plan").bounded[0].capacity;
     let judged = Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),

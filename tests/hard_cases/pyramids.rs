@@ -2,7 +2,7 @@
 
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{OffsetMap, Scene, Wrap};
-use cutaway::strategies::{FrameOptions, ReliefWalk, Strategy};
+use cutaway::strategies::{Means, Method, ReliefWalk, Strategy};
 use glam::DVec3;
 
 use crate::common::{Judged, Question, meshes, scenes, session};
@@ -21,16 +21,16 @@ fn grazing(map: OffsetMap, (period, height): (f64, f64), wrap: Wrap) -> Scene {
 /// What is seen by one of the ways, judged.
 fn by(walk: ReliefWalk, question: &Question) -> Judged {
     let mut session = session();
-    session.set_options(FrameOptions {
-        relief_walk: Some(walk),
-        ..FrameOptions::default()
-    });
-    let strategy = Strategy::RAYCAST_MASK;
-    let drawn = (session.draw(&question.model, &question.view, &strategy))
-        .unwrap_or_else(|e| panic!("{e}"));
-    let layers = session.layers(&strategy).expect("layers of a drawn frame");
-    // The session is shared: other tests expect the usual options.
-    session.set_options(FrameOptions::default());
+    let method = Method::new(
+        Strategy::RAYCAST_MASK,
+        Means {
+            relief_walk: Some(walk),
+            ..Means::default()
+        },
+    );
+    let drawn =
+        (session.draw(&question.model, &question.view, method)).unwrap_or_else(|e| panic!("{e}"));
+    let layers = session.layers(method).expect("layers of a drawn frame");
     Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),

@@ -3,10 +3,11 @@
 //! A declared failure that starts to pass is a fault too: then the table is wrong, and a reader of it is misled.
 
 use cutaway::hard_cases::{
-    Asked, Case, Entrant, Expected, Form, Keeps, Question, Tally, caps_px, cases, check_ids, found,
-    pictures, random, solids, tallied,
+    Asked, Case, Expected, Form, Keeps, Question, Tally, caps_px, cases, check_ids, found,
+    pictures, random, solids, tallied, usual_methods,
 };
 use cutaway::session::Outcome;
+use cutaway::strategies::Method;
 
 use crate::common::session;
 
@@ -21,7 +22,7 @@ const CAPLESS: [&str; 3] = [
 fn run<'a>(cases: impl Iterator<Item = &'a Case>) -> Vec<String> {
     let mut faults = Vec::new();
     for case in cases {
-        let mut tallies: Vec<(Entrant, Tally)> = Vec::new();
+        let mut tallies: Vec<(Method, Tally)> = Vec::new();
         for size_px in [64, 256] {
             let pictures = pictures(case, size_px);
             let caps = caps_px(&pictures);
@@ -29,18 +30,18 @@ fn run<'a>(cases: impl Iterator<Item = &'a Case>) -> Vec<String> {
             if (caps == 0) != CAPLESS.contains(&case.name) {
                 faults.push(format!("{} {} has {caps} cap pixels", case.id, case.name));
             }
-            for entrant in Entrant::all(size_px) {
-                let tally = tallied(&mut session(), case, &entrant, &pictures).expect("frames");
-                match tallies.iter_mut().find(|(e, _)| *e == entrant) {
+            for method in usual_methods(size_px) {
+                let tally = tallied(&mut session(), case, &method, &pictures).expect("frames");
+                match tallies.iter_mut().find(|(e, _)| *e == method) {
                     Some((_, so_far)) => so_far.join(tally),
-                    None => tallies.push((entrant, tally)),
+                    None => tallies.push((method, tally)),
                 }
             }
             session().forget();
         }
-        for (entrant, tally) in tallies {
-            let expected = case.expected(&entrant);
-            let place = format!("{} {}: {entrant}", case.id, case.name);
+        for (method, tally) in tallies {
+            let expected = case.expected(&method);
+            let place = format!("{} {}: {method}", case.id, case.name);
             println!("{place}: {expected}: {}", tally.told(&expected));
             let of_it = tally.faults_of(&expected);
             faults.extend(of_it.into_iter().map(|f| format!("{place}: {f}")));
@@ -69,8 +70,8 @@ fn every_case_with_reliefs_reaches_its_outcome() {
     none(&run(cases().filter(|c| c.form == Form::Reliefs)));
 }
 
-fn named(name: &str) -> Entrant {
-    Entrant::named(name).expect(name)
+fn named(name: &str) -> Method {
+    name.parse::<Method>().expect(name)
 }
 
 #[test]
@@ -227,7 +228,7 @@ fn what_is_asked_is_found_by_number_and_told() {
     let asked = Asked {
         ids: &ids,
         sizes_px: &[32],
-        entrants: None,
+        methods: None,
     };
     let cases = found(&mut session(), &asked, &mut |s| steps.push(s), &|| true);
     let cases = cases.expect("frames").expect("nobody ends it");
@@ -238,7 +239,7 @@ fn what_is_asked_is_found_by_number_and_told() {
         let failed = case.reached.iter().find(|r| !r.holds);
         assert_eq!(failed, None, "{}", case.id);
     }
-    let everybody = Entrant::all(32).len();
+    let everybody = usual_methods(32).len();
     assert_eq!(cases[0].reached.len(), everybody, "nobody is left out");
     assert_eq!(cases[1].reached.len(), 0, "35 has no pictures");
     let held_by = cases[1].held_by.clone().unwrap_or_default();
@@ -256,7 +257,7 @@ fn exactly_the_named_are_asked_whatever_their_parameters() {
         ids: &["1".to_owned()],
         // The usual ones of pictures of this size do not have the second of them.
         sizes_px: &[96],
-        entrants: Some(&named),
+        methods: Some(&named),
     };
     let cases = found(&mut session(), &asked, &mut |_| (), &|| true);
     let cases = cases.expect("frames").expect("nobody ends it");
@@ -276,16 +277,16 @@ fn hard_cases_and_the_search_end_when_they_are_told_to() {
     let asked = Asked {
         ids: &["*".to_owned()],
         sizes_px: &[16],
-        entrants: None,
+        methods: None,
     };
     left.set(20);
     let cases = found(&mut session(), &asked, &mut |_| steps += 1, &goes_on);
     assert_eq!(cases.expect("frames"), None, "nothing is kept");
     assert!(steps <= 2, "it went on for {steps} cases");
-    let entrants = [named("raycast+mask")];
+    let methods = [named("raycast+mask")];
     for (frames, ends) in [(3, true), (100, false)] {
         left.set(frames);
-        let searched = random::search(&mut session(), 5, 1, &entrants, &mut |_| (), &goes_on);
+        let searched = random::search(&mut session(), 5, 1, &methods, &mut |_| (), &goes_on);
         assert_eq!(searched.expect("frames").is_none(), ends, "{frames} frames");
     }
 }

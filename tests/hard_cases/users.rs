@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use cutaway::hard_cases::{Entrant, Question, meshes, users};
+use cutaway::hard_cases::{Question, meshes, users};
 use cutaway::scene::{ClipSurface, Mesh};
 use cutaway::slice::{Section, SlicePlane, Slicer};
+use cutaway::strategies::Method;
 use glam::DVec3;
 
 use crate::common::session;
@@ -16,7 +17,7 @@ fn sections(mesh: &Mesh, at: DVec3, normal: DVec3) -> Section {
 
 #[test]
 fn case_21_t_junctions_leak_no_more_than_their_slivers() {
-    let mask = Entrant::named("raycast+mask").expect("a name");
+    let mask = "raycast+mask".parse::<Method>().expect("a name");
     let mut marked = Vec::new();
     for scene in users::t_junctions(256) {
         let question = Question::of(&scene, [256; 2]);

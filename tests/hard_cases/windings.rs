@@ -3,13 +3,13 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Cut, Fill, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec2, DVec3};
 
 use crate::common::numbers::Numbers;
 use crate::common::{Judged, Question, meshes, scenes, session};
 use cutaway::hard_cases::windings::{nonzero, profiles, revolved};
-use cutaway::hard_cases::{self, Entrant, Expected, solids};
+use cutaway::hard_cases::{self, Expected, solids};
 
 /// How often a polygon goes round a point.
 fn index(polygon: &[DVec2], at: DVec2) -> i32 {
@@ -47,12 +47,10 @@ fn crossed(profile: &[DVec2], fill: Fill) -> Scene {
 /// The frame of the exact strategy by the compute rasteriser.
 fn by_compute(question: &Question) -> (Judged, Vec<u32>) {
     let mut session = session();
-    session.set_options(FrameOptions::by(Rasteriser::Compute));
-    let strategy = Strategy::RAYCAST_MASK;
-    let drawn = (session.draw(&question.model, &question.view, &strategy)).expect("a frame");
-    let layers = session.layers(&strategy).expect("its layers");
-    let mask = session.words(&strategy, "mask").expect("its mask");
-    session.set_options(FrameOptions::default());
+    let method = Method::new(Strategy::RAYCAST_MASK, Means::by(Rasteriser::Compute));
+    let drawn = (session.draw(&question.model, &question.view, method)).expect("a frame");
+    let layers = session.layers(method).expect("its layers");
+    let mask = session.words(method, "mask").expect("its mask");
     let judged = Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),
@@ -223,9 +221,9 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
     ] {
         let marked = judged.comparison.odd_parity_px;
         assert!(marked > 20, "{marked} pixels are marked");
-        let entrant = Entrant::from(Strategy::RAYCAST_MASK);
+        let method = Method::from(Strategy::RAYCAST_MASK);
         let asked = hard_cases::Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
-        let fault = Expected::Marked.fault(&asked, &judged, &entrant);
+        let fault = Expected::Marked.fault(&asked, &judged, &method);
         assert_eq!(fault, None);
     }
 }

@@ -1,9 +1,9 @@
 //! Plans of these strategies: no pass that they do not need, and what does not fit a binding is refused by name.
 
 use cutaway::plan::{Capacities, Clock, Limits, Plan};
-use cutaway::strategies::{self, Rasteriser};
+use cutaway::strategies::{self, Means, Method, Rasteriser};
 
-use super::{SIZE, plan_with, ring, row, with};
+use super::{SIZE, plan_with, ring, row};
 use crate::common::{Question, strategy};
 
 fn plan(question: &Question, name: &str, fragments: Option<u32>) -> Plan {
@@ -134,11 +134,10 @@ fn what_no_binding_holds_is_refused_by_name() {
 fn what_the_compute_rasteriser_does_not_draw_is_refused_with_a_reason() {
     let question = Question::of(&ring(), SIZE);
     for name in ["raycast+vds:64", "grid:8+vds:64", "grid:8+ldi:64"] {
-        let refusal = strategies::record_with(
+        let refusal = strategies::record(
             &question.model,
             &question.view,
-            &strategy(name),
-            &with(Rasteriser::Compute),
+            Method::new(strategy(name), Means::by(Rasteriser::Compute)),
             &Capacities::UNKNOWN,
         )
         .expect_err(name);

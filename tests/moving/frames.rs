@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Part, Scene};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use cutaway::{Comparison, compare};
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -18,7 +18,7 @@ const RASTERISERS: [Rasteriser; 2] = [Rasteriser::Hardware, Rasteriser::Compute]
 
 /// The exact strategy's answer by a rasteriser.
 fn answer(question: &Question, rasteriser: Rasteriser) -> Judged {
-    question.answer_with(&Strategy::RAYCAST_MASK, FrameOptions::by(rasteriser))
+    question.answer(Method::new(Strategy::RAYCAST_MASK, Means::by(rasteriser)))
 }
 
 #[track_caller]

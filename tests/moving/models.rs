@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use cutaway::load::load_mesh_file;
 use cutaway::passes::Model;
 use cutaway::scene::{Scene, Topology, section_surface};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::common::Question;
 use super::common::data::data;
@@ -60,8 +60,8 @@ fn animated_models_are_posed_and_cut_exactly() {
                 let is_closed = scene.parts.iter().all(|p| Topology::of(&p.mesh).closed);
                 let question = Question::of_model(next, &scene, SIZE_PX);
                 for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-                    let options = FrameOptions::by(rasteriser);
-                    let judged = question.answer_with(&Strategy::RAYCAST_MASK, options);
+                    let options = Means::by(rasteriser);
+                    let judged = question.answer(Method::new(Strategy::RAYCAST_MASK, options));
                     let wrong = judged.comparison.decided_wrong_px;
                     println!(
                         "{}, {rasteriser}: closed {is_closed}, {wrong} px wrong",

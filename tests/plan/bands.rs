@@ -1,12 +1,12 @@
 //! A picture that is too large for a limit is drawn in bands, and shows the same.
 
-use cutaway::experiment::{Contender, Question, Shown, errors, times};
+use cutaway::experiment::{Question, Renderer, Shown, errors, times};
 use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Drawn, Outcome, Session};
-use cutaway::strategies::{FrameOptions, Rasteriser};
+use cutaway::strategies::{Means, Method, Rasteriser};
 
 use super::*;
 
@@ -25,7 +25,7 @@ fn cut_scene() -> Scene {
 }
 
 /// A session on a device that binds so many bytes at most.
-fn session(storage_binding_bytes: u64, rasteriser: Rasteriser) -> Session {
+fn session(storage_binding_bytes: u64) -> Session {
     let options = GpuOptions {
         adapter: None,
         prefer_software: true,
@@ -35,19 +35,13 @@ fn session(storage_binding_bytes: u64, rasteriser: Rasteriser) -> Session {
         storage_binding_bytes,
         ..Limits::CORE
     };
-    Session::with_options(
-        gpu.held_to(limits),
-        FrameOptions {
-            rasteriser,
-            ..FrameOptions::default()
-        },
-    )
+    Session::new(gpu.held_to(limits))
 }
 
-fn draw(session: &mut Session, strategy: &Strategy) -> Drawn {
+fn draw(session: &mut Session, method: impl Into<Method>) -> Drawn {
     let model = Model::of(&cut_scene());
     let view = model.prepared.view(SIZE_PX);
-    let drawn = session.draw(&model, &view, strategy);
+    let drawn = session.draw(&model, &view, method);
     drawn.unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -60,42 +54,42 @@ fn classes(layers: &Layers) -> Vec<(Kind, u16, u8, bool)> {
 
 #[test]
 fn bands_show_what_one_frame_shows() {
-    let grid = strategy("grid:8+vds:64");
-    for (strategy, rasteriser) in [
-        (Strategy::RAYCAST_MASK, Rasteriser::Hardware),
-        (Strategy::RAYCAST_MASK, Rasteriser::Compute),
-        (grid, Rasteriser::Hardware),
-        (strategy("grid:8+mask"), Rasteriser::Hardware),
-        (strategy("grid:8+mask"), Rasteriser::Compute),
+    for name in [
+        "raycast+mask",
+        "raycast+mask@compute",
+        "grid:8+vds:64",
+        "grid:8+mask",
+        "grid:8+mask@compute",
     ] {
-        let mut whole = session(Limits::CORE.storage_binding_bytes, rasteriser);
-        let drawn = draw(&mut whole, &strategy);
-        assert_eq!(drawn.outcome, Outcome::Complete, "{strategy}");
-        assert_eq!(whole.bands(&strategy).expect("a frame"), 1, "{strategy}");
-        let expected = whole.layers(&strategy).expect("layers");
-        assert!(expected.count(Kind::Cap) > 500, "{strategy}: caps");
+        let method: Method = name.parse().expect("a method");
+        let mut whole = session(Limits::CORE.storage_binding_bytes);
+        let drawn = draw(&mut whole, method);
+        assert_eq!(drawn.outcome, Outcome::Complete, "{method}");
+        assert_eq!(whole.bands(method).expect("a frame"), 1, "{method}");
+        let expected = whole.layers(method).expect("layers");
+        assert!(expected.count(Kind::Cap) > 500, "{method}: caps");
 
-        let expected_picture = whole.picture(&strategy).expect("a picture");
+        let expected_picture = whole.picture(method).expect("a picture");
 
-        let plan = whole.plan(&strategy).expect("a plan");
+        let plan = whole.plan(method).expect("a plan");
         let largest = |p: &Plan| {
             let of_frame = p.resources.iter().filter(|r| r.clock == Clock::Frame);
             of_frame.map(|r| r.shape.bytes()).max().unwrap_or(0)
         };
         let most = largest(plan);
         for (share, bands) in [(1, 2), (2, 4)] {
-            let mut held = session(most / share - 1, rasteriser);
-            let drawn = draw(&mut held, &strategy);
-            let what = format!("{strategy} by {rasteriser} in {bands}");
+            let mut held = session(most / share - 1);
+            let drawn = draw(&mut held, method);
+            let what = format!("{method} in {bands}");
             assert_eq!(drawn.outcome, Outcome::Complete, "{what}");
-            assert_eq!(held.bands(&strategy).expect("a frame"), bands, "{what}");
-            let layers = held.layers(&strategy).expect("layers");
+            assert_eq!(held.bands(method).expect("a frame"), bands, "{what}");
+            let layers = held.layers(method).expect("layers");
             assert_eq!(layers.size_px, SIZE_PX, "{what}");
             assert!(
                 classes(&layers) == classes(&expected),
                 "{what}: other classes"
             );
-            let picture = held.picture(&strategy).expect("a picture");
+            let picture = held.picture(method).expect("a picture");
             assert_eq!(
                 picture.len(),
                 SIZE_PX[0] as usize * SIZE_PX[1] as usize * 4,
@@ -126,12 +120,12 @@ fn bands_show_what_one_frame_shows() {
                 "{what}: passes are counted once"
             );
             // An unchanged frame runs nothing but its own passes again, in as many bands.
-            let again = draw(&mut held, &strategy);
+            let again = draw(&mut held, method);
             assert_eq!(again.clocks, ClockSet::FRAME, "{what}");
             let of_frame = |d: &Drawn| d.ran_on(Clock::Frame).len();
             assert_eq!(of_frame(&again), of_frame(&drawn), "{what}");
-            let bytes = held.bytes(&strategy).expect("bytes");
-            let of_whole = whole.bytes(&strategy).expect("bytes");
+            let bytes = held.bytes(method).expect("bytes");
+            let of_whole = whole.bytes(method).expect("bytes");
             assert!(bytes[2] >= of_whole[2], "{what}: {bytes:?}, {of_whole:?}");
         }
     }
@@ -141,7 +135,7 @@ fn bands_show_what_one_frame_shows() {
 fn what_bands_do_not_help_is_refused_with_the_first_reason() {
     // The list of a pixel's crossings fits, the mesh does not: cutting the picture is in vain.
     let strategy = Strategy::RAYCAST_MASK;
-    let mut held = session(1 << 10, Rasteriser::Compute);
+    let mut held = session(1 << 10);
     let drawn = draw(&mut held, &strategy);
     let Outcome::Refused(reason) = drawn.outcome else {
         panic!("{:?}", drawn.outcome);
@@ -152,24 +146,24 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
 
 #[test]
 fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
-    let strategy = strategy("raycast+abuffer");
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
-        let mut whole = session(Limits::CORE.storage_binding_bytes, rasteriser);
-        assert_eq!(draw(&mut whole, &strategy).outcome, Outcome::Complete);
-        let expected = whole.layers(&strategy).expect("layers");
-        let plan = whole.plan(&strategy).expect("a plan");
+        let method = Method::new(strategy("raycast+abuffer"), Means::by(rasteriser));
+        let mut whole = session(Limits::CORE.storage_binding_bytes);
+        assert_eq!(draw(&mut whole, method).outcome, Outcome::Complete);
+        let expected = whole.layers(method).expect("layers");
+        let plan = whole.plan(method).expect("a plan");
         let largest = plan.resources.iter().map(|r| r.shape.bytes()).max();
-        let mut held = session(largest.expect("resources") / 2, rasteriser);
+        let mut held = session(largest.expect("resources") / 2);
         // Twice: what one frame learnt must not be held against the bands of the next.
         for frame in 0..2 {
-            let outcome = draw(&mut held, &strategy).outcome;
+            let outcome = draw(&mut held, method).outcome;
             assert_eq!(outcome, Outcome::Complete, "{rasteriser}, frame {frame}");
         }
         assert!(
-            held.bands(&strategy).expect("a frame") > 1,
+            held.bands(method).expect("a frame") > 1,
             "{rasteriser}: bands"
         );
-        let layers = held.layers(&strategy).expect("layers");
+        let layers = held.layers(method).expect("layers");
         assert!(
             classes(&layers) == classes(&expected),
             "{rasteriser}: other classes"
@@ -182,13 +176,13 @@ fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
     let scene = cut_scene();
     let shown = Shown::of(&scene);
     let view = shown.model.prepared.view(SIZE_PX);
-    let mut whole = session(Limits::CORE.storage_binding_bytes, Rasteriser::Hardware);
+    let mut whole = session(Limits::CORE.storage_binding_bytes);
     let layers = cutaway::exact::evaluate(&shown.model.truth(&scene), &view).layers;
     let shade = |session: &mut Session| session.shade(&shown.model, &view, &layers);
     let expected = shade(&mut whole).expect("a picture");
     // Three words a pixel: half of the picture fits, all of it does not.
     let pixels = u64::from(SIZE_PX[0]) * u64::from(SIZE_PX[1]);
-    let mut held = session(pixels * 12 - 1, Rasteriser::Hardware);
+    let mut held = session(pixels * 12 - 1);
     assert!(
         shade(&mut held).expect("in halves") == expected,
         "another picture"
@@ -199,11 +193,12 @@ fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
         shown: &shown,
         view,
         truth: None,
+        means: Means::default(),
         command: String::new(),
     };
-    let contenders = [Contender::from(Strategy::RAYCAST_MASK)];
+    let renderers = [Renderer::from(Strategy::RAYCAST_MASK)];
     let step = &mut |_: String| {};
-    let mut judged = errors(&mut held, &question, &contenders, step).expect("errors");
+    let mut judged = errors(&mut held, &question, &renderers, step).expect("errors");
     let timed = times(&mut held, &question, &mut judged, 1, step, &|| true);
     assert!(timed.expect("times"), "all rounds have run");
     let found = &judged.measurement;

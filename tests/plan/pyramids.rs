@@ -1,7 +1,7 @@
 //! Which way rays go through reliefs, and what a frame holds for it.
 
 use cutaway::scene::{Camera, Viewpoint};
-use cutaway::strategies::{FrameOptions, ReliefWalk};
+use cutaway::strategies::{Means, Method, ReliefWalk};
 
 use super::*;
 
@@ -34,12 +34,17 @@ fn cube(texels: u32, angle_deg: f64) -> Scene {
 fn planned(scene: &Scene, walk: Option<ReliefWalk>) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
-    let options = FrameOptions {
+    let options = Means {
         relief_walk: walk,
-        ..FrameOptions::default()
+        ..Means::default()
     };
     let strategy = Strategy::RAYCAST_MASK;
-    let plan = strategies::record_with(&model, &view, &strategy, &options, &Capacities::UNKNOWN);
+    let plan = strategies::record(
+        &model,
+        &view,
+        Method::new(strategy, options),
+        &Capacities::UNKNOWN,
+    );
     let plan = plan.unwrap_or_else(|e| panic!("{e}"));
     (plan.check(&Limits::CORE)).unwrap_or_else(|e| panic!("{e}"));
     plan

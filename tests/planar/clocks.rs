@@ -6,7 +6,7 @@ use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{ClipSurface, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Question, meshes, scenes, software};
@@ -123,7 +123,7 @@ fn what_moves_is_sliced_where_it_stands() {
             * DAffine3::from_rotation_x(0.5 * turn);
         model = model.updated(&scene);
         let question = Question::of_model(model.clone(), &scene, [160, 120]);
-        let judged = question.answer_with(&Strategy::PLANAR, FrameOptions::by(rasteriser));
+        let judged = question.answer(Method::new(Strategy::PLANAR, Means::by(rasteriser)));
         let caps = judged.layers.pixels.iter();
         let of_cube = caps.filter(|p| p.part == 1 && p.clip_surface == 0).count();
         assert_eq!(judged.fault_of_exact(), None, "turned by {turn}");

@@ -4,7 +4,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Part, Scene};
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy, record_with};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy, record};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Question, meshes, scenes, session};
@@ -27,10 +27,16 @@ fn plane() -> ClipSurface {
 }
 
 fn plan(question: &Question, rasteriser: Rasteriser) -> Plan {
-    let options = FrameOptions::by(rasteriser);
+    let options = Means::by(rasteriser);
     let capacities = Capacities::UNKNOWN;
     let (model, view) = (&question.model, &question.view);
-    record_with(model, view, &Strategy::PLANAR, &options, &capacities).expect("a plan")
+    record(
+        model,
+        view,
+        Method::new(Strategy::PLANAR, options),
+        &capacities,
+    )
+    .expect("a plan")
 }
 
 fn run(plan: Plan) -> Layers {

@@ -3,7 +3,7 @@
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Clock, Limits, Plan, Work};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::{meshes, scenes};
@@ -13,9 +13,9 @@ const SIZE: [u32; 2] = [320, 200];
 fn plan(scene: &Scene, rasteriser: Rasteriser) -> Result<Plan, String> {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
-    let options = FrameOptions::by(rasteriser);
+    let options = Means::by(rasteriser);
     let none = Capacities::UNKNOWN;
-    let plan = strategies::record_with(&model, &view, &Strategy::PLANAR, &options, &none);
+    let plan = strategies::record(&model, &view, Method::new(Strategy::PLANAR, options), &none);
     plan.map_err(|refusal| refusal.reason)
 }
 

@@ -3,7 +3,7 @@
 
 use cutaway::Gpu;
 use cutaway::session::Session;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::common::real::{cut, files, is_closed};
 use super::common::{Judged, Question, software};
@@ -12,10 +12,7 @@ const SIZE_PX: [u32; 2] = [1024, 768];
 
 #[test]
 fn every_closed_mesh_by_an_oblique_plane() {
-    let mut sessions = [Rasteriser::Hardware, Rasteriser::Compute].map(|rasteriser| {
-        let gpu = Gpu::open(&software()).expect("an adapter");
-        Session::with_options(gpu, FrameOptions::by(rasteriser))
-    });
+    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
     let (mut faults, mut judged_count) = (Vec::new(), 0);
     for file in files(&["cad", "organic", "assembly", "dense", "large"]) {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -24,17 +21,17 @@ fn every_closed_mesh_by_an_oblique_plane() {
             continue;
         }
         let question = Question::of(&scene, SIZE_PX);
-        for session in &mut sessions {
-            let drawn = session.draw(&question.model, &question.view, &Strategy::PLANAR);
+        for by in [Rasteriser::Hardware, Rasteriser::Compute] {
+            let method = Method::new(Strategy::PLANAR, Means::by(by));
+            let drawn = session.draw(&question.model, &question.view, method);
             let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
-            let layers = session.layers(&Strategy::PLANAR).expect("layers");
+            let layers = session.layers(method).expect("layers");
             let judged = Judged {
                 comparison: question.compare(&layers),
                 exact: question.exact.clone(),
                 layers,
                 outcome,
             };
-            let by = session.options().rasteriser;
             let c = &judged.comparison;
             println!("{name} by {by}: {} edge pixels wrong", c.edge_wrong_px);
             if let Some(fault) = judged.fault_of_exact() {
@@ -42,9 +39,7 @@ fn every_closed_mesh_by_an_oblique_plane() {
             }
             judged_count += 1;
         }
-        for session in &mut sessions {
-            session.forget();
-        }
+        session.forget();
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert!(

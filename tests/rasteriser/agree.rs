@@ -4,14 +4,14 @@ use cutaway::layers::Layer;
 use cutaway::plan::Plan;
 use cutaway::scene::{Camera, Cut, Scene, section_surface};
 use cutaway::session::Outcome;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use crate::common::meshes;
 use crate::common::{Judged, Question, class_of, scenes, session};
 
 const SIZE: [u32; 2] = [160, 120];
 
-const COMPUTE: FrameOptions = FrameOptions::by(Rasteriser::Compute);
+const COMPUTE: Means = Means::by(Rasteriser::Compute);
 
 const SHAPES: [&str; 9] = [
     "cube",
@@ -69,24 +69,22 @@ impl Mask {
 }
 
 /// The answer by a rasteriser, and its mask.
-fn answer(question: &Question, options: FrameOptions) -> (Judged, Mask) {
+fn answer(question: &Question, options: Means) -> (Judged, Mask) {
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    session.set_options(options);
+    let method = Method::new(strategy, options);
     let drawn = session
-        .draw(&question.model, &question.view, &strategy)
+        .draw(&question.model, &question.view, method)
         .unwrap_or_else(|e| panic!("{e}"));
-    let layers = session.layers(&strategy).expect("layers of a drawn frame");
+    let layers = session.layers(method).expect("layers of a drawn frame");
     let words = |name: &str| {
-        let words = session.words(&strategy, name);
+        let words = session.words(method, name);
         words.unwrap_or_else(|e| panic!("{e}"))
     };
     let mask = Mask {
         words: words("mask"),
-        lane_bits: lane_bits(session.plan(&strategy).expect("the plan of a drawn frame")),
+        lane_bits: lane_bits(session.plan(method).expect("the plan of a drawn frame")),
     };
-    // The session is shared: other tests expect the usual options.
-    session.set_options(FrameOptions::default());
     let judged = Judged {
         comparison: question.compare(&layers),
         exact: question.exact.clone(),
@@ -138,7 +136,7 @@ fn frames_are_exact_and_those_of_the_hardware() {
     let mut faults = Vec::new();
     let (mut compared, mut open_bits) = (0, 0);
     for (told, question) in questions() {
-        let (hardware, hardware_mask) = answer(&question, FrameOptions::default());
+        let (hardware, hardware_mask) = answer(&question, Means::default());
         let (compute, compute_mask) = answer(&question, COMPUTE);
         assert_eq!(compute.outcome, Outcome::Complete, "{told}");
         if let Some(fault) = compute.fault_of_exact() {

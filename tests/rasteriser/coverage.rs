@@ -6,7 +6,7 @@ use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Part, Scene};
 use cutaway::session::Outcome;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
@@ -44,30 +44,30 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         cuts: vec![Cut::of("cut", vec![plane])],
         camera: *camera,
         stage: None,
+        interference: None,
     };
     let model = Model::of(&scene);
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    session.set_options(FrameOptions::by(Rasteriser::Compute));
+    let method = Method::new(strategy, Means::by(Rasteriser::Compute));
     let drawn = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, method)
         .unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(drawn.outcome, Outcome::Complete, "a frame to look at");
     let words = |name: &str| {
         session
-            .words(&strategy, name)
+            .words(method, name)
             .unwrap_or_else(|e| panic!("{e}"))
     };
     let (mask, screen, table) = (words("mask"), words("screen"), words("parts"));
-    let plan = session.plan(&strategy).expect("the plan of a drawn frame");
+    let plan = session.plan(method).expect("the plan of a drawn frame");
     assert!(
         plan.passes
             .iter()
             .any(|p| p.name == "mark large" && p.clock == Clock::Frame),
         "compute"
     );
-    session.set_options(FrameOptions::default());
 
     let rows: Vec<cutaway::plan::pack::Part> = bytemuck::pod_collect_to_vec(&table);
     let pixels = (SIZE[0] * SIZE[1]) as usize;

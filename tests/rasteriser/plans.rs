@@ -3,14 +3,14 @@
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Limits, Plan, Work};
 use cutaway::scene::{Camera, Scene};
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Refusal, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Refusal, Strategy};
 use glam::DVec3;
 
 use crate::common::{scenes, strategy};
 
-const COMPUTE: FrameOptions = FrameOptions::by(Rasteriser::Compute);
-const HARDWARE: FrameOptions = FrameOptions::by(Rasteriser::Hardware);
-const WIDE: FrameOptions = FrameOptions {
+const COMPUTE: Means = Means::by(Rasteriser::Compute);
+const HARDWARE: Means = Means::by(Rasteriser::Hardware);
+const WIDE: Means = Means {
     wide_atomics: Some(true),
     ..COMPUTE
 };
@@ -24,15 +24,20 @@ fn recorded(
     scene: &Scene,
     camera: &Camera,
     strategy: &Strategy,
-    options: &FrameOptions,
+    options: &Means,
 ) -> Result<Plan, Refusal> {
     let model = Model::of(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
-    strategies::record_with(&model, &view, strategy, options, &Capacities::UNKNOWN)
+    strategies::record(
+        &model,
+        &view,
+        Method::new(*strategy, *options),
+        &Capacities::UNKNOWN,
+    )
 }
 
 /// A plan, held to core WebGPU unless it may use more.
-fn plan(scene: &Scene, camera: &Camera, options: &FrameOptions) -> Plan {
+fn plan(scene: &Scene, camera: &Camera, options: &Means) -> Plan {
     let plan =
         recorded(scene, camera, &Strategy::RAYCAST_MASK, options).unwrap_or_else(|e| panic!("{e}"));
     let limits = if options.wide_atomics == Some(true) {

@@ -4,7 +4,7 @@
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, ClipSurface, Mesh};
 use cutaway::session::Outcome;
-use cutaway::strategies::{FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DVec2, DVec3};
 
 use crate::common::numbers::Numbers;
@@ -27,19 +27,15 @@ fn left_by(mesh: Mesh, plane: ClipSurface, camera: &Camera) -> Left {
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();
-    session.set_options(FrameOptions {
-        rasteriser: Rasteriser::Compute,
-        ..FrameOptions::default()
-    });
-    let drawn = session.draw(&model, &view, &strategy);
+    let method = Method::new(strategy, Means::by(Rasteriser::Compute));
+    let drawn = session.draw(&model, &view, method);
     let outcome = drawn.unwrap_or_else(|e| panic!("{e}")).outcome;
     assert_eq!(outcome, Outcome::Complete, "a frame to look at");
     let words = |name: &str| {
-        let words = session.words(&strategy, name);
+        let words = session.words(method, name);
         words.unwrap_or_else(|e| panic!("{e}"))
     };
     let (mask, screen) = (words("mask"), words("screen"));
-    session.set_options(FrameOptions::default());
     // One part and one crossing: two bits a pixel, the upper one the total.
     let mut left = Left {
         odd_px: mask.iter().filter(|w| *w & 2 != 0).count(),

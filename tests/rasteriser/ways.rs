@@ -7,7 +7,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Scene, View};
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::agree::{self, lane_bits};
@@ -45,10 +45,10 @@ impl Frame {
 
 /// A frame by the compute rasteriser, with one sweep or two, by a plan that may have been changed.
 fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> Frame {
-    let options = FrameOptions {
-        rasteriser: Rasteriser::Compute,
+    let options = Means {
+        rasteriser: Some(Rasteriser::Compute),
         wide_atomics: Some(wide),
-        ..FrameOptions::default()
+        ..Means::default()
     };
     // More than any of these scenes needs.
     let capacities = Capacities {
@@ -56,7 +56,7 @@ fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> 
         ..Capacities::UNKNOWN
     };
     let strategy = Strategy::RAYCAST_MASK;
-    let mut plan = strategies::record_with(model, view, &strategy, &options, &capacities)
+    let mut plan = strategies::record(model, view, Method::new(strategy, options), &capacities)
         .unwrap_or_else(|e| panic!("{e}"));
     change(&mut plan);
     let bits = lane_bits(&plan);

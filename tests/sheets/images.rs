@@ -4,22 +4,17 @@ use cutaway::gpu::Gpu;
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::Scene;
 use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{FrameOptions, Rasteriser};
+use cutaway::strategies::{Means, Method, Rasteriser};
 
 use super::{SIZE, ring, roomy, row, run};
 use crate::common::{Question, scenes, software, strategy};
 
-fn session_by(rasteriser: Rasteriser) -> Session {
-    let gpu = Gpu::open(&software()).expect("a graphics adapter");
-    Session::with_options(gpu, FrameOptions::by(rasteriser))
-}
-
-fn layers(session: &mut Session, question: &Question, name: &str) -> Layers {
-    let strategy = strategy(name);
-    let drawn = session.draw(&question.model, &question.view, &strategy);
+fn layers(session: &mut Session, question: &Question, name: &str, by: Rasteriser) -> Layers {
+    let method = Method::new(strategy(name), Means::by(by));
+    let drawn = session.draw(&question.model, &question.view, method);
     let drawn = drawn.unwrap_or_else(|e| panic!("{name}: {e}"));
     assert_eq!(drawn.outcome, Outcome::Complete, "{name}");
-    session.layers(&strategy).expect("layers of a drawn frame")
+    session.layers(method).expect("layers of a drawn frame")
 }
 
 fn corpus() -> Vec<(&'static str, Scene)> {
@@ -47,25 +42,24 @@ fn back_faces(layers: &Layers) -> usize {
 
 #[test]
 fn all_inside_tests_see_the_same() {
-    let mut by_hardware = session_by(Rasteriser::Hardware);
-    let mut by_compute = session_by(Rasteriser::Compute);
+    let mut session = Session::new(Gpu::open(&software()).expect("a graphics adapter"));
     for (name, scene) in corpus() {
         let question = Question::of(&scene, SIZE);
         for cells in [5, 40] {
             let grid = |inside: &str| format!("grid:{cells}+{inside}");
             let what = format!("{name}, {cells} cells");
-            let by_mask = layers(&mut by_hardware, &question, &grid("mask"));
+            let by_mask = layers(&mut session, &question, &grid("mask"), Rasteriser::Hardware);
             assert!(by_mask.count(Kind::Cap) > 100, "{what}: caps");
             assert_eq!(back_faces(&by_mask), 0, "{what}");
             let unreliable = by_mask.pixels.iter().filter(|p| p.unreliable).count();
             assert_eq!(unreliable, 0, "{what}: marked");
             for inside in ["abuffer", "kbuffer:32", "stencil"] {
-                let other = layers(&mut by_hardware, &question, &grid(inside));
+                let other = layers(&mut session, &question, &grid(inside), Rasteriser::Hardware);
                 assert!(other == by_mask, "{what}: {inside}");
             }
-            let swept = layers(&mut by_compute, &question, &grid("mask"));
+            let swept = layers(&mut session, &question, &grid("mask"), Rasteriser::Compute);
             for inside in ["abuffer", "kbuffer:32"] {
-                let other = layers(&mut by_compute, &question, &grid(inside));
+                let other = layers(&mut session, &question, &grid(inside), Rasteriser::Compute);
                 assert!(other == swept, "{what}: {inside} by compute");
             }
             // Two rasterisers differ where a sample lies within their rounding of an edge.

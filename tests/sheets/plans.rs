@@ -3,7 +3,7 @@
 use cutaway::passes::Model;
 use cutaway::plan::{Access, Capacities, Limits, Plan, Work};
 use cutaway::scene::Scene;
-use cutaway::strategies::{self, FrameOptions, Rasteriser, Strategy};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 
 use super::{ring, row};
 use crate::common::{scenes, strategy};
@@ -18,8 +18,8 @@ const LISTED: [&str; 4] = [
 fn plan_by(scene: &Scene, strategy: &Strategy, rasteriser: Rasteriser) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([320, 200]);
-    let options = FrameOptions::by(rasteriser);
-    strategies::record_with(&model, &view, strategy, &options, &Capacities::UNKNOWN)
+    let method = Method::new(*strategy, Means::by(rasteriser));
+    strategies::record(&model, &view, method, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

@@ -11,7 +11,7 @@ use cutaway::gpu::run_words_with;
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{ClipSurface, Cut, HeightFilter, OffsetMap, Scene, Wrap};
-use cutaway::strategies::{self, FrameOptions};
+use cutaway::strategies::{self, Means, Method};
 use glam::{DVec2, DVec3};
 
 use crate::{GPU, Random, words_of};
@@ -61,13 +61,18 @@ fn scene(wrap: Wrap, size: [u32; 2]) -> (Scene, Arc<OffsetMap>) {
 fn plan(scene: &Scene) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([32, 32]);
-    let options = FrameOptions {
+    let options = Means {
         height_filter: Some(HeightFilter::Hardware),
-        ..FrameOptions::default()
+        ..Means::default()
     };
     let strategy = "grid:8+vds:16".parse().unwrap_or_else(|e| panic!("{e}"));
-    strategies::record_with(&model, &view, &strategy, &options, &Capacities::UNKNOWN)
-        .unwrap_or_else(|e| panic!("{e}"))
+    strategies::record(
+        &model,
+        &view,
+        Method::new(strategy, options),
+        &Capacities::UNKNOWN,
+    )
+    .unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The greatest error in units of what the relief changes in a cell, and the greatest where it changes nothing.

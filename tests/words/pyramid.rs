@@ -7,7 +7,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Contents, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Projection, Scene, Viewpoint, Wrap};
-use cutaway::strategies::{self, FrameOptions, ReliefWalk, Strategy};
+use cutaway::strategies::{self, Means, Method, ReliefWalk, Strategy};
 use glam::{DMat3, DVec3};
 
 use crate::{GPU, Random};
@@ -77,12 +77,17 @@ fn plan(model: &Model, camera: &Camera, walk: ReliefWalk) -> Plan {
         crossings: Some(Capacities::MOST_CROSSINGS),
         ..Capacities::UNKNOWN
     };
-    let options = FrameOptions {
+    let options = Means {
         relief_walk: Some(walk),
-        ..FrameOptions::default()
+        ..Means::default()
     };
-    strategies::record_with(model, &view, &Strategy::RAYCAST_MASK, &options, &capacities)
-        .unwrap_or_else(|e| panic!("{e}"))
+    strategies::record(
+        model,
+        &view,
+        Method::new(Strategy::RAYCAST_MASK, options),
+        &capacities,
+    )
+    .unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The lists of crossings of a plan, and the pyramids where there are some.

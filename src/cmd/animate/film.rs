@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::super::console::Console;
 use super::super::doubt::may_be_wrong;
 use super::super::notes::warn_of_doubt;
-use super::super::picture::{self, Drawer};
+use super::super::picture;
 use super::super::subject::Subject;
 use super::AnimateArgs;
 use super::report::{self, FrameReport};
@@ -13,7 +13,7 @@ use super::target::Target;
 use super::times::Times;
 use super::turntable::turned;
 use crate::Result;
-use crate::experiment::{Shown, Stopwatch};
+use crate::experiment::{Renderer, Shown, Stopwatch};
 use crate::scene::Camera;
 use crate::scene::told::round;
 use crate::session::{Outcome, Session};
@@ -23,7 +23,7 @@ pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
     pub(super) subject: &'a Subject,
     pub(super) times: Times,
-    pub(super) drawer: Drawer,
+    pub(super) renderer: Renderer,
     /// The scene at the time of the last frame.
     pub(super) shown: Shown,
     pub(super) camera: Camera,
@@ -61,19 +61,21 @@ impl Film<'_> {
         let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
         let style = subject.style();
-        let drawn = picture::draw(session, &self.shown, &view, self.drawer, style)?;
+        let drawn = picture::draw(session, &self.shown, &view, self.renderer, style)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
-        if let (0, Drawer::By(strategy), Outcome::Complete) = (frame, self.drawer, &report.outcome)
+        if let (0, Renderer::Method(method), Outcome::Complete) =
+            (frame, self.renderer, &report.outcome)
         {
-            let layers = session.layers(&strategy)?;
+            let layers = session.layers(method)?;
             let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
-            warn_of_doubt(&doubted, self.drawer, console);
+            warn_of_doubt(&doubted, self.renderer, console);
         }
         Ok((drawn.image, report))
     }
 
     /// The run and its frames as JSON.
     pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
+        let means = self.renderer.means();
         json!({
             "scene": self.subject.scene.name,
             "output": target.path(),
@@ -86,9 +88,9 @@ impl Film<'_> {
             "clip": self.subject.timeline.settings().clip,
             "turntable_deg": self.args.turn_deg,
             "adapter": session.gpu().report(),
-            "strategy": self.drawer.to_string(),
-            "rasteriser": session.options().rasteriser.to_string(),
-            "height_filter": session.options().height_filter.unwrap_or_default().to_string(),
+            "strategy": picture::strategy_name(self.renderer),
+            "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
+            "height_filter": means.height_filter.unwrap_or_default().to_string(),
             "median_drawn_ms": report::median_ms(frames),
             "frames": frames.iter().map(FrameReport::json).collect::<Vec<_>>(),
         })

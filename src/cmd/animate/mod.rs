@@ -27,11 +27,10 @@ use super::console::{Console, ConsoleArgs};
 use super::interrupt::Interrupt;
 use super::look::LookArgs;
 use super::output::Output;
-use super::picture::Drawer;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::ClipArgs;
-use crate::experiment::{Identity, Shown};
+use crate::experiment::{Identity, Renderer, Shown};
 use crate::load::frames::USUAL_FPS;
 use crate::session::{Outcome, Session};
 use crate::{Error, Result};
@@ -150,13 +149,13 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let times = times(args, &target, &subject, &console)?;
     note_of_even_size(&target, subject.size_px(), &console);
 
-    let drawer = subject.drawer()?;
+    let renderer = subject.renderer()?;
     let plays = args.plays.unwrap_or(Plays::Forever);
     let files = target.files(times.count).into_iter();
     let files = files.map(|file| ("--output", file));
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
-    let mut session = Session::with_options(args.device.open()?, subject.options()?);
+    let mut session = Session::new(args.device.open()?);
     // Its files are read once more for it, which only numbered frames have any use for.
     let run = match target {
         Target::Numbered(_) => identity::of(args, &subject, &session),
@@ -169,7 +168,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         args,
         subject: &subject,
         times,
-        drawer,
+        renderer,
         shown: Shown::of(&subject.scene),
         camera: subject.scene.camera,
     };
@@ -209,7 +208,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     film.say(&frames, &console);
-    Ok(verdict(&frames, drawer, &console))
+    Ok(verdict(&frames, renderer, &console))
 }
 
 fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
@@ -302,7 +301,7 @@ fn note_of_even_size(target: &Target, size_px: [u32; 2], console: &Console) {
     }
 }
 
-fn verdict(frames: &[FrameReport], drawer: Drawer, console: &Console) -> Verdict {
+fn verdict(frames: &[FrameReport], renderer: Renderer, console: &Console) -> Verdict {
     let incomplete: Vec<&FrameReport> = frames
         .iter()
         .filter(|f| f.outcome != Outcome::Complete)
@@ -311,7 +310,7 @@ fn verdict(frames: &[FrameReport], drawer: Drawer, console: &Console) -> Verdict
         return Verdict::Done;
     };
     console.failed(format!(
-        "{drawer} did not draw all of {} frames, the first at {} s: {}",
+        "{renderer} did not draw all of {} frames, the first at {} s: {}",
         incomplete.len(),
         crate::scene::told::round(first.time_s),
         first.outcome.reason().unwrap_or_default()

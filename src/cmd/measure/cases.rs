@@ -1,21 +1,14 @@
 //! Runs of hard cases and of the property search: the library's answers as records.
 
+use crate::Result;
 use crate::experiment::definition::{AskedCases, AskedSearch};
-use crate::experiment::{CaseRecord, Contender, Expectation, Reached};
+use crate::experiment::{CaseRecord, Expectation, Reached};
 use crate::hard_cases::random::search as search_for;
-use crate::hard_cases::{self, Entrant, check_ids, found};
+use crate::hard_cases::{self, found, usual_methods};
 use crate::session::Session;
-use crate::{Error, Result};
 
 /// Sides of the pictures where the experiment names none.
 const USUAL_SIZES_PX: [u32; 2] = [64, 256];
-
-/// Refuses numbers that are of no case, and contenders that hard cases are not asked of.
-pub(super) fn check(ids: &[String], contenders: Option<&[Contender]>) -> Result<()> {
-    check_ids(ids)?;
-    contenders.map(entrants).transpose()?;
-    Ok(())
-}
 
 /// What came of the hard cases that are asked for; nothing where `goes_on` said no.
 pub(super) fn cases(
@@ -24,11 +17,10 @@ pub(super) fn cases(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<CaseRecord>>> {
-    let entrants = asked.contenders.as_deref().map(entrants).transpose()?;
     let asked = hard_cases::Asked {
         ids: &asked.cases,
         sizes_px: &sizes_px(asked),
-        entrants: entrants.as_deref(),
+        methods: asked.methods.as_deref(),
     };
     let Some(cases) = found(session, &asked, step, goes_on)? else {
         return Ok(None);
@@ -67,37 +59,34 @@ pub(super) fn search(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<CaseRecord>>> {
-    let entrants = match &asked.contenders {
-        Some(named) => entrants(named)?,
-        None => Entrant::all(0),
+    let methods = match &asked.methods {
+        Some(named) => named.clone(),
+        None => usual_methods(0),
     };
     let scenes = asked.scenes as u64;
-    let Some(searched) = search_for(session, scenes, asked.seed, &entrants, step, goes_on)? else {
+    let Some(searched) = search_for(session, scenes, asked.seed, &methods, step, goes_on)? else {
         return Ok(None);
     };
-    let reached = entrants
-        .iter()
-        .zip(&searched.drawn)
-        .map(|(entrant, drawn)| {
-            let strategy = entrant.to_string();
-            let of_it: Vec<String> = (searched.findings.iter())
-                .filter(|f| f.strategy == strategy)
-                .map(|f| format!("scene {}: {}, {:?}", f.scene, f.told, f.recipe))
-                .collect();
-            let mut found = format!("{drawn} of {} scenes drawn", asked.scenes);
-            if !of_it.is_empty() {
-                found = format!("{found}; {}", of_it.join("; "));
-            }
-            Reached {
-                holds: of_it.is_empty(),
-                expected: Expectation {
-                    what: "no scene comes out wrong".to_owned(),
-                    why: None,
-                },
-                strategy,
-                found,
-            }
-        });
+    let reached = methods.iter().zip(&searched.drawn).map(|(method, drawn)| {
+        let strategy = method.to_string();
+        let of_it: Vec<String> = (searched.findings.iter())
+            .filter(|f| f.strategy == strategy)
+            .map(|f| format!("scene {}: {}, {:?}", f.scene, f.told, f.recipe))
+            .collect();
+        let mut found = format!("{drawn} of {} scenes drawn", asked.scenes);
+        if !of_it.is_empty() {
+            found = format!("{found}; {}", of_it.join("; "));
+        }
+        Reached {
+            holds: of_it.is_empty(),
+            expected: Expectation {
+                what: "no scene comes out wrong".to_owned(),
+                why: None,
+            },
+            strategy,
+            found,
+        }
+    });
     Ok(Some(vec![CaseRecord {
         id: "random".to_owned(),
         name: format!(
@@ -107,18 +96,4 @@ pub(super) fn search(
         expectations: reached.collect(),
         held_by: Some("agree".to_owned()),
     }]))
-}
-
-fn entrants(contenders: &[Contender]) -> Result<Vec<Entrant>> {
-    let entrant = |c: &Contender| {
-        let name = c.to_string();
-        Entrant::named(&name).ok_or_else(|| {
-            Error::input(
-                name,
-                "hard cases are not asked of it",
-                "name strategies, with @compute where the compute rasteriser is to draw",
-            )
-        })
-    };
-    contenders.iter().map(entrant).collect()
 }

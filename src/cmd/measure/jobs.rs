@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use super::MeasureArgs;
 use super::folder::Folder;
-use super::{MeasureArgs, cases};
 use crate::cmd::judge::quoted;
 use crate::cmd::places::InputFiles;
 use crate::document::Document;
@@ -14,6 +14,7 @@ use crate::experiment::run::file_stem;
 use crate::experiment::sweep::Point;
 use crate::experiment::{Definition, Identity};
 use crate::gpu::AdapterReport;
+use crate::hard_cases::check_ids;
 use crate::scene::glob_matches;
 use crate::{Error, Result};
 
@@ -133,8 +134,8 @@ impl Job<'_> {
                 if let Some(truth) = &point.truth {
                     identity.add_document(truth);
                 }
-                for entrant in &point.entrants {
-                    identity.add(format!("{} {:?}", entrant.contender, entrant.makers));
+                for trial in &point.trials {
+                    identity.add(format!("{} {:?}", trial.renderer, trial.makers));
                 }
                 let rounds = self.rounds(args);
                 identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));
@@ -205,8 +206,8 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
                 let mut all = std::iter::once(&point.scene).chain(&point.truth);
                 all.try_for_each(Document::check)
             }
-            Task::Cases(asked) => cases::check(&asked.cases, asked.contenders.as_deref()),
-            Task::Search(asked) => cases::check(&[], asked.contenders.as_deref()),
+            Task::Cases(asked) => check_ids(&asked.cases),
+            Task::Search(_) => Ok(()),
         };
         checked.map_err(|e| job.place_error(e))?;
     }
@@ -280,9 +281,9 @@ pub(super) fn listed(jobs: &[Job<'_>], args: &MeasureArgs) -> String {
         match job.task {
             Task::Point(_, point, _) => {
                 let names: Vec<String> = point
-                    .entrants
+                    .trials
                     .iter()
-                    .map(|e| e.contender.to_string())
+                    .map(|e| e.renderer.to_string())
                     .collect();
                 text.push_str(&format!(
                     ": {} rounds of {}\n  {}\n",

@@ -322,6 +322,7 @@ pub(super) fn scene(
     let mut scene = Scene {
         parts,
         stage,
+        interference: settings::interference(root)?,
         ..Scene::default()
     };
     let bounds = scene.bounds();

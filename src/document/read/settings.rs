@@ -18,8 +18,6 @@ pub struct Settings {
     pub size_px: Option<[u32; 2]>,
     /// What is behind the model.
     pub background: Option<Background>,
-    /// Colour of caps that several solids share, as sRGB in 0..=1, where they are to be shown.
-    pub interference: Option<Vec3>,
     /// Who interpolates the heights of reliefs.
     pub height_filter: Option<HeightFilter>,
     /// How many times as fine it is drawn along each side.
@@ -64,7 +62,7 @@ pub(super) fn read(root: &Table<'_>) -> Result<Settings> {
     }
     settings.size_px = root.get("resolution").map(|e| size_px(&e)).transpose()?;
     settings.background = root.get("background").map(|e| background(&e)).transpose()?;
-    settings.interference = root.get("interference").map(|e| color(&e)).transpose()?;
+    interference(root)?;
     if let Some(entry) = root.get("height_filter") {
         let [exact, hardware] = [HeightFilter::Exact, HeightFilter::Hardware];
         settings.height_filter = Some(entry.choice(&[("exact", exact), ("hardware", hardware)])?);
@@ -96,6 +94,11 @@ fn clip(entry: &Entry<'_>) -> Result<String> {
         Value::Number(_) => entry.whole::<u32>().map(|number| number.to_string()),
         _ => entry.text().map(str::to_owned),
     }
+}
+
+/// The colour of caps that several solids share, where they are to be shown.
+pub(super) fn interference(root: &Table<'_>) -> Result<Option<Vec3>> {
+    root.get("interference").map(|e| color(&e)).transpose()
 }
 
 fn background(entry: &Entry<'_>) -> Result<Background> {

@@ -10,7 +10,7 @@ use crate::Result;
 use crate::document::reader::{Entry, Table};
 use crate::error::did_you_mean;
 use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
-use crate::experiment::sweep::{Entrant, Point};
+use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 use crate::scene::glob_matches;
 
@@ -20,9 +20,9 @@ const BESIDE_FIGURES: [&str; 5] = ["strategies", "where", "why", "outcome", "rea
 /// What somebody is expected to reach.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Globs over the names of contenders.
+    /// Globs over the names of renderers.
     pub strategies: Vec<String>,
-    /// Values that the point or the contender must have.
+    /// Values that the point or the renderer must have.
     pub conditions: Parameters,
     /// Why it cannot be better.
     pub why: Option<String>,
@@ -44,15 +44,15 @@ pub enum Wanted {
 }
 
 impl Claim {
-    /// Whether a contender of a point is meant: its name, and the values that made the two.
-    pub fn means(&self, name: &str, of_point: &Parameters, entrant: &Entrant) -> bool {
+    /// Whether a renderer of a point is meant: its name, and the values that made the two.
+    pub fn means(&self, name: &str, of_point: &Parameters, trial: &Trial) -> bool {
         let is_made_so = |own: &Parameters| {
             let has = |(key, value): (&String, &Parameter)| {
                 [own, of_point].iter().any(|p| p.get(key) == Some(value))
             };
             self.conditions.iter().all(has)
         };
-        self.strategies.iter().any(|g| glob_matches(g, name)) && entrant.is_made_by(is_made_so)
+        self.strategies.iter().any(|g| glob_matches(g, name)) && trial.is_made_by(is_made_so)
     }
 }
 
@@ -196,13 +196,13 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
     }
     let axis = along.text()?;
     let points = run.points.first();
-    let mut of_strategies = points.iter().flat_map(|p| &p.entrants);
+    let mut of_strategies = points.iter().flat_map(|p| &p.trials);
     if !of_strategies.any(|e| e.is_made_by(|p| p.contains_key(axis)))
         || run.axes.get(axis).is_none()
     {
         let of_strategies = |name: &&str| {
-            let mut entrants = run.points.iter().flat_map(|p| &p.entrants);
-            entrants.any(|e| e.is_made_by(|p| p.contains_key(*name)))
+            let mut trials = run.points.iter().flat_map(|p| &p.trials);
+            trials.any(|e| e.is_made_by(|p| p.contains_key(*name)))
         };
         let known: Vec<&str> = run.axes.names().filter(of_strategies).collect();
         let mend = if known.is_empty() {
@@ -218,8 +218,8 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
 
 /// Whether one text of the strategies has two values of an axis among those that a claim is about.
 fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
-    let meant = (point.entrants.iter())
-        .filter(|e| claim.means(&e.contender.to_string(), &point.parameters, e));
+    let meant = (point.trials.iter())
+        .filter(|e| claim.means(&e.renderer.to_string(), &point.parameters, e));
     let mut seen: BTreeMap<usize, &Parameter> = BTreeMap::new();
     for (template, maker) in meant.flat_map(|e| &e.makers) {
         if let Some(value) = maker.parameters.get(axis)
@@ -231,11 +231,11 @@ fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     false
 }
 
-/// An expectation that no contender could ever miss is a slip.
+/// An expectation that no renderer could ever miss is a slip.
 fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Result<()> {
     let strategies = table.need("strategies", "[\"*\"]")?;
-    let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.entrants))
-        .map(|e| e.contender.to_string())
+    let names: BTreeSet<String> = (run.points.iter().flat_map(|p| &p.trials))
+        .map(|e| e.renderer.to_string())
         .collect();
     for glob in &claim.strategies {
         if !names.iter().any(|n| glob_matches(glob, n)) {
@@ -244,8 +244,8 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
         }
     }
     let is_meant = run.points.iter().any(|p| {
-        let mut entrants = p.entrants.iter();
-        entrants.any(|e| claim.means(&e.contender.to_string(), &p.parameters, e))
+        let mut trials = p.trials.iter();
+        trials.any(|e| claim.means(&e.renderer.to_string(), &p.parameters, e))
     });
     let along = claim.figures.iter().filter_map(|(_, wanted)| match wanted {
         Wanted::FallsAlong(axis) => Some(axis),
@@ -262,6 +262,6 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
     if is_meant {
         return Ok(());
     }
-    let mend = "let `where` and `strategies` fit some contender of some point";
+    let mend = "let `where` and `strategies` fit some renderer of some point";
     Err(table.entry.fault("it means nobody", mend))
 }

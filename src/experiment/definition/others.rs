@@ -4,8 +4,8 @@ use super::Asked;
 use super::scenes;
 use crate::Result;
 use crate::document::reader::{Entry, Table};
-use crate::experiment::Contender;
-use crate::experiment::sweep::named;
+use crate::experiment::Renderer;
+use crate::strategies::Method;
 
 /// Hard cases that are asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct AskedCases {
     /// Globs over their ids.
     pub cases: Vec<String>,
     /// Who is asked; none means whoever the cases name.
-    pub contenders: Option<Vec<Contender>>,
+    pub methods: Option<Vec<Method>>,
     /// Pixels along the sides of the pictures; empty leaves it to the cases.
     pub sizes_px: Vec<u32>,
 }
@@ -26,7 +26,7 @@ pub struct AskedSearch {
     /// Where they begin.
     pub seed: u64,
     /// Who is asked; none means all that should be exact.
-    pub contenders: Option<Vec<Contender>>,
+    pub methods: Option<Vec<Method>>,
 }
 
 /// Reads a run of hard cases, in full and quick.
@@ -35,14 +35,14 @@ pub(super) fn read_cases(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
     let globs = table.need("cases", "[\"*\"]")?;
     let full = AskedCases {
         cases: scenes::some_texts(&globs)?,
-        contenders: contenders(&table)?,
+        methods: methods(&table)?,
         sizes_px: sizes(&table)?.unwrap_or_default(),
     };
     let mut quick = full.clone();
     if let Some(entry) = table.get("quick") {
         let table = entry.table(&["sizes", "strategies"])?;
         quick.sizes_px = sizes(&table)?.unwrap_or(quick.sizes_px);
-        quick.contenders = contenders(&table)?.or(quick.contenders);
+        quick.methods = methods(&table)?.or(quick.methods);
     }
     Ok((Asked::Cases(full), Asked::Cases(quick)))
 }
@@ -54,13 +54,13 @@ pub(super) fn read_search(entry: &Entry<'_>) -> Result<(Asked, Asked)> {
     let mut full = AskedSearch {
         scenes: 0,
         seed: 1,
-        contenders: contenders(&table)?,
+        methods: methods(&table)?,
     };
     search(&random, &mut full)?;
     let mut quick = full.clone();
     if let Some(entry) = table.get("quick") {
         let table = entry.table(&["random", "strategies"])?;
-        quick.contenders = contenders(&table)?.or(quick.contenders);
+        quick.methods = methods(&table)?.or(quick.methods);
         if let Some(random) = table.get("random") {
             search(&random, &mut quick)?;
         }
@@ -81,19 +81,26 @@ fn search(entry: &Entry<'_>, asked: &mut AskedSearch) -> Result<()> {
     Ok(())
 }
 
-fn contenders(table: &Table<'_>) -> Result<Option<Vec<Contender>>> {
+fn methods(table: &Table<'_>) -> Result<Option<Vec<Method>>> {
     let Some(entry) = table.get("strategies") else {
         return Ok(None);
     };
-    let mut contenders: Vec<Contender> = Vec::new();
+    let mut methods: Vec<Method> = Vec::new();
     for text in scenes::some_texts(&entry)? {
-        for contender in named(&text).map_err(|f| entry.place(f))? {
-            if !contenders.contains(&contender) {
-                contenders.push(contender);
+        for renderer in Renderer::named(&text).map_err(|f| entry.place(f))? {
+            let Some(method) = renderer.method() else {
+                let what = format!("hard cases are not asked of {renderer}");
+                return Err(entry.fault(
+                    &what,
+                    "name strategies, by what means they are to draw after an @",
+                ));
+            };
+            if !methods.contains(&method) {
+                methods.push(method);
             }
         }
     }
-    Ok(Some(contenders))
+    Ok(Some(methods))
 }
 
 fn sizes(table: &Table<'_>) -> Result<Option<Vec<u32>>> {

@@ -1,8 +1,8 @@
 //! Scenes without a pattern: unions of boxes and lumpy balls, one or two cuts of one or two planes or reliefs, eyes outside and inside.
 //!
-//! Scene after scene is drawn by each entrant and held against exact: exact strategies to no decided wrong pixel, depth images to their
+//! Scene after scene is drawn by each method and held against exact: exact strategies to no decided wrong pixel, depth images to their
 //! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and told as code,
-//! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels and a frame for each entrant; shrinking one, some
+//! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels and a frame for each method; shrinking one, some
 //! hundred of both.
 
 mod recipe;
@@ -11,15 +11,15 @@ pub use recipe::{Bumps, Recipe, Solid, Surface};
 
 use super::expected::{list_fault, unmarked_fault};
 use super::numbers::Numbers;
-use super::{Entrant, Judged, Question, band};
+use super::{Judged, Question, band};
 use crate::Result;
 use crate::session::{Outcome, Session};
-use crate::strategies::CapSurface;
+use crate::strategies::{CapSurface, Method};
 
 /// Pixels of a random picture.
 pub const PICTURE_PX: [u32; 2] = [64, 48];
 
-/// More findings of one entrant say nothing new.
+/// More findings of one method say nothing new.
 const MOST_FINDINGS: usize = 5;
 
 /// A scene that came out wrong.
@@ -40,7 +40,7 @@ pub struct Finding {
 pub struct Searched {
     /// What came out wrong.
     pub findings: Vec<Finding>,
-    /// By each entrant, in order: how many scenes it drew to the end; the others it refused, or told an overflow.
+    /// By each method, in order: how many scenes it drew to the end; the others it refused, or told an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
     pub caps_px: usize,
@@ -55,18 +55,18 @@ pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws so many scenes by each entrant, and tells which came out wrong. Each scene is told before it is drawn. Ends early, with nothing,
+/// Draws so many scenes by each method, and tells which came out wrong. Each scene is told before it is drawn. Ends early, with nothing,
 /// as soon as `goes_on` says no; it is heard before each frame.
 pub fn search(
     session: &mut Session,
     scenes: u64,
     seed: u64,
-    entrants: &[Entrant],
+    methods: &[Method],
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Searched>> {
     let mut searched = Searched {
-        drawn: vec![0; entrants.len()],
+        drawn: vec![0; methods.len()],
         ..Searched::default()
     };
     for scene in 0..scenes {
@@ -76,8 +76,8 @@ pub fn search(
         searched.covered_px += question.exact.covered_px();
         searched.undecided_px += question.exact.undecided_px();
         searched.caps_px += question.exact.layers.count(crate::layers::Kind::Cap);
-        for (entrant, drawn) in entrants.iter().zip(&mut searched.drawn) {
-            let strategy = entrant.to_string();
+        for (method, drawn) in methods.iter().zip(&mut searched.drawn) {
+            let strategy = method.to_string();
             let by_it = searched.findings.iter().filter(|f| f.strategy == strategy);
             if by_it.count() == MOST_FINDINGS {
                 continue;
@@ -85,9 +85,9 @@ pub fn search(
             if !goes_on() {
                 return Ok(None);
             }
-            let judged = question.answer(session, entrant)?;
+            let judged = question.answer(session, method)?;
             *drawn += usize::from(judged.outcome == Outcome::Complete);
-            let Some(told) = fault(&question, &judged, entrant) else {
+            let Some(told) = fault(&question, &judged, method) else {
                 continue;
             };
             let (recipe, told) = shrunk(recipe.clone(), told, &mut |recipe| {
@@ -96,8 +96,8 @@ pub fn search(
                     return Ok(None);
                 }
                 let question = Question::of(&recipe.scene(), PICTURE_PX);
-                let judged = question.answer(session, entrant)?;
-                Ok(fault(&question, &judged, entrant))
+                let judged = question.answer(session, method)?;
+                Ok(fault(&question, &judged, method))
             })?;
             searched.findings.push(Finding {
                 strategy,
@@ -111,8 +111,8 @@ pub fn search(
 }
 
 /// What is wrong with an answer. A refusal is none, nor is an overflow that is told, as long as what is wrong is marked.
-pub fn fault(question: &Question, judged: &Judged, entrant: &Entrant) -> Option<String> {
-    let strategy = &entrant.strategy;
+pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
+    let strategy = &method.strategy;
     let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());
     match &judged.outcome {
         Outcome::Refused(_) => None,
@@ -120,7 +120,7 @@ pub fn fault(question: &Question, judged: &Judged, entrant: &Entrant) -> Option<
             (!is_whole(judged)).then(|| "a depth that is no number".to_owned())
         }
         Outcome::Overflowed(_) => unmarked_fault(judged),
-        Outcome::Complete => match (strategy.surface, entrant.resolution()) {
+        Outcome::Complete => match (strategy.surface, strategy.inside.resolution()) {
             (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, _) => list_fault(judged),
             (_, Some(resolution)) => band::fault(question, judged, resolution),
             (_, None) => judged.fault_of_exact(),

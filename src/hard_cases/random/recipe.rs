@@ -142,6 +142,7 @@ impl Recipe {
                 ..Camera::default()
             },
             stage: None,
+            interference: None,
         }
     }
 

@@ -3,10 +3,9 @@
 //! Records name what `cutaway compare` takes, which is more than `cutaway render` does: `winding` draws no picture, and after an `@` stand
 //! means that are options there.
 
-use crate::experiment::Contender;
 use crate::passes::{Rasteriser, ReliefWalk};
 use crate::scene::HeightFilter;
-use crate::strategies::{CapSurface, InsideTest, Strategy};
+use crate::strategies::{CapSurface, InsideTest, Method, Strategy};
 
 /// What to write after `cutaway render --strategy`, and what to know beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,23 +20,23 @@ pub(crate) struct Usage {
 ///
 /// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it is told beside the name.
 pub(crate) fn usage(name: &str) -> Option<Usage> {
-    let Ok(Contender::Strategy(drawn)) = name.parse() else {
+    let Ok(Method { strategy, means }) = name.parse() else {
         return None;
     };
-    if drawn.is_narrow {
+    if means.wide_atomics == Some(false) {
         return None;
     }
-    let mut words = drawn.strategy.to_string();
-    if drawn.rasteriser == Some(Rasteriser::Compute) {
+    let mut words = strategy.to_string();
+    if means.rasteriser == Some(Rasteriser::Compute) {
         words.push_str(" --rasteriser compute");
     }
-    if drawn.height_filter == Some(HeightFilter::Hardware) {
+    if means.height_filter == Some(HeightFilter::Hardware) {
         words.push_str(" --height-filter hardware");
     }
-    let limit = match drawn.relief_walk {
+    let limit = match means.relief_walk {
         Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
         Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
-        None => limit(drawn.strategy),
+        None => limit(strategy),
     };
     Some(Usage { words, limit })
 }

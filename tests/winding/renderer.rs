@@ -1,15 +1,16 @@
 //! Winding numbers beside the strategies: in the JSON as any of them, and the whole mesh as the truth about a broken one.
 
 use cutaway::document::parse_defect;
-use cutaway::experiment::{Contender, Question, Shown, errors, times};
+use cutaway::experiment::{Question, Renderer, Shown, errors, times};
 use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
+use cutaway::strategies::Means;
 
 use crate::command::Scratch;
 use crate::common::{scenes, session};
 
 #[test]
-fn the_contender_is_listed_as_any_other() {
+fn winding_is_listed_as_any_other() {
     let folder = Scratch::new("winding-json");
     let ran = folder
         .run("compare shape:sphere?subdivisions=3 --section=-z=50% --strategies raycast+mask,winding --rounds 2 --resolution 64,48 --heatmaps wrong --json -")
@@ -39,20 +40,21 @@ fn the_contender_is_listed_as_any_other() {
     assert!(!told.stderr.is_empty());
 }
 
-/// Wrong pixels of contenders, marked and unmarked, by the truth of another scene.
-fn judged(scene: &Scene, truth: Option<&Scene>, contenders: &[&str]) -> Vec<[usize; 2]> {
+/// Wrong pixels of renderers, marked and unmarked, by the truth of another scene.
+fn judged(scene: &Scene, truth: Option<&Scene>, renderers: &[&str]) -> Vec<[usize; 2]> {
     let (shown, truth) = (Shown::of(scene), truth.map(Shown::of));
     let question = Question {
         name: "sphere".to_owned(),
         shown: &shown,
         view: shown.model.prepared.view([128, 96]),
         truth: truth.as_ref(),
+        means: Means::default(),
         command: String::new(),
     };
-    let contenders: Vec<Contender> = contenders.iter().map(|c| c.parse().unwrap()).collect();
+    let renderers: Vec<Renderer> = renderers.iter().map(|c| c.parse().unwrap()).collect();
     let mut session = session();
     let quiet = &mut |_: String| ();
-    let mut judgement = errors(&mut session, &question, &contenders, quiet).unwrap();
+    let mut judgement = errors(&mut session, &question, &renderers, quiet).unwrap();
     let is_timed = times(&mut session, &question, &mut judgement, 1, quiet, &|| true);
     assert!(is_timed.unwrap(), "times are taken");
     let found = judgement.measurement.strategies.iter();
@@ -67,14 +69,14 @@ fn judged(scene: &Scene, truth: Option<&Scene>, contenders: &[&str]) -> Vec<[usi
 #[test]
 fn a_broken_mesh_is_judged_by_the_whole_one() {
     let whole = scenes::sectioned("sphere?subdivisions=4", &["-z=50%"]);
-    let contenders = ["raycast+mask", "winding"];
-    let of_whole = judged(&whole, Some(&whole), &contenders);
+    let renderers = ["raycast+mask", "winding"];
+    let of_whole = judged(&whole, Some(&whole), &renderers);
     assert_eq!(of_whole, [[0, 0], [0, 0]], "nothing is broken");
     let mut broken = whole.clone();
     let holes = parse_defect("holes:amount=5%").unwrap();
     break_parts(&mut broken.parts, &[holes]).unwrap();
-    let own = judged(&broken, None, &contenders)[0];
-    let by_whole = judged(&broken, Some(&whole), &contenders);
+    let own = judged(&broken, None, &renderers)[0];
+    let by_whole = judged(&broken, Some(&whole), &renderers);
     println!("mask by its own scene {own:?}; mask and winding by the whole {by_whole:?}");
     let [mask, winding] = [by_whole[0], by_whole[1]];
     assert!(mask[0] > own[0], "what is missing is missed");
@@ -92,6 +94,7 @@ fn a_truth_in_another_frame_is_refused() {
         shown: &shown,
         view: shown.model.prepared.view([32, 24]),
         truth: Some(&truth),
+        means: Means::default(),
         command: String::new(),
     };
     let told = errors(&mut session(), &question, &[], &mut |_| ());

@@ -1,0 +1,193 @@
+//! Methods: a strategy with the means that its frames are drawn by, `raycast+mask@compute,pyramid`.
+//!
+//! After the `@` stands what differs from the usual. A method is a small value: sessions keep frames by it, experiments and tests name,
+//! order and compare it.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::Strategy;
+use crate::passes::{Rasteriser, ReliefWalk};
+use crate::scene::HeightFilter;
+use crate::{Error, Result};
+
+/// How a frame is drawn: by which strategy, and by which means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Method {
+    /// The strategy.
+    pub strategy: Strategy,
+    /// The means.
+    pub means: Means,
+}
+
+/// By which means a strategy draws. `None` leaves each to the [usual](Method::or).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Means {
+    /// What rasterises the mesh; usually the GPU's own rasteriser.
+    pub rasteriser: Option<Rasteriser>,
+    /// Whether the compute rasteriser uses atomics of 64 bits: the picture is the same, in one sweep instead of two. Usually where the
+    /// adapter has them; where a plan is recorded without an adapter, not.
+    pub wide_atomics: Option<bool>,
+    /// How rays are followed through reliefs: the crossings are the same. Usually chosen by the cells that a ray meets.
+    pub relief_walk: Option<ReliefWalk>,
+    /// What interpolates the heights of reliefs between texels. Usually exact; strategies that do not ask for heights at points refuse
+    /// any other where there is a relief.
+    pub height_filter: Option<HeightFilter>,
+}
+
+/// A word, and what it sets.
+type Word = (&'static str, fn(&mut Means));
+
+/// What may follow the `@`.
+const WORDS: [Word; 6] = [
+    ("hardware", |m| m.rasteriser = Some(Rasteriser::Hardware)),
+    ("compute", |m| m.rasteriser = Some(Rasteriser::Compute)),
+    ("32-bit", |m| m.wide_atomics = Some(false)),
+    ("cells", |m| m.relief_walk = Some(ReliefWalk::Cells)),
+    ("pyramid", |m| m.relief_walk = Some(ReliefWalk::Pyramid)),
+    ("hardware-filter", |m| {
+        m.height_filter = Some(HeightFilter::Hardware);
+    }),
+];
+
+impl Means {
+    /// A rasteriser, and otherwise the usual.
+    pub const fn by(rasteriser: Rasteriser) -> Self {
+        Self {
+            rasteriser: Some(rasteriser),
+            wide_atomics: None,
+            relief_walk: None,
+            height_filter: None,
+        }
+    }
+
+    /// Whether a word may follow the `@`.
+    pub fn is_word(word: &str) -> bool {
+        WORDS.iter().any(|(name, _)| *name == word)
+    }
+
+    /// These, and what they leave open from others.
+    #[must_use]
+    pub fn or(self, others: Self) -> Self {
+        Self {
+            rasteriser: self.rasteriser.or(others.rasteriser),
+            wide_atomics: self.wide_atomics.or(others.wide_atomics),
+            relief_walk: self.relief_walk.or(others.relief_walk),
+            height_filter: self.height_filter.or(others.height_filter),
+        }
+    }
+}
+
+impl Method {
+    /// A strategy by means.
+    pub const fn new(strategy: Strategy, means: Means) -> Self {
+        Self { strategy, means }
+    }
+
+    /// The same, where what it leaves open is as these means say.
+    #[must_use]
+    pub fn or(self, usual: Means) -> Self {
+        Self::new(self.strategy, self.means.or(usual))
+    }
+}
+
+impl From<Strategy> for Method {
+    fn from(strategy: Strategy) -> Self {
+        Self::new(strategy, Means::default())
+    }
+}
+
+impl From<&Strategy> for Method {
+    fn from(strategy: &Strategy) -> Self {
+        (*strategy).into()
+    }
+}
+
+impl From<&Self> for Method {
+    fn from(method: &Self) -> Self {
+        *method
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.strategy)?;
+        let mut separator = '@';
+        for (name, set) in WORDS {
+            let mut with = self.means;
+            set(&mut with);
+            if with == self.means {
+                write!(f, "{separator}{name}")?;
+                separator = ',';
+            }
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for Method {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let (name, words) = match text.split_once('@') {
+            Some((name, words)) => (name, Some(words)),
+            None => (text, None),
+        };
+        let mut method = Self::from(name.trim().parse::<Strategy>()?);
+        for word in words.into_iter().flat_map(|w| w.split(',')) {
+            let Some((_, set)) = WORDS.iter().find(|(name, _)| *name == word.trim()) else {
+                let known: Vec<&str> = WORDS.iter().map(|(name, _)| *name).collect();
+                return Err(Error::input(
+                    text,
+                    format!("`{word}` is no means of drawing"),
+                    format!("after the @ write some of {}", known.join(", ")),
+                ));
+            };
+            set(&mut method.means);
+        }
+        Ok(method)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_are_written_as_they_are_read() {
+        for text in [
+            "raycast+mask",
+            "raycast+mask@compute",
+            "grid:64+vds:512",
+            "raycast+mask@compute,32-bit",
+            "raycast+mask@cells",
+            "raycast+mask@hardware",
+            "grid:64+vds:512@hardware-filter",
+        ] {
+            let method: Method = text.parse().unwrap();
+            assert_eq!(method.to_string(), text);
+        }
+        for (text, said) in [
+            ("raycast+mask@gpu", "hardware"),
+            ("raycats+mask@compute", "did you mean"),
+        ] {
+            let message = text.parse::<Method>().unwrap_err().to_string();
+            assert!(message.contains(said), "{message}");
+        }
+    }
+
+    #[test]
+    fn what_a_method_says_comes_before_the_usual() {
+        let usual = Means::by(Rasteriser::Compute);
+        let means = |text: &str| text.parse::<Method>().unwrap().or(usual).means;
+        assert_eq!(means("raycast+mask"), usual);
+        assert_eq!(
+            means("raycast+mask@hardware").rasteriser,
+            Some(Rasteriser::Hardware)
+        );
+        let narrow = means("raycast+mask@32-bit,pyramid");
+        assert_eq!(narrow.wide_atomics, Some(false));
+        assert_eq!(narrow.relief_walk, Some(ReliefWalk::Pyramid));
+        assert_eq!(narrow.rasteriser, usual.rasteriser);
+    }
+}
