@@ -56,8 +56,8 @@ fn drawn<T>(
     let drawn = session
         .draw(&question.model, &question.view, method)
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
-    let seen = look(&session, &drawn.outcome);
-    seen
+
+    look(&session, &drawn.outcome)
 }
 
 fn layers(question: &Question, strategy: &Strategy, rasteriser: Rasteriser) -> Layers {

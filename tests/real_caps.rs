@@ -83,7 +83,7 @@ fn hole(answer: &Judged) -> Option<String> {
 /// Whether a frame cannot be held to another pixel by pixel: a k-buffer may be too shallow for a mesh, which it says, or outgrow
 /// a binding and be drawn in bands, of which each rounds the vertices of a sheet by itself.
 fn differs_by_right(name: &str, outcome: &Outcome) -> bool {
-    let bands = session().bands(&strategy(name)).unwrap_or(1);
+    let bands = session().bands(strategy(name)).unwrap_or(1);
     name.contains("kbuffer") && (*outcome != Outcome::Complete || bands > 1)
 }
 
@@ -92,7 +92,7 @@ fn planes_are_capped_exactly_whatever_finds_the_caps() {
     on_closed_meshes(None, |question| {
         let mut faults = Vec::new();
         for name in ["planar", "grid:256+mask", "adaptive:0.5+mask"] {
-            let answer = question.answer(&strategy(name));
+            let answer = question.answer(strategy(name));
             faults.extend(answer.fault_of_exact().map(|f| format!("{name}: {f}")));
         }
         faults
@@ -107,7 +107,7 @@ fn tessellated_reliefs_have_no_hole_and_inside_tests_agree_about_them() {
             let mut first: Option<Judged> = None;
             for inside in INSIDE {
                 let name = format!("{surface}+{inside}");
-                let answer = question.answer(&strategy(&name));
+                let answer = question.answer(strategy(&name));
                 if differs_by_right(&name, &answer.outcome) {
                     continue;
                 }
@@ -135,7 +135,7 @@ fn the_papers_rule_leaves_gaps_that_are_counted() {
         let mut faults = Vec::new();
         let names = ["grid:256+vds:1024", "adaptive:0.5+vds:1024"];
         for (name, cracks) in names.into_iter().zip(&mut cracks) {
-            let answer = question.answer(&strategy(name));
+            let answer = question.answer(strategy(name));
             match answer.outcome {
                 Outcome::Refused(reason) => faults.push(format!("{name}: {reason}")),
                 _ => *cracks += answer.comparison.crack_px,

@@ -55,7 +55,7 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
                 if strategy == Strategy::STENCIL && relief.is_some() {
                     continue;
                 }
-                if let Some(fault) = question.answer(&strategy).fault_of_exact() {
+                if let Some(fault) = question.answer(strategy).fault_of_exact() {
                     let relief = relief.unwrap_or("plane");
                     faults.push(format!("{name} {relief} by {strategy}: {fault}"));
                 }
@@ -160,7 +160,7 @@ fn the_sprite_halves_its_error_with_each_doubling() {
         }
         let question = Question::of(&scene, SIZE_PX);
         for (i, resolution) in [256, 512, 1024, 2048].into_iter().enumerate() {
-            let answer = question.answer(&strategy(&format!("grid:256+vds:{resolution}")));
+            let answer = question.answer(strategy(&format!("grid:256+vds:{resolution}")));
             wrong_px[i] += wrong(&answer.comparison);
             cracks_px[i] += answer.comparison.crack_px;
         }
@@ -192,7 +192,7 @@ fn broken_meshes_are_drawn_and_their_doubt_is_marked() {
             let open = scene.parts.iter().any(|p| !Topology::of(&p.mesh).closed);
             let question = Question::of(&scene, [512, 384]);
             for name in ["raycast+mask", "grid:256+vds:512"] {
-                let answer = question.answer(&strategy(name));
+                let answer = question.answer(strategy(name));
                 assert!(
                     !matches!(answer.outcome, Outcome::Refused(_)),
                     "{name} refuses {}",

@@ -49,7 +49,7 @@ fn the_device_makes_the_triangles_of_the_rule() {
                 let view = model.prepared.view_of(&somewhere(&mut numbers), [256, 192]);
                 let mut session = session();
                 let outcome = session
-                    .draw(&model, &view, &strategy)
+                    .draw(&model, &view, strategy)
                     .expect("a frame")
                     .outcome;
                 let reason = outcome.reason().unwrap_or_default();
@@ -96,7 +96,7 @@ fn cracks_are_noticed() {
     let view = model.prepared.view([256, 192]);
     let mut session = session();
     let _ = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame")
         .outcome;
     let sheet = Sheet::of(&session, &strategy, 0);

@@ -172,7 +172,7 @@ fn the_crank_of_the_demo_takes_fewer_triangles_than_a_grid() {
     let strategy = strategy("adaptive:0.5+mask");
     let mut session = session();
     let outcome = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame")
         .outcome;
     assert_eq!(outcome, Outcome::Complete, "the paper's view");

@@ -67,7 +67,7 @@ fn no_frame_has_a_crack() {
             let boundary = question.boundary_px();
             // Of so many pixels on boundaries one may be wrong.
             for (tau, share) in [(0.5, 20), (2.0, 5), (20.0, 2)] {
-                let judged = question.answer(&strategy(&format!("adaptive:{tau}+mask")));
+                let judged = question.answer(strategy(&format!("adaptive:{tau}+mask")));
                 let c = &judged.comparison;
                 let name = format!("{}: tau {tau}", scene.name);
                 assert_eq!(
@@ -103,7 +103,7 @@ fn every_inside_test_makes_the_same_of_the_list() {
         let question = Question::of(&scene, [128, 96]);
         let of = |inside: &str| {
             question
-                .answer(&strategy(&format!("adaptive:0.5+{inside}")))
+                .answer(strategy(&format!("adaptive:0.5+{inside}")))
                 .layers
         };
         let mask = of("mask");
@@ -121,7 +121,7 @@ fn every_inside_test_makes_the_same_of_the_list() {
 fn the_papers_rule_draws_the_same_triangles() {
     let question = Question::of(&smooth(), [128, 96]);
     for inside in ["vds:256", "ldi:256"] {
-        let judged = question.answer(&strategy(&format!("adaptive:0.5+{inside}")));
+        let judged = question.answer(strategy(&format!("adaptive:0.5+{inside}")));
         assert_eq!(judged.outcome, Outcome::Complete, "{inside}");
         let boundary = question.boundary_px();
         let wrong = judged.comparison.decided_wrong_px;
@@ -142,7 +142,7 @@ fn the_papers_rule_draws_the_same_triangles() {
 fn plan_of(scene: &Scene, name: &str) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([128, 96]);
-    strategies::record(&model, &view, &strategy(name), &Capacities::UNKNOWN)
+    strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -176,8 +176,8 @@ fn planes_alone_are_not_tessellated() {
     );
     let question = Question::of(&scene, [128, 96]);
     let (paper, exact) = (
-        question.answer(&strategy("adaptive:0.5+vds:256")),
-        question.answer(&strategy("raycast+mask")),
+        question.answer(strategy("adaptive:0.5+vds:256")),
+        question.answer(strategy("raycast+mask")),
     );
     let differ = paper
         .layers
@@ -198,7 +198,7 @@ fn a_camera_that_moves_measures_nothing() {
     let strategy = strategy("adaptive:0.7+mask");
     let mut session = session();
     let view = model.prepared.view([96, 64]);
-    let first = session.draw(&model, &view, &strategy).expect("a frame");
+    let first = session.draw(&model, &view, strategy).expect("a frame");
     assert!(
         first.ran_on(Clock::Cut).contains(&"errors 0 cells"),
         "{:?}",
@@ -207,7 +207,7 @@ fn a_camera_that_moves_measures_nothing() {
     let other = model
         .prepared
         .view_of(&scenes::orbit(50.0, 10.0, false), [96, 64]);
-    let second = session.draw(&model, &other, &strategy).expect("a frame");
+    let second = session.draw(&model, &other, strategy).expect("a frame");
     assert_eq!(
         second.ran_on(Clock::Cut),
         Vec::<&str>::new(),
@@ -217,7 +217,7 @@ fn a_camera_that_moves_measures_nothing() {
     let mut higher = scene.clone();
     higher.cuts[0].surfaces[0].relief = Some(Arc::new(noise([40, 24], 2)));
     let third = session
-        .draw(&model.updated(&higher), &other, &strategy)
+        .draw(&model.updated(&higher), &other, strategy)
         .expect("a frame");
     assert!(
         third.ran_on(Clock::Cut).contains(&"errors 0 cells"),
@@ -276,7 +276,7 @@ fn a_camera_that_enters_an_uncut_solid_measures_nothing() {
     let plan = |eye: DVec3, name: &str| {
         let camera = scenes::looking(eye, DVec3::ZERO, 60.0);
         let view = model.prepared.view_of(&camera, [128, 96]);
-        let plan = strategies::record(&model, &view, &strategy(name), &Capacities::UNKNOWN);
+        let plan = strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN);
         (plan.unwrap_or_else(|e| panic!("{e}")), camera)
     };
     for name in ["adaptive:0.5+mask", "grid:16+mask", "raycast+mask"] {
@@ -296,7 +296,7 @@ fn a_camera_that_enters_an_uncut_solid_measures_nothing() {
             assert_eq!(contents(&within), contents(&outside), "{name}: {table}");
         }
         let question = Question::through(&scene, &camera, [128, 96]);
-        let judged = question.answer(&strategy(name));
+        let judged = question.answer(strategy(name));
         let wrong = judged.comparison.decided_wrong_px;
         assert!(
             wrong * 8 <= question.boundary_px(),
@@ -320,7 +320,7 @@ fn too_many_triangles_are_told_and_then_have_room() {
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
     let gpu = Gpu::open(&software()).expect("an adapter");
-    let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
+    let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let at = plan
         .bounded
@@ -345,7 +345,7 @@ fn too_many_triangles_are_told_and_then_have_room() {
 
     let mut session = session();
     let outcome = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame")
         .outcome;
     let reason = outcome.reason().unwrap_or_default();
@@ -367,7 +367,7 @@ fn a_relief_of_too_many_texels_is_refused_with_the_mend() {
         strategies::record(
             &model,
             &view,
-            &strategy("adaptive:1+mask"),
+            strategy("adaptive:1+mask"),
             &Capacities::UNKNOWN,
         )
         .map(|_| ())

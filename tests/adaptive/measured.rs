@@ -48,7 +48,7 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     let strategy = strategy("adaptive:1+mask");
     let mut session = session();
     let _ = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame")
         .outcome;
     let mut sheet = Sheet::of(&session, &strategy, 0);

@@ -14,7 +14,7 @@ fn plan() -> Plan {
     strategies::record(
         &model,
         &view,
-        &strategy("adaptive:1+mask"),
+        strategy("adaptive:1+mask"),
         &Capacities::UNKNOWN,
     )
     .unwrap_or_else(|e| panic!("{e}"))

@@ -194,7 +194,7 @@ fn every_strategy_agrees_with_exact_on_the_corpus() {
                 faults.push(format!("{name}: {strategy}: {fault}"));
             }
         }
-        let judged = question.answer(&paper);
+        let judged = question.answer(paper);
         if knows_parity_alone(&judged.outcome) {
             continue;
         }

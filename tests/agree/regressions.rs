@@ -20,7 +20,7 @@ fn regression_0001_the_grid_of_a_flat_map_is_lifted() {
     let map = scenes::map([1, 1], |_, _| 0.25);
     let surface = scenes::mapped(DVec3::ZERO, -DVec3::Z, map, (1.0, 1.0), Wrap::Repeat);
     let scene = scenes::scene("lifted", meshes::shape("cube"), vec![surface]);
-    let judged = Question::of(&scene, [64; 2]).answer(&strategy("grid:4+vds:512"));
+    let judged = Question::of(&scene, [64; 2]).answer(strategy("grid:4+vds:512"));
     assert!(
         judged.exact.layers.count(Kind::Cap) > 200,
         "the cap is in the picture"
@@ -55,7 +55,7 @@ fn regression_0002_a_ray_that_touches_crests_is_undecided() {
         );
         // An odd number of pixels: the middle row is the ray at z = 0, where the valleys are.
         scene.camera = scenes::parallel(DVec3::Y * 4.0, DVec3::ZERO, 2.0);
-        let judged = Question::of(&scene, [255; 2]).answer(&Strategy::RAYCAST_MASK);
+        let judged = Question::of(&scene, [255; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "height {height}");
     }
 }
@@ -69,7 +69,7 @@ fn regression_0003_a_near_plane_without_a_cap_leaves_pixels_reliable() {
         near_cap: false,
         ..scenes::looking(DVec3::new(0.3, 0.4, 2.0), DVec3::ZERO, 40.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(&Strategy::RAYCAST_MASK);
+    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.comparison.odd_parity_px, 0,
         "{:?}",
@@ -101,7 +101,7 @@ fn regression_0005_a_face_in_the_plane_seen_from_along_it() {
             "planar",
         ] {
             let method = name.parse::<Method>().expect("a strategy");
-            let fault = question.answer(&method).fault_of_exact();
+            let fault = question.answer(method).fault_of_exact();
             assert_eq!(fault, None, "{section} by {name}");
         }
     }
@@ -139,7 +139,7 @@ fn regression_0006_a_box_to_the_end_of_the_model_takes_the_lid_with_it() {
         flush.exact.layers.count(Kind::Cap) > 1000,
         "three faces of the box"
     );
-    assert_eq!(flush.answer(&Strategy::RAYCAST_MASK).fault_of_exact(), None);
+    assert_eq!(flush.answer(Strategy::RAYCAST_MASK).fault_of_exact(), None);
 }
 
 /// A needle that crosses the border of a band was clipped there to one still thinner, whose depth by hardware lay anywhere between those
@@ -156,7 +156,7 @@ fn regression_0007_depths_do_not_hang_on_where_a_band_ends() {
     let depths_of = |view: &View| -> Vec<f64> {
         let mut session = session();
         // Seen from along them, there are more sides in a pixel than are kept.
-        let drawn = session.draw(&question.model, view, &strategy);
+        let drawn = session.draw(&question.model, view, strategy);
         assert!(drawn.is_ok(), "{drawn:?}");
         depths_kept(&session, &strategy, view)
     };
@@ -218,7 +218,7 @@ fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
         Strategy::STENCIL,
     ] {
         assert_eq!(
-            question.answer(&strategy).fault_of_exact(),
+            question.answer(strategy).fault_of_exact(),
             None,
             "{strategy}"
         );
@@ -240,7 +240,7 @@ fn regression_0009_beside_a_needle_nothing_is_decided() {
         ..still
     };
     for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
-        assert_eq!(moved.answer(&strategy).fault_of_exact(), None, "{strategy}");
+        assert_eq!(moved.answer(strategy).fault_of_exact(), None, "{strategy}");
     }
 }
 

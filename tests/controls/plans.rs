@@ -22,7 +22,7 @@ fn plan_of(question: &Question) -> Plan {
     record(
         &question.model,
         &question.view,
-        &Strategy::RAYCAST_MASK,
+        Strategy::RAYCAST_MASK,
         &capacities,
     )
     .expect("a plan")

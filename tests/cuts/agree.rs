@@ -110,7 +110,7 @@ fn holds(scene: &Scene, what: &str, least_cap_px: usize) -> Vec<String> {
     assert!(caps >= least_cap_px, "{what}: only {caps} px of cap");
     let all = EXACT.into_iter().map(strategy);
     all.filter_map(|strategy| {
-        let fault = question.answer(&strategy).fault_of_exact()?;
+        let fault = question.answer(strategy).fault_of_exact()?;
         Some(format!("{what}: {strategy}: {fault}"))
     })
     .collect()
@@ -193,7 +193,7 @@ fn case_38_two_that_cross_have_no_gap_along_their_edge() {
                 edge.len()
             );
             for name in EXACT {
-                let judged = question.answer(&strategy(name));
+                let judged = question.answer(strategy(name));
                 assert_eq!(judged.fault_of_exact(), None, "{shape} {what} {name}");
                 // Undecided pixels too: which of the two caps is seen may be open, but not that one is.
                 for pixel in &edge {
@@ -203,7 +203,7 @@ fn case_38_two_that_cross_have_no_gap_along_their_edge() {
             }
         }
         // The control: one is not the other.
-        let drawn = and.answer(&Strategy::RAYCAST_MASK).layers;
+        let drawn = and.answer(Strategy::RAYCAST_MASK).layers;
         assert!(or.compare(&drawn).decided_wrong_px > 300, "{shape}");
     }
 }

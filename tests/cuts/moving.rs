@@ -121,7 +121,7 @@ fn what_opens_and_what_is_switched_agrees_with_exact() {
         model = Some(next.clone());
         let question = Question::of_model(next, &scene, [96, 72]);
         for name in ["raycast+mask", "raycast+abuffer"] {
-            let judged = question.answer(&strategy(name));
+            let judged = question.answer(strategy(name));
             assert_eq!(judged.fault_of_exact(), None, "{name} at {time_s} s");
         }
         with_caps += usize::from(question.exact.layers.count(Kind::Cap) > 100);
@@ -179,7 +179,7 @@ fn only_the_map_that_changed_is_uploaded() {
             model = next;
 
             let view = model.prepared.view([64, 48]);
-            let drawn = session.draw(&model, &view, &strategy).expect("a frame");
+            let drawn = session.draw(&model, &view, strategy).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "{what} at {time_s} s");
             if frame > 0 {
                 assert!(drawn.clocks.contains(Clock::Cut), "{what} at {time_s} s");
@@ -187,16 +187,16 @@ fn only_the_map_that_changed_is_uploaded() {
             }
             let mut other = gpu();
             let fresh = Model::of(&scene);
-            let drawn = other.draw(&fresh, &view, &strategy).expect("a frame");
+            let drawn = other.draw(&fresh, &view, strategy).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "{what} at {time_s} s");
-            let [a, b] = [&session, &other].map(|s| s.layers(&strategy).expect("layers"));
+            let [a, b] = [&session, &other].map(|s| s.layers(strategy).expect("layers"));
             assert_eq!(a, b, "{what} at {time_s} s: as on a device that never drew");
         }
         // The control: a time at which nothing moves uploads nothing.
         let again = model.updated(&at(&timeline, 1.2));
         assert_eq!(again.heights.not_in(&model.heights).count(), 0, "{what}");
         let view = again.prepared.view([64, 48]);
-        let drawn = session.draw(&again, &view, &strategy).expect("a frame");
+        let drawn = session.draw(&again, &view, strategy).expect("a frame");
         assert!(!drawn.clocks.contains(Clock::Cut), "{what}: it stood still");
     }
 }
@@ -212,7 +212,7 @@ fn heights_that_change_agree_with_exact() {
         let scene = at(&timeline, f64::from(step) * 0.27);
         model = model.updated(&scene);
         let question = Question::of_model(model.clone(), &scene, [96, 72]);
-        let judged = question.answer(&Strategy::RAYCAST_MASK);
+        let judged = question.answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "step {step}");
         assert!(question.exact.layers.count(Kind::Cap) > 200, "step {step}");
         pictures.push(question.exact.layers.clone());

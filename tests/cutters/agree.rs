@@ -56,7 +56,7 @@ fn faults(name: &str, scene: &Scene) -> Vec<String> {
         faults.push(format!("{name}: {undecided} undecided, {few} are many"));
     }
     for of in EXACT {
-        let judged = question.answer(&strategy(of));
+        let judged = question.answer(strategy(of));
         faults.extend(fault(&question, &judged).map(|f| format!("{name}: {of}: {f}")));
     }
     for of in BY_COMPUTE {
@@ -216,7 +216,7 @@ fn a_shared_face_leaves_nothing_without_thickness() {
             let caps = question.exact.layers.count(Kind::Cap);
             assert_eq!(caps > 0, is_pocket, "{caps} pixels of caps: {min}");
             for of in EXACT {
-                let judged = question.answer(&strategy(of));
+                let judged = question.answer(strategy(of));
                 told.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
             }
             for of in BY_COMPUTE {
@@ -256,7 +256,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
             "walls of the void"
         );
         for of in EXACT {
-            let judged = question.answer(&strategy(of));
+            let judged = question.answer(strategy(of));
             told.extend(
                 judged
                     .fault_of_exact()
@@ -291,7 +291,7 @@ fn a_cutter_may_reach_far_beyond_the_parts() {
 }
 
 fn layers_of(question: &Question, name: &str) -> Layers {
-    let judged = question.answer(&strategy(name));
+    let judged = question.answer(strategy(name));
     assert_eq!(judged.outcome, Outcome::Complete, "{name}");
     judged.layers
 }
@@ -315,7 +315,7 @@ fn tessellated_reliefs_go_with_cutters() {
     let both = Question::of(&scene, SIZE);
     for name in ["adaptive:0.5+mask", "grid:64+mask", "adaptive:0.5+abuffer"] {
         assert_eq!(layers_of(&alone, name), raycast, "{name}: the cutter alone");
-        let judged = both.answer(&strategy(name));
+        let judged = both.answer(strategy(name));
         let c = &judged.comparison;
         assert_eq!([c.odd_parity_px, c.crack_px], [0, 0], "{name}");
         let (wrong, boundary) = (c.decided_wrong_px, both.boundary_px());
@@ -327,7 +327,7 @@ fn tessellated_reliefs_go_with_cutters() {
         exact: both.exact.clone(),
         ..Question::of(&shells(), SIZE)
     };
-    let judged = without.answer(&strategy("adaptive:0.5+mask"));
+    let judged = without.answer(strategy("adaptive:0.5+mask"));
     let wrong = judged.comparison.decided_wrong_px;
     assert!(wrong > both.boundary_px(), "{wrong} without the relief");
 }
@@ -350,11 +350,11 @@ fn the_other_half_of_a_flipped_cutter_is_caught() {
             exact: question.exact.clone(),
             ..Question::of(&scene, SIZE)
         };
-        let judged = asked.answer(&strategy("raycast+mask"));
+        let judged = asked.answer(strategy("raycast+mask"));
         assert!(judged.comparison.decided_wrong_px > 50, "{what}");
     }
     // And normals turned to the other side.
-    let mut layers = question.answer(&strategy("raycast+mask")).layers;
+    let mut layers = question.answer(strategy("raycast+mask")).layers;
     assert!(turned_px(&question, &layers) < 20, "normals as they are");
     (layers.pixels.iter_mut()).for_each(|p| p.normal = -p.normal);
     assert!(turned_px(&question, &layers) > 50, "normals turned round");

@@ -64,7 +64,7 @@ fn a_moving_cutter_is_exact_at_every_time() {
             "caps at {time}"
         );
         for name in ["raycast+mask", "raycast+abuffer", "grid:64+mask"] {
-            let judged = question.answer(&strategy(name));
+            let judged = question.answer(strategy(name));
             told.extend(
                 judged
                     .fault_of_exact()
@@ -88,7 +88,7 @@ fn the_clock_of_solids_stands_still() {
     for (number, scene) in scenes_over_time().iter().enumerate() {
         let next = (model.as_ref()).map_or_else(|| Model::of(scene), |m| m.updated(scene));
         let view = next.prepared.view([64, 48]);
-        let drawn = session.draw(&next, &view, &strategy).expect("a frame");
+        let drawn = session.draw(&next, &view, strategy).expect("a frame");
         let ran = drawn.ran_on(Clock::Solid).len();
         assert!(
             number == 0 || ran == 0,

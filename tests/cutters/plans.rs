@@ -118,13 +118,8 @@ fn what_moves_is_uploaded_and_what_does_not_is_not() {
     );
     let of = |model: &Model| {
         let view = model.prepared.view([64, 48]);
-        strategies::record(
-            model,
-            &view,
-            &strategy("raycast+mask"),
-            &Capacities::UNKNOWN,
-        )
-        .expect("a plan")
+        strategies::record(model, &view, strategy("raycast+mask"), &Capacities::UNKNOWN)
+            .expect("a plan")
     };
     let (before, after) = (of(&model), of(&moved));
     let clocks: Vec<Clock> = (before.resources.iter().zip(&after.resources))

@@ -54,7 +54,7 @@ fn real_meshes_cut_each_other_exactly() {
             told.push(format!("{name}: only {caps} cap pixels"));
         }
         for strategy_name in ["raycast+mask", "raycast+abuffer"] {
-            let judged = question.answer(&strategy(strategy_name));
+            let judged = question.answer(strategy(strategy_name));
             let fault = judged.fault_of_exact();
             told.extend(fault.map(|f| format!("{name}: {strategy_name}: {f}")));
         }

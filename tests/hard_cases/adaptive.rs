@@ -111,12 +111,12 @@ fn case_34_no_crack_along_a_cameras_way() {
     for frame in 0..FRAMES {
         let view = model.prepared.view_of(&camera(frame), SIZE);
         if (frame as usize).is_multiple_of(DRAWN) {
-            let drawn = session.draw(&model, &view, &strategy).expect("a frame");
+            let drawn = session.draw(&model, &view, strategy).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "frame {frame}");
             let (wrong, asked) = wrong_rays(&session, &strategy, &model, &view, None);
             assert!(wrong == 0, "frame {frame}: {wrong} of {asked} rays");
             asked_in_all += asked;
-            let layers = session.layers(&strategy).expect("layers");
+            let layers = session.layers(strategy).expect("layers");
             let exact = Question::through(&scene(), &camera(frame), SIZE);
             let c = exact.compare(&layers);
             assert_eq!(
@@ -125,7 +125,7 @@ fn case_34_no_crack_along_a_cameras_way() {
                 "frame {frame}: cracks, pixels in doubt"
             );
         }
-        let plan = strategies::record(&model, &view, &strategy, &Capacities::UNKNOWN)
+        let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
             .unwrap_or_else(|e| panic!("{e}"));
         let sheet = sheet.get_or_insert_with(|| Sheet::of(&session, &strategy, 0));
         sheet.domain = row_of(&plan, "domains", 0);
@@ -173,7 +173,7 @@ fn case_34_a_list_of_the_wrong_parity_is_noticed() {
     let view = model.prepared.view_of(&camera(0), SIZE);
     let mut session = session();
     let _ = session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame")
         .outcome;
     let noticed = (0..(SIZE[0] * SIZE[1]) as usize)

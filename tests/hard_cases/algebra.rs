@@ -19,13 +19,13 @@ fn case_37_opposite_signs_are_complementary() {
     let pair = bumps::opposite(256);
     let mut answers = Vec::new();
     for scene in &pair {
-        let judged = Question::of(scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
+        let judged = Question::of(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         answers.push(judged);
     }
     let mut whole = pair[0].clone();
     whole.cuts.clear();
-    let whole = Question::of(&whole, [256; 2]).answer(&Strategy::RAYCAST_MASK);
+    let whole = Question::of(&whole, [256; 2]).answer(Strategy::RAYCAST_MASK);
     let mut same_cap = 0;
     for i in 0..whole.layers.pixels.len() {
         if answers.iter().chain([&whole]).any(|a| a.exact.undecided[i]) {
@@ -46,7 +46,7 @@ fn case_37_opposite_signs_are_complementary() {
 #[test]
 fn case_38_and_or_differ_and_have_both_caps() {
     for scene in bumps::crossing(256) {
-        let judged = Question::of(&scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
+        let judged = Question::of(&scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         for surface in [0, 1] {
             let caps = judged.layers.pixels.iter();
@@ -89,7 +89,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
             fragments: Some(100_000),
             ..Capacities::UNKNOWN
         };
-        let plan = record(&model, &view, &strategy(name), &capacities).expect("a plan");
+        let plan = record(&model, &view, strategy(name), &capacities).expect("a plan");
         let mut program = Program::default();
         program.load(&gpu, plan).expect("a plan that loads");
         program.run(&gpu, ClockSet::ALL).expect("a frame");
@@ -113,11 +113,11 @@ fn case_41_the_order_of_triangles_changes_nothing() {
     let scene = solids::torus_cut();
     let draw = |scene: &cutaway::scene::Scene| {
         let question = Question::of(scene, [128; 2]);
-        let layers = question.answer(&Strategy::RAYCAST_MASK).layers;
+        let layers = question.answer(Strategy::RAYCAST_MASK).layers;
         (
             layers,
             session()
-                .picture(&Strategy::RAYCAST_MASK)
+                .picture(Strategy::RAYCAST_MASK)
                 .expect("a picture"),
         )
     };

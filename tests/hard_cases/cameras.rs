@@ -15,7 +15,7 @@ fn case_10_inside_the_kept_side_the_near_cap_fills_the_picture() {
         near: Some(0.02),
         ..scenes::looking(DVec3::new(0.1, 0.05, -0.2), DVec3::Z, 50.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(&Strategy::RAYCAST_MASK);
+    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     let near = judged.layers.pixels.iter();
     let caps = near.filter(|p| p.kind == Kind::Cap && p.clip_surface == NEAR_PLANE);
     assert_eq!(
@@ -32,7 +32,7 @@ fn case_11_from_a_void_the_wall_is_seen_and_no_cap() {
         near: Some(0.01),
         ..scenes::looking(DVec3::new(0.02, 0.01, 0.03), -DVec3::X, 70.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(&Strategy::RAYCAST_MASK);
+    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.layers.count(Kind::Surface),
         64 * 64,
@@ -45,7 +45,7 @@ fn case_14_far_tiny_and_huge_scenes_look_the_same() {
     let scene = solids::torus_cut();
     for px in [64, 256] {
         let home = Question::of(&scene, [px; 2]);
-        let here = home.answer(&Strategy::RAYCAST_MASK);
+        let here = home.answer(Strategy::RAYCAST_MASK);
         for (scale, offset) in [
             (1.0, 1e6),
             (1e-6, 0.0),
@@ -55,7 +55,7 @@ fn case_14_far_tiny_and_huge_scenes_look_the_same() {
         ] {
             let placed = solids::placed(&scene, scale, DVec3::splat(offset));
             let away = Question::of(&placed, [px; 2]);
-            let there = away.answer(&Strategy::RAYCAST_MASK);
+            let there = away.answer(Strategy::RAYCAST_MASK);
             let differing = (0..here.layers.pixels.len())
                 .filter(|i| {
                     let undecided = home.exact.undecided[*i] || away.exact.undecided[*i];
@@ -102,7 +102,7 @@ fn case_15_reversed_depth_keeps_its_precision_at_every_distance() {
             "{standard} at {depth}, predicted {predicted}"
         );
     }
-    let judged = question.answer(&Strategy::RAYCAST_MASK);
+    let judged = question.answer(Strategy::RAYCAST_MASK);
     let depths: Vec<f64> = judged.layers.pixels.iter().map(|p| p.depth / n).collect();
     assert!(
         depths.iter().any(|d| *d < 50.0),
@@ -124,7 +124,7 @@ fn case_12_without_the_near_cap_the_ray_shows_what_it_enters_next_and_no_pixel_i
     };
     let question = Question::of(&scene, [64; 2]);
     for name in ["raycast+mask", "grid:256+vds:512"] {
-        let judged = question.answer(&strategy(name));
+        let judged = question.answer(strategy(name));
         assert_eq!(
             judged.comparison.odd_parity_px, 0,
             "{name}: the mesh is closed"

@@ -48,7 +48,7 @@ fn case_33_no_level_of_a_grid_shows_a_back_face_and_errors_fall_with_it() {
         let strategy = strategy(&format!("grid:{cells}+mask"));
         let mut wrong = 0;
         for question in &questions {
-            let judged = question.answer(&strategy);
+            let judged = question.answer(strategy);
             assert_eq!(back_faces(&judged), 0, "{strategy}");
             assert_eq!(judged.comparison.odd_parity_px, 0, "{strategy}: marked");
             wrong += silhouette_px(&judged);
@@ -130,14 +130,14 @@ fn case_32_near_tangency_the_gap_of_the_paper_stays_under_its_bound_and_the_list
     for (texels, angle_deg) in [(EVEN, 0.1), (EVEN, 0.01), (ROUGH, 0.1), (ROUGH, 0.01)] {
         let scene = near_tangent(angle_deg, texels);
         let question = Question::of(&scene, [256; 2]);
-        let raycast = question.answer(&strategy("raycast+mask"));
+        let raycast = question.answer(strategy("raycast+mask"));
         assert_eq!(raycast.fault_of_exact(), None, "at {angle_deg} degrees");
         for cells in [12, 48, 192] {
             let what = format!("{cells} cells, {texels} texels at {angle_deg} degrees");
-            let listed = question.answer(&strategy(&format!("grid:{cells}+mask")));
+            let listed = question.answer(strategy(&format!("grid:{cells}+mask")));
             assert_eq!(back_faces(&listed), 0, "{what}");
             assert_eq!(listed.comparison.odd_parity_px, 0, "{what}");
-            let paper = question.answer(&strategy(&format!("grid:{cells}+vds:1024")));
+            let paper = question.answer(strategy(&format!("grid:{cells}+vds:1024")));
             let gaps = gaps(&question, &paper, &scene);
             let widest = gaps.iter().copied().fold(0.0, f64::max);
             let bound = chord_error(cells, texels);

@@ -22,7 +22,7 @@ fn case_01_the_cap_is_the_unit_square_to_the_pixel() {
         let camera = scenes::parallel(DVec3::Z * 3.0, DVec3::ZERO, 2.0);
         let question = Question::of(&cube_cut_at(0.0, -1.0, camera), [px; 2]);
         for name in ["raycast+mask", "grid:256+vds:512"] {
-            let judged = question.answer(&strategy(name));
+            let judged = question.answer(strategy(name));
             assert_eq!(
                 judged.layers.count(Kind::Cap),
                 (px * px / 4) as usize,
@@ -56,7 +56,7 @@ fn case_02_a_face_in_the_plane_flips_only_as_a_whole() {
                 let camera = scenes::looking(from, DVec3::ZERO, 40.0);
                 let scene = cube_cut_at(f64::from(next(z, ulps)), sign, camera);
                 let question = Question::of(&scene, [128; 2]);
-                let judged = question.answer(&Strategy::RAYCAST_MASK);
+                let judged = question.answer(Strategy::RAYCAST_MASK);
                 assert_eq!(
                     judged.fault_of_exact(),
                     None,
@@ -109,8 +109,8 @@ fn case_22_a_flat_map_is_the_plane_bit_for_bit() {
             surface.origin -= surface.frame().normal * height * surface.scale.z;
             for name in ["raycast+mask", "grid:64+vds:256"] {
                 let strategy = strategy(name);
-                let mapped = Question::of(&scene, [px; 2]).answer(&strategy).layers;
-                let planar = Question::of(&plane, [px; 2]).answer(&strategy).layers;
+                let mapped = Question::of(&scene, [px; 2]).answer(strategy).layers;
+                let planar = Question::of(&plane, [px; 2]).answer(strategy).layers;
                 // Moving the origin rounds it: depths may differ in the last place, decisions may not.
                 let differing = mapped
                     .pixels

@@ -36,7 +36,7 @@ fn case_35_the_error_of_the_sprite_halves_as_its_resolution_doubles() {
         let paper = strategy(&format!("grid:1+vds:{resolution}"));
         let (mut wrong, mut caps) = (0, 0);
         for question in &questions {
-            let judged = question.answer(&paper);
+            let judged = question.answer(paper);
             wrong += judged.decided_wrong().count();
             caps += judged.exact.layers.count(Kind::Cap);
         }
@@ -68,11 +68,11 @@ fn sprite_layers(strategy: &Strategy) -> u32 {
 #[test]
 fn case_36_layers_are_counted_and_too_many_are_told() {
     let few = strategy("grid:8+vds:128");
-    let judged = Question::of(&plates(8), [64; 2]).answer(&few);
+    let judged = Question::of(&plates(8), [64; 2]).answer(few);
     assert_eq!(judged.outcome, Outcome::Complete, "16 layers fit");
     assert_eq!(sprite_layers(&few), 16, "two faces of each plate");
     // 200 plates are 400 layers where the resolution tells them apart, and no sprite has so many.
-    let judged = Question::of(&plates(200), [64; 2]).answer(&few);
+    let judged = Question::of(&plates(200), [64; 2]).answer(few);
     let Outcome::Overflowed(reason) = &judged.outcome else {
         panic!("400 layers in one sprite: {:?}", judged.outcome);
     };
@@ -97,7 +97,7 @@ fn case_36_layers_are_counted_at_the_resolution_used() {
     let layers = [64, 2048].map(|resolution| {
         let strategy = strategy(&format!("grid:8+vds:{resolution}"));
         assert_eq!(
-            question.answer(&strategy).outcome,
+            question.answer(strategy).outcome,
             Outcome::Complete,
             "at {resolution}"
         );

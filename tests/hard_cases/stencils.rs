@@ -15,9 +15,9 @@ use cutaway::hard_cases::{bumps, solids, windings};
 fn masks(question: &Question) -> [Vec<u32>; 2] {
     let mut session = session();
     [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL].map(|strategy| {
-        let drawn = (session.draw(&question.model, &question.view, &strategy)).expect("a frame");
+        let drawn = (session.draw(&question.model, &question.view, strategy)).expect("a frame");
         assert_eq!(drawn.outcome, Outcome::Complete, "{strategy}");
-        session.words(&strategy, "mask").expect("its mask")
+        session.words(strategy, "mask").expect("its mask")
     })
 }
 
@@ -64,7 +64,7 @@ fn case_44_nonzero_leaves_whether_the_count_is_0() {
             let [inside, odd] = [count & 0xff != 0, total & 0xffff != 0].map(u32::from);
             assert_eq!(*bits, inside | odd << 1, "{}", scene.name);
         }
-        let judged = question.answer(&Strategy::RAYCAST_STENCIL);
+        let judged = question.answer(Strategy::RAYCAST_STENCIL);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
     }
 }
@@ -179,7 +179,7 @@ fn the_classic_is_exact_from_either_side_in_either_projection() {
                     let mut scene = scenes::sectioned(shape, &[section]);
                     scene.camera = scenes::orbit(azimuth, elevation, orthographic);
                     let question = Question::of(&scene, [96, 72]);
-                    let judged = question.answer(&Strategy::STENCIL);
+                    let judged = question.answer(Strategy::STENCIL);
                     let what = format!("{shape}, {section} from {azimuth}, {elevation}");
                     assert_eq!(judged.fault_of_exact(), None, "{what}");
                     caps += judged.layers.count(Kind::Cap);
@@ -217,7 +217,7 @@ fn the_classic_keeps_parts_and_rules_apart() {
         Strategy::RAYCAST_STENCIL,
         Strategy::STENCIL,
     ] {
-        let judged = question.answer(&strategy);
+        let judged = question.answer(strategy);
         assert_eq!(judged.fault_of_exact(), None, "{strategy}");
         for (part, capped) in [(0, true), (1, false), (2, true), (3, true)] {
             let caps = judged.layers.pixels.iter();

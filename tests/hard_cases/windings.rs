@@ -66,7 +66,7 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
         let shape = format!("shells?subdivisions=3&flip_inner={flip}");
         let mut scene = solids::each(&shape, &["-z=0.05"]).remove(0);
         scene.parts[0].fill = fill;
-        let judged = Question::of(&scene, [128; 2]).answer(&Strategy::RAYCAST_MASK);
+        let judged = Question::of(&scene, [128; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{shape}, {fill}");
         judged.layers.count(Kind::Cap)
     };
@@ -86,7 +86,7 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
 fn case_17_overlapping_balls_unite() {
     let scenes = solids::overlapping(256);
     let caps = |scene: &Scene| {
-        let judged = Question::of(scene, [256; 2]).answer(&Strategy::RAYCAST_MASK);
+        let judged = Question::of(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         judged.layers.count(Kind::Cap)
     };
@@ -102,7 +102,7 @@ fn case_18_winding_is_the_index_of_the_profile() {
     for (name, profile) in profiles() {
         for fill in [Fill::EvenOdd, Fill::Nonzero] {
             let question = Question::of(&crossed(&profile, fill), [256; 2]);
-            let judged = question.answer(&Strategy::RAYCAST_MASK);
+            let judged = question.answer(Strategy::RAYCAST_MASK);
             assert_eq!(judged.fault_of_exact(), None, "{name}, {fill}");
             let prepared = &question.model.prepared;
             let (mut inside, mut twice) = (0, 0);
@@ -147,10 +147,10 @@ fn case_18_the_mask_holds_the_winding_number_itself() {
 
 #[test]
 fn case_19_a_doubled_mesh_is_as_solid_as_a_single_one() {
-    let single = Question::of(&solids::torus_cut(), [256; 2]).answer(&Strategy::RAYCAST_MASK);
+    let single = Question::of(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
     let doubled = nonzero(vec![solids::doubled()]).remove(0);
     let question = Question::of(&doubled, [256; 2]);
-    let judged = question.answer(&Strategy::RAYCAST_MASK);
+    let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(judged.fault_of_exact(), None, "hardware");
     assert_eq!(by_compute(&question).0.fault_of_exact(), None, "compute");
     assert_eq!(
@@ -177,14 +177,14 @@ fn more_shells_than_a_byte_counts_are_marked() {
     };
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
         let most = match rasteriser {
-            Rasteriser::Hardware => shells(127).answer(&Strategy::RAYCAST_MASK),
+            Rasteriser::Hardware => shells(127).answer(Strategy::RAYCAST_MASK),
             Rasteriser::Compute => by_compute(&shells(127)).0,
         };
         assert_eq!(most.fault_of_exact(), None, "127 shells, {rasteriser}");
         // 256 shells make a byte of 0: no cap, and every such pixel says so.
         let question = shells(256);
         let beyond = match rasteriser {
-            Rasteriser::Hardware => question.answer(&Strategy::RAYCAST_MASK),
+            Rasteriser::Hardware => question.answer(Strategy::RAYCAST_MASK),
             Rasteriser::Compute => by_compute(&question).0,
         };
         assert_eq!(beyond.outcome, Outcome::Complete, "{rasteriser}");
@@ -209,14 +209,14 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
     mesh.triangles[front].swap(0, 1);
     let plane = ClipSurface::plane(DVec3::new(0.0, 0.2, 0.0), DVec3::new(-0.2, -1.0, -0.1));
     let even_odd = scenes::scene("one face turned", mesh, vec![plane]);
-    let parity = Question::of(&even_odd, [128; 2]).answer(&Strategy::RAYCAST_MASK);
+    let parity = Question::of(&even_odd, [128; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         parity.comparison.odd_parity_px, 0,
         "parity hears nothing of it"
     );
     let question = Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
     for judged in [
-        question.answer(&Strategy::RAYCAST_MASK),
+        question.answer(Strategy::RAYCAST_MASK),
         by_compute(&question).0,
     ] {
         let marked = judged.comparison.odd_parity_px;
@@ -270,7 +270,7 @@ fn shells_at_random_are_filled_as_exact_says() {
         let mut scene = random(&mut n);
         let question = Question::of(&scene, [64, 48]);
         for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
-            let judged = question.answer(&strategy);
+            let judged = question.answer(strategy);
             assert_eq!(judged.fault_of_exact(), None, "{i}: {strategy}");
         }
         assert_eq!(

@@ -72,7 +72,7 @@ fn rays_with_images_err_along_rims_alone() {
     for (name, scene) in [("ring", ring()), ("row", row())] {
         let question = Question::of(&scene, SIZE);
         for (wrong, inside) in wrong.iter_mut().zip(["ldi:64", "ldi:512"]) {
-            let judged = question.answer(&strategy(&format!("raycast+{inside}")));
+            let judged = question.answer(strategy(&format!("raycast+{inside}")));
             *wrong += judged.comparison.decided_wrong_px;
             let interior = judged.comparison.interior_wrong_px;
             assert!(
@@ -94,7 +94,7 @@ fn the_near_plane_is_capped_by_asking_where_rays_begin() {
         ..scenes::looking(from, centre, 40.0)
     };
     let question = Question::of(&scene, SIZE);
-    let judged = question.answer(&strategy("raycast+ldi:512"));
+    let judged = question.answer(strategy("raycast+ldi:512"));
     let near = |l: &Layers| {
         let caps = l.pixels.iter().filter(|p| p.kind == Kind::Cap);
         caps.filter(|p| p.clip_surface == cutaway::layers::NEAR_PLANE)
@@ -118,7 +118,7 @@ fn case_19_faces_that_lie_in_one_another_are_kept_apart_by_lists_alone() {
         "by parity nothing is inside"
     );
     for name in ["raycast+abuffer", "raycast+kbuffer:8"] {
-        let judged = question.answer(&strategy(name));
+        let judged = question.answer(strategy(name));
         assert_eq!(judged.fault_of_exact(), None, "{name}");
     }
     let caps = |name: &str| layers(&question, &strategy(name), HARDWARE).count(Kind::Cap);

@@ -79,7 +79,7 @@ fn frames_that_keep_fragments_are_exact() {
     for (name, scene) in corpus() {
         let question = Question::of(&scene, SIZE);
         for exact in ["raycast+abuffer", "raycast+kbuffer:32"] {
-            let judged = question.answer(&strategy(exact));
+            let judged = question.answer(strategy(exact));
             assert_eq!(judged.fault_of_exact(), None, "{name}, {exact}");
         }
     }

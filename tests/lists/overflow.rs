@@ -67,7 +67,7 @@ fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
                 most - 1
             );
             assert_eq!(*reason, told, "{scarce}");
-            let found = session.layers(&scarce).unwrap_or_else(|e| panic!("{e}"));
+            let found = session.layers(scarce).unwrap_or_else(|e| panic!("{e}"));
             let (marks, unmarked) = marked(&found, &right);
             assert!(
                 marks > 0 && unmarked == 0,
@@ -84,7 +84,7 @@ fn a_single_slot_is_enough_for_what_lies_before_it() {
     let right = layers(&question, &Strategy::RAYCAST_MASK, HARDWARE);
     let one = strategy("raycast+kbuffer:1");
     drawn(&question, &one, HARDWARE, |session, _| {
-        let found = session.layers(&one).unwrap_or_else(|e| panic!("{e}"));
+        let found = session.layers(one).unwrap_or_else(|e| panic!("{e}"));
         let (marks, unmarked) = marked(&found, &right);
         assert_eq!(unmarked, 0, "{marks} marked");
         let whole = found.pixels.iter().filter(|p| !p.unreliable).count();
@@ -132,7 +132,7 @@ fn case_46_a_session_tries_again_with_the_size_it_was_told() {
     drawn(&question, &all, HARDWARE, |session, outcome| {
         assert_eq!(*outcome, Outcome::Complete, "drawn again");
         let need = words(session, &all, "need")[NEED_OF_FRAGMENTS as usize];
-        let plan = session.plan(&all).unwrap_or_else(|e| panic!("{e}"));
+        let plan = session.plan(all).unwrap_or_else(|e| panic!("{e}"));
         let pool = plan.bounded.iter().find(|b| b.what.contains("A-buffer"));
         let capacity = pool.expect("a pool").capacity;
         assert!(need > SIZE[0] * SIZE[1], "{need} fit the first try");

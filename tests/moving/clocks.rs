@@ -44,11 +44,11 @@ impl Stage {
     /// The passes of the solid clock that ran, and what is seen.
     fn draw(&mut self, model: &Model) -> (Vec<String>, Layers) {
         let view = model.prepared.view([64, 48]);
-        let drawn = self.session.draw(model, &view, &self.strategy);
+        let drawn = self.session.draw(model, &view, self.strategy);
         let drawn = drawn.unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(drawn.outcome, Outcome::Complete, "{}", self.strategy);
         let ran = drawn.ran_on(Clock::Solid);
-        let layers = self.session.layers(&self.strategy).expect("layers");
+        let layers = self.session.layers(self.strategy).expect("layers");
         (ran.into_iter().map(str::to_owned).collect(), layers)
     }
 
@@ -128,7 +128,7 @@ fn the_sprite_of_a_moving_mesh_costs_on_the_clock_of_the_solid() {
         let view = model.prepared.view([64, 48]);
         let drawn = stage
             .session
-            .draw(&model, &view, &strategy)
+            .draw(&model, &view, strategy)
             .expect("a frame");
         assert!(drawn.clocks.contains(Clock::Solid), "{degrees} degrees");
         assert!(
@@ -140,7 +140,7 @@ fn the_sprite_of_a_moving_mesh_costs_on_the_clock_of_the_solid() {
     let view = model.prepared.view([64, 48]);
     let drawn = stage
         .session
-        .draw(&model, &view, &strategy)
+        .draw(&model, &view, strategy)
         .expect("a frame");
     assert_eq!(drawn.clocks, ClockSet::FRAME, "it stood still");
     assert_eq!(drawn.times.clock_ms(Clock::Solid), 0.0, "it stood still");

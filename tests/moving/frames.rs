@@ -170,10 +170,10 @@ fn a_camera_that_drifts_flips_what_the_exact_camera_flips() {
         let exact = cutaway::exact::evaluate(&truth, &view);
         let layers = {
             let mut session = session();
-            let drawn = session.draw(&model, &view, &Strategy::RAYCAST_MASK);
+            let drawn = session.draw(&model, &view, Strategy::RAYCAST_MASK);
             let drawn = drawn.unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(drawn.outcome.reason(), None, "frame {frame}");
-            session.layers(&Strategy::RAYCAST_MASK).expect("layers")
+            session.layers(Strategy::RAYCAST_MASK).expect("layers")
         };
         if let Some((layers_before, exact_before)) = &before {
             for p in 0..64 * 64 {
@@ -214,6 +214,6 @@ fn both_ways_to_the_truth_are_one() {
         )
     };
     assert_eq!(none.decided_wrong_px, 0, "{none:?}");
-    let fault = posed.answer(&Strategy::RAYCAST_MASK).fault_of_exact();
+    let fault = posed.answer(Strategy::RAYCAST_MASK).fault_of_exact();
     assert_eq!(fault, None, "the baked mesh");
 }

@@ -23,18 +23,18 @@ fn a_plan_takes_the_bytes_that_it_says() {
     all.push(strategy("grid:8+vds:64"));
     let mut met = [0; 3];
     for strategy in all {
-        let drawn = session.draw(&model, &view, &strategy).expect("a frame");
+        let drawn = session.draw(&model, &view, strategy).expect("a frame");
         if matches!(drawn.outcome, Outcome::Refused(_)) {
             continue;
         }
-        let plan = session.plan(&strategy).expect("a plan").clone();
+        let plan = session.plan(strategy).expect("a plan").clone();
         for clock in Clock::ALL {
             for (is_scene, said) in [
                 (false, plan.bytes_on(clock)),
                 (true, plan.scene_bytes_on(clock)),
             ] {
                 let taken = session
-                    .allocated_on(&strategy, clock, is_scene)
+                    .allocated_on(strategy, clock, is_scene)
                     .expect("bytes");
                 assert_eq!(taken, said, "{strategy}, {clock:?}, scene {is_scene}");
                 met[clock as usize] += u64::from(taken > 0);

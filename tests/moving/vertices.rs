@@ -18,10 +18,10 @@ fn vertices(scene: &Scene, model: &Model) -> Vec<(Vec3, Vec3)> {
     let view = model.prepared.view([32, 32]);
     let mut session = session();
     let strategy = Strategy::RAYCAST_MASK;
-    let drawn = session.draw(model, &view, &strategy);
+    let drawn = session.draw(model, &view, strategy);
     let drawn = drawn.unwrap_or_else(|e| panic!("{}: {e}", scene.name));
     assert_eq!(drawn.outcome.reason(), None, "{}", scene.name);
-    let words = session.words(&strategy, "vertices").expect("the vertices");
+    let words = session.words(strategy, "vertices").expect("the vertices");
     let all = words.as_chunks::<4>().0.iter();
     all.map(|[x, y, z, n]| {
         let at = [*x, *y, *z].map(f32::from_bits);
@@ -94,7 +94,7 @@ pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
     let vertices = vertices(scene, model);
     let placed: Vec<String> = {
         let session = session();
-        let plan = session.plan(&Strategy::RAYCAST_MASK).expect("a plan");
+        let plan = session.plan(Strategy::RAYCAST_MASK).expect("a plan");
         plan.passes.iter().map(|p| p.name.clone()).collect()
     };
     let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());

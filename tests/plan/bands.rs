@@ -136,12 +136,12 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
     // The list of a pixel's crossings fits, the mesh does not: cutting the picture is in vain.
     let strategy = Strategy::RAYCAST_MASK;
     let mut held = session(1 << 10);
-    let drawn = draw(&mut held, &strategy);
+    let drawn = draw(&mut held, strategy);
     let Outcome::Refused(reason) = drawn.outcome else {
         panic!("{:?}", drawn.outcome);
     };
     assert!(reason.contains("1024"), "{reason}");
-    assert!(held.layers(&strategy).is_err(), "there is no frame");
+    assert!(held.layers(strategy).is_err(), "there is no frame");
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn plan_of_model(model: &Model) -> Plan {
     let plan = strategies::record(
         model,
         &view,
-        &strategy("grid:8+vds:64"),
+        strategy("grid:8+vds:64"),
         &Capacities::UNKNOWN,
     );
     plan.unwrap_or_else(|e| panic!("{e}"))

@@ -188,7 +188,7 @@ fn a_camera_that_orbits_builds_pyramids_once() {
     for angle_deg in [5.0, 30.0, 60.0, 75.0, 87.0, 60.0, 5.0, 87.0, 5.0] {
         let view = (model.prepared).view_of(&cube(256, angle_deg).camera, [48, 40]);
         walked += u32::from(pyramid_passes(&planned(&cube(256, angle_deg), None)).is_empty());
-        let drawn = session.draw(&model, &view, &strategy);
+        let drawn = session.draw(&model, &view, strategy);
         let drawn = drawn.unwrap_or_else(|e| panic!("{e}"));
         if drawn.clocks.contains(Clock::Cut) {
             built.push(angle_deg);

@@ -91,10 +91,10 @@ fn only_the_clocks_of_what_changed_run() {
             before = layers;
         }
         let again = session
-            .repeat(&strategy, ClockSet::FRAME)
+            .repeat(strategy, ClockSet::FRAME)
             .unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(again.clock_ms(Clock::Solid), 0.0, "{strategy}: solid");
-        let repeated = session.layers(&strategy).unwrap_or_else(|e| panic!("{e}"));
+        let repeated = session.layers(strategy).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(repeated, before, "{strategy}: the frame once more");
     }
 }

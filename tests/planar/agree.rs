@@ -132,16 +132,16 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
         let question = Question::of(&scene, SIZE);
         caps += question.exact.layers.count(Kind::Cap);
         asked += 1;
-        let mask = question.answer(&Strategy::RAYCAST_MASK);
+        let mask = question.answer(Strategy::RAYCAST_MASK);
         for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
             let found = question.answer(Method::new(Strategy::PLANAR, Means::by(rasteriser)));
             if let Some(fault) = fault(&found, &mask) {
                 faults.push(format!("{name}, {rasteriser}: {fault}"));
             }
         }
-        let classic = question.answer(&Strategy::STENCIL);
+        let classic = question.answer(Strategy::STENCIL);
         if classic.outcome == Outcome::Complete {
-            let found = question.answer(&Strategy::PLANAR);
+            let found = question.answer(Strategy::PLANAR);
             let differing = decided_differing(&found, &classic, other_class);
             if differing > 0 {
                 faults.push(format!("{name}: {differing} differ from stencil"));
@@ -158,16 +158,16 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
 fn a_section_by_another_plane_is_found_out() {
     let mut scene = scenes::sectioned("torus?segments=40&sides=20", &["-0.3,-0.5,-1@50%,50%,52%"]);
     let question = Question::of(&scene, SIZE);
-    assert_eq!(question.answer(&Strategy::PLANAR).fault_of_exact(), None);
+    assert_eq!(question.answer(Strategy::PLANAR).fault_of_exact(), None);
     // A hundredth of a radius away: the rim of the cap moves by about half a pixel.
     scene.cuts[0].surfaces[0].origin.z += 0.02;
     let moved = Question {
         exact: question.exact.clone(),
         ..Question::of(&scene, SIZE)
     };
-    let judged = moved.answer(&Strategy::PLANAR);
+    let judged = moved.answer(Strategy::PLANAR);
     assert!(judged.comparison.decided_wrong_px > 10, "a planted fault");
-    let whole = question.answer(&Strategy::PLANAR);
+    let whole = question.answer(Strategy::PLANAR);
     assert!(
         decided_differing(&whole, &judged, other_class) > 10,
         "another frame"
@@ -187,8 +187,8 @@ fn planes_may_begin_far_away() {
             scene.camera = scenes::orbit(35.0, 25.0, false);
             let question = Question::of(&scene, SIZE);
             assert!(question.exact.layers.count(Kind::Cap) > 200, "{shape}");
-            let mask = question.answer(&Strategy::RAYCAST_MASK);
-            let found = question.answer(&Strategy::PLANAR);
+            let mask = question.answer(Strategy::RAYCAST_MASK);
+            let found = question.answer(Strategy::PLANAR);
             assert_eq!(fault(&found, &mask), None, "{shape} from {origin}");
         }
     }
@@ -215,7 +215,7 @@ fn shells_in_shells_are_told_apart_by_priority() {
         let plane = ClipSurface::plane(DVec3::Z * 0.05, DVec3::new(-0.1, -0.3, -1.0));
         let scene = scenes::of_parts("shells", parts, vec![plane]);
         let question = Question::of(&scene, [256, 192]);
-        let judged = question.answer(&Strategy::PLANAR);
+        let judged = question.answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{outer:?}, {inner:?}");
         let shown = |part: u16| {
             let pixels = judged.layers.pixels.iter();
@@ -247,7 +247,7 @@ fn an_open_mesh_is_capped_as_far_as_it_closes_and_its_doubt_is_marked() {
     };
     let judged = |mesh: Mesh| {
         let scene = scenes::scene("open", mesh, vec![plane.clone()]);
-        Question::of(&scene, [256, 192]).answer(&Strategy::PLANAR)
+        Question::of(&scene, [256, 192]).answer(Strategy::PLANAR)
     };
     let caps = |j: &Judged| j.layers.count(Kind::Cap);
     let marked = |j: &Judged| j.layers.pixels.iter().filter(|p| p.unreliable).count();
@@ -290,6 +290,6 @@ fn a_near_plane_in_the_solid_is_no_matter_where_it_has_no_cap() {
         question.exact.layers.count(Kind::Cap) > 1000,
         "it asks something"
     );
-    let judged = question.answer(&Strategy::PLANAR);
+    let judged = question.answer(Strategy::PLANAR);
     assert_eq!(judged.fault_of_exact(), None, "the eye in what is removed");
 }

@@ -28,7 +28,7 @@ fn scene() -> Scene {
 /// The clocks on which something changed, and whether anything was sliced.
 fn drawn(session: &mut Session, model: &Model, size: [u32; 2]) -> (ClockSet, bool) {
     let view = model.prepared.view(size);
-    let drawn = session.draw(model, &view, &Strategy::PLANAR);
+    let drawn = session.draw(model, &view, Strategy::PLANAR);
     let drawn = drawn.unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
     let sliced = drawn.ran_on(Clock::Cut).contains(&"slice");
@@ -88,7 +88,7 @@ fn rounds_that_are_repeated_time_slicers_as_well() {
     let both = [("slicers", Clock::Solid), ("slice", Clock::Cut)].map(|(n, c)| (n.to_owned(), c));
     let mut frame = |model: &Model| {
         let view = model.prepared.view([64, 48]);
-        let drawn = session.draw(model, &view, &Strategy::PLANAR);
+        let drawn = session.draw(model, &view, Strategy::PLANAR);
         drawn.unwrap_or_else(|e| panic!("{e}")).times
     };
     assert_eq!(ran(&frame(&model)), both, "the first frame");
@@ -100,7 +100,7 @@ fn rounds_that_are_repeated_time_slicers_as_well() {
         "a plane that moves finds its slicers"
     );
     let all = ClockSet::FRAME.with(Clock::Solid).with(Clock::Cut);
-    let again = session.repeat(&Strategy::PLANAR, all).expect("times");
+    let again = session.repeat(Strategy::PLANAR, all).expect("times");
     assert_eq!(ran(&again), both, "another round");
     assert!(
         again.clock_ms(Clock::Solid) > 0.0,
@@ -150,7 +150,7 @@ fn a_mirrored_part_and_a_new_rule_are_sliced_right() {
         for part in &mut scene.parts {
             part.fill = fill;
         }
-        let judged = Question::of(&scene, [160, 120]).answer(&Strategy::PLANAR);
+        let judged = Question::of(&scene, [160, 120]).answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{fill}");
     }
     // Two balls that overlap in one mesh: the rule alone changes between two frames of one model.
@@ -163,7 +163,7 @@ fn a_mirrored_part_and_a_new_rule_are_sliced_right() {
     let mut scene = scenes::scene("balls", mesh, vec![plane]);
     let first = Model::of(&scene);
     let caps = |model: Model, scene: &Scene| {
-        let judged = Question::of_model(model, scene, [160, 120]).answer(&Strategy::PLANAR);
+        let judged = Question::of_model(model, scene, [160, 120]).answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.parts[0].fill);
         judged.layers.count(cutaway::layers::Kind::Cap)
     };

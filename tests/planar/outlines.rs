@@ -11,9 +11,9 @@ use super::decided_differing;
 /// Asks `planar`, holds it against exact and the mask, and gives back how many cap pixels there are.
 fn asked(scene: &Scene, size: [u32; 2], what: &str) -> usize {
     let question = Question::of(scene, size);
-    let judged = question.answer(&Strategy::PLANAR);
+    let judged = question.answer(Strategy::PLANAR);
     assert_eq!(judged.fault_of_exact(), None, "{what}");
-    let mask = question.answer(&Strategy::RAYCAST_MASK);
+    let mask = question.answer(Strategy::RAYCAST_MASK);
     let differing = decided_differing(&judged, &mask, |a, b| class_of(a) != class_of(b));
     assert_eq!(differing, 0, "{what}");
     judged.layers.count(Kind::Cap)
@@ -164,7 +164,7 @@ fn a_loop_of_a_hundred_thousand_points() {
     let mut scene = scenes::scene("spiky", walls(&[spiky]), vec![plane]);
     scene.camera = scenes::looking(DVec3::new(0.4, 0.7, 4.0), DVec3::ZERO, 40.0);
     let question = Question::of(&scene, [128; 2]);
-    let judged = question.answer(&Strategy::PLANAR);
+    let judged = question.answer(Strategy::PLANAR);
     // Spikes are thinner than the snapping of corners to 1/256 px: along the rim anything may be hit.
     let rim = |i: usize| {
         let at = DVec2::new((i % 128) as f64 + 0.5, (i / 128) as f64 + 0.5);

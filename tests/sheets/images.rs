@@ -80,10 +80,10 @@ fn a_fine_grid_of_a_smooth_relief_is_nearly_exact() {
         "waves:size=8,amplitude=10%",
     );
     let question = Question::of(&scene, SIZE);
-    let judged = question.answer(&strategy("grid:512+mask"));
+    let judged = question.answer(strategy("grid:512+mask"));
     let c = judged.comparison;
     assert!(c.decided_wrong_px <= 3, "{c:?}");
-    let coarse = question.answer(&strategy("grid:4+mask")).comparison;
+    let coarse = question.answer(strategy("grid:4+mask")).comparison;
     assert!(coarse.decided_wrong_px > 60, "the control: {coarse:?}");
 }
 

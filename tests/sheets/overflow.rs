@@ -84,11 +84,11 @@ fn a_session_tries_again_with_the_size_it_was_told() {
     let question = Question::of(&furrows(), SIZE);
     let name = strategy("grid:128+mask");
     let mut session = session();
-    let drawn = session.draw(&question.model, &question.view, &name);
+    let drawn = session.draw(&question.model, &question.view, name);
     let outcome = drawn.unwrap_or_else(|e| panic!("{e}")).outcome;
     assert_eq!(outcome, Outcome::Complete, "drawn again");
-    let need = session.words(&name, "need").expect("needs")[NEED_OF_SHEETS as usize];
-    let plan = session.plan(&name).expect("a plan");
+    let need = session.words(name, "need").expect("needs")[NEED_OF_SHEETS as usize];
+    let plan = session.plan(name).expect("a plan");
     let pool = (plan.bounded.iter()).find(|b| b.what == "fragments of sheets");
     assert!(need > SIZE[0] * SIZE[1], "{need} fit the first try");
     assert_eq!(pool.expect("a pool").capacity, need, "the exact size");
