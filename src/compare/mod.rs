@@ -60,7 +60,7 @@ pub struct Comparison {
     /// Pixels the strategy does not vouch for: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
     /// Pixels where the strategy says that several solids share the cap; it is told to look by
-    /// [`FrameOptions::interference`](crate::strategies::FrameOptions), and else says so nowhere.
+    /// [`Scene::interference`](crate::scene::Scene::interference), and else says so nowhere.
     pub overlap_px: usize,
     /// Largest error of depth in world units.
     pub depth_error_max: f64,
