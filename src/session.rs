@@ -14,7 +14,7 @@ use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
-use crate::strategies::{self, Method, Strategy};
+use crate::strategies::{self, Method, Refusal, Strategy};
 use crate::{Error, Result};
 
 mod bands;
@@ -32,7 +32,7 @@ pub enum Outcome {
     /// A bounded buffer was too small; the pixels concerned are marked.
     Overflowed(String),
     /// The strategy does not draw such a scene.
-    Refused(String),
+    Refused(Refusal),
 }
 
 impl Outcome {
@@ -49,7 +49,8 @@ impl Outcome {
     pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Complete => None,
-            Self::Overflowed(reason) | Self::Refused(reason) => Some(reason),
+            Self::Overflowed(reason) => Some(reason),
+            Self::Refused(refusal) => Some(&refusal.reason),
         }
     }
 }
@@ -203,7 +204,7 @@ impl Session {
     }
 
     fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
-        let mut recorder = Recorder::new(model, view).map_err(Error::Plan)?;
+        let mut recorder = Recorder::new(model, view).map_err(|r| Error::Plan(r.reason))?;
         recorder.given_layers(&crate::gpu::words_from_layers(layers));
         recorder.shade();
         let mut program = Program::default();

@@ -15,7 +15,7 @@ use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Mesh, Scene, section_surface};
 use cutaway::slice::{SlicePlane, Slicer};
-use cutaway::strategies::Method;
+use cutaway::strategies::{Method, Obstacle};
 use glam::DVec3;
 
 /// Every strategy that is exact for planes, by both rasterisers where there are two.
@@ -44,7 +44,7 @@ fn faults(question: &Question, what: &str) -> Vec<String> {
     let fault = |method: &Method| {
         let judged: Judged = question.answer(method);
         // A near plane in the solid, which grazing views may have, is not what is asked about.
-        let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.contains("near plane"));
+        let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.obstacle == Obstacle::NearPlane);
         let wrong = judged.comparison.decided_wrong_px;
         (wrong > 0 && !is_refused).then(|| {
             let told = judged.fault_of_exact().unwrap_or_default();

@@ -88,7 +88,7 @@ fn strategy(name: &str) -> Strategy {
 
 /// The strategies that are built and draw cuts of every kind, with small parameters as well as the usual.
 fn all_strategies() -> Vec<Strategy> {
-    let mut all = Strategy::ALL.to_vec();
+    let mut all = Strategy::all();
     all.retain(|s| ![Strategy::STENCIL, Strategy::PLANAR].contains(s));
     all.push(strategy("grid:8+vds:64"));
     all

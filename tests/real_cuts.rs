@@ -114,8 +114,8 @@ fn answer(session: &mut Session, question: &Question, method: Method) -> Answer 
         .unwrap_or_else(|e| panic!("{method}: {e}"));
     let slots = method.to_string().contains("kbuffer");
     let fault = match &drawn.outcome {
-        Outcome::Refused(reason) if slots && reason.contains("nearest fragments") => None,
-        Outcome::Refused(reason) => Some(reason.clone()),
+        Outcome::Refused(r) if slots && r.reason.contains("nearest fragments") => None,
+        Outcome::Refused(refusal) => Some(refusal.reason.clone()),
         outcome => {
             let layers = session.layers(method).expect("layers of a drawn frame");
             let c = question.compare(&layers);

@@ -75,7 +75,7 @@ impl Tally {
                 let answer = question.answer(Method::new(strategy, Means::by(*rasteriser)));
                 self.frames += 1;
                 let fault = match &answer.outcome {
-                    Outcome::Refused(reason) => Some(reason.clone()),
+                    Outcome::Refused(refusal) => Some(refusal.reason.clone()),
                     _ => answer.fault_of_exact(),
                 };
                 if let Some(fault) = fault {

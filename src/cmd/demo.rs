@@ -19,7 +19,6 @@ use crate::document::{Document, cut, part, section};
 use crate::experiment::{Judgement, Renderer, Shown};
 use crate::report::{self, Figure};
 use crate::session::Session;
-use crate::strategies::Strategy;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -76,10 +75,9 @@ pub(super) struct DemoArgs {
 /// Runs `demo`.
 pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     checked_folder("--out", &args.out)?;
-    let strategies = Strategy::ALL;
-    let renderers = strategies.map(Renderer::from);
+    let renderers = Renderer::named("all")?;
     let rounds = args.rounds as usize;
-    let steps = 2 + strategies.len() + judge::steps(strategies.len(), rounds);
+    let steps = 2 + renderers.len() + judge::steps(renderers.len(), rounds);
     let console = Console::new(args.console, steps);
     console.step("opening");
     let mut document = scene(args.resolution)?;

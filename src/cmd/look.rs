@@ -4,14 +4,13 @@ use super::args::say;
 use crate::Result;
 use crate::document::{Document, Value};
 use crate::experiment::Renderer;
+use crate::strategies::{Strategy, table};
 use clap::Args;
 
 /// How pictures are drawn.
 #[derive(Args)]
 pub(super) struct LookArgs {
-    /// Who draws the caps: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N and adaptive:TAU with all of these;
-    /// planar (planes); stencil (one plane); or exact for the reference [default: that of the scene, or raycast+mask]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help = strategy_help())]
     strategy: Option<String>,
     /// Draw N times as fine along each side and average in linear light, 1 to 4 [default: that of the scene, or 2]
     #[arg(
@@ -24,6 +23,14 @@ pub(super) struct LookArgs {
     /// Leave what shows no model transparent
     #[arg(long, help_heading = "Output")]
     pub(super) no_background: bool,
+}
+
+fn strategy_help() -> String {
+    format!(
+        "How caps are drawn: {}; or, on the CPU, exact for the reference, winding for open meshes [default: that of the scene, or {}]",
+        table::names(),
+        Strategy::RAYCAST_MASK
+    )
 }
 
 impl LookArgs {

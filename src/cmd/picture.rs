@@ -14,7 +14,7 @@ use crate::experiment::{Renderer, Shown};
 use crate::layers::{Kind, Layers};
 use crate::scene::View;
 use crate::session::{Drawn, Outcome, Session};
-use crate::strategies::Strategy;
+use crate::strategies::{Refusal, Strategy};
 use crate::{Error, Result};
 
 /// What is behind the model.
@@ -66,8 +66,8 @@ pub(super) fn draw(
             }
             Renderer::Method(method) => {
                 let drawn = session.draw(&shown.model, &view, method)?;
-                if let Outcome::Refused(reason) = drawn.outcome {
-                    return Err(refused(renderer, &reason));
+                if let Outcome::Refused(refusal) = &drawn.outcome {
+                    return Err(refused(renderer, refusal));
                 }
                 frames.push(drawn);
                 let wanted = samples.empty.is_some();
@@ -125,7 +125,7 @@ pub(super) fn strategy_name(renderer: Renderer) -> String {
 }
 
 /// The error of a strategy that does not draw what it was asked to.
-pub(super) fn refused(renderer: Renderer, reason: &str) -> Error {
+pub(super) fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
     let mend = if renderer
         .method()
         .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
@@ -134,7 +134,7 @@ pub(super) fn refused(renderer: Renderer, reason: &str) -> Error {
     } else {
         "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
     };
-    Error::input(format!("strategy {renderer}"), reason, mend)
+    Error::input(format!("strategy {renderer}"), &refusal.reason, mend)
 }
 
 /// A picture as PNG.

@@ -12,7 +12,7 @@ use super::when::TimeArgs;
 use crate::document::Value;
 use crate::experiment::{Renderer, Shown};
 use crate::plan::Capacities;
-use crate::strategies::{self, Method};
+use crate::strategies::{self, Method, Strategy, table};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -31,9 +31,7 @@ pub(super) struct PlanArgs {
     scene: SceneArgs,
     #[command(flatten)]
     when: TimeArgs,
-    /// Whose passes: raycast+mask, +stencil, +abuffer, +kbuffer:K, +ldi:RES or +vds:RES; grid:N and adaptive:TAU with all of these; planar; stencil
-    /// [default: that of the scene, or raycast+mask]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help = strategy_help())]
     strategy: Option<String>,
     /// The same as JSON; with `-` instead of the text
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
@@ -42,6 +40,14 @@ pub(super) struct PlanArgs {
     means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
+}
+
+fn strategy_help() -> String {
+    format!(
+        "Whose passes: {} [default: that of the scene, or {}]",
+        table::names(),
+        Strategy::RAYCAST_MASK
+    )
 }
 
 /// Runs `plan`.
@@ -72,7 +78,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     let Shown { model, .. } = Shown::of(&subject.scene);
     let view = subject.view(&model.prepared);
     let plan = strategies::record(&model, &view, method, &Capacities::UNKNOWN)
-        .map_err(|refusal| refused(method.into(), &refusal.reason))?;
+        .map_err(|refusal| refused(method.into(), &refusal))?;
     if let Some(output) = &json {
         let mut value = plan.to_json();
         value["strategy"] = method.strategy.to_string().into();

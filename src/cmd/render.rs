@@ -237,8 +237,8 @@ impl Facts {
             }
             Renderer::Method(method) => {
                 let drawn = session.draw(&shown.model, view, method)?;
-                if let Outcome::Refused(reason) = &drawn.outcome {
-                    return Err(picture::refused(renderer, reason));
+                if let Outcome::Refused(refusal) = &drawn.outcome {
+                    return Err(picture::refused(renderer, refusal));
                 }
                 let bytes = session.bytes(method)?;
                 Self {

@@ -301,7 +301,7 @@ fn in_turns(
 fn draw_uncut(session: &mut Session, question: &Question<'_>) -> Result<()> {
     let drawn = session.draw_uncut(&question.shown.model, &question.view)?;
     match drawn.outcome {
-        Outcome::Refused(reason) => Err(Error::Limit(reason)),
+        Outcome::Refused(refusal) => Err(Error::Limit(refusal.reason)),
         _ => Ok(()),
     }
 }

@@ -80,7 +80,7 @@ impl Renderer {
     /// `exact`, by which the others are measured, and what is no name.
     pub fn named(name: &str) -> Result<Vec<Self>> {
         if name.trim() == "all" {
-            return Ok(Strategy::ALL.map(Self::from).to_vec());
+            return Ok(Strategy::all().into_iter().map(Self::from).collect());
         }
         match name.parse()? {
             Self::EXACT => Err(Error::input(

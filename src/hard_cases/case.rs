@@ -8,7 +8,7 @@ use super::expected::Expected::{
 };
 use super::{Judged, failures};
 use crate::scene::{Scene, glob_matches};
-use crate::strategies::{CapSurface, InsideTest, Method};
+use crate::strategies::{Method, Obstacle, Strategy};
 
 /// What makes the cuts of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,31 +89,33 @@ impl Case {
             return *expected;
         }
         let strategy = &method.strategy;
-        if matches!(self.paper, Refuses(_)) && !strategy.counts_winding() {
+        let can = strategy.can();
+        if matches!(self.paper, Refuses(_)) && !can.nonzero {
             return self.paper;
         }
-        match (strategy.surface, strategy.inside) {
-            (CapSurface::Alone, _) if self.form == Form::Planes => Refuses("by one plane"),
-            (CapSurface::Alone | CapSurface::Planar, _) if self.form == Form::Reliefs => {
-                Refuses("has a relief")
-            }
-            (CapSurface::Alone, _) if self.exact == Marked => {
+        match self.form {
+            Form::Planes if !can.surfaces => return Refuses(Obstacle::Surfaces),
+            Form::Reliefs if !can.reliefs => return Refuses(Obstacle::Reliefs),
+            _ => {}
+        }
+        if strategy.is_by_the_papers_rule() {
+            return self.paper;
+        }
+        match self.exact {
+            Marked if *strategy == Strategy::STENCIL => {
                 Fails("it cannot tell an open mesh, and draws streaks of it unmarked")
             }
-            (CapSurface::Planar, _) if self.exact == Marked => Doubted,
-            (CapSurface::Raycast, InsideTest::Vds { .. } | InsideTest::Ldi { .. }) => {
-                match self.exact {
-                    Exact => Band,
-                    Marked => Fails("depth images cannot tell that a mesh is open"),
-                    other => other,
-                }
+            Marked if *strategy == Strategy::PLANAR => Doubted,
+            Marked if strategy.resolution().is_some() => {
+                Fails("depth images cannot tell that a mesh is open")
             }
-            _ if strategy.is_by_the_papers_rule() => self.paper,
-            (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, _) => match self.paper {
-                Share(most) if self.form == Form::Reliefs => Listed(most),
-                _ => self.exact,
+            Exact if strategy.resolution().is_some() => Band,
+            exact => match self.paper {
+                Share(most) if strategy.is_tessellated() && self.form == Form::Reliefs => {
+                    Listed(most)
+                }
+                _ => exact,
             },
-            _ => self.exact,
         }
     }
 

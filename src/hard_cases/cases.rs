@@ -6,6 +6,7 @@ use super::expected::Expected::{self, Band, Exact, Fails, Listed, Marked, Refuse
 use super::user_cases::OF_USERS;
 use super::{bumps, scenes, solids, tolerances, users, windings};
 use crate::scene::Scene;
+use crate::strategies::Obstacle;
 
 /// What the chord of a grid is wrong by, from the most that was found in one picture of 64 or 256 px, per boundary pixel.
 pub(super) const fn chord(found: f64) -> Expected {
@@ -35,14 +36,14 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
 
 /// Who caps no near plane says so.
 const NEAR_PLANE_MEETS: &[(&str, Expected)] = &[
-    ("planar*", Refuses("the near plane meets")),
-    ("stencil", Refuses("the near plane meets")),
+    ("planar*", Refuses(Obstacle::NearPlane)),
+    ("stencil", Refuses(Obstacle::NearPlane)),
 ];
 
 const PEELED: Expected = Fails("peeling loses the second of two faces");
 
 /// A map of one texel is a plane.
-const FLAT_ALONE: Expected = Expected::RefusesSome("has a relief");
+const FLAT_ALONE: Expected = Expected::RefusesSome(Obstacle::Reliefs);
 
 const NUMBERED: &[Case] = &[
     case(
@@ -158,7 +159,7 @@ const NUMBERED: &[Case] = &[
         |px| windings::nonzero(solids::hollow(px)),
         Plane,
         Exact,
-        Refuses("nonzero"),
+        Refuses(Obstacle::Nonzero),
     ),
     case(
         "17",
@@ -174,7 +175,7 @@ const NUMBERED: &[Case] = &[
         |px| windings::nonzero(solids::overlapping(px)),
         Plane,
         Exact,
-        Refuses("nonzero"),
+        Refuses(Obstacle::Nonzero),
     ),
     case(
         "18",
@@ -190,7 +191,7 @@ const NUMBERED: &[Case] = &[
         |px| windings::nonzero(windings::self_crossing(px)),
         Plane,
         Exact,
-        Refuses("nonzero"),
+        Refuses(Obstacle::Nonzero),
     ),
     case(
         "19",
@@ -207,7 +208,7 @@ const NUMBERED: &[Case] = &[
         |_| windings::nonzero(vec![solids::doubled()]),
         Plane,
         Exact,
-        Refuses("nonzero"),
+        Refuses(Obstacle::Nonzero),
     ),
     case(
         "20",
@@ -215,7 +216,7 @@ const NUMBERED: &[Case] = &[
         |px| windings::nonzero(solids::open(px)),
         Plane,
         Marked,
-        Refuses("nonzero"),
+        Refuses(Obstacle::Nonzero),
     )
     .but(&[("planar*", CLOSED)]),
     case(

@@ -8,7 +8,7 @@ use std::fmt;
 use super::tolerances::RIM_SHARE;
 use super::{Judged, Question, band};
 use crate::session::Outcome;
-use crate::strategies::Method;
+use crate::strategies::{Method, Obstacle};
 
 /// What a strategy is to make of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,10 +33,10 @@ pub enum Expected {
     Fails(&'static str),
     /// As `Fails`, and over all pictures at least and at most so many decided wrong pixels per covered pixel.
     FailsWithin(&'static str, f64, f64),
-    /// Not drawn, for a reason that holds these words.
-    Refuses(&'static str),
-    /// Some pictures are refused, for a reason that holds these words, and the others are exact.
-    RefusesSome(&'static str),
+    /// Not drawn, for what stands in the way.
+    Refuses(Obstacle),
+    /// Some pictures are refused, for what stands in the way, and the others are exact.
+    RefusesSome(Obstacle),
 }
 
 impl Expected {
@@ -50,20 +50,20 @@ impl Expected {
             Self::Share(_) => "texels and the chord of its grid move what they draw",
             Self::Listed(_) => "the chord of its triangles moves what they draw",
             Self::Fails(why) | Self::FailsWithin(why, ..) | Self::Within(_, why) => why,
-            Self::Refuses(words) | Self::RefusesSome(words) => words,
+            Self::Refuses(obstacle) | Self::RefusesSome(obstacle) => {
+                return Some(obstacle.to_string());
+            }
         };
         Some(why.to_owned())
     }
 
     /// What is wrong with one picture.
     pub fn fault(&self, question: &Question, judged: &Judged, method: &Method) -> Option<String> {
-        if let Self::Refuses(words) | Self::RefusesSome(words) = self {
-            let told = judged.outcome.reason().unwrap_or_default();
-            let is_refused = matches!(judged.outcome, Outcome::Refused(_));
-            if is_refused && told.contains(words) {
-                return None;
-            }
+        if let Self::Refuses(obstacle) | Self::RefusesSome(obstacle) = self {
             return match self {
+                _ if matches!(&judged.outcome, Outcome::Refused(r) if r.obstacle == *obstacle) => {
+                    None
+                }
                 Self::RefusesSome(_) => judged.fault_of_exact(),
                 _ => Some(format!("outcome {:?}", judged.outcome)),
             };
@@ -81,7 +81,7 @@ impl Expected {
             Self::Exact | Self::Overflows(_) => judged.fault_of_exact(),
             Self::Marked => mismarked_fault(judged).or_else(|| unmarked_fault(judged)),
             Self::Doubted => unmarked_fault(judged),
-            Self::Band => band::fault(question, judged, method.strategy.inside.resolution()?),
+            Self::Band => band::fault(question, judged, method.strategy.resolution()?),
             Self::Share(most) | Self::Within(most, _) => share_fault(question, judged, *most),
             Self::Listed(most) => {
                 list_fault(judged).or_else(|| share_fault(question, judged, *most))

@@ -4,6 +4,7 @@
 //! drawn at the smaller one by all, at the larger one by a few.
 
 use crate::strategies::Method;
+use crate::strategies::table::{CAP_SURFACES, INSIDE_TESTS};
 
 /// Pictures of up to so many pixels along a side are drawn by all.
 const SMALL_PX: u32 = 64;
@@ -11,32 +12,20 @@ const SMALL_PX: u32 = 64;
 /// Pictures of so many pixels along a side are drawn by the others.
 const LARGE_PX: u32 = 256;
 
-/// All methods, and whether they draw large pictures too.
-const NAMES: [(&str, bool); 15] = [
-    ("raycast+mask", true),
-    ("raycast+mask@compute", true),
-    ("raycast+stencil", true),
-    ("raycast+abuffer", true),
-    ("raycast+abuffer@compute", false),
-    ("raycast+kbuffer:8", false),
-    ("raycast+ldi:512", false),
-    ("raycast+vds:512", false),
-    ("stencil", true),
-    ("planar", true),
-    ("planar@compute", false),
-    ("adaptive:0.5+mask", false),
-    ("grid:256+mask", false),
-    ("grid:256+ldi:512", false),
-    ("grid:256+vds:512", true),
-];
-
 /// All methods that draw pictures of so many pixels along a side.
 pub fn usual_methods(size_px: u32) -> Vec<Method> {
-    NAMES
-        .iter()
+    names()
         .filter(|(_, is_large)| size_px <= SMALL_PX || *is_large)
         .filter_map(|(name, _)| name.parse().ok())
         .collect()
+}
+
+/// The names of all methods, and whether they draw large pictures too.
+fn names() -> impl Iterator<Item = (&'static str, bool)> {
+    let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
+    let tests = INSIDE_TESTS.iter().map(|row| &row.facts);
+    let cases = tests.chain(surfaces).flat_map(|facts| facts.hard_cases);
+    cases.copied()
 }
 
 /// Sides of the pictures that the table usually has of a method.
@@ -55,8 +44,8 @@ mod tests {
     #[test]
     fn every_name_is_that_of_a_method() {
         let all = usual_methods(SMALL_PX);
-        assert_eq!(all.len(), NAMES.len(), "a name is misspelt");
-        for (method, (name, _)) in all.iter().zip(NAMES) {
+        assert_eq!(all.len(), names().count(), "a name is misspelt");
+        for (method, (name, _)) in all.iter().zip(names()) {
             assert_eq!(method.to_string(), name);
         }
         let large = usual_methods(SMALL_PX + 1).len();

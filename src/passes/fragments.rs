@@ -6,6 +6,7 @@
 //!
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
+use super::Refusal;
 use super::recorder::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
 use super::{Rasteriser, Recorder, Scan, ScreenOf, Store, Sweep, pixels};
 use crate::plan::pack::FragmentPool;
@@ -109,7 +110,7 @@ impl Recorder<'_> {
         has_owners: bool,
         capacities: &Capacities,
         what: &str,
-    ) -> Result<FragmentLists, String> {
+    ) -> Result<FragmentLists, Refusal> {
         self.lists_of(OF_MESH, lists, has_owners, capacities.fragments, what)
     }
 
@@ -118,7 +119,7 @@ impl Recorder<'_> {
         &mut self,
         capacities: &Capacities,
         what: &str,
-    ) -> Result<FragmentLists, String> {
+    ) -> Result<FragmentLists, Refusal> {
         let lists = pixels(self.view.size_px);
         self.lists_of(OF_SHEETS, lists, true, capacities.sheets, what)
     }
@@ -130,9 +131,12 @@ impl Recorder<'_> {
         has_owners: bool,
         capacity: Option<u32>,
         what: &str,
-    ) -> Result<FragmentLists, String> {
-        let lists = u32::try_from(lists)
-            .map_err(|_| format!("{lists} lists of {what} are more than 32 bits can count"))?;
+    ) -> Result<FragmentLists, Refusal> {
+        let lists = u32::try_from(lists).map_err(|_| {
+            Refusal::amount(format!(
+                "{lists} lists of {what} are more than 32 bits can count"
+            ))
+        })?;
         let capacity = capacity.unwrap_or(lists);
         let words_each = if has_owners { 2 } else { 1 };
         let bytes = 4 * (u64::from(lists) + u64::from(capacity) * words_each);
@@ -201,7 +205,7 @@ impl Recorder<'_> {
         name: &str,
         reason: &str,
         store: &Store,
-    ) -> Result<(), String> {
+    ) -> Result<(), Refusal> {
         match rasteriser {
             Rasteriser::Hardware => {
                 self.draw_fragments(name, reason, store);

@@ -19,6 +19,7 @@ mod pyramid;
 mod rasterise;
 mod rasteriser;
 mod recorder;
+mod refusal;
 mod relevance;
 mod resolve;
 mod rest;
@@ -45,6 +46,7 @@ pub use recorder::{
     DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_SPRITES,
     NEED_OF_TRIANGLES, Recorder, Targets, counted, pixels,
 };
+pub use refusal::{Obstacle, Refusal};
 pub use relevance::{Relevance, Treatment};
 pub use resolve::Inside;
 pub use scan::{BLOCK_WORDS, Scan};

@@ -10,6 +10,7 @@
 //! tightly stretches. Cannot: more than [`MOST_DEFORMERS`] deformers in a part, and what shares no axis with the skin cannot be
 //! more precise than the part is large, so a skin that carries a part far away before deformers follow loses digits.
 
+use super::Refusal;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
@@ -167,14 +168,14 @@ fn deformer(of: &Deformer, rest_from_part: &DAffine3, scale: f64) -> pack::Defor
 
 impl Recorder<'_> {
     /// Places the parts that move and are drawn; the reason where one cannot be.
-    pub fn pose_parts(&mut self) -> Result<(), String> {
+    pub fn pose_parts(&mut self) -> Result<(), Refusal> {
         let model = self.model;
         for rank in self.relevance.order.clone() {
             let Some(moving) = &model.moving[rank] else {
                 continue;
             };
             if let Some(reason) = &moving.standing.refusal {
-                return Err(reason.clone());
+                return Err(Refusal::amount(reason.clone()));
             }
             self.pose_part(rank, moving);
         }

@@ -6,6 +6,7 @@
 //!
 //! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
 
+use super::Refusal;
 use super::recorder::{Recorder, pixels};
 use super::sweep::GROUP;
 use super::{Crossings, Inside, Screen, ScreenOf, Store, Sweep};
@@ -18,7 +19,11 @@ const PAINTING_GROUPS: u32 = 1024;
 impl Recorder<'_> {
     /// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
     /// are too many parts.
-    pub(super) fn rasterise(&mut self, store: &Store, crossings: &Crossings) -> Result<(), String> {
+    pub(super) fn rasterise(
+        &mut self,
+        store: &Store,
+        crossings: &Crossings,
+    ) -> Result<(), Refusal> {
         let nearest = self.nearest();
         let screen = self.screen_of_frame()?;
         let marking = Sweep {
@@ -51,7 +56,7 @@ impl Recorder<'_> {
     }
 
     /// The screen of the frame, with all parts that are drawn.
-    fn screen_of_frame(&mut self) -> Result<Screen, String> {
+    fn screen_of_frame(&mut self) -> Result<Screen, Refusal> {
         let order = self.relevance.order.clone();
         let of = ScreenOf {
             name: "",

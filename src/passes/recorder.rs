@@ -1,6 +1,7 @@
 //! Recording a plan: the resources that several passes share are created at first mention, so that what nobody mentions
 //! does not exist.
 
+use super::Refusal;
 use super::{Model, Relevance, ReliefWalk, Screen};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{
@@ -61,7 +62,7 @@ pub struct Recorder<'a> {
 
 impl<'a> Recorder<'a> {
     /// An empty plan; the reason where the scene is too much.
-    pub fn new(model: &'a Model, view: &'a View) -> Result<Self, String> {
+    pub fn new(model: &'a Model, view: &'a View) -> Result<Self, Refusal> {
         let relevance = Relevance::of(&model.prepared, view)?;
         Ok(Self {
             plan: Plan::default(),

@@ -4,6 +4,7 @@
 //! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
 //! called cut though only its box is.
 
+use super::Refusal;
 use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
 use crate::scene::{Bounds, Prepared, PreparedSurface, View};
 
@@ -62,12 +63,12 @@ enum Side {
 
 impl Relevance {
     /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
-    pub fn of(prepared: &Prepared, view: &View) -> Result<Self, String> {
+    pub fn of(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
-            return Err(format!(
+            return Err(Refusal::amount(format!(
                 "{} parts are more than the {MOST_PARTS} that layers can name",
                 prepared.parts.len()
-            ));
+            )));
         }
         let mut surfaces: Vec<usize> = Vec::new();
         let mut cuts: Vec<(usize, u32)> = Vec::new();
@@ -90,9 +91,9 @@ impl Relevance {
                         let first = surfaces.len();
                         surfaces.extend(numbers);
                         if surfaces.len() > MAX_SURFACES || cuts.len() == MAX_CUTS {
-                            return Err(format!(
+                            return Err(Refusal::amount(format!(
                                 "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
-                            ));
+                            )));
                         }
                         cuts.push((*cut, (first..surfaces.len()).fold(0, |b, i| b | 1 << i)));
                         cuts.len() - 1
@@ -128,7 +129,7 @@ impl Relevance {
             .any(|i| view.near_plane_meets(&prepared.parts[*i].bounds));
         for number in &surfaces {
             if let Some(reason) = beyond_words(*number, &prepared.surfaces[*number], &cut_box) {
-                return Err(reason);
+                return Err(Refusal::amount(reason));
             }
         }
         let mut places = vec![0; parts.len()];

@@ -6,6 +6,7 @@
 //! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
 //! views have it beyond all parts.
 
+use super::Refusal;
 use std::ops::Range;
 
 use bytemuck::Zeroable;
@@ -86,7 +87,7 @@ fn named(screen: &str, what: &str) -> String {
 
 impl Recorder<'_> {
     /// Records the pass that takes parts to a screen; the reason where they are too many.
-    pub fn screen(&mut self, of: ScreenOf<'_>) -> Result<Screen, String> {
+    pub fn screen(&mut self, of: ScreenOf<'_>) -> Result<Screen, Refusal> {
         let groups = if of.settles {
             self.settled_groups().len()
         } else {
@@ -94,9 +95,9 @@ impl Recorder<'_> {
         };
         let rows = of.ranks.len() + groups;
         if rows > MOST_DRAWN_PARTS {
-            return Err(format!(
+            return Err(Refusal::amount(format!(
                 "the compute rasteriser draws {MOST_DRAWN_PARTS} parts and groups of faces in clip-surfaces, there are {rows}"
-            ));
+            )));
         }
         // Vertices from the first to the last that some part needs.
         let (first_vertex, end_vertex) = (of.ranks.iter())

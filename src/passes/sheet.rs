@@ -11,6 +11,7 @@
 //!
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice.
 
+use super::Refusal;
 use super::{Crossings, FragmentLists, Recorder};
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Resource,
@@ -84,7 +85,7 @@ impl Recorder<'_> {
         crossings: &Crossings,
         capacity: u32,
         capacities: &Capacities,
-    ) -> Result<(), String> {
+    ) -> Result<(), Refusal> {
         let lists = self.sheet_lists(capacities, FRAGMENTS_OF_SHEETS)?;
         let mut bindings = vec![self.frame()];
         bindings.extend(lists.emptied());

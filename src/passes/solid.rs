@@ -4,6 +4,7 @@
 //! One pass for the cut parts by the GPU's own rasteriser, and one that draws the others plainly; or the sweeps of the compute
 //! rasteriser over all. What an inside test wants of a fragment is a file that fills the open module `cutaway::store`.
 
+use super::Refusal;
 use super::{Crossings, DrawPass, Rasteriser, Recorder, counted};
 use crate::plan::{Access, Binding};
 use crate::shader::Shader;
@@ -45,7 +46,7 @@ impl Recorder<'_> {
         rasteriser: Rasteriser,
         store: &Store,
         crossings: &Crossings,
-    ) -> Result<(), String> {
+    ) -> Result<(), Refusal> {
         match rasteriser {
             Rasteriser::Hardware => {
                 self.draw_solids(store, crossings);

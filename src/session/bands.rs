@@ -10,7 +10,7 @@ use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Plan};
 use crate::scene::View;
-use crate::strategies::Refusal;
+use crate::strategies::{Obstacle, Refusal};
 use crate::{Error, Result};
 
 /// Some rows of the frame.
@@ -44,7 +44,7 @@ pub(super) struct Slot {
 /// Why bands are not drawn.
 enum Stop {
     /// The strategy refuses.
-    Refused(String),
+    Refused(Refusal),
     /// The plan breaks a limit of the device.
     TooLarge(String),
 }
@@ -76,13 +76,13 @@ impl Slot {
                     self.refused = None;
                     return Ok(drawn);
                 }
-                Err(Stop::Refused(reason)) => return Ok(self.refuse(reason)),
+                Err(Stop::Refused(refusal)) => return Ok(self.refuse(refusal)),
                 Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
             };
             if self.bands.iter().any(|b| b.rows <= Capacities::FEWEST_ROWS) {
                 // The next frame begins in one piece: this one says nothing of how many pieces would do.
                 self.cut_into(1);
-                return Ok(self.refuse(reason));
+                return Ok(self.refuse(Refusal::new(Obstacle::Limit, reason)));
             }
             if let Some(capacities) = &mut self.capacities {
                 // What all rows needed together would make every band too large.
@@ -116,10 +116,10 @@ impl Slot {
         self.bands = bands.collect();
     }
 
-    fn refuse(&mut self, reason: String) -> Drawn {
-        self.refused = Some(reason.clone());
+    fn refuse(&mut self, refusal: Refusal) -> Drawn {
+        self.refused = Some(refusal.reason.clone());
         Drawn {
-            outcome: Outcome::Refused(reason),
+            outcome: Outcome::Refused(refusal),
             clocks: ClockSet::NONE,
             times: RunTimes::default(),
         }
@@ -168,7 +168,7 @@ impl Band {
         loop {
             let plan = match record(capacities) {
                 Ok(plan) => plan,
-                Err(refusal) => return Ok(Err(Stop::Refused(refusal.reason))),
+                Err(refusal) => return Ok(Err(Stop::Refused(refusal))),
             };
             capacities.pyramids |= plan.resource_named("pyramids").is_some();
             // The last try does all that the frame takes, so that its times are those of the frame.

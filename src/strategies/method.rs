@@ -39,7 +39,7 @@ pub struct Means {
 type Word = (&'static str, fn(&mut Means));
 
 /// What may follow the `@`.
-const WORDS: [Word; 6] = [
+const MEANS_WORDS: [Word; 6] = [
     ("hardware", |m| m.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |m| m.rasteriser = Some(Rasteriser::Compute)),
     ("32-bit", |m| m.wide_atomics = Some(false)),
@@ -63,7 +63,7 @@ impl Means {
 
     /// Whether a word may follow the `@`.
     pub fn is_word(word: &str) -> bool {
-        WORDS.iter().any(|(name, _)| *name == word)
+        MEANS_WORDS.iter().any(|(name, _)| *name == word)
     }
 
     /// These, and what they leave open from others.
@@ -113,7 +113,7 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.strategy)?;
         let mut separator = '@';
-        for (name, set) in WORDS {
+        for (name, set) in MEANS_WORDS {
             let mut with = self.means;
             set(&mut with);
             if with == self.means {
@@ -135,8 +135,8 @@ impl FromStr for Method {
         };
         let mut method = Self::from(name.trim().parse::<Strategy>()?);
         for word in words.into_iter().flat_map(|w| w.split(',')) {
-            let Some((_, set)) = WORDS.iter().find(|(name, _)| *name == word.trim()) else {
-                let known: Vec<&str> = WORDS.iter().map(|(name, _)| *name).collect();
+            let Some((_, set)) = MEANS_WORDS.iter().find(|(name, _)| *name == word.trim()) else {
+                let known: Vec<&str> = MEANS_WORDS.iter().map(|(name, _)| *name).collect();
                 return Err(Error::input(
                     text,
                     format!("`{word}` is no means of drawing"),

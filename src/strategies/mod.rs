@@ -1,31 +1,27 @@
 //! Strategies: a cap surface and an inside test, and the plan they record together.
 //!
-//! A strategy never touches the GPU. Adding one means a file under `surface/` or `inside/`, a folder of shaders and an arm in
-//! `record_cut`.
+//! A strategy never touches the GPU. Adding a cap surface or an inside test means a file under `surface/` or `inside/`, a folder of
+//! shaders and a line in the [`table`].
 
 pub mod inside;
 pub mod surface;
+pub mod table;
 
 mod method;
 mod name;
+mod row;
 
-pub use crate::passes::{Rasteriser, ReliefWalk};
+pub use crate::passes::{Obstacle, Rasteriser, Refusal, ReliefWalk};
 pub use method::{Means, Method};
-pub use name::{CapSurface, InsideTest, Strategy, Tau};
+pub use name::Strategy;
+pub use row::{Abilities, CapSurface, CapSurfaceRow, Facts, InsideTest, InsideTestRow, Parameter};
+pub(crate) use row::{Answers, Caps};
+
+use std::fmt::Display;
 
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Plan};
 use crate::scene::{HeightFilter, View};
-
-/// Why a strategy does not draw a scene: data, which an experiment can expect.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{strategy} refuses: {reason}")]
-pub struct Refusal {
-    /// Name of the strategy.
-    pub strategy: String,
-    /// Why.
-    pub reason: String,
-}
 
 /// The plan of a frame by a method.
 ///
@@ -42,140 +38,143 @@ pub fn record(
     capacities: &Capacities,
 ) -> Result<Plan, Refusal> {
     let Method { strategy, means } = method.into();
-    let strategy = &strategy;
-    let refuse = |reason: String| Refusal {
-        strategy: strategy.to_string(),
-        reason,
-    };
     let rasteriser = means.rasteriser.unwrap_or_default();
-    let needs_targets = strategy.is_by_the_papers_rule()
-        || matches!(
-            strategy.inside,
-            InsideTest::Vds { .. } | InsideTest::Stencil
-        );
-    if rasteriser == Rasteriser::Compute && needs_targets {
-        return Err(refuse(format!(
-            "the compute rasteriser draws no caps, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
-             rasteriser alone"
-        )));
+    if rasteriser == Rasteriser::Compute && !strategy.can().compute {
+        return Err(Refusal::new(
+            Obstacle::Rasteriser,
+            format!(
+                "the compute rasteriser draws no caps, peels no sprite and has no stencil: {strategy} is drawn by the hardware \
+                 rasteriser alone"
+            ),
+        ));
     }
-    let mut recorder = Recorder::new(model, view).map_err(refuse)?;
+    let mut recorder = Recorder::new(model, view)?;
     recorder.wide_atomics = means.wide_atomics.unwrap_or(false);
     recorder.relief_walk = means.relief_walk;
     recorder.height_filter = means.height_filter.unwrap_or_default();
     recorder.keeps_pyramids = capacities.pyramids;
-    if let Some(reason) = beyond(&recorder, strategy) {
-        return Err(refuse(reason));
-    }
-    recorder.pose_parts().map_err(refuse)?;
+    must_be_able(&recorder, strategy)?;
+    recorder.pose_parts()?;
     if recorder.relevance.lanes == 0 {
         recorder.draw_plain_parts(false);
         recorder.gather();
     } else {
-        record_cut(&mut recorder, strategy, rasteriser, capacities).map_err(refuse)?;
+        record_cut(&mut recorder, strategy, rasteriser, capacities)?;
     }
     recorder.shade();
     Ok(recorder.plan)
 }
 
-/// The plan where a cut opens some part; the reason where the strategy cannot draw it.
+/// The plan where a cut opens some part.
 fn record_cut(
     recorder: &mut Recorder<'_>,
-    strategy: &Strategy,
+    strategy: Strategy,
     rasteriser: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
-    let surface = strategy.surface;
-    match (surface, strategy.inside) {
-        (CapSurface::Planar, InsideTest::Alone) => {
-            surface::planar::record(recorder, rasteriser, capacities)
-        }
-        (CapSurface::Planar, inside) => Err(format!(
-            "a section knows by itself what is inside, and {inside} has nothing to answer: name planar alone"
-        )),
-        (CapSurface::Alone, InsideTest::Stencil) => inside::stencil::alone::record(recorder),
-        (CapSurface::Alone, inside) => Err(format!("{inside} does not draw caps by itself")),
-        (_, InsideTest::Alone) => Err(format!("{surface} does not know what is inside")),
-        (_, InsideTest::Mask) => inside::mask::record(recorder, surface, rasteriser, capacities),
-        (_, InsideTest::Stencil) => inside::stencil::record(recorder, surface, capacities),
-        (_, InsideTest::ABuffer) => {
-            inside::abuffer::record(recorder, surface, rasteriser, capacities)
-        }
-        (_, InsideTest::KBuffer { depths }) => {
-            inside::kbuffer::record(recorder, surface, rasteriser, depths, capacities)
-        }
-        (CapSurface::Raycast, InsideTest::Vds { resolution }) => {
-            inside::vds::record_with_list(recorder, rasteriser, resolution, capacities)
-        }
-        (CapSurface::Raycast, InsideTest::Ldi { resolution }) => {
-            inside::ldi::record_with_list(recorder, rasteriser, resolution, capacities)
-        }
-        (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Vds { resolution }) => {
-            let sprites = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
-                let of_part = |rank: &usize| {
-                    let sprite = inside::vds::record(recorder, *rank, resolution, capacities);
-                    (vec![*rank], sprite)
-                };
-                Ok(ranks.iter().map(of_part).collect())
-            };
-            let tessellate =
-                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
-            surface::paper::record(recorder, tessellate, sprites)
-        }
-        (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, InsideTest::Ldi { resolution }) => {
-            let images = |recorder: &mut Recorder<'_>, ranks: &[usize]| {
-                let images =
-                    inside::ldi::record(recorder, rasteriser, ranks, resolution, capacities)?;
-                Ok(vec![(ranks.to_vec(), images)])
-            };
-            let tessellate =
-                |r: &mut Recorder<'_>| surface::tessellate(r, surface, true, capacities);
-            surface::paper::record(recorder, tessellate, images)
-        }
-    }
-}
-
-/// What of the scene is more than the strategy knows of.
-fn beyond(recorder: &Recorder<'_>, strategy: &Strategy) -> Option<String> {
-    let inside = strategy.inside;
-    if !strategy.counts_winding() && recorder.has_nonzero() {
-        return Some(format!(
-            "{inside} knows parity alone, and a part that is cut has fill = \"nonzero\""
-        ));
-    }
-    if recorder.shows_overlaps() && !strategy.tells_overlaps() {
-        return Some(format!(
-            "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
-        ));
-    }
-    if recorder.has_cutters() && !strategy.lists_crossings() {
-        let why = if strategy.is_by_the_papers_rule() {
-            "draws each clip-surface by itself, with no list of crossings to put its faces in"
-        } else {
-            "cuts by planes alone"
+) -> Result<(), Refusal> {
+    let Strategy { surface, inside } = strategy;
+    let Some(inside) = inside else {
+        return match surface.row().caps {
+            Caps::Alone(record) => record(recorder, rasteriser, capacities),
+            _ => Err(unpaired(surface, "does not know what is inside")),
         };
-        return Some(format!(
-            "a cut has a closed mesh for a volume, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, abuffer \
-             or kbuffer, or raycast with vds or ldi"
-        ));
+    };
+    match (surface.row().caps, inside.row().answers) {
+        (Caps::Alone(_), _) => Err(unpaired(surface, "knows by itself what is inside")),
+        (_, Answers::Rays(record)) => {
+            record(recorder, surface, inside.steps(), rasteriser, capacities)
+        }
+        (Caps::Rays(_), Answers::Points(images)) => {
+            let resolution = inside.steps();
+            inside::probed(
+                recorder, surface, images, resolution, rasteriser, capacities,
+            )
+        }
+        (Caps::Triangles(tessellate), Answers::Points(images)) => surface::paper::record(
+            recorder,
+            |recorder| tessellate(recorder, surface.steps(), true, capacities),
+            |recorder| images(recorder, inside.steps(), rasteriser, capacities),
+        ),
     }
-    unfiltered(recorder, strategy.surface)
 }
 
-/// Why the reliefs of the scene are not read as the options say.
-fn unfiltered(recorder: &Recorder<'_>, surface: CapSurface) -> Option<String> {
-    if recorder.height_filter == HeightFilter::Exact || !recorder.has_reliefs() {
-        return None;
+/// The refusal of a cap surface or an inside test that is asked for with another.
+fn unpaired(who: impl Display, what: &str) -> Refusal {
+    Refusal::new(Obstacle::Pairing, format!("{who} {what}"))
+}
+
+/// Refuses what of the scene is more than the strategy knows of.
+fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refusal> {
+    let can = strategy.can();
+    let refuse = |obstacle, reason: String| Err(Refusal::new(obstacle, reason));
+    if !can.nonzero && recorder.has_nonzero() {
+        let who = strategy
+            .inside
+            .map_or_else(|| strategy.to_string(), |i| i.to_string());
+        return refuse(
+            Obstacle::Nonzero,
+            format!("{who} knows parity alone, and a part that is cut has fill = \"nonzero\""),
+        );
     }
-    let why = match surface {
-        CapSurface::Raycast => "solves for where a ray meets what four texels span",
-        CapSurface::Adaptive { .. } => "measures its triangles against four texels",
+    if !can.overlaps && recorder.shows_overlaps() {
+        return refuse(
+            Obstacle::Overlaps,
+            format!(
+                "{strategy} draws the caps of each part by themselves and does not tell where solids overlap"
+            ),
+        );
+    }
+    if !can.cutters && recorder.has_cutters() {
+        let why = match strategy.is_by_the_papers_rule() {
+            true => {
+                "draws each clip-surface by itself, with no list of crossings to put its faces in"
+            }
+            false => "cuts by planes alone",
+        };
+        return refuse(
+            Obstacle::Cutters,
+            format!(
+                "a cut has a closed mesh for a volume, and {strategy} {why}: name raycast, grid or adaptive with mask, stencil, \
+                 abuffer or kbuffer, or raycast with vds or ldi"
+            ),
+        );
+    }
+    heights_must_be_read(recorder, strategy.surface)?;
+    let (prepared, surfaces) = (&recorder.model.prepared, &recorder.relevance.surfaces);
+    let relief = surfaces.iter().find(|s| recorder.model.is_relief(**s));
+    if let (false, Some(number)) = (can.reliefs, relief) {
+        let cut = &prepared.cuts[prepared.surfaces[*number].cut].name;
+        return refuse(
+            Obstacle::Reliefs,
+            format!(
+                "{strategy} cuts by planes, and clip-surface {number} of cut `{cut}` has a relief"
+            ),
+        );
+    }
+    if !can.surfaces && surfaces.len() > 1 {
+        let count = surfaces.len();
+        return refuse(
+            Obstacle::Surfaces,
+            format!("{strategy} cuts by one plane, and {count} clip-surfaces meet the parts"),
+        );
+    }
+    Ok(())
+}
+
+/// Refuses reliefs that cannot be read as the means say.
+fn heights_must_be_read(recorder: &Recorder<'_>, surface: CapSurface) -> Result<(), Refusal> {
+    if recorder.height_filter == HeightFilter::Exact || !recorder.has_reliefs() {
+        return Ok(());
+    }
+    let reason = match surface.row().exact_heights {
         // What cuts by planes alone says so itself.
-        CapSurface::Grid { .. } | CapSurface::Planar | CapSurface::Alone => {
-            return recorder.unfiltered();
-        }
+        "" => recorder.unfiltered(),
+        why => Some(format!(
+            "{surface} {why} and asks no sampler for heights: height_filter = \"hardware\" is for grid"
+        )),
     };
-    Some(format!(
-        "{surface} {why} and asks no sampler for heights: height_filter = \"hardware\" is for grid"
-    ))
+    match reason {
+        Some(reason) => Err(Refusal::new(Obstacle::HeightFilter, reason)),
+        None => Ok(()),
+    }
 }

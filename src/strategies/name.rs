@@ -1,103 +1,49 @@
-//! Names of strategies: `raycast+mask`, `adaptive:0.5+mask`, `grid:256+vds:1024`; `planar` and `stencil` stand alone.
+//! Strategies and their names: `raycast+mask`, `adaptive:0.5+mask`, `grid:256+vds:1024`; `planar` and `stencil` stand alone.
 
 use std::fmt;
 use std::str::FromStr;
 
+use super::row::{
+    Abilities, Answers, CapSurface, CapSurfaceRow, Caps, Chosen, InsideTest, InsideTestRow, Row,
+};
+use super::table::{CAP_SURFACES, INSIDE_TESTS, all};
+use super::{inside, surface};
 use crate::Error;
 use crate::error::did_you_mean;
 
-/// A way to produce cap points per pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum CapSurface {
+impl CapSurface {
     /// All crossings of each pixel's ray, exactly.
-    Raycast,
-    /// None: the inside test draws the caps itself.
-    Alone,
-    /// The paper's quad, refined and displaced.
-    Grid {
-        /// Cells along a side.
-        cells: u32,
-    },
-    /// A tessellation as fine as the screen asks for.
-    Adaptive {
-        /// Error on the screen that it stays under.
-        tau: Tau,
-    },
+    pub const RAYCAST: Self = Self::new(&surface::raycast::ROW, 0);
     /// The section of the mesh by the plane, triangulated.
-    Planar,
-}
+    pub const PLANAR: Self = Self::new(&surface::planar::ROW, 0);
+    /// One plane, counted in the stencil.
+    pub const STENCIL: Self = Self::new(&inside::stencil::alone::ROW, 0);
 
-/// An error on the screen, kept in thousandths of a pixel so that it is equal to itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Tau {
-    thousandths_px: u32,
-}
-
-impl Tau {
-    /// Half a pixel.
-    pub const HALF: Self = Self {
-        thousandths_px: 500,
-    };
-
-    /// So many pixels, rounded to thousandths; none outside of 0.01 to 100.
-    pub fn of_px(px: f64) -> Option<Self> {
-        (0.01..=100.0).contains(&px).then(|| Self {
-            thousandths_px: (px * 1000.0).round() as u32,
-        })
+    /// The paper's quad, refined into so many cells along a side and displaced.
+    pub const fn grid(cells: u32) -> Self {
+        Self::new(&surface::grid::ROW, cells)
     }
 
-    /// In pixels.
-    pub fn px(self) -> f64 {
-        f64::from(self.thousandths_px) / 1000.0
+    /// A tessellation as fine as keeps it within so many pixels of the relief; none outside of 0.01 to 100.
+    pub fn adaptive(tau_px: f64) -> Option<Self> {
+        Self::with(&surface::adaptive::ROW, tau_px)
     }
-}
-
-impl fmt::Display for Tau {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.px())
-    }
-}
-
-/// A way to tell whether a point is inside a solid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum InsideTest {
-    /// None: the cap surface ends where the solid does.
-    Alone,
-    /// Parity bits per crossing, written by the one pass over the mesh.
-    Mask,
-    /// Parity in the stencil buffer, a draw of the mesh for each crossing.
-    Stencil,
-    /// All fragments of each pixel, in lists.
-    ABuffer,
-    /// The nearest fragments of each pixel and part.
-    KBuffer {
-        /// How many.
-        depths: u32,
-    },
-    /// The paper's volumetric depth sprite.
-    Vds {
-        /// Texels along a side.
-        resolution: u32,
-    },
-    /// Layered depth images, built in every frame.
-    Ldi {
-        /// Texels along a side.
-        resolution: u32,
-    },
 }
 
 impl InsideTest {
-    /// Whether it can fill a part by the nonzero rule.
-    pub fn counts_winding(self) -> bool {
-        matches!(self, Self::Mask | Self::Stencil)
+    /// Parity bits per crossing, written by the one pass over the mesh.
+    pub const MASK: Self = Self::new(&inside::mask::ROW, 0);
+    /// Parity in the stencil buffer, a draw of the mesh for each crossing.
+    pub const STENCIL: Self = Self::new(&inside::stencil::ROW, 0);
+
+    /// The paper's volumetric depth sprite, of so many texels along a side.
+    pub const fn vds(resolution: u32) -> Self {
+        Self::new(&inside::vds::ROW, resolution)
     }
 
-    /// Texels along a side of its depth images, if it has any.
-    pub fn resolution(self) -> Option<u32> {
-        match self {
-            Self::Vds { resolution } | Self::Ldi { resolution } => Some(resolution),
-            _ => None,
-        }
+    /// Whether it answers for points of a part by images of it.
+    pub fn is_of_points(&self) -> bool {
+        matches!(self.row().answers, Answers::Points(_))
     }
 }
 
@@ -106,132 +52,106 @@ impl InsideTest {
 pub struct Strategy {
     /// Where caps may be.
     pub surface: CapSurface,
-    /// Where they are.
-    pub inside: InsideTest,
+    /// Where they are; none where the cap surface knows by itself.
+    pub inside: Option<InsideTest>,
 }
 
 impl Strategy {
     /// The exact one.
-    pub const RAYCAST_MASK: Self = Self {
-        surface: CapSurface::Raycast,
-        inside: InsideTest::Mask,
-    };
-    /// The section of the mesh, triangulated.
-    pub const PLANAR: Self = Self {
-        surface: CapSurface::Planar,
-        inside: InsideTest::Alone,
-    };
+    pub const RAYCAST_MASK: Self = Self::new(CapSurface::RAYCAST, InsideTest::MASK);
     /// The same by fixed-function hardware.
-    pub const RAYCAST_STENCIL: Self = Self {
-        surface: CapSurface::Raycast,
-        inside: InsideTest::Stencil,
-    };
+    pub const RAYCAST_STENCIL: Self = Self::new(CapSurface::RAYCAST, InsideTest::STENCIL);
+    /// The section of the mesh, triangulated.
+    pub const PLANAR: Self = Self::alone(CapSurface::PLANAR);
     /// The classic for one plane.
-    pub const STENCIL: Self = Self {
-        surface: CapSurface::Alone,
-        inside: InsideTest::Stencil,
-    };
+    pub const STENCIL: Self = Self::alone(CapSurface::STENCIL);
     /// The paper, with its own parameters.
-    pub const PAPER: Self = Self {
-        surface: CapSurface::Grid { cells: 256 },
-        inside: InsideTest::Vds { resolution: 1024 },
-    };
-    /// One of each kind that is built, with its usual parameters; what `all` means. `grid` and `adaptive` go with the other
-    /// inside tests as well.
-    pub const ALL: [Self; 12] = [
-        Self::RAYCAST_MASK,
-        Self::RAYCAST_STENCIL,
-        Self::STENCIL,
-        Self::PLANAR,
-        Self::raycast(InsideTest::ABuffer),
-        Self::raycast(InsideTest::KBuffer { depths: 8 }),
-        Self::raycast(InsideTest::Ldi { resolution: 1024 }),
-        Self::raycast(InsideTest::Vds { resolution: 1024 }),
-        Self {
-            surface: CapSurface::Adaptive { tau: Tau::HALF },
-            inside: InsideTest::Mask,
-        },
-        Self {
-            surface: CapSurface::Grid { cells: 256 },
-            inside: InsideTest::Mask,
-        },
-        Self {
-            surface: CapSurface::Grid { cells: 256 },
-            inside: InsideTest::Ldi { resolution: 1024 },
-        },
-        Self::PAPER,
-    ];
+    pub const PAPER: Self = Self::new(CapSurface::grid(256), InsideTest::vds(1024));
 
-    const fn raycast(inside: InsideTest) -> Self {
+    /// A cap surface with an inside test.
+    pub const fn new(surface: CapSurface, inside: InsideTest) -> Self {
         Self {
-            surface: CapSurface::Raycast,
-            inside,
+            surface,
+            inside: Some(inside),
         }
     }
 
-    /// Whether it can fill a part by the nonzero rule.
-    pub fn counts_winding(self) -> bool {
-        self.inside.counts_winding() || self.surface == CapSurface::Planar
+    /// A cap surface that knows by itself what is inside.
+    pub const fn alone(surface: CapSurface) -> Self {
+        Self {
+            surface,
+            inside: None,
+        }
     }
 
-    /// Whether it can say where several parts share a cap: all parts are asked at one crossing.
-    pub fn tells_overlaps(self) -> bool {
-        !self.is_by_the_papers_rule() && self.surface != CapSurface::Alone
+    /// One of each kind, with its usual parameters.
+    pub fn all() -> Vec<Self> {
+        all()
+    }
+
+    /// Whether it has the same cap surface and inside test, with whatever parameters.
+    pub fn is_of_the_kind(&self, other: &Self) -> bool {
+        let kind = |s: &Self| (s.surface.facts().name, s.inside.map(|i| i.facts().name));
+        kind(self) == kind(other)
+    }
+
+    /// What it can be asked for.
+    pub fn can(&self) -> Abilities {
+        let of_surface = self.surface.facts().can;
+        let both = match &self.inside {
+            Some(inside) => of_surface.and(inside.facts().can),
+            None => of_surface,
+        };
+        match self.is_by_the_papers_rule() {
+            // Each clip-surface is drawn by itself, with no list of crossings to ask all parts at, or to put the faces of cutters in.
+            true => Abilities {
+                overlaps: false,
+                cutters: false,
+                compute: false,
+                ..both
+            },
+            false => both,
+        }
+    }
+
+    /// What it is limited to, in a few words; empty where it is to nothing.
+    pub fn limit(&self) -> &'static str {
+        let of_test = self.inside.map_or("", |inside| inside.facts().limit);
+        match self.surface.facts().limit {
+            "" => of_test,
+            limit => limit,
+        }
+    }
+
+    /// Texels along a side of the images that its inside test asks, if it asks some.
+    pub fn resolution(&self) -> Option<u32> {
+        let inside = self.inside.filter(InsideTest::is_of_points)?;
+        Some(inside.steps())
+    }
+
+    /// Whether clip-surfaces are drawn as triangles.
+    pub fn is_tessellated(&self) -> bool {
+        matches!(self.surface.row().caps, Caps::Triangles(_))
     }
 
     /// Whether surface and caps of a frame follow from the one list of crossings per pixel.
-    pub fn lists_crossings(self) -> bool {
-        let alone = matches!(self.surface, CapSurface::Planar | CapSurface::Alone);
-        !alone && !self.is_by_the_papers_rule()
+    pub fn lists_crossings(&self) -> bool {
+        self.inside.is_some() && !self.is_by_the_papers_rule()
     }
 
     /// Whether the mesh is clipped by chi at every fragment and the tessellated cap drawn by itself, as in the paper, rather than
     /// both by one list of crossings: where the inside test answers for points.
-    pub fn is_by_the_papers_rule(self) -> bool {
-        let tessellated = matches!(
-            self.surface,
-            CapSurface::Grid { .. } | CapSurface::Adaptive { .. }
-        );
-        let of_points = matches!(self.inside, InsideTest::Vds { .. } | InsideTest::Ldi { .. });
-        tessellated && of_points
-    }
-}
-
-impl fmt::Display for CapSurface {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Raycast => f.write_str("raycast"),
-            Self::Alone => f.write_str("no cap surface"),
-            Self::Grid { cells } => write!(f, "grid:{cells}"),
-            Self::Adaptive { tau } => write!(f, "adaptive:{tau}"),
-            Self::Planar => f.write_str("planar"),
-        }
-    }
-}
-
-impl fmt::Display for InsideTest {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Alone => f.write_str("no inside test"),
-            Self::Mask => f.write_str("mask"),
-            Self::Stencil => f.write_str("stencil"),
-            Self::ABuffer => f.write_str("abuffer"),
-            Self::KBuffer { depths } => write!(f, "kbuffer:{depths}"),
-            Self::Vds { resolution } => write!(f, "vds:{resolution}"),
-            Self::Ldi { resolution } => write!(f, "ldi:{resolution}"),
-        }
+    pub fn is_by_the_papers_rule(&self) -> bool {
+        self.is_tessellated() && self.inside.is_some_and(|i| i.is_of_points())
     }
 }
 
 impl fmt::Display for Strategy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.surface == CapSurface::Alone {
-            return write!(f, "{}", self.inside);
+        match &self.inside {
+            Some(inside) => write!(f, "{}+{inside}", self.surface),
+            None => self.surface.fmt(f),
         }
-        if self.inside == InsideTest::Alone {
-            return write!(f, "{}", self.surface);
-        }
-        write!(f, "{}+{}", self.surface, self.inside)
     }
 }
 
@@ -239,87 +159,90 @@ impl FromStr for Strategy {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
-        let wrong =
-            |what: String, mend: String| Error::input(format!("strategy `{text}`"), what, mend);
-        match text.trim() {
-            "stencil" => return Ok(Self::STENCIL),
-            "planar" => return Ok(Self::PLANAR),
-            _ => {}
-        }
-        let Some((surface, inside)) = text.split_once('+') else {
-            let usual = "write for example raycast+mask or grid:256+vds:1024; planar and stencil stand alone";
-            let near = did_you_mean(text.trim(), ["planar", "stencil"]);
+        let wrong = |what: String, help: String| {
+            Error::input(format!("strategy `{}`", text.trim()), what, help)
+        };
+        let (surface, inside) = match text.split_once('+') {
+            Some((surface, inside)) => (surface.trim(), Some(inside.trim())),
+            None => (text.trim(), None),
+        };
+        let is_alone = |row: &&&'static CapSurfaceRow| matches!(row.caps, Caps::Alone(_));
+        let names_alone: Vec<&str> = (CAP_SURFACES.iter().filter(is_alone))
+            .map(|row| row.facts.name)
+            .collect();
+        let Some(inside) = inside else {
+            if let Some(row) = CAP_SURFACES
+                .iter()
+                .filter(is_alone)
+                .find(|row| row.facts.name == surface)
+            {
+                return Ok(Self::alone(Chosen::usual(*row)));
+            }
+            let usual = format!(
+                "write for example {} or {}; {} stand alone",
+                Self::RAYCAST_MASK,
+                Self::PAPER,
+                names_alone.join(" and ")
+            );
+            let near = did_you_mean(surface, names_alone.iter().copied());
             let near = near.split_once("? Known").map(|(near, _)| near);
             return Err(wrong(
                 "a strategy is a cap surface and an inside test".to_owned(),
-                near.map_or_else(|| usual.to_owned(), |near| format!("{near}? Or {usual}")),
+                near.map_or_else(|| usual.clone(), |near| format!("{near}? Or {usual}")),
             ));
         };
-        let number =
-            |word: &str, value: Option<&str>, usual: u32, least: u32, most: u32| match value {
-                None => Ok(usual),
-                Some(v) => match v.parse::<u32>() {
-                    Ok(n) if (least..=most).contains(&n) => Ok(n),
-                    _ => Err(wrong(
-                        format!("`{word}:{v}` is out of range"),
-                        format!("use {word}:{least} to {word}:{most}"),
-                    )),
-                },
-            };
-        let parts = |word: &str| {
-            let (name, value) = word
-                .split_once(':')
-                .map_or((word, None), |(n, v)| (n, Some(v)));
-            (name.trim().to_owned(), value.map(|v| v.trim().to_owned()))
+        if names_alone.contains(&surface) {
+            return Err(wrong(
+                format!("`{surface}` knows by itself what is inside"),
+                format!("write `{surface}` alone"),
+            ));
+        }
+        let listed: Vec<&'static CapSurfaceRow> = (CAP_SURFACES.iter().copied())
+            .filter(|row| !is_alone(&row))
+            .collect();
+        let chosen = |what, word, wrong: &dyn Fn(String, String) -> Error| {
+            chosen::<CapSurfaceRow>(what, word, &listed, wrong)
         };
-        let (name, value) = parts(surface);
-        let surface = match (name.as_str(), value.as_deref()) {
-            ("raycast", None) => CapSurface::Raycast,
-            ("grid", value) => CapSurface::Grid {
-                cells: number("grid", value, 256, 1, 2048)?,
-            },
-            ("adaptive", None) => CapSurface::Adaptive { tau: Tau::HALF },
-            ("adaptive", Some(value)) => CapSurface::Adaptive {
-                tau: value.parse().ok().and_then(Tau::of_px).ok_or_else(|| {
-                    wrong(
-                        format!("`adaptive:{value}` is out of range"),
-                        "use adaptive:0.01 to adaptive:100, an error in pixels".to_owned(),
-                    )
-                })?,
-            },
-            ("planar", None) => CapSurface::Planar,
-            _ => {
-                return Err(wrong(
-                    format!("there is no cap surface `{surface}`"),
-                    did_you_mean(&name, ["raycast", "grid", "adaptive", "planar"]),
-                ));
-            }
-        };
-        let (name, value) = parts(inside);
-        let inside = match (name.as_str(), value.as_deref()) {
-            ("mask", None) => InsideTest::Mask,
-            ("stencil", None) => InsideTest::Stencil,
-            ("abuffer", None) => InsideTest::ABuffer,
-            ("kbuffer", value) => InsideTest::KBuffer {
-                depths: number("kbuffer", value, 8, 1, 32)?,
-            },
-            ("vds", value) => InsideTest::Vds {
-                resolution: number("vds", value, 1024, 16, 8192)?,
-            },
-            ("ldi", value) => InsideTest::Ldi {
-                resolution: number("ldi", value, 1024, 16, 8192)?,
-            },
-            _ => {
-                return Err(wrong(
-                    format!("there is no inside test `{inside}`"),
-                    did_you_mean(
-                        &name,
-                        ["mask", "stencil", "abuffer", "kbuffer", "vds", "ldi"],
-                    ),
-                ));
-            }
-        };
-        Ok(Self { surface, inside })
+        Ok(Self::new(
+            chosen("cap surface", surface, &wrong)?,
+            self::chosen::<InsideTestRow>("inside test", inside, &INSIDE_TESTS, &wrong)?,
+        ))
+    }
+}
+
+/// The row that a word names, with its parameter.
+fn chosen<R: Row>(
+    what: &str,
+    word: &str,
+    rows: &[&'static R],
+    wrong: &dyn Fn(String, String) -> Error,
+) -> Result<Chosen<R>, Error> {
+    let (name, value) = match word.split_once(':') {
+        Some((name, value)) => (name.trim(), Some(value.trim())),
+        None => (word, None),
+    };
+    let Some(row) = rows.iter().find(|row| row.facts().name == name) else {
+        return Err(wrong(
+            format!("there is no {what} `{name}`"),
+            did_you_mean(name, rows.iter().map(|row| row.facts().name)),
+        ));
+    };
+    match (value, &row.facts().parameter) {
+        (None, _) => Ok(Chosen::usual(*row)),
+        (Some(value), None) => Err(wrong(
+            format!("{name} has no parameter, and `:{value}` follows it"),
+            format!("write {name}"),
+        )),
+        (Some(value), Some(parameter)) => {
+            let number = value.parse().ok();
+            number.and_then(|n| Chosen::with(*row, n)).ok_or_else(|| {
+                let [least, most] = [parameter.least, parameter.most].map(|s| Chosen::new(*row, s));
+                wrong(
+                    format!("`{word}` is out of range"),
+                    format!("use {least} to {most}: {}", parameter.about),
+                )
+            })
+        }
     }
 }
 
@@ -349,22 +272,29 @@ mod tests {
             "grid+vds".parse::<Strategy>().expect("defaults"),
             Strategy::PAPER
         );
+        for strategy in Strategy::all() {
+            let name = strategy.to_string();
+            assert_eq!(name.parse::<Strategy>().expect(&name), strategy);
+        }
     }
 
     #[test]
     fn misspelt_names_are_mended() {
-        for (name, mend) in [
+        for (name, help) in [
             ("raycats+mask", "raycast"),
             ("raycast+msk", "mask"),
+            ("raycast:3+mask", "write raycast"),
             ("grid:0+vds", "grid:1"),
+            ("grid:2.5+vds", "use grid:1 to grid:2048"),
             ("adaptive:0+mask", "adaptive:0.01"),
             ("adaptiv+mask", "adaptive"),
+            ("planar+mask", "write `planar` alone"),
             ("mask", "help: write for example raycast+mask"),
             ("planarr", "did you mean `planar`?"),
             ("stensil", "did you mean `stencil`?"),
         ] {
             let message = name.parse::<Strategy>().expect_err(name).to_string();
-            assert!(message.contains(mend), "{message}");
+            assert!(message.contains(help), "{message}");
         }
     }
 }

@@ -6,7 +6,7 @@
 use cutaway::layers::Kind;
 use cutaway::scene::{Camera, Cut, Fill, Part, Role, Scene, section_surface};
 use cutaway::session::Outcome;
-use cutaway::strategies::Strategy;
+use cutaway::strategies::{Obstacle, Strategy};
 use glam::DAffine3;
 
 use crate::common::{Judged, Question, meshes, scenes, strategy, tolerances};
@@ -132,12 +132,12 @@ fn fault_by_one_list(judged: &Judged, boundary: f64) -> Option<String> {
 
 /// Whether the classic stencil said that a scene is beyond it, and why.
 fn beyond_one_plane(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::Refused(why) if why.contains("relief") || why.contains("clip-surfaces"))
+    matches!(outcome, Outcome::Refused(r) if [Obstacle::Reliefs, Obstacle::Surfaces].contains(&r.obstacle))
 }
 
 /// Whether an inside test said that it does not count windings.
 fn knows_parity_alone(outcome: &Outcome) -> bool {
-    matches!(outcome, Outcome::Refused(why) if why.contains("nonzero"))
+    matches!(outcome, Outcome::Refused(r) if r.obstacle == Obstacle::Nonzero)
 }
 
 #[test]

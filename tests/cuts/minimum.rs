@@ -34,7 +34,7 @@ fn names(plan: &Plan) -> (Vec<&str>, Vec<&str>) {
 /// All that draw reliefs.
 fn strategies() -> impl Iterator<Item = Strategy> {
     let of_planes = [Strategy::STENCIL, Strategy::PLANAR];
-    Strategy::ALL
+    Strategy::all()
         .into_iter()
         .filter(move |s| !of_planes.contains(s))
 }

@@ -141,7 +141,10 @@ fn all_names_every_strategy_once() {
         r#"["all", "raycast+mask", "grid:{cells}+vds:64"]"#,
     );
     let run = scenes(&read(&text).unwrap(), false);
-    assert_eq!(run.points[0].trials.len(), cutaway::Strategy::ALL.len() + 3);
+    assert_eq!(
+        run.points[0].trials.len(),
+        cutaway::Strategy::all().len() + 3
+    );
 }
 
 #[test]

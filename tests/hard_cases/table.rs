@@ -7,7 +7,7 @@ use cutaway::hard_cases::{
     pictures, random, solids, tallied, usual_methods,
 };
 use cutaway::session::Outcome;
-use cutaway::strategies::Method;
+use cutaway::strategies::{Method, Obstacle};
 
 use crate::common::session;
 
@@ -90,8 +90,8 @@ fn every_expectation_can_be_missed() {
         Expected::Marked,
         Expected::Doubted,
         Expected::Overflows("anything"),
-        Expected::Refuses("anything"),
-        Expected::RefusesSome("anything"),
+        Expected::Refuses(Obstacle::Limit),
+        Expected::RefusesSome(Obstacle::Limit),
     ] {
         let fault = expected.fault(&question, &judged, &fine);
         assert!(fault.is_some(), "{expected:?} takes anything");
@@ -124,8 +124,8 @@ fn a_declaration_that_is_stale_is_a_fault() {
         Expected::Share(0.1),
         Expected::Within(0.1, "it is not wrong"),
         Expected::Listed(0.1),
-        Expected::Refuses("it draws"),
-        Expected::RefusesSome("it draws"),
+        Expected::Refuses(Obstacle::Limit),
+        Expected::RefusesSome(Obstacle::Limit),
         Expected::Overflows("it has room"),
     ] {
         let mut tally = Tally::default();
@@ -142,10 +142,10 @@ fn a_declaration_that_is_stale_is_a_fault() {
         "{:?}",
         refused.outcome
     );
-    for (words, faults) in [("relief", 0), ("near plane", 1)] {
-        let expected = Expected::Refuses(words);
+    for (obstacle, faults) in [(Obstacle::Reliefs, 0), (Obstacle::NearPlane, 1)] {
+        let expected = Expected::Refuses(obstacle);
         let fault = expected.fault(&question, &refused, &stencil);
-        assert_eq!(usize::from(fault.is_some()), faults, "{words}");
+        assert_eq!(usize::from(fault.is_some()), faults, "{obstacle}");
     }
 }
 

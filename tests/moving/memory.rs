@@ -19,7 +19,7 @@ fn a_plan_takes_the_bytes_that_it_says() {
     let model = Model::of(&scene);
     let view = model.prepared.view([50, 40]);
     let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
-    let mut all = Strategy::ALL.to_vec();
+    let mut all = Strategy::all();
     all.push(strategy("grid:8+vds:64"));
     let mut met = [0; 3];
     for strategy in all {

@@ -6,7 +6,7 @@ use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Drawn, Outcome, Session};
-use cutaway::strategies::{Means, Method, Rasteriser};
+use cutaway::strategies::{Means, Method, Obstacle, Rasteriser};
 
 use super::*;
 
@@ -137,10 +137,11 @@ fn what_bands_do_not_help_is_refused_with_the_first_reason() {
     let strategy = Strategy::RAYCAST_MASK;
     let mut held = session(1 << 10);
     let drawn = draw(&mut held, strategy);
-    let Outcome::Refused(reason) = drawn.outcome else {
+    let Outcome::Refused(refusal) = drawn.outcome else {
         panic!("{:?}", drawn.outcome);
     };
-    assert!(reason.contains("1024"), "{reason}");
+    assert_eq!(refusal.obstacle, Obstacle::Limit);
+    assert!(refusal.reason.contains("1024"), "{refusal}");
     assert!(held.layers(strategy).is_err(), "there is no frame");
 }
 

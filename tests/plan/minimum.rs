@@ -32,7 +32,7 @@ fn without_a_cut_every_strategy_draws_the_same_and_nothing_more() {
     }
     // The control: with a cut, plans differ from strategy to strategy, but that a plane is never tessellated.
     let cut = scene_of(&["cube"], vec![planes(0.1, 1)]);
-    let by_list = Strategy::ALL
+    let by_list = Strategy::all()
         .into_iter()
         .filter(|s| s.lists_crossings() && s.surface != Strategy::RAYCAST_MASK.surface);
     for strategy in by_list {
@@ -40,7 +40,7 @@ fn without_a_cut_every_strategy_draws_the_same_and_nothing_more() {
         assert_eq!(plan_of(&cut, &strategy), cast, "{strategy} on a plane");
     }
     let mut plans = Vec::new();
-    for strategy in Strategy::ALL {
+    for strategy in Strategy::all() {
         let plan = plan_of(&cut, &strategy);
         let is_cast = plan == plan_of(&cut, &Strategy::RAYCAST_MASK);
         assert!(!plans.contains(&plan) || is_cast, "{strategy} on a cut");

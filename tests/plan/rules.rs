@@ -163,7 +163,7 @@ fn more_parts_than_a_layer_can_name_are_refused() {
     };
     assert_eq!(recorded(&scene), Ok(()), "65536 parts");
     scene.parts.push(scene.parts[0].clone());
-    let told = recorded(&scene).expect_err("65537 parts");
+    let told = recorded(&scene).expect_err("65537 parts").reason;
     assert!(told.contains("65537 parts"), "{told}");
 }
 

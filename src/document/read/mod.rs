@@ -326,10 +326,10 @@ pub(super) fn scene(
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let seen = match root.get("camera") {
-        Some(entry) => camera::read(&entry, &bounds)?,
-        None => Seen::default(),
-    };
+    let camera = root
+        .get("camera")
+        .map(|entry| camera::read(&entry, &bounds));
+    let seen = camera.transpose()?.unwrap_or_default();
     scene.camera = seen.camera;
     let maps = match root.get("relief") {
         Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,

@@ -14,7 +14,7 @@ use super::numbers::Numbers;
 use super::{Judged, Question, band};
 use crate::Result;
 use crate::session::{Outcome, Session};
-use crate::strategies::{CapSurface, Method};
+use crate::strategies::Method;
 
 /// Pixels of a random picture.
 pub const PICTURE_PX: [u32; 2] = [64, 48];
@@ -120,10 +120,10 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
             (!is_whole(judged)).then(|| "a depth that is no number".to_owned())
         }
         Outcome::Overflowed(_) => unmarked_fault(judged),
-        Outcome::Complete => match (strategy.surface, strategy.inside.resolution()) {
-            (CapSurface::Grid { .. } | CapSurface::Adaptive { .. }, _) => list_fault(judged),
-            (_, Some(resolution)) => band::fault(question, judged, resolution),
-            (_, None) => judged.fault_of_exact(),
+        Outcome::Complete if strategy.is_tessellated() => list_fault(judged),
+        Outcome::Complete => match strategy.resolution() {
+            Some(resolution) => band::fault(question, judged, resolution),
+            None => judged.fault_of_exact(),
         },
     }
 }

@@ -3,7 +3,7 @@
 //! A point that asks the paper's own parameters is told by them; one that sweeps them has several, and a range of figures.
 
 use crate::experiment::Record;
-use crate::strategies::{CapSurface, InsideTest, Strategy};
+use crate::strategies::Strategy;
 
 /// Indices of the strategies of a point that are the paper's path: the one with the paper's parameters, else all.
 pub(crate) fn papers(record: &Record) -> Vec<usize> {
@@ -15,10 +15,7 @@ pub(crate) fn papers(record: &Record) -> Vec<usize> {
     };
     match of(|s| s == Strategy::PAPER) {
         own if !own.is_empty() => own,
-        _ => of(|s| {
-            matches!(s.surface, CapSurface::Grid { .. })
-                && matches!(s.inside, InsideTest::Vds { .. })
-        }),
+        _ => of(|s| s.is_of_the_kind(&Strategy::PAPER)),
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::passes::{Rasteriser, ReliefWalk};
 use crate::scene::HeightFilter;
-use crate::strategies::{CapSurface, InsideTest, Method, Strategy};
+use crate::strategies::Method;
 
 /// What to write after `cutaway render --strategy`, and what to know beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,19 +36,9 @@ pub(crate) fn usage(name: &str) -> Option<Usage> {
     let limit = match means.relief_walk {
         Some(ReliefWalk::Cells) => Some("cell by cell, as it does by itself where that pays"),
         Some(ReliefWalk::Pyramid) => Some("over the pyramid, as it does by itself where that pays"),
-        None => limit(strategy),
+        None => Some(strategy.limit()).filter(|limit| !limit.is_empty()),
     };
     Some(Usage { words, limit })
-}
-
-/// What a strategy is limited to, in a few words.
-fn limit(strategy: Strategy) -> Option<&'static str> {
-    match (strategy.surface, strategy.inside) {
-        (CapSurface::Planar, _) => Some("planes only"),
-        (CapSurface::Alone, InsideTest::Stencil) => Some("one plane, eye outside the cut"),
-        (_, InsideTest::KBuffer { .. }) => Some("as many layers as it stores"),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

@@ -13,20 +13,43 @@
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
 //! they are more than a storage binding holds, in bands of rows.
 
+use crate::passes::Refusal;
 use crate::passes::{Inside, Rasteriser, Recorder, pixels};
 use crate::plan::{Binding, Capacities, Clock};
-use crate::strategies::{CapSurface, surface};
+use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::surface;
 
 /// What is bounded, for the report of a frame that needs more.
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "abuffer",
+        parameter: None,
+        about: "all fragments of each pixel, counted, laid out by a prefix sum and kept",
+        limit: "",
+        rebuilds: "",
+        can: Abilities {
+            nonzero: false,
+            ..Abilities::ALL
+        },
+        hard_cases: &[
+            ("raycast+abuffer", true),
+            ("raycast+abuffer@compute", false),
+        ],
+    },
+    answers: Answers::Rays(record),
+};
+
 /// Records the frame of a cap surface with `abuffer`.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     surface: CapSurface,
+    _: u32,
     rasteriser: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
+) -> Result<(), Refusal> {
     let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let several = recorder.relevance.lanes > 1;

@@ -11,19 +11,45 @@
 //! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
 //! the user's number and does not grow by itself.
 
+use crate::passes::Refusal;
 use crate::passes::{Inside, NEED_OF_FRAGMENTS, Rasteriser, Recorder, Store, pixels};
 use crate::plan::pack::Cascade;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Contents, Resource, Role};
-use crate::strategies::{CapSurface, surface};
+use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow, Parameter};
+use crate::strategies::surface;
+
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "kbuffer",
+        parameter: Some(Parameter {
+            letter: "K",
+            about: "fragments of a pixel and part",
+            usual: 8,
+            least: 1,
+            most: 32,
+            steps_per_unit: 1,
+        }),
+        about: "the K nearest fragments of each pixel and part, and their number; marks where more matter",
+        limit: "as many layers as it stores",
+        rebuilds: "",
+        can: Abilities {
+            nonzero: false,
+            ..Abilities::ALL
+        },
+        hard_cases: &[("raycast+kbuffer:8", false)],
+    },
+    answers: Answers::Rays(record),
+};
 
 /// Records the frame of a cap surface with `kbuffer:K`.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     surface: CapSurface,
-    rasteriser: Rasteriser,
     depths: u32,
+    rasteriser: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
+) -> Result<(), Refusal> {
     let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let lanes = recorder.relevance.lanes;

@@ -15,6 +15,7 @@
 //! binding, 128 MiB in core WebGPU.
 
 use super::vds;
+use crate::passes::Refusal;
 use crate::passes::{
     Rasteriser, Recorder, Screen, ScreenOf, Store, Sweep, Volume, counted, groups_along,
     sweep_of_fragments,
@@ -25,18 +26,47 @@ use crate::plan::{
     Work,
 };
 use crate::shader::Shader;
+use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 
 /// What is bounded, for the report of a frame that needs more.
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "ldi",
+        parameter: Some(Parameter {
+            letter: "RES",
+            about: "texels along a side",
+            usual: 1024,
+            least: 16,
+            most: 8192,
+            steps_per_unit: 1,
+        }),
+        about: "layered depth images of RES x RES of all parts, filled in one go in every frame; faces that coincide are kept",
+        limit: "",
+        rebuilds: "",
+        can: Abilities {
+            nonzero: false,
+            ..Abilities::ALL
+        },
+        hard_cases: &[("raycast+ldi:512", false), ("grid:256+ldi:512", false)],
+    },
+    answers: Answers::Points(|recorder, resolution, rasteriser, capacities| {
+        let ranks = recorder.relevance.cut_parts().to_vec();
+        let volume = record(recorder, rasteriser, &ranks, resolution, capacities)?;
+        Ok(vec![(0..ranks.len(), volume)])
+    }),
+};
+
 /// Records the images of some parts, by rank.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     rasteriser: Rasteriser,
     ranks: &[usize],
     resolution: u32,
     capacities: &Capacities,
-) -> Result<Volume, String> {
+) -> Result<Volume, Refusal> {
     let texels = u64::from(resolution).pow(2) * ranks.len() as u64;
     let lists = recorder.fragment_lists(texels, false, capacities, FRAGMENTS_OF_TEXELS)?;
     let sprites = table(recorder, ranks, resolution);
@@ -105,20 +135,6 @@ pub fn record(
     Ok(Volume {
         file: "lib/volume/ldi.wgsl",
         bindings,
-    })
-}
-
-/// Records the frame of `raycast` with `ldi:RES`.
-pub fn record_with_list(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
-    resolution: u32,
-    capacities: &Capacities,
-) -> Result<(), String> {
-    let ranks = recorder.relevance.cut_parts().to_vec();
-    vds::probed(recorder, rasteriser, capacities, |recorder| {
-        let volume = record(recorder, rasteriser, &ranks, resolution, capacities)?;
-        Ok(vec![(0..ranks.len(), volume)])
     })
 }
 
@@ -192,7 +208,7 @@ fn screen(
     image: usize,
     rank: usize,
     resolution: u32,
-) -> Result<Screen, String> {
+) -> Result<Screen, Refusal> {
     let bounds = recorder.model.prepared.parts[rank].bounds;
     let sprite = vds::sprite(&bounds, resolution, 0, 0);
     let view = vds::view(&bounds, resolution);

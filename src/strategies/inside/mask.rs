@@ -23,17 +23,39 @@
 //! do not agree on what is out make as well. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
+use crate::passes::Refusal;
 use crate::passes::{Inside, Rasteriser, Recorder, Store};
 use crate::plan::{Binding, Capacities};
-use crate::strategies::{CapSurface, surface};
+use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::surface;
+
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "mask",
+        parameter: None,
+        about: "parity bits, XORed by the one pass that draws the mesh; counts of windings where a part is nonzero",
+        limit: "",
+        rebuilds: "",
+        can: Abilities::ALL,
+        hard_cases: &[
+            ("raycast+mask", true),
+            ("raycast+mask@compute", true),
+            ("adaptive:0.5+mask", false),
+            ("grid:256+mask", false),
+        ],
+    },
+    answers: Answers::Rays(record),
+};
 
 /// Records the frame of a cap surface with `mask`.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     surface: CapSurface,
+    _: u32,
     rasteriser: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
+) -> Result<(), Refusal> {
     let capacity = surface::capacity(recorder, capacities);
     recorder.lay_lanes(capacity);
     let nonzero = recorder.has_nonzero();

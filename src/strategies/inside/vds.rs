@@ -15,24 +15,54 @@
 //! With `raycast`, in the place of the paper's grid, the crossings of each pixel are looked up in the sprites one part after
 //! the other, and the answers become the words of a mask: its caps lie where they should, and only their rims err.
 
-use std::ops::Range;
-
+use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 use glam::{DVec2, DVec3};
 
-use crate::passes::{Inside, NEED_OF_SPRITES, Rasteriser, Recorder, Store, Volume, pixels};
+use crate::passes::{NEED_OF_SPRITES, Recorder, Volume, pixels};
 use crate::plan::pack::Sprite;
 use crate::plan::{
     Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass,
     Resource, Role, Work,
 };
 use crate::scene::{Bounds, View};
-use crate::strategies::{CapSurface, surface};
+
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "vds",
+        parameter: Some(Parameter {
+            letter: "RES",
+            about: "texels along a side",
+            usual: 1024,
+            least: 16,
+            most: 8192,
+            steps_per_unit: 1,
+        }),
+        about: "the paper's volumetric depth sprite: a layered depth image of RES x RES of each part",
+        limit: "",
+        rebuilds: "the sprite, one pass for each of its layers",
+        can: Abilities {
+            nonzero: false,
+            compute: false,
+            ..Abilities::ALL
+        },
+        hard_cases: &[("raycast+vds:512", false), ("grid:256+vds:512", true)],
+    },
+    answers: Answers::Points(|recorder, resolution, _, capacities| {
+        let ranks = recorder.relevance.cut_parts().to_vec();
+        let sprites = ranks.iter().enumerate().map(|(place, rank)| {
+            let sprite = record(recorder, *rank, resolution, capacities);
+            (place..place + 1, sprite)
+        });
+        Ok(sprites.collect())
+    }),
+};
 
 /// Layers beyond which a sprite is not built: a texture has no more.
 pub const MOST_LAYERS: u32 = 256;
 
 /// Records the sprite of a part, by rank.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     rank: usize,
     resolution: u32,
@@ -142,51 +172,6 @@ pub fn record(
         file: "lib/volume/vds.wgsl",
         bindings: vec![sprite, Binding::read("depth_layers", depth)],
     }
-}
-
-/// Records the frame of `raycast` with `vds:RES`.
-pub fn record_with_list(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
-    resolution: u32,
-    capacities: &Capacities,
-) -> Result<(), String> {
-    let ranks = recorder.relevance.cut_parts().to_vec();
-    probed(recorder, rasteriser, capacities, |recorder| {
-        let of_part = |(place, rank): (usize, &usize)| {
-            let volume = record(recorder, *rank, resolution, capacities);
-            (place..place + 1, volume)
-        };
-        Ok(ranks.iter().enumerate().map(of_part).collect())
-    })
-}
-
-/// Records the frame of listed crossings with images of volumes: which places of the table each image answers for.
-pub(super) fn probed(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-    images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, String>,
-) -> Result<(), String> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
-    let images = images(recorder)?;
-    let mask = recorder.reduced_mask();
-    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(
-        recorder,
-        CapSurface::Raycast,
-        capacity,
-        &emptied,
-        capacities,
-    )?;
-    recorder.over_mesh(rasteriser, &Store::nothing(Vec::new()), &crossings)?;
-    for (places, volume) in images {
-        let name = format!("probe {}", places.start);
-        recorder.probe(name, places, &volume, mask, &crossings);
-    }
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
-    Ok(())
 }
 
 #[allow(

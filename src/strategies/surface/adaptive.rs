@@ -20,13 +20,43 @@ mod measure;
 mod view;
 
 use super::tessellation::{Facets, Tessellation, rounding};
+use crate::passes::Refusal;
 use crate::passes::{NEED_OF_TRIANGLES, Recorder};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement, SHARED};
 use crate::plan::{
     ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents, INDEX_BYTES, Knob,
     Pass, Resource, Role, Shape, Work,
 };
-use crate::strategies::Tau;
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts, Parameter};
+
+/// Steps of TAU in a pixel.
+const STEPS_PER_PX: u32 = 1000;
+
+/// The row of the table.
+pub static ROW: CapSurfaceRow = CapSurfaceRow {
+    facts: Facts {
+        name: "adaptive",
+        parameter: Some(Parameter {
+            letter: "TAU",
+            about: "an error in pixels",
+            usual: STEPS_PER_PX / 2,
+            least: STEPS_PER_PX / 100,
+            most: 100 * STEPS_PER_PX,
+            steps_per_unit: STEPS_PER_PX,
+        }),
+        about: "triangles as fine as TAU pixels of error ask for, chosen and drawn on the device",
+        limit: "",
+        rebuilds: "",
+        can: Abilities::ALL,
+        hard_cases: &[],
+    },
+    exact_heights: "measures its triangles against four texels",
+    usual_tests: |test| test.facts.name == "mask",
+    caps: Caps::Triangles(|recorder, steps, with_planes, capacities| {
+        let tau_px = f64::from(steps) / f64::from(STEPS_PER_PX);
+        tessellation(recorder, tau_px, with_planes, capacities)
+    }),
+};
 
 /// Triangles that each relief is given room for until a frame reports what it needs.
 const FIRST_TRIANGLES: u32 = 1 << 16;
@@ -34,12 +64,12 @@ const FIRST_TRIANGLES: u32 = 1 << 16;
 const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 
 /// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
-pub fn tessellation(
+fn tessellation(
     recorder: &mut Recorder<'_>,
-    tau: Tau,
+    tau_px: f64,
     with_planes: bool,
     capacities: &Capacities,
-) -> Result<Tessellation, String> {
+) -> Result<Tessellation, Refusal> {
     let rows = domain::rows(recorder)?;
     let reliefs: Vec<u32> = (0..rows.len() as u32)
         .filter(|s| {
@@ -59,7 +89,7 @@ pub fn tessellation(
         let errors = measure::record(recorder, &rows, &reliefs);
         let capacity = room(capacities, reliefs.len() as u32);
         let refinements: Vec<Refinement> = (rows.iter().enumerate())
-            .map(|(s, row)| view::refinement(recorder, s, row, tau, capacity))
+            .map(|(s, row)| view::refinement(recorder, s, row, tau_px, capacity))
             .collect();
         side_bindings.push(table(recorder, "refinements", Clock::Frame, &refinements));
         side_bindings.push(Binding::read("sheet_errors", errors));

@@ -11,6 +11,7 @@
 //! Cannot: say on which side of a cutter a point lies that is on no ray of the picture. The paper's rule asks that.
 
 use super::raycast;
+use crate::passes::Refusal;
 use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
 use crate::plan::{Capacities, Clock, Draw, Role, Vertices};
 use crate::shader::Shader;
@@ -30,7 +31,7 @@ pub(super) fn list(
     capacity: u32,
     store: &Store,
     capacities: &Capacities,
-) -> Result<Crossings, String> {
+) -> Result<Crossings, Refusal> {
     let bits = bits(recorder);
     let crossings = raycast::record(recorder, capacity, store, bits);
     if bits != 0 {

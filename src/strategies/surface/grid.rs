@@ -6,6 +6,7 @@
 //!
 //! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
+use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
 use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
@@ -16,8 +17,31 @@ use crate::plan::pack::Quad;
 use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
 use crate::scene::{Bounds, PreparedSurface};
 
+/// The row of the table.
+pub static ROW: CapSurfaceRow = CapSurfaceRow {
+    facts: Facts {
+        name: "grid",
+        parameter: Some(Parameter {
+            letter: "N",
+            about: "cells along a side",
+            usual: 256,
+            least: 1,
+            most: 2048,
+            steps_per_unit: 1,
+        }),
+        about: "the paper's quad, refined into N x N cells and displaced",
+        limit: "",
+        rebuilds: "",
+        can: Abilities::ALL,
+        hard_cases: &[],
+    },
+    exact_heights: "",
+    usual_tests: |test| test.facts.name == "mask" || matches!(test.answers, Answers::Points(_)),
+    caps: Caps::Triangles(|recorder, cells, _, _| Ok(tessellation(recorder, cells))),
+};
+
 /// All clip-surfaces as grids of so many cells along a side.
-pub fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
+fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
     let indices = indices_of_grid(recorder, cells);
     let facets = |surface| Facets {
         surface,

@@ -8,21 +8,26 @@
 //! Per frame: the mesh once, the triangles for each part and clip-surface, d loads for each cap fragment. Where the near
 //! plane meets a part, the image is asked once more at each pixel: the paper has no cap there. Cannot: draw by the compute rasteriser.
 
+use std::ops::Range;
+
 use super::tessellation::{Tessellation, instance};
+use crate::passes::Refusal;
 use crate::passes::{DrawPass, Recorder, Volume, counted};
 use crate::plan::Vertices;
 use crate::shader::Shader;
 use crate::strategies::inside::stencil::full_screen;
 
-/// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the parts that it
-/// answers for.
+/// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the places of the parts
+/// that it answers for.
 pub fn record(
     recorder: &mut Recorder<'_>,
-    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, String>,
-    images: impl FnOnce(&mut Recorder<'_>, &[usize]) -> Result<Vec<(Vec<usize>, Volume)>, String>,
-) -> Result<(), String> {
+    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, Refusal>,
+    images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
+) -> Result<(), Refusal> {
     let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
-    let images = images(recorder, &ranks)?;
+    let images: Vec<(&[usize], Volume)> = (images(recorder)?.into_iter())
+        .map(|(places, volume)| (&ranks[places], volume))
+        .collect();
 
     let (vertices, indices) = recorder.mesh();
     let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];

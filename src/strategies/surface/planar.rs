@@ -23,22 +23,45 @@
 //! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
 //! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
 
-use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Sections, Store, counted};
+use crate::passes::Refusal;
+use crate::passes::{Crossings, Inside, Obstacle, Rasteriser, Recorder, Sections, Store, counted};
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Format, Pass, Resource, ResourceId,
     Vertices, Work,
 };
-use crate::strategies::{CapSurface, surface};
+use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
+use crate::strategies::surface;
+
+/// The row of the table.
+pub static ROW: CapSurfaceRow = CapSurfaceRow {
+    facts: Facts {
+        name: "planar",
+        parameter: None,
+        about: "the section of each part by each plane, triangulated on the CPU",
+        limit: "planes only",
+        rebuilds: "the section, sliced again",
+        can: Abilities {
+            nonzero: true,
+            overlaps: true,
+            cutters: false,
+            reliefs: false,
+            surfaces: true,
+            compute: true,
+        },
+        hard_cases: &[("planar", true), ("planar@compute", false)],
+    },
+    exact_heights: "",
+    usual_tests: |_| false,
+    caps: Caps::Alone(record),
+};
 
 /// Records the frame of `planar`.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     rasteriser: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
-    if let Some(reason) = refusal(recorder) {
-        return Err(reason);
-    }
+) -> Result<(), Refusal> {
+    near_plane_is_free(recorder)?;
     let sections = recorder.sections();
     let is_doubtful = sections.as_ref().is_some_and(|s| !s.doubts.is_empty());
     let capacity = surface::capacity(recorder, capacities);
@@ -50,7 +73,7 @@ pub fn record(
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = surface::list(
         recorder,
-        CapSurface::Raycast,
+        CapSurface::RAYCAST,
         capacity,
         &emptied,
         capacities,
@@ -143,25 +166,19 @@ fn draw(
     }
 }
 
-/// What of the scene is beyond sections by planes.
-fn refusal(recorder: &Recorder<'_>) -> Option<String> {
-    let prepared = &recorder.model.prepared;
-    let relevance = &recorder.relevance;
-    let relief = relevance
-        .surfaces
-        .iter()
-        .find(|s| recorder.model.is_relief(**s));
-    if let Some(number) = relief {
-        let cut = &prepared.cuts[prepared.surfaces[*number].cut].name;
-        return Some(format!(
-            "planar slices by planes, and clip-surface {number} of cut `{cut}` has a relief"
-        ));
+/// Refuses a near plane that opens what is cut.
+fn near_plane_is_free(recorder: &Recorder<'_>) -> Result<(), Refusal> {
+    let (prepared, view) = (&recorder.model.prepared, recorder.view);
+    let cut = recorder.relevance.cut_parts();
+    let mut parts = cut.iter().map(|r| &prepared.parts[*r]);
+    match parts.find(|p| view.near_cap && view.near_plane_meets(&p.bounds)) {
+        None => Ok(()),
+        Some(met) => Err(Refusal::new(
+            Obstacle::NearPlane,
+            format!(
+                "the near plane meets `{}`: its cap is no section that planar makes",
+                met.name
+            ),
+        )),
     }
-    let mut parts = relevance.cut_parts().iter().map(|r| &prepared.parts[*r]);
-    let view = recorder.view;
-    let met = parts.find(|p| view.near_cap && view.near_plane_meets(&p.bounds))?;
-    Some(format!(
-        "the near plane meets `{}`: its cap is no section that planar makes",
-        met.name
-    ))
 }

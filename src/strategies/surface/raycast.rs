@@ -12,6 +12,7 @@
 
 mod choice;
 
+use super::cutter;
 use crate::passes::{
     Crossings, NEED_OF_CELLS, NEED_OF_CROSSINGS, Recorder, ReliefWalk, Store, pixels,
 };
@@ -19,6 +20,25 @@ use crate::plan::pack;
 use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Limits, Resource};
 use crate::scene::Fill;
 use crate::shader::Shader;
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
+
+/// The row of the table.
+pub static ROW: CapSurfaceRow = CapSurfaceRow {
+    facts: Facts {
+        name: "raycast",
+        parameter: None,
+        about: "every crossing of the pixel's ray with planes and bilinear height fields, exactly",
+        limit: "",
+        rebuilds: "",
+        can: Abilities::ALL,
+        hard_cases: &[],
+    },
+    exact_heights: "solves for where a ray meets what four texels span",
+    usual_tests: |_| true,
+    caps: Caps::Rays(|recorder, _, capacity, store, capacities| {
+        cutter::list(recorder, capacity, store, capacities)
+    }),
+};
 
 /// Crossings that one relief or cutter is given room for until a frame reports what it needs: with its parity bit a lane of 8.
 const FIRST_PER_RELIEF: u32 = 7;

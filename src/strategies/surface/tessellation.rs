@@ -5,6 +5,7 @@
 //! no vertex buffers, since a vertex follows from its index. Triangles turn with `U` and `V`, so that they show their front to the
 //! kept side.
 
+use crate::passes::Refusal;
 use std::ops::Range;
 
 use super::{cutter, raycast};
@@ -137,8 +138,8 @@ pub fn list(
     capacity: u32,
     store: &Store,
     capacities: &Capacities,
-    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, String>,
-) -> Result<Crossings, String> {
+    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, Refusal>,
+) -> Result<Crossings, Refusal> {
     let surfaces = recorder.relevance.surfaces.iter().enumerate();
     let reliefs: Vec<u32> = surfaces
         .filter(|(_, number)| recorder.model.is_relief(**number))

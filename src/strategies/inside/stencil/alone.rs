@@ -14,15 +14,38 @@
 //! of that be seen.
 
 use super::full_screen;
-use crate::passes::{DrawPass, Recorder};
-use crate::plan::{Stencil, StencilStep, Vertices};
+use crate::passes::Refusal;
+use crate::passes::{DrawPass, Obstacle, Rasteriser, Recorder};
+use crate::plan::{Capacities, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
+use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
+
+/// The row of the table.
+pub static ROW: CapSurfaceRow = CapSurfaceRow {
+    facts: Facts {
+        name: "stencil",
+        parameter: None,
+        about: "the plane, where back faces minus front faces of what is kept say that it is inside: the classic way",
+        limit: "one plane, eye outside the cut",
+        rebuilds: "",
+        can: Abilities {
+            nonzero: true,
+            overlaps: false,
+            cutters: false,
+            reliefs: false,
+            surfaces: false,
+            compute: false,
+        },
+        hard_cases: &[("stencil", true)],
+    },
+    exact_heights: "",
+    usual_tests: |_| false,
+    caps: Caps::Alone(record),
+};
 
 /// Records the frame of `stencil`.
-pub fn record(recorder: &mut Recorder<'_>) -> Result<(), String> {
-    if let Some(reason) = refusal(recorder) {
-        return Err(reason);
-    }
+fn record(recorder: &mut Recorder<'_>, _: Rasteriser, _: &Capacities) -> Result<(), Refusal> {
+    near_plane_is_free(recorder)?;
     recorder.targets_with_stencil();
     for rank in recorder.relevance.cut_parts().to_vec() {
         let part = &recorder.model.prepared.parts[rank];
@@ -100,24 +123,18 @@ pub fn record(recorder: &mut Recorder<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// What of the scene is beyond one plane.
-fn refusal(recorder: &Recorder<'_>) -> Option<String> {
-    let surfaces = recorder.relevance.surfaces.len();
-    if recorder.has_reliefs() {
-        return Some(
-            "the stencil by itself cuts by a plane, and the clip-surface has a relief".to_owned(),
-        );
-    }
-    if surfaces > 1 {
-        return Some(format!(
-            "the stencil by itself cuts by one plane, and {surfaces} clip-surfaces meet the parts"
-        ));
-    }
+/// Refuses a near plane that meets what is cut.
+fn near_plane_is_free(recorder: &Recorder<'_>) -> Result<(), Refusal> {
     let parts = &recorder.model.prepared.parts;
     let mut cut = recorder.relevance.cut_parts().iter().map(|r| &parts[*r]);
-    let met = cut.find(|p| recorder.view.near_plane_meets(&p.bounds))?;
-    Some(format!(
-        "the near plane meets `{}`: what lies before it is not drawn, and the stencil cannot count it",
-        met.name
-    ))
+    match cut.find(|p| recorder.view.near_plane_meets(&p.bounds)) {
+        None => Ok(()),
+        Some(met) => Err(Refusal::new(
+            Obstacle::NearPlane,
+            format!(
+                "the near plane meets `{}`: what lies before it is not drawn, and the stencil cannot count it",
+                met.name
+            ),
+        )),
+    }
 }

@@ -17,6 +17,7 @@
 
 pub mod alone;
 
+use crate::passes::Refusal;
 use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Store};
 use crate::plan::{
     Binding, Capacities, Clock, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Resource,
@@ -24,7 +25,8 @@ use crate::plan::{
 };
 use crate::scene::Fill;
 use crate::shader::Shader;
-use crate::strategies::{CapSurface, surface};
+use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
+use crate::strategies::surface;
 
 /// Pairs that fit a stencil.
 const BITS: usize = 8;
@@ -39,12 +41,31 @@ struct Mark {
     crossing: Option<u32>,
 }
 
+/// The row of the table.
+pub static ROW: InsideTestRow = InsideTestRow {
+    facts: Facts {
+        name: "stencil",
+        parameter: None,
+        about: "the stencil: each crossing laid into the depth buffer and the mesh drawn against it, without atomics",
+        limit: "",
+        rebuilds: "",
+        can: Abilities {
+            compute: false,
+            ..Abilities::ALL
+        },
+        hard_cases: &[("raycast+stencil", true)],
+    },
+    answers: Answers::Rays(record),
+};
+
 /// Records the frame of a cap surface with `stencil`.
-pub fn record(
+fn record(
     recorder: &mut Recorder<'_>,
     surface: CapSurface,
+    _: u32,
+    _: Rasteriser,
     capacities: &Capacities,
-) -> Result<(), String> {
+) -> Result<(), Refusal> {
     let parts = recorder.relevance.lanes;
     // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
     let most = (MOST_PASSES / (parts + 2)) as u32;
@@ -53,9 +74,9 @@ pub fn record(
     recorder.lay_lanes(capacity);
     let passes = (capacity as usize + 1) * (parts + 2);
     if passes > MOST_PASSES {
-        return Err(format!(
+        return Err(Refusal::amount(format!(
             "{parts} cut parts with {capacity} crossings each are {passes} passes for the stencil; {MOST_PASSES} are the most"
-        ));
+        )));
     }
     let mask = recorder.mask();
     let stencil = recorder.once("stencil", |r| {

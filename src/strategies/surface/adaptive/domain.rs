@@ -5,6 +5,7 @@
 //! have all triangles move with it. Patches are as large as leaves about a thousand of them: enough to share the work, and few enough
 //! triangles where nothing asks for more. Texels are halved as often as leaves 16 bits for each coordinate of a vertex.
 
+use crate::passes::Refusal;
 use glam::DVec3;
 
 use crate::passes::Recorder;
@@ -29,7 +30,7 @@ const LONGEST_TEXEL: f64 = 64.0;
 const MARGIN: f64 = 1e-3;
 
 /// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
-pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, String> {
+pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, Refusal> {
     let mut first = 0;
     let mut rows = Vec::new();
     for number in &recorder.relevance.surfaces {
@@ -46,10 +47,10 @@ pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, String> {
         row.first_cell = (first + (width + 1) * (height + 1)) as u32;
         first += (width + 1) * (height + 1) + width * height;
         if first > 2 * MOST_MEASURED {
-            return Err(format!(
+            return Err(Refusal::amount(format!(
                 "the reliefs have more than {MOST_MEASURED} texels across the parts, and a buffer holds the errors of no more: \
                  raycast draws them"
-            ));
+            )));
         }
         rows.push(row);
     }
@@ -84,13 +85,17 @@ fn of_plane(surface: &PreparedSurface, cut_box: &Bounds) -> Domain {
     }
 }
 
-fn of_relief(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Result<Domain, String> {
+fn of_relief(
+    number: usize,
+    surface: &PreparedSurface,
+    cut_box: &Bounds,
+) -> Result<Domain, Refusal> {
     let map = surface.relief.as_ref().map_or([1, 1], |m| m.size);
     let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map[i]));
     if per_unit.iter().any(|t| t.abs() * LONGEST_TEXEL < 1.0) {
-        return Err(format!(
+        return Err(Refusal::amount(format!(
             "a texel of clip-surface {number} is more than {LONGEST_TEXEL} times as long as the scene: raycast draws it"
-        ));
+        )));
     }
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     // Texel centres are at integers.
@@ -117,14 +122,14 @@ fn of_relief(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> Resu
         steps.iter().all(|s| *s <= MOST_STEPS) && steps[0] * steps[1] <= MOST_AREA
     };
     let Some(step_bits) = STEP_BITS.rev().find(fits) else {
-        return Err(format!(
+        return Err(Refusal::amount(format!(
             "the relief of clip-surface {number} is {} x {} texels across the parts; {} along a side and {} in all can be \
              tessellated: raycast draws it",
             texels[0],
             texels[1],
             MOST_STEPS >> STEP_BITS.start(),
             MOST_AREA >> (2 * STEP_BITS.start()),
-        ));
+        )));
     };
     let side = f64::from(1_u32 << patch_bits);
     let first = first.map(|p| p * side);

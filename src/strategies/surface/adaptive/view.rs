@@ -10,7 +10,6 @@ use glam::{DVec2, DVec3};
 use crate::passes::Recorder;
 use crate::plan::pack::{BORDERS_OF_DOMAIN, Domain, Refinement};
 use crate::scene::{PreparedSurface, View};
-use crate::strategies::Tau;
 
 /// The depths that occur are this many units: half of what i32 counts to.
 const DEPTH_UNITS: f64 = (1_u32 << 30) as f64;
@@ -22,7 +21,7 @@ pub(super) fn refinement(
     recorder: &Recorder<'_>,
     index: usize,
     row: &Domain,
-    tau: Tau,
+    tau_px: f64,
     capacity: u32,
 ) -> Refinement {
     let view = recorder.view;
@@ -38,17 +37,17 @@ pub(super) fn refinement(
     if recorder.model.is_relief(number) {
         let (depth, unit) = depths(view, row, heights, surface);
         refinement.depth = depth;
-        let per_depth = error_per_depth(view, tau) * unit / surface.height_scale.abs();
+        let per_depth = error_per_depth(view, tau_px) * unit / surface.height_scale.abs();
         refinement.error_per_depth = (per_depth * 0.999_999) as f32;
     }
     refinement
 }
 
 /// The error in scene units that is not seen at depth 1, or at any depth where rays are parallel.
-fn error_per_depth(view: &View, tau: Tau) -> f64 {
+fn error_per_depth(view: &View, tau_px: f64) -> f64 {
     let pixel = view.pixel_size(1.0);
     if view.orthographic {
-        return tau.px() * pixel;
+        return tau_px * pixel;
     }
     let [width, height] = view.size_px.map(f64::from);
     let corners = [
@@ -61,7 +60,7 @@ fn error_per_depth(view: &View, tau: Tau) -> f64 {
         .map(|c| view.ray(c).1.length())
         .into_iter()
         .fold(1.0, f64::max);
-    tau.px() / (widest / pixel + tau.px())
+    tau_px / (widest / pixel + tau_px)
 }
 
 /// Least depth of the surface as whole numbers, and the depth that one of them is.

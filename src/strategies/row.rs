@@ -1,0 +1,292 @@
+//! Rows of the table of strategies: what is known of a cap surface or an inside test, in one place.
+//!
+//! A row is a `static` in the file that records its passes, and is listed in [`table`](super::table). Names, parameters, help texts,
+//! refusals, the README's tables and the hard cases follow from it.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::ops::Range;
+
+use super::surface::tessellation::Tessellation;
+use crate::passes::{Crossings, Rasteriser, Recorder, Refusal, Store, Volume};
+use crate::plan::Capacities;
+
+/// A parameter that follows the name of a row, as in `grid:256`.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// What stands for it in help texts.
+    pub letter: &'static str,
+    /// What it is, with its unit.
+    pub about: &'static str,
+    /// What it is where nobody says it, in steps.
+    pub usual: u32,
+    /// The least it may be, in steps.
+    pub least: u32,
+    /// The most it may be, in steps.
+    pub most: u32,
+    /// How many steps make 1.
+    pub steps_per_unit: u32,
+}
+
+impl Parameter {
+    /// A value in steps, as a number.
+    fn number(&self, steps: u32) -> f64 {
+        f64::from(steps) / f64::from(self.steps_per_unit)
+    }
+
+    /// The steps of a number; none out of range.
+    fn steps(&self, number: f64) -> Option<u32> {
+        let steps = number * f64::from(self.steps_per_unit);
+        let is_whole = self.steps_per_unit > 1 || steps.fract() == 0.0;
+        let range = f64::from(self.least)..=f64::from(self.most);
+        (is_whole && range.contains(&steps)).then(|| steps.round() as u32)
+    }
+}
+
+/// What can be asked for beside planes through parts that are filled by parity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Abilities {
+    /// Parts filled by the nonzero rule.
+    pub nonzero: bool,
+    /// Saying where several solids share a cap.
+    pub overlaps: bool,
+    /// Cuts by closed meshes.
+    pub cutters: bool,
+    /// Reliefs.
+    pub reliefs: bool,
+    /// More than one clip-surface.
+    pub surfaces: bool,
+    /// Drawing by the compute rasteriser.
+    pub compute: bool,
+}
+
+impl Abilities {
+    /// All of them.
+    pub const ALL: Self = Self {
+        nonzero: true,
+        overlaps: true,
+        cutters: true,
+        reliefs: true,
+        surfaces: true,
+        compute: true,
+    };
+
+    /// What both can.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            nonzero: self.nonzero && other.nonzero,
+            overlaps: self.overlaps && other.overlaps,
+            cutters: self.cutters && other.cutters,
+            reliefs: self.reliefs && other.reliefs,
+            surfaces: self.surfaces && other.surfaces,
+            compute: self.compute && other.compute,
+        }
+    }
+}
+
+/// What is known of a cap surface or of an inside test.
+#[derive(Debug)]
+pub struct Facts {
+    /// Its name.
+    pub name: &'static str,
+    /// Its parameter, if it has one.
+    pub parameter: Option<Parameter>,
+    /// What it is, in a line.
+    pub about: &'static str,
+    /// What it is limited to, in a few words; empty where it is to nothing.
+    pub limit: &'static str,
+    /// What is made again when a mesh changes; empty for nothing.
+    pub rebuilds: &'static str,
+    /// What it can be asked for.
+    pub can: Abilities,
+    /// The methods by which it is drawn in hard cases, and whether in large pictures too.
+    pub hard_cases: &'static [(&'static str, bool)],
+}
+
+/// A cap surface.
+#[derive(Debug)]
+pub struct CapSurfaceRow {
+    /// What is known of it.
+    pub facts: Facts,
+    /// Why it asks no sampler for heights of reliefs; empty where it may, or draws none.
+    pub(super) exact_heights: &'static str,
+    /// The inside tests that `all` has it with.
+    pub(super) usual_tests: fn(&InsideTestRow) -> bool,
+    /// How caps come about.
+    pub(crate) caps: Caps,
+}
+
+/// How caps come about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Caps {
+    /// Crossings of each pixel's ray go into the one list, whatever the inside test is.
+    Rays(ListCrossings),
+    /// Clip-surfaces become triangles: sheets in the one list, or, where the inside test answers for points, drawn by the paper's rule.
+    Triangles(Tessellate),
+    /// The cap surface draws the whole frame and needs no inside test.
+    Alone(RecordAlone),
+}
+
+/// Records the passes that write the list of crossings of a pixel, with room for so many, and make every pixel ready for its first
+/// fragment on the way. The first number is the parameter, in steps.
+pub(super) type ListCrossings =
+    fn(&mut Recorder<'_>, u32, u32, &Store, &Capacities) -> Result<Crossings, Refusal>;
+
+/// Records the clip-surfaces as triangles, planes only where they are asked for. The number is the parameter, in steps.
+pub(super) type Tessellate =
+    fn(&mut Recorder<'_>, u32, bool, &Capacities) -> Result<Tessellation, Refusal>;
+
+/// Records the frame.
+pub(super) type RecordAlone = fn(&mut Recorder<'_>, Rasteriser, &Capacities) -> Result<(), Refusal>;
+
+/// An inside test.
+#[derive(Debug)]
+pub struct InsideTestRow {
+    /// What is known of it.
+    pub facts: Facts,
+    /// What it answers for.
+    pub(crate) answers: Answers,
+}
+
+/// What an inside test answers for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Answers {
+    /// The crossings of the camera's rays: it records the frame of a cap surface.
+    Rays(RecordRays),
+    /// Any points of a part: it records images of volumes.
+    Points(RecordImages),
+}
+
+/// Records the frame of a cap surface that lists crossings. The number is the parameter, in steps.
+pub(super) type RecordRays =
+    fn(&mut Recorder<'_>, CapSurface, u32, Rasteriser, &Capacities) -> Result<(), Refusal>;
+
+/// Records images of all cut parts, each with the places of the parts that it answers for. The number is the parameter, in steps.
+pub(super) type RecordImages = fn(
+    &mut Recorder<'_>,
+    u32,
+    Rasteriser,
+    &Capacities,
+) -> Result<Vec<(Range<usize>, Volume)>, Refusal>;
+
+/// A row of one of the two tables.
+pub trait Row: fmt::Debug + 'static {
+    /// What is known of it.
+    fn facts(&self) -> &Facts;
+}
+
+impl Row for CapSurfaceRow {
+    fn facts(&self) -> &Facts {
+        &self.facts
+    }
+}
+
+impl Row for InsideTestRow {
+    fn facts(&self) -> &Facts {
+        &self.facts
+    }
+}
+
+/// A row with a value of its parameter: compared by name and value.
+#[derive(Debug)]
+pub struct Chosen<R: Row> {
+    row: &'static R,
+    /// The parameter in steps; 0 where there is none.
+    steps: u32,
+}
+
+/// A way to produce cap points per pixel.
+pub type CapSurface = Chosen<CapSurfaceRow>;
+
+/// A way to tell whether a point is inside a solid.
+pub type InsideTest = Chosen<InsideTestRow>;
+
+impl<R: Row> Chosen<R> {
+    /// A row with its parameter in steps.
+    pub(super) const fn new(row: &'static R, steps: u32) -> Self {
+        Self { row, steps }
+    }
+
+    /// A row with its usual parameter.
+    pub(super) fn usual(row: &'static R) -> Self {
+        let usual = row.facts().parameter.map_or(0, |p| p.usual);
+        Self::new(row, usual)
+    }
+
+    /// A row with its parameter as a number; none out of range.
+    pub(super) fn with(row: &'static R, number: f64) -> Option<Self> {
+        let steps = row.facts().parameter?.steps(number)?;
+        Some(Self::new(row, steps))
+    }
+
+    /// Its row.
+    pub fn row(&self) -> &'static R {
+        self.row
+    }
+
+    /// What is known of it.
+    pub fn facts(&self) -> &'static Facts {
+        self.row.facts()
+    }
+
+    /// Its parameter in steps; 0 where there is none.
+    pub fn steps(&self) -> u32 {
+        self.steps
+    }
+
+    /// Its parameter; none where it has none.
+    pub fn parameter(&self) -> Option<f64> {
+        let parameter = self.facts().parameter?;
+        Some(parameter.number(self.steps))
+    }
+
+    fn key(&self) -> (&'static str, u32) {
+        (self.facts().name, self.steps)
+    }
+}
+
+impl<R: Row> Clone for Chosen<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Row> Copy for Chosen<R> {}
+
+impl<R: Row> PartialEq for Chosen<R> {
+    fn eq(&self, other: &Self) -> bool {
+        self.key() == other.key()
+    }
+}
+
+impl<R: Row> Eq for Chosen<R> {}
+
+impl<R: Row> PartialOrd for Chosen<R> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<R: Row> Ord for Chosen<R> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.key().cmp(&other.key())
+    }
+}
+
+impl<R: Row> Hash for Chosen<R> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.key().hash(state);
+    }
+}
+
+impl<R: Row> fmt::Display for Chosen<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.facts().name)?;
+        match self.parameter() {
+            Some(number) => write!(f, ":{number}"),
+            None => Ok(()),
+        }
+    }
+}

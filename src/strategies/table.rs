@@ -1,0 +1,125 @@
+//! The table of strategies: all cap surfaces and all inside tests.
+//!
+//! Adding one is a file with its row and its passes, a folder of shaders, and a line here.
+
+use super::row::{Abilities, CapSurfaceRow, Caps, Chosen, Facts, InsideTestRow, Row};
+use super::{Strategy, inside, surface};
+
+/// All cap surfaces.
+pub static CAP_SURFACES: [&CapSurfaceRow; 5] = [
+    &surface::raycast::ROW,
+    &inside::stencil::alone::ROW,
+    &surface::planar::ROW,
+    &surface::adaptive::ROW,
+    &surface::grid::ROW,
+];
+
+/// All inside tests.
+pub static INSIDE_TESTS: [&InsideTestRow; 6] = [
+    &inside::mask::ROW,
+    &inside::stencil::ROW,
+    &inside::abuffer::ROW,
+    &inside::kbuffer::ROW,
+    &inside::ldi::ROW,
+    &inside::vds::ROW,
+];
+
+/// One strategy of each kind, with its usual parameters: what `all` means. Tessellated cap surfaces go with the other inside tests as
+/// well.
+pub fn all() -> Vec<Strategy> {
+    let with_tests = |surface: &'static CapSurfaceRow| {
+        let usual = (INSIDE_TESTS.iter()).filter(|test| (surface.usual_tests)(test));
+        let tests = usual.map(|test| Some(Chosen::usual(*test)));
+        let alone = matches!(surface.caps, Caps::Alone(_)).then_some(None);
+        let pair = move |inside| Strategy {
+            surface: Chosen::usual(surface),
+            inside,
+        };
+        alone.into_iter().chain(tests).map(pair).collect::<Vec<_>>()
+    };
+    CAP_SURFACES
+        .iter()
+        .flat_map(|row| with_tests(row))
+        .collect()
+}
+
+/// The names of strategies, as a help text lists them.
+pub fn names() -> String {
+    let is_alone = |row: &&&CapSurfaceRow| matches!(row.caps, Caps::Alone(_));
+    let mut listed = CAP_SURFACES.iter().filter(|row| !is_alone(row));
+    let first = listed.next().map(|row| pattern(*row)).unwrap_or_default();
+    let tests: Vec<String> = INSIDE_TESTS.iter().map(|row| pattern(*row)).collect();
+    let others: Vec<String> = listed.map(|row| pattern(*row)).collect();
+    let alone: Vec<String> = (CAP_SURFACES.iter().filter(is_alone))
+        .map(|row| format!("{} ({})", row.facts.name, row.facts.limit))
+        .collect();
+    format!(
+        "{first}+{}; {} with all of these; {}",
+        tests.join(", +"),
+        others.join(" and "),
+        alone.join("; "),
+    )
+}
+
+/// How a row is written: `kbuffer:K`.
+fn pattern(row: &impl Row) -> String {
+    let Facts {
+        name, parameter, ..
+    } = row.facts();
+    match parameter {
+        Some(parameter) => format!("{name}:{}", parameter.letter),
+        None => (*name).to_owned(),
+    }
+}
+
+/// Both tables as Markdown: what is known of each row.
+pub fn markdown() -> String {
+    let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
+    let tests = INSIDE_TESTS.iter().map(|row| &row.facts);
+    format!(
+        "{}\n{}",
+        rows_as_markdown("cap surface", surfaces),
+        rows_as_markdown("inside test", tests)
+    )
+}
+
+fn rows_as_markdown(what: &str, rows: impl Iterator<Item = &'static Facts>) -> String {
+    let mut text =
+        format!("| {what} | what it is | when a mesh changes | cannot |\n|---|---|---|---|\n");
+    for facts in rows {
+        let name = match &facts.parameter {
+            Some(p) => format!(
+                "`{}:{}`, {}, usually {}",
+                facts.name,
+                p.letter,
+                p.about,
+                f64::from(p.usual) / f64::from(p.steps_per_unit)
+            ),
+            None => format!("`{}`", facts.name),
+        };
+        let rebuilds = match facts.rebuilds {
+            "" => "nothing is rebuilt",
+            rebuilds => rebuilds,
+        };
+        let cannot = lacks(facts.can).join(", ");
+        text.push_str(&format!(
+            "| {name} | {} | {rebuilds} | {cannot} |\n",
+            facts.about
+        ));
+    }
+    text
+}
+
+/// What is not among abilities, in words.
+fn lacks(can: Abilities) -> Vec<&'static str> {
+    let all = [
+        (can.nonzero, "nonzero parts"),
+        (can.overlaps, "overlaps"),
+        (can.cutters, "cutters"),
+        (can.reliefs, "reliefs"),
+        (can.surfaces, "several clip-surfaces"),
+        (can.compute, "the compute rasteriser"),
+    ];
+    let lacking = all.into_iter().filter(|(can, _)| !can);
+    lacking.map(|(_, what)| what).collect()
+}
