@@ -326,9 +326,7 @@ pub(super) fn scene(
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let camera = root
-        .get("camera")
-        .map(|entry| camera::read(&entry, &bounds));
+    let camera = root.get("camera").map(|e| camera::read(&e, &bounds));
     let seen = camera.transpose()?.unwrap_or_default();
     scene.camera = seen.camera;
     let maps = match root.get("relief") {

@@ -1,0 +1,39 @@
+//! The table of strategies is what the README says, and every row of it can be asked for.
+
+use std::fs;
+use std::path::Path;
+
+use cutaway::Strategy;
+use cutaway::strategies::table::{self, CAP_SURFACES, INSIDE_TESTS};
+
+#[test]
+fn the_readme_holds_the_table() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = fs::read_to_string(readme).expect("a README");
+    let table = table::markdown();
+    assert!(
+        readme.contains(&table),
+        "the README has other tables of strategies than these:\n\n{table}"
+    );
+}
+
+#[test]
+fn every_row_is_asked_for_by_all_and_by_hard_cases() {
+    let all = Strategy::all();
+    let surfaces = CAP_SURFACES.iter().map(|row| &row.facts);
+    let tests = INSIDE_TESTS.iter().map(|row| &row.facts);
+    for facts in surfaces.chain(tests) {
+        let name = facts.name;
+        let is_it = |s: &&Strategy| {
+            s.surface.facts().name == name || s.inside.is_some_and(|i| i.facts().name == name)
+        };
+        assert!(all.iter().any(|s| is_it(&s)), "`all` leaves {name} out");
+        assert!(table::names().contains(name), "help leaves {name} out");
+        let methods = cutaway::hard_cases::usual_methods(64);
+        let strategies: Vec<Strategy> = methods.iter().map(|m| m.strategy).collect();
+        assert!(
+            strategies.iter().any(|s| is_it(&s)),
+            "no hard case is drawn by {name}"
+        );
+    }
+}
