@@ -63,7 +63,8 @@ pub struct Drawn {
     pub outcome: Outcome,
     /// The clocks on which something changed.
     pub clocks: ClockSet,
-    /// Times of the passes that ran in the last try, which are all that the frame took.
+    /// The passes that ran in the last try, which are all that the frame took; their times, where the session [takes
+    /// them](Session::timed).
     pub times: RunTimes,
 }
 
@@ -78,6 +79,7 @@ impl Drawn {
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
+    is_timed: bool,
     /// Frames by their method; without one, those with nothing cut.
     slots: BTreeMap<Option<Method>, Slot>,
 }
@@ -87,7 +89,17 @@ impl Session {
     pub fn new(gpu: Gpu) -> Self {
         Self {
             gpu,
+            is_timed: false,
             slots: BTreeMap::new(),
+        }
+    }
+
+    /// The same, which takes the time of every pass that it draws. Where the device has no timestamps to trust, each is waited for.
+    #[must_use]
+    pub fn timed(self) -> Self {
+        Self {
+            is_timed: true,
+            ..self
         }
     }
 
@@ -103,7 +115,7 @@ impl Session {
         let wide_atomics = self.gpu.limits().wide_atomics;
         asked.means.wide_atomics.get_or_insert(wide_atomics);
         let slot = self.slots.entry(Some(method)).or_default();
-        slot.draw(&self.gpu, model, view, |view, capacities| {
+        slot.draw(&self.gpu, self.is_timed, model, view, |view, capacities| {
             strategies::record(model, view, asked, capacities)
         })
     }
@@ -113,9 +125,13 @@ impl Session {
         let model = model.without_cuts();
         let slot = self.slots.entry(None).or_default();
         // Where there is nothing to cut, all strategies record the same plan.
-        slot.draw(&self.gpu, &model, view, |view, capacities| {
-            strategies::record(&model, view, Strategy::RAYCAST_MASK, capacities)
-        })
+        slot.draw(
+            &self.gpu,
+            self.is_timed,
+            &model,
+            view,
+            |view, capacities| strategies::record(&model, view, Strategy::RAYCAST_MASK, capacities),
+        )
     }
 
     /// Runs the last frame with nothing cut again on some clocks, for its times.

@@ -506,16 +506,16 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
 #[test]
 fn a_strategy_that_refuses_says_why() {
     let folder = Scratch::new("refuse");
-    let line = format!("render {CUT_CUBE} --strategy planar+mask -o out.png");
+    let line = format!("render {CUT_CUBE} --section x=60% --strategy stencil -o out.png");
     let ran = folder.run(&line).exits(2);
     assert!(
-        ran.stderr.contains("planar+mask") && ran.stderr.contains("help:"),
+        ran.stderr.contains("strategy stencil: ") && ran.stderr.contains("help:"),
         "{}",
         ran.stderr
     );
     let json = folder
         .run(&format!(
-            "compare {CUT_CUBE} --strategies planar+mask,raycast+mask --rounds 1 --json -"
+            "compare {CUT_CUBE} --section x=60% --strategies stencil,raycast+mask --rounds 1 --json -"
         ))
         .exits(0)
         .json();

@@ -93,7 +93,10 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     subject.files.add(args.reference.clone());
     let renderer = subject.renderer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = match args.json {
+        Some(_) => Session::new(args.device.open()?).timed(),
+        None => Session::new(args.device.open()?),
+    };
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,

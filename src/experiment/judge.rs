@@ -255,10 +255,10 @@ fn times_of(evaluator: Evaluator, question: &Question<'_>) -> Result<RunTimes> {
     let evaluated = evaluator.evaluate(question.shown.truth()?, &question.view);
     // Not to be left out for having no use.
     std::hint::black_box(&evaluated.layers);
-    let pass = |name: String, clock, time_ms| TimeOfPass {
+    let pass = |name: String, clock, time_ms: f64| TimeOfPass {
         name,
         clock,
-        time_ms,
+        time_ms: Some(time_ms),
     };
     let (solid_ms, frame_ms) = (evaluated.solid_ms, evaluated.frame_ms);
     Ok(RunTimes {
@@ -323,7 +323,7 @@ fn passes(runs: &[RunTimes]) -> Vec<PassTime> {
     let of = |i: usize| {
         runs.iter()
             .filter_map(|r| r.passes.get(i))
-            .map(|p| p.time_ms)
+            .filter_map(|p| p.time_ms)
             .collect()
     };
     (first.passes.iter().enumerate())

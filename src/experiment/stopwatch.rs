@@ -1,6 +1,6 @@
 //! Time on the clock of the wall.
 
-use std::time::Instant;
+use web_time::Instant;
 
 /// Runs from when it is made.
 pub(crate) struct Stopwatch(Instant);

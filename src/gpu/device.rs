@@ -1,9 +1,11 @@
-//! The device: which adapter, what it can do, and what it complained of.
+//! The device: which adapter, what it can do, and what it complained of. It is opened here, or is that of a host.
 //!
 //! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::task::{Context, Poll, Waker};
 
+use super::pipelines::Pipelines;
 use crate::plan::{Contents, Limits};
 use crate::{Error, Result};
 
@@ -43,6 +45,8 @@ pub struct Gpu {
     complaint: Arc<Mutex<Option<String>>>,
     /// Large contents that several programs share, by identity.
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
+    /// The pipelines of all programs.
+    pipelines: Mutex<Pipelines>,
 }
 
 /// Contents of at least this many bytes are worth sharing.
@@ -54,7 +58,8 @@ impl Gpu {
         pollster::block_on(Self::open_async(options))
     }
 
-    async fn open_async(options: &GpuOptions) -> Result<Self> {
+    /// As [`Gpu::open`], where nothing may be waited for.
+    pub async fn open_async(options: &GpuOptions) -> Result<Self> {
         let instance =
             wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let mut adapters = instance.enumerate_adapters(wgpu::Backends::all()).await;
@@ -88,71 +93,125 @@ impl Gpu {
                     .to_owned(),
             });
         };
-        let info = adapter.get_info();
-        let software = info.device_type == wgpu::DeviceType::Cpu;
-        let timestamps = !software && adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let wanted = WIDE_ATOMICS
-            | wgpu::Features::DEPTH32FLOAT_STENCIL8
-            | wgpu::Features::FLOAT32_FILTERABLE;
-        let mut features = adapter.features() & wanted;
-        let wide_atomics = features.contains(WIDE_ATOMICS);
-        features.set(WIDE_ATOMICS, wide_atomics);
-        features.set(wgpu::Features::TIMESTAMP_QUERY, timestamps);
-        let have = adapter.limits();
-        // Bindings and buffers as large as the adapter allows: a plan is still checked against the core limits in tests.
-        let limits = wgpu::Limits {
-            max_storage_buffer_binding_size: have.max_storage_buffer_binding_size,
-            max_buffer_size: have.max_buffer_size,
-            max_texture_dimension_2d: have.max_texture_dimension_2d,
-            ..wgpu::Limits::default()
-        };
         let (device, queue) = adapter
-            .request_device(&wgpu::DeviceDescriptor {
-                label: Some("cutaway"),
-                required_features: features,
-                required_limits: limits,
-                ..wgpu::DeviceDescriptor::default()
-            })
+            .request_device(&Self::descriptor(&adapter))
             .await
             .map_err(|e| Error::Adapter {
                 what: format!(
                     "{} offers no device that can run core WebGPU: {e}",
-                    info.name
+                    adapter.get_info().name
                 ),
                 mend: format!(
                     "choose another with --adapter; there are: {}",
                     names.join(", ")
                 ),
             })?;
-        let complaint = Arc::new(Mutex::new(None));
-        let listener = complaint.clone();
-        device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
+        let gpu = Self::from_device(&adapter.get_info(), device, queue)?;
+        // What no scope hears, such as a lost device, is to become an error, where wgpu would panic.
+        let listener = gpu.complaint.clone();
+        let hear = move |e: wgpu::Error| {
             lock(&listener).get_or_insert(e.to_string());
-        }));
+        };
+        gpu.device.on_uncaptured_error(Arc::new(hear));
+        Ok(gpu)
+    }
+
+    /// The limits that a device must have: those of core WebGPU.
+    pub fn required_limits() -> wgpu::Limits {
+        wgpu::Limits::default()
+    }
+
+    /// The features that are used where a device has them; none is required.
+    ///
+    /// `DEPTH32FLOAT_STENCIL8` is for strategies with a stencil, `FLOAT32_FILTERABLE` for heights through a sampler, `SHADER_INT64` with
+    /// `SHADER_INT64_ATOMIC_MIN_MAX` for one sweep of the compute rasteriser in the place of two, `TIMESTAMP_QUERY` for times.
+    pub fn wanted_features() -> wgpu::Features {
+        WIDE_ATOMICS
+            | wgpu::Features::DEPTH32FLOAT_STENCIL8
+            | wgpu::Features::FLOAT32_FILTERABLE
+            | wgpu::Features::TIMESTAMP_QUERY
+    }
+
+    /// What to ask an adapter for, so that every strategy that can run on it does: the required limits, bindings, buffers and textures
+    /// as large as the adapter allows, and the wanted features that it offers. A host adds what it wants besides.
+    pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+        let have = adapter.limits();
+        wgpu::DeviceDescriptor {
+            label: Some("cutaway"),
+            required_features: adapter.features() & Self::wanted_features(),
+            required_limits: wgpu::Limits {
+                max_storage_buffer_binding_size: have.max_storage_buffer_binding_size,
+                max_buffer_size: have.max_buffer_size,
+                max_texture_dimension_2d: have.max_texture_dimension_2d,
+                ..Self::required_limits()
+            },
+            ..wgpu::DeviceDescriptor::default()
+        }
+    }
+
+    /// On the device of a host, which goes on to own it: no handler of it is touched. What the device was created with decides what
+    /// plans may use.
+    ///
+    /// # Errors
+    ///
+    /// A device with less than the [required limits](Self::required_limits): each that is lacking, and what was offered.
+    pub fn from_device(
+        info: &wgpu::AdapterInfo,
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+    ) -> Result<Self> {
+        let (have, features) = (device.limits(), device.features());
+        let mut lacking = Vec::new();
+        Self::required_limits().check_limits_with_fail_fn(&have, false, |name, needed, offered| {
+            lacking.push(format!("{name}: {needed} are needed, {offered} offered"));
+        });
+        if !lacking.is_empty() {
+            return Err(Error::Adapter {
+                what: format!(
+                    "the device of {} has less than core WebGPU: {}",
+                    info.name,
+                    lacking.join("; ")
+                ),
+                mend: "create it with the limits of Gpu::required_limits(), or by Gpu::descriptor(&adapter)"
+                    .to_owned(),
+            });
+        }
+        let software = info.device_type == wgpu::DeviceType::Cpu;
         Ok(Self {
             limits: Limits {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
                 buffer_bytes: have.max_buffer_size,
                 texture_size: have.max_texture_dimension_2d,
-                wide_atomics,
+                wide_atomics: features.contains(WIDE_ATOMICS),
                 depth32_stencil8: features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8),
                 filters_f32: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
                 ..Limits::CORE
             },
-            device,
-            queue,
             report: AdapterReport {
-                name: info.name,
+                name: info.name.clone(),
                 backend: info.backend.to_string(),
                 driver: format!("{} {}", info.driver, info.driver_info)
                     .trim()
                     .to_owned(),
                 software,
             },
-            timestamps,
-            complaint,
-            shared: Mutex::new(Vec::new()),
+            timestamps: !software && features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            device,
+            queue,
+            complaint: Arc::default(),
+            shared: Mutex::default(),
+            pipelines: Mutex::default(),
         })
+    }
+
+    /// The device.
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// The queue.
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
     }
 
     /// What is known of the adapter.
@@ -176,14 +235,39 @@ impl Gpu {
         self.timestamps
     }
 
-    /// The first complaint of the device since the last question, as an error.
+    /// The pipelines of all programs.
+    pub(super) fn pipelines(&self) -> MutexGuard<'_, Pipelines> {
+        lock(&self.pipelines)
+    }
+
+    /// Does some work on the device, and makes an error of what the device refuses of it.
+    pub(super) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+        let filters = [
+            wgpu::ErrorFilter::OutOfMemory,
+            wgpu::ErrorFilter::Validation,
+        ];
+        let scopes = filters.map(|filter| self.device.push_error_scope(filter));
+        let done = work();
+        // The scope that was opened last is closed first.
+        let refused = scopes.into_iter().rev().filter_map(|s| at_once(s.pop()));
+        match refused.last() {
+            Some(refused) => Err(self.refused(&refused.to_string())),
+            None => done,
+        }
+    }
+
+    /// What the device complained of beside any scope since the last question, as an error.
     pub(super) fn complaint(&self) -> Result<()> {
         match lock(&self.complaint).take() {
             None => Ok(()),
-            Some(what) => Err(Error::Adapter {
-                what: format!("the adapter {} refused work: {what}", self.report.name),
-                mend: "lower --resolution, or choose another adapter with --adapter".to_owned(),
-            }),
+            Some(what) => Err(self.refused(&what)),
+        }
+    }
+
+    fn refused(&self, what: &str) -> Error {
+        Error::Adapter {
+            what: format!("the adapter {} refused work: {what}", self.report.name),
+            mend: "lower --resolution, or choose another adapter with --adapter".to_owned(),
         }
     }
 
@@ -225,6 +309,16 @@ impl Gpu {
 /// Whether contents are kept once for all programs, which therefore must not write to them.
 pub(super) fn is_shared(contents: &Contents) -> bool {
     contents.len() >= SHARED_FROM_BYTES && !contents.changes()
+}
+
+/// What a scope heard, where that is known at once: a browser says it later, and to its console.
+fn at_once(heard: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
+    let mut heard = std::pin::pin!(heard);
+    let mut context = Context::from_waker(Waker::noop());
+    match heard.as_mut().poll(&mut context) {
+        Poll::Ready(error) => error,
+        Poll::Pending => None,
+    }
 }
 
 /// A poisoned lock only means that another thread panicked while it held plain data.

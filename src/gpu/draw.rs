@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Gpu;
 use super::bind::{Reals, bind_groups, buffer, layer_view, texture};
-use super::pipelines::{Pipeline, Pipelines};
+use super::pipelines::Pipeline;
 use super::timing::Stopwatch;
 use super::viewport::viewport_px;
 use crate::Result;
@@ -52,14 +52,8 @@ struct Depth {
 }
 
 impl Step {
-    pub(super) fn new(
-        gpu: &Gpu,
-        pipelines: &mut Pipelines,
-        plan: &Plan,
-        pass: &Pass,
-        real: &Reals,
-    ) -> Result<Self> {
-        let (pipeline, bindings) = pipelines.get(gpu, plan, pass)?;
+    pub(super) fn new(gpu: &Gpu, plan: &Plan, pass: &Pass, real: &Reals) -> Result<Self> {
+        let (pipeline, bindings) = gpu.pipelines().get(gpu, plan, pass)?;
         let groups = bind_groups(gpu, plan, pass, &pipeline, &bindings, real)?;
         let work = match &pass.work {
             Work::Compute { groups } => RealWork::Compute(*groups),

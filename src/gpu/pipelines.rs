@@ -1,14 +1,22 @@
 //! Pipelines by everything they are made of: shader, constants and, for draws, the state of the attachments.
+//!
+//! They are kept for all programs of a device, so that a method whose shaders another has used already starts without a stall. Constants
+//! are put into the shader before it is handed over: the WGSL that wgpu hands to a browser has other names for them.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use naga::back::PipelineConstants;
+use naga::back::pipeline_constants::process_overrides;
 
 use super::Gpu;
 use super::real::texel_format;
-use crate::Result;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,
 };
-use crate::shader::{self, ShaderBinding};
+use crate::shader::{self, Shader, ShaderBinding};
+use crate::{Error, Result};
 
 /// A pipeline of either kind.
 pub(super) enum Pipeline {
@@ -16,10 +24,59 @@ pub(super) enum Pipeline {
     Render(wgpu::RenderPipeline),
 }
 
+/// Pipelines that are kept though no program has them at present.
+const MOST_IDLE: usize = 256;
+
 /// Pipelines by everything they are made of.
 #[derive(Default)]
 pub(super) struct Pipelines {
-    made: BTreeMap<String, (std::sync::Arc<Pipeline>, Vec<ShaderBinding>)>,
+    made: BTreeMap<Recipe, (Arc<Pipeline>, Arc<[ShaderBinding]>)>,
+}
+
+/// All that a pipeline is made of.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Recipe {
+    shader: Shader,
+    /// Names, and values as bits.
+    constants: Vec<(&'static str, u64)>,
+    /// None of what computes.
+    draw: Option<DrawState>,
+}
+
+/// The state that draws depend on.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct DrawState {
+    color: Option<Format>,
+    depth: Format,
+    compare: DepthCompare,
+    stencil: Option<StencilStep>,
+    has_vertices: bool,
+}
+
+impl Recipe {
+    fn of(plan: &Plan, pass: &Pass) -> Self {
+        let draw = match &pass.work {
+            Work::Compute { .. } => None,
+            Work::Draw {
+                color,
+                depth,
+                vertices,
+                ..
+            } => Some(DrawState {
+                color: color.map(|c| format_of(plan, c.resource)),
+                depth: format_of(plan, depth.resource),
+                compare: depth.compare,
+                stencil: depth.stencil.map(|s| s.step),
+                has_vertices: matches!(vertices, Vertices::Mesh(_)),
+            }),
+        };
+        let constants = pass.constants.iter();
+        Self {
+            shader: pass.shader.clone(),
+            constants: constants.map(|(name, v)| (*name, v.to_bits())).collect(),
+            draw,
+        }
+    }
 }
 
 impl Pipelines {
@@ -29,62 +86,64 @@ impl Pipelines {
         gpu: &Gpu,
         plan: &Plan,
         pass: &Pass,
-    ) -> Result<(std::sync::Arc<Pipeline>, Vec<ShaderBinding>)> {
-        let state = match &pass.work {
-            Work::Compute { .. } => String::new(),
-            Work::Draw {
-                color,
-                depth,
-                vertices,
-                ..
-            } => {
-                let has_vertices = matches!(vertices, Vertices::Mesh(_));
-                let step = depth.stencil.map(|s| s.step);
-                let format = format_of(plan, depth.resource);
-                format!(
-                    "{} {:?} {step:?} {format:?} {has_vertices}",
-                    color.is_some(),
-                    depth.compare
-                )
-            }
-        };
-        let key = format!("{} {:?} {state}", pass.shader, pass.constants);
-        if let Some((pipeline, bindings)) = self.made.get(&key) {
-            return Ok((pipeline.clone(), bindings.clone()));
+    ) -> Result<(Arc<Pipeline>, Arc<[ShaderBinding]>)> {
+        let recipe = Recipe::of(plan, pass);
+        if let Some(made) = self.made.get(&recipe) {
+            return Ok(made.clone());
         }
         let composed = shader::compose(&pass.shader)?;
-        let bindings = shader::bindings(&composed);
-        let module = gpu
-            .device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(pass.shader.path),
-                source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
-            });
-        let pipeline = std::sync::Arc::new(if matches!(pass.work, Work::Draw { .. }) {
-            Pipeline::Render(render_pipeline(gpu, plan, pass, &module))
-        } else {
-            Pipeline::Compute(gpu.device.create_compute_pipeline(
-                &wgpu::ComputePipelineDescriptor {
-                    label: Some(&pass.name),
-                    layout: None,
-                    module: &module,
-                    entry_point: Some("main"),
-                    compilation_options: options(pass),
-                    cache: None,
-                },
-            ))
-        });
-        gpu.complaint()?;
-        self.made.insert(key, (pipeline.clone(), bindings.clone()));
-        Ok((pipeline, bindings))
+        let bindings: Arc<[ShaderBinding]> = shader::bindings(&composed).into();
+        let resolved = without_overrides(&pass.shader, &composed, &pass.constants)?;
+        let made = gpu.scoped(|| {
+            let module = gpu
+                .device
+                .create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some(pass.shader.path),
+                    source: wgpu::ShaderSource::Naga(Cow::Owned(resolved)),
+                });
+            Ok(match pass.work {
+                Work::Draw { .. } => Pipeline::Render(render_pipeline(gpu, plan, pass, &module)),
+                Work::Compute { .. } => Pipeline::Compute(gpu.device.create_compute_pipeline(
+                    &wgpu::ComputePipelineDescriptor {
+                        label: Some(&pass.name),
+                        layout: None,
+                        module: &module,
+                        entry_point: Some("main"),
+                        compilation_options: wgpu::PipelineCompilationOptions::default(),
+                        cache: None,
+                    },
+                )),
+            })
+        })?;
+        if self.made.len() >= MOST_IDLE {
+            let is_held = |p: &Arc<Pipeline>| Arc::strong_count(p) > 1;
+            if self.made.values().filter(|(p, _)| !is_held(p)).count() >= MOST_IDLE {
+                self.made.retain(|_, (p, _)| is_held(p));
+            }
+        }
+        let made = (Arc::new(made), bindings);
+        self.made.insert(recipe, made.clone());
+        Ok(made)
     }
 }
 
-fn options(pass: &Pass) -> wgpu::PipelineCompilationOptions<'_> {
-    wgpu::PipelineCompilationOptions {
-        constants: &pass.constants,
-        ..wgpu::PipelineCompilationOptions::default()
-    }
+/// The shader with its constants in the place of overrides.
+fn without_overrides(
+    shader: &Shader,
+    composed: &naga::Module,
+    constants: &[(&'static str, f64)],
+) -> Result<naga::Module> {
+    let fault = |what: String| Error::Shader {
+        name: shader.to_string(),
+        what,
+    };
+    let info = shader::validate(shader, composed).map_err(fault)?;
+    let constants: PipelineConstants = (constants.iter())
+        .map(|(name, value)| ((*name).to_owned(), *value))
+        .collect();
+    let (resolved, _) =
+        process_overrides(composed, &info, None, &constants).map_err(|e| fault(e.to_string()))?;
+    Ok(resolved.into_owned())
 }
 
 fn render_pipeline(
@@ -138,7 +197,7 @@ fn render_pipeline(
             vertex: wgpu::VertexState {
                 module,
                 entry_point: Some("vertex"),
-                compilation_options: options(pass),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
                 buffers,
             },
             primitive: wgpu::PrimitiveState {
@@ -163,7 +222,7 @@ fn render_pipeline(
             fragment: Some(wgpu::FragmentState {
                 module,
                 entry_point: Some("fragment"),
-                compilation_options: options(pass),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
                 targets: targets.as_slice(),
             }),
             multiview_mask: None,

@@ -9,7 +9,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Gpu;
 use super::device::is_shared;
 use super::draw::Step;
-use super::pipelines::Pipelines;
 use super::real::{Real, make};
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
@@ -22,7 +21,6 @@ use crate::{Error, Result};
 pub struct Program {
     plan: Plan,
     real: BTreeMap<String, (Shape, Real)>,
-    pipelines: Pipelines,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
     /// What has not run since its inputs changed, be it because a run failed.
@@ -77,7 +75,7 @@ impl Program {
             // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
             self.plan = Plan::default();
             self.steps.clear();
-            let step = |pass| Step::new(gpu, &mut self.pipelines, &plan, pass, &self.real);
+            let step = |pass| Step::new(gpu, &plan, pass, &self.real);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
             self.stopwatch = Stopwatch::new(gpu, plan.passes.len());
             gpu.complaint()?;
@@ -103,12 +101,14 @@ impl Program {
             .sum()
     }
 
-    /// Runs what is due and some passes besides, by name, and waits for them.
-    pub fn run_due(&mut self, gpu: &Gpu, besides: &Due) -> Result<RunTimes> {
+    /// Runs what is due and some passes besides, by name: in one go, or pass by pass for their times, which waits for them.
+    pub fn run_due(&mut self, gpu: &Gpu, besides: &Due, is_timed: bool) -> Result<RunTimes> {
         let due = &self.due.passes;
-        let mut times = self.run_passes(gpu, |pass| {
-            due.contains(&pass.name) || besides.passes.contains(&pass.name)
-        })?;
+        let runs = |pass: &Pass| due.contains(&pass.name) || besides.passes.contains(&pass.name);
+        let mut times = match is_timed {
+            true => self.run_passes(gpu, runs)?,
+            false => self.run_at_once(gpu, runs)?,
+        };
         times.add_before(PassTime::of_cpu(&self.plan, |w| w.took_ms));
         self.due = Due::default();
         Ok(times)
@@ -132,6 +132,25 @@ impl Program {
             Some(stopwatch) => self.run_stamped(gpu, runs, stopwatch),
             None => self.run_by_the_wall(gpu, runs),
         }
+    }
+
+    /// Submits all passes together and waits for none.
+    fn run_at_once(&self, gpu: &Gpu, runs: impl Fn(&Pass) -> bool) -> Result<RunTimes> {
+        let mut encoder = new_encoder(gpu);
+        let mut passes = Vec::with_capacity(self.steps.len());
+        for (index, pass, step) in self.steps_that(runs) {
+            step.encode(&mut encoder, None, index);
+            passes.push(PassTime {
+                name: pass.name.clone(),
+                clock: pass.clock,
+                time_ms: None,
+            });
+        }
+        gpu.scoped(|| {
+            gpu.queue.submit([encoder.finish()]);
+            Ok(())
+        })?;
+        Ok(RunTimes::sum(passes))
     }
 
     fn run_stamped(
@@ -165,7 +184,7 @@ impl Program {
             passes.push(PassTime {
                 name: pass.name.clone(),
                 clock: pass.clock,
-                time_ms: started.elapsed().as_secs_f64() * 1e3,
+                time_ms: Some(started.elapsed().as_secs_f64() * 1e3),
             });
         }
         Ok(RunTimes::sum(passes))

@@ -4,7 +4,7 @@
 //! stamped before or after the work of it by chance, so that one frame of 305 ms was reported as 112 ms every other time.
 //! There every pass is submitted and waited for by itself, about 0.1 ms each; nothing would have run beside it anyhow.
 
-use std::time::Instant;
+use web_time::Instant;
 
 use super::Gpu;
 use crate::plan::{Clock, CpuWork, Plan};
@@ -52,8 +52,8 @@ pub struct PassTime {
     pub name: String,
     /// Its clock.
     pub clock: Clock,
-    /// Milliseconds on the device, or on the CPU where that did it.
-    pub time_ms: f64,
+    /// Milliseconds on the device, or on the CPU where that did it; none where nobody asked.
+    pub time_ms: Option<f64>,
 }
 
 impl PassTime {
@@ -63,7 +63,7 @@ impl PassTime {
             Some(Self {
                 name: work.name.clone(),
                 clock: work.clock,
-                time_ms: ms(work)?,
+                time_ms: Some(ms(work)?),
             })
         });
         timed.collect()
@@ -76,7 +76,7 @@ pub struct RunTimes {
     /// Per pass that ran.
     pub passes: Vec<PassTime>,
     /// From the begin of the first pass of a clock to the end of its last, or the sum of their wall times; `None` for
-    /// clocks that did not run.
+    /// clocks that did not run, and where nobody asked.
     pub clocks_ms: [Option<f64>; 3],
 }
 
@@ -85,7 +85,9 @@ impl RunTimes {
     pub(super) fn sum(passes: Vec<PassTime>) -> Self {
         let mut clocks_ms = [None; 3];
         for pass in &passes {
-            *clocks_ms[pass.clock as usize].get_or_insert(0.0) += pass.time_ms;
+            if let Some(ms) = pass.time_ms {
+                *clocks_ms[pass.clock as usize].get_or_insert(0.0) += ms;
+            }
         }
         Self { passes, clocks_ms }
     }
@@ -93,7 +95,9 @@ impl RunTimes {
     /// Adds work of the CPU that passes waited for, before them.
     pub(super) fn add_before(&mut self, works: Vec<PassTime>) {
         for work in &works {
-            *self.clocks_ms[work.clock as usize].get_or_insert(0.0) += work.time_ms;
+            if let Some(ms) = work.time_ms {
+                *self.clocks_ms[work.clock as usize].get_or_insert(0.0) += ms;
+            }
         }
         self.passes.splice(0..0, works);
     }
@@ -103,7 +107,11 @@ impl RunTimes {
         for pass in other.passes {
             let known = self.passes.iter_mut().find(|p| p.name == pass.name);
             match known {
-                Some(known) => known.time_ms += pass.time_ms,
+                Some(known) => {
+                    if let Some(ms) = pass.time_ms {
+                        *known.time_ms.get_or_insert(0.0) += ms;
+                    }
+                }
                 None => self.passes.push(pass),
             }
         }
@@ -174,7 +182,7 @@ impl Stopwatch {
             passes.push(PassTime {
                 name: (*name).to_owned(),
                 clock: *clock,
-                time_ms: (end - begin) as f64 * ms_per_tick,
+                time_ms: Some((end - begin) as f64 * ms_per_tick),
             });
             let span = &mut spans[*clock as usize];
             *span = Some(span.map_or((begin, end), |(b, e)| (b.min(begin), e.max(end))));

@@ -5,7 +5,7 @@
 //! Buffers have room for more than they hold, so that a plane that moves a little finds them large enough.
 
 use std::sync::Arc;
-use std::time::Instant;
+use web_time::Instant;
 
 use glam::DVec3;
 use rayon::prelude::*;

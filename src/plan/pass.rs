@@ -98,7 +98,7 @@ pub struct ColorTarget {
 }
 
 /// Which fragments pass the depth test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DepthCompare {
     /// Nearest first in a reversed buffer, cleared to 0.
     Greater,
@@ -120,7 +120,7 @@ impl DepthCompare {
 }
 
 /// What the fragments of a draw do to the stencil of their pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StencilStep {
     /// Each that passes the depth test inverts these bits.
     Flip {

@@ -11,7 +11,7 @@ use crate::scene::Wrap;
 pub struct ResourceId(pub usize);
 
 /// Texel formats in use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     /// Two words: what a surface is, and its normal.
     Rg32Uint,

@@ -54,6 +54,7 @@ impl Slot {
     pub(super) fn draw(
         &mut self,
         gpu: &Gpu,
+        is_timed: bool,
         model: &Model,
         view: &View,
         record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
@@ -71,7 +72,7 @@ impl Slot {
         self.refused = Some("it has drawn no frame".to_owned());
         let mut too_large = None;
         loop {
-            let reason = match self.draw_bands(gpu, view, &record)? {
+            let reason = match self.draw_bands(gpu, is_timed, view, &record)? {
                 Ok(drawn) => {
                     self.refused = None;
                     return Ok(drawn);
@@ -129,6 +130,7 @@ impl Slot {
     fn draw_bands(
         &mut self,
         gpu: &Gpu,
+        is_timed: bool,
         view: &View,
         record: &impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
     ) -> Result<Result<Drawn, Stop>> {
@@ -140,7 +142,9 @@ impl Slot {
         };
         for band in &mut self.bands {
             let view = view.rows(band.first_row, band.rows);
-            match band.draw(gpu, capacities, |capacities| record(&view, capacities))? {
+            match band.draw(gpu, is_timed, capacities, |capacities| {
+                record(&view, capacities)
+            })? {
                 Ok(drawn) => {
                     if all.outcome == Outcome::Complete {
                         all.outcome = drawn.outcome;
@@ -160,6 +164,7 @@ impl Band {
     fn draw(
         &mut self,
         gpu: &Gpu,
+        is_timed: bool,
         capacities: &mut Capacities,
         record: impl Fn(&Capacities) -> Result<Plan, Refusal>,
     ) -> Result<Result<Drawn, Stop>> {
@@ -178,7 +183,7 @@ impl Band {
                 Err(e) => return Err(e),
             }
             self.program.clear_needs_of_frame(gpu)?;
-            let times = self.program.run_due(gpu, &owed)?;
+            let times = self.program.run_due(gpu, &owed, is_timed)?;
             let needs = self.program.needs(gpu)?;
             let (mut grown, mut overflow) = (false, None);
             for (bounded, need) in self.program.plan().bounded.iter().zip(needs) {

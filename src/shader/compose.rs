@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
-use naga::valid::Capabilities;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
@@ -78,6 +78,14 @@ pub fn compose(shader: &Shader) -> Result<naga::Module> {
     let module = compose_text_with(&shader.to_string(), text, &shader.with)?;
     composed.insert(shader.clone(), module.clone());
     Ok(module)
+}
+
+/// What naga finds out about a composed shader; its report where that is unsound.
+pub fn validate(shader: &Shader, module: &naga::Module) -> Result<ModuleInfo, String> {
+    let capabilities = capabilities(is_native(shader));
+    let mut validator = Validator::new(ValidationFlags::all(), capabilities);
+    let validated = validator.validate(module);
+    validated.map_err(|e| e.as_inner().to_string())
 }
 
 /// As [`compose`], of a text that is not in the tree: tests wrap library functions in small shaders this way.

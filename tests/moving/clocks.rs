@@ -36,7 +36,7 @@ impl Stage {
     fn new(strategy: Strategy) -> Self {
         let gpu = Gpu::open(&software()).expect("an adapter");
         Self {
-            session: Session::new(gpu),
+            session: Session::new(gpu).timed(),
             strategy,
         }
     }

@@ -7,6 +7,7 @@ use cutaway::plan::{
 
 use cutaway::passes::Relevance;
 use cutaway::scene::{Mesh, Part};
+use cutaway::strategies::{CapSurface, InsideTest, Obstacle};
 
 use super::*;
 
@@ -101,20 +102,22 @@ fn sprites_that_outgrow_a_binding_are_refused_by_name() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused_with_a_reason() {
-    let refusal = |scene: &Scene, name: &str| {
+    let refused = |scene: &Scene, strategy: Strategy| {
         let model = Model::of(scene);
         let view = model.prepared.view(SIZE);
-        strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN)
-            .expect_err(name)
-            .to_string()
+        strategies::record(&model, &view, strategy, &Capacities::UNKNOWN).expect_err("a refusal")
     };
+    let refusal = |scene: &Scene, name: &str| refused(scene, strategy(name)).to_string();
+    // No name means these, but values can.
     let cut = scene_of(&["cube"], vec![planes(0.1, 1)]);
-    for (name, expected) in [
-        ("planar+mask", "name planar alone"),
-        ("planar+vds:64", "name planar alone"),
+    for unpaired in [
+        Strategy::new(CapSurface::PLANAR, InsideTest::MASK),
+        Strategy::new(CapSurface::STENCIL, InsideTest::vds(64)),
+        Strategy::alone(CapSurface::RAYCAST),
+        Strategy::alone(CapSurface::grid(8)),
     ] {
-        let told = refusal(&cut, name);
-        assert!(told.contains(expected), "{told}");
+        let refusal = refused(&cut, unpaired);
+        assert_eq!(refusal.obstacle, Obstacle::Pairing, "{refusal}");
     }
     let cuts = (0..33).map(|_| planes(0.1, 1)).collect();
     let told = refusal(&scene_of(&["cube"], cuts), "raycast+mask");

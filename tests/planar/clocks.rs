@@ -42,7 +42,7 @@ fn drawn(session: &mut Session, model: &Model, size: [u32; 2]) -> (ClockSet, boo
 
 #[test]
 fn only_what_is_new_is_sliced() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
     let mut scene = scene();
     let mut model = Model::of(&scene);
     let size = [64, 48];
@@ -78,7 +78,7 @@ fn only_what_is_new_is_sliced() {
 
 #[test]
 fn rounds_that_are_repeated_time_slicers_as_well() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
     let mut scene = scene();
     let model = Model::of(&scene);
     let ran = |times: &cutaway::gpu::RunTimes| -> Vec<(String, Clock)> {
@@ -130,7 +130,7 @@ fn what_moves_is_sliced_where_it_stands() {
         assert!(of_cube > 200, "turned by {turn}");
     }
     // It stood still in the last two: nothing is sliced anew for a program that is.
-    let mut fresh = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut fresh = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
     let (_, sliced) = drawn(&mut fresh, &model, [160, 120]);
     assert!(!sliced, "known from before");
     let mut again = model.updated(&scene);

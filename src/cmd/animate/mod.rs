@@ -155,7 +155,10 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let files = files.map(|file| ("--output", file));
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = match args.json {
+        Some(_) => Session::new(args.device.open()?).timed(),
+        None => Session::new(args.device.open()?),
+    };
     // Its files are read once more for it, which only numbered frames have any use for.
     let run = match target {
         Target::Numbered(_) => identity::of(args, &subject, &session),
