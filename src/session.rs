@@ -9,17 +9,19 @@
 
 use std::collections::BTreeMap;
 
-use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
+use crate::gpu::{ClockSet, CommandEncoder, Gpu, Program, RunTimes, Target};
 use crate::layers::Layers;
 use crate::passes::{Model, Recorder};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
-use crate::strategies::{self, Method, Refusal, Strategy};
+use crate::strategies::{self, Method, Obstacle, Refusal, Strategy};
 use crate::{Error, Result};
 
 mod bands;
+mod encode;
 
 use bands::{Band, Slot};
+pub use encode::{Encoded, Overflow};
 
 /// How often a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
@@ -111,13 +113,16 @@ impl Session {
     /// Draws a frame. Passes whose inputs did not change since the last frame by the same method do not run.
     pub fn draw(&mut self, model: &Model, view: &View, method: impl Into<Method>) -> Result<Drawn> {
         let method = method.into();
-        let mut asked = method;
-        let wide_atomics = self.gpu.limits().wide_atomics;
-        asked.means.wide_atomics.get_or_insert(wide_atomics);
+        let asked = self.asked(method);
         let slot = self.slots.entry(Some(method)).or_default();
-        slot.draw(&self.gpu, self.is_timed, model, view, |view, capacities| {
+        let record = |view: &View, capacities: &Capacities| {
             strategies::record(model, view, asked, capacities)
-        })
+        };
+        let mut drawn = slot.draw(&self.gpu, self.is_timed, model, view, record)?;
+        if let Outcome::Refused(refusal) = &mut drawn.outcome {
+            self.name_what_works(refusal, model, view);
+        }
+        Ok(drawn)
     }
 
     /// Draws a frame with nothing cut, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one piece.
@@ -139,6 +144,73 @@ impl Session {
         let slot = self.slots.get(&None);
         let slot = slot.ok_or_else(|| Error::Plan("no frame was drawn with nothing cut".into()))?;
         slot.repeat(&self.gpu, clocks)
+    }
+
+    /// Encodes a frame for a host, into its encoder and its attachments. Nothing is read back, nothing is waited for and nothing is
+    /// submitted; a frame of a scene that stands still takes one pass. The host submits before it encodes another frame of the method.
+    ///
+    /// What a bounded buffer lacked is known some frames later: [`Session::poll`] says so. Until then the pixels concerned are marked.
+    pub fn encode(
+        &mut self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        method: impl Into<Method>,
+        target: &Target<'_>,
+    ) -> Result<Encoded> {
+        target.must_hold(view.size_px)?;
+        let method = method.into();
+        let asked = self.asked(method);
+        let slot = self.slots.entry(Some(method)).or_default();
+        let gpu = &self.gpu;
+        let mut encoded = gpu.scoped(|| {
+            slot.encode(gpu, encoder, (model, view), target, |view, capacities| {
+                strategies::record(model, view, asked, capacities)
+            })
+        })?;
+        if let Encoded::Refused(refusal) = &mut encoded {
+            self.name_what_works(refusal, model, view);
+        }
+        Ok(encoded)
+    }
+
+    /// Adds to the refusal of what the device lacks which strategies it would draw.
+    fn name_what_works(&self, refusal: &mut Refusal, model: &Model, view: &View) {
+        if refusal.obstacle != Obstacle::Limit {
+            return;
+        }
+        let works = |strategy: &Strategy| {
+            let plan = strategies::record(model, view, strategy, &Capacities::UNKNOWN);
+            plan.is_ok_and(|plan| plan.check(self.gpu.limits()).is_ok())
+        };
+        let working: Vec<String> = (Strategy::all().iter().filter(|s| works(s)))
+            .map(Strategy::to_string)
+            .collect();
+        if !working.is_empty() {
+            let working = working.join(", ");
+            refusal.reason = format!("{}; {working} would work", refusal.reason);
+        }
+    }
+
+    /// Takes in what the device has reported of frames that were encoded, without waiting: what overflowed, by method. Where that is
+    /// mended, the frame is to be encoded again.
+    pub fn poll(&mut self) -> Result<Vec<(Method, Overflow)>> {
+        self.gpu.poll()?;
+        let mut overflows = Vec::new();
+        for (method, slot) in &mut self.slots {
+            let Some(method) = method else {
+                continue;
+            };
+            overflows.extend(slot.settle().into_iter().map(|o| (*method, o)));
+        }
+        Ok(overflows)
+    }
+
+    /// A method with the means that the device has.
+    fn asked(&self, mut method: Method) -> Method {
+        let wide_atomics = self.gpu.limits().wide_atomics;
+        method.means.wide_atomics.get_or_insert(wide_atomics);
+        method
     }
 
     /// Gives back what the programs hold on the device; the next frame of each strategy is built anew.

@@ -44,6 +44,14 @@ fn row() -> Scene {
     scene
 }
 
+/// A strategy by a rasteriser; by the hardware's it is named by the strategy alone.
+fn method(strategy: &Strategy, rasteriser: Rasteriser) -> Method {
+    match rasteriser {
+        Rasteriser::Hardware => Method::from(strategy),
+        Rasteriser::Compute => Method::new(*strategy, Means::by(rasteriser)),
+    }
+}
+
 /// Draws a question, and looks at the frame.
 fn drawn<T>(
     question: &Question,
@@ -52,24 +60,25 @@ fn drawn<T>(
     look: impl FnOnce(&Session, &Outcome) -> T,
 ) -> T {
     let mut session = common::session();
-    let method = Method::new(*strategy, Means::by(rasteriser));
+    let method = method(strategy, rasteriser);
     let drawn = session
         .draw(&question.model, &question.view, method)
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
-
     look(&session, &drawn.outcome)
 }
 
 fn layers(question: &Question, strategy: &Strategy, rasteriser: Rasteriser) -> Layers {
     drawn(question, strategy, rasteriser, |session, outcome| {
         assert_eq!(*outcome, Outcome::Complete, "{strategy} by {rasteriser}");
-        session.layers(strategy).unwrap_or_else(|e| panic!("{e}"))
+        session
+            .layers(method(strategy, rasteriser))
+            .unwrap_or_else(|e| panic!("{e}"))
     })
 }
 
-fn words(session: &Session, strategy: &Strategy, buffer: &str) -> Vec<u32> {
-    let words = session.words(strategy, buffer);
-    words.unwrap_or_else(|e| panic!("{strategy}: {e}"))
+fn words(session: &Session, method: impl Into<Method>, buffer: &str) -> Vec<u32> {
+    let words = session.words(method, buffer);
+    words.unwrap_or_else(|e| panic!("{buffer}: {e}"))
 }
 
 fn plan_with(question: &Question, strategy: &Strategy, capacities: &Capacities) -> Plan {

@@ -7,9 +7,10 @@ use cutaway::generate::shapes;
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
-    self, Cascade, ClipSurface, CutTable, Deformer, Domain, DrawnPart, FragmentPool, Frame, Layout,
-    MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS, NO_RELIEF, Part,
-    Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup, Sprite, Sweep,
+    self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
+    Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS,
+    NO_RELIEF, Part, Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup, Sprite,
+    Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap};
@@ -228,9 +229,11 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Domain>(&modules);
     holds_in_all_shaders::<Refinement>(&modules);
     holds_in_all_shaders::<Pyramid>(&modules);
+    holds_in_all_shaders::<Composite>(&modules);
     // The list above is all there is: a struct added to the files must be added here.
     let files = [
         include_str!("../src/plan/pack.rs"),
+        include_str!("../src/plan/pack/composite.rs"),
         include_str!("../src/plan/pack/lists.rs"),
         include_str!("../src/plan/pack/pose.rs"),
         include_str!("../src/plan/pack/refinement.rs"),
@@ -240,7 +243,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 18, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 19, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()

@@ -5,6 +5,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, Waker};
 
+use super::composite::Compositors;
 use super::pipelines::Pipelines;
 use crate::plan::{Contents, Limits};
 use crate::{Error, Result};
@@ -47,6 +48,7 @@ pub struct Gpu {
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
     /// The pipelines of all programs.
     pipelines: Mutex<Pipelines>,
+    compositors: Mutex<Compositors>,
 }
 
 /// Contents of at least this many bytes are worth sharing.
@@ -201,6 +203,7 @@ impl Gpu {
             complaint: Arc::default(),
             shared: Mutex::default(),
             pipelines: Mutex::default(),
+            compositors: Mutex::default(),
         })
     }
 
@@ -240,8 +243,13 @@ impl Gpu {
         lock(&self.pipelines)
     }
 
+    /// The pipelines that composite.
+    pub(super) fn compositors(&self) -> MutexGuard<'_, Compositors> {
+        lock(&self.compositors)
+    }
+
     /// Does some work on the device, and makes an error of what the device refuses of it.
-    pub(super) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(crate) fn scoped<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
             wgpu::ErrorFilter::Validation,

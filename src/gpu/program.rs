@@ -7,14 +7,24 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Gpu;
+use super::composite::{Compositor, Target};
 use super::device::is_shared;
 use super::draw::Step;
 use super::real::{Real, make};
+use super::report::Report;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
 use crate::plan::{Clock, CpuWork, Due, Pass, Plan, Resource, ResourceId, Shape};
 use crate::{Error, Result};
+
+/// Passes that were encoded.
+pub(crate) struct Encoded {
+    /// How many.
+    pub(crate) passes: usize,
+    /// What bounded buffers will have needed.
+    pub(crate) report: Option<Report>,
+}
 
 /// A loaded plan.
 #[derive(Default)]
@@ -23,6 +33,7 @@ pub struct Program {
     real: BTreeMap<String, (Shape, Real)>,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
+    generation: u64,
     /// What has not run since its inputs changed, be it because a run failed.
     due: Due,
 }
@@ -75,6 +86,7 @@ impl Program {
             // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
             self.plan = Plan::default();
             self.steps.clear();
+            self.generation += 1;
             let step = |pass| Step::new(gpu, &plan, pass, &self.real);
             let steps = plan.passes.iter().map(step).collect::<Result<Vec<_>>>()?;
             self.stopwatch = Stopwatch::new(gpu, plan.passes.len());
@@ -197,6 +209,46 @@ impl Program {
         let all = self.plan.passes.iter().zip(&self.steps).enumerate();
         all.filter(move |(_, (pass, _))| runs(pass))
             .map(|(index, (pass, step))| (index, pass, step))
+    }
+
+    /// Encodes what is due, for an encoder that somebody else submits; how many passes that are. What bounded buffers
+    /// needed is copied behind them, where there are some.
+    pub(crate) fn encode_due(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Encoded> {
+        let due = &self.due.passes;
+        let mut passes = 0;
+        for (index, _, step) in self.steps_that(|pass| due.contains(&pass.name)) {
+            step.encode(encoder, None, index);
+            passes += 1;
+        }
+        self.due = Due::default();
+        let report = match self.plan.need {
+            Some(id) if passes > 0 => {
+                let needs = self.buffer(id)?;
+                let staging = gpu.staging(needs.size());
+                encoder.copy_buffer_to_buffer(needs, 0, &staging, 0, needs.size());
+                let bounded = self.plan.bounded.clone();
+                Some(Report::new(encoder, staging, bounded))
+            }
+            _ => None,
+        };
+        Ok(Encoded { passes, report })
+    }
+
+    /// What puts the picture into the attachments of a host.
+    pub(crate) fn compositor(&self, gpu: &Gpu, target: &Target<'_>) -> Result<Compositor> {
+        let none = || Error::Plan("the plan makes no picture".to_owned());
+        let picture = self.buffer(self.plan.picture.ok_or_else(none)?)?;
+        let layers = self.buffer(self.plan.layers.ok_or_else(none)?)?;
+        Compositor::new(gpu, target, [picture, layers])
+    }
+
+    /// How often its resources were made or bound anew: what holds on to them is to be made anew as well when it changes.
+    pub(crate) fn generation(&self) -> u64 {
+        self.generation
     }
 
     /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].

@@ -43,14 +43,21 @@ impl Gpu {
         self.map(&staging)
     }
 
+    /// Lets the device report what it has done, without waiting.
+    pub(crate) fn poll(&self) -> Result<()> {
+        self.polled(wgpu::PollType::Poll)
+    }
+
     /// Waits until the device has done everything submitted.
     pub(super) fn wait(&self) -> Result<()> {
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| Error::Adapter {
-                what: format!("waiting failed: {e}"),
-                mend: "run again".to_owned(),
-            })?;
+        self.polled(wgpu::PollType::wait_indefinitely())
+    }
+
+    fn polled(&self, how: wgpu::PollType) -> Result<()> {
+        self.device.poll(how).map_err(|e| Error::Adapter {
+            what: format!("waiting failed: {e}"),
+            mend: "run again".to_owned(),
+        })?;
         self.complaint()
     }
 }

@@ -65,6 +65,8 @@ pub struct Model {
     /// Triangles whose sides of clip-surfaces are known; none where there is none.
     pub(super) settled: Option<SettledParts>,
     lineage: Arc<()>,
+    /// Of this model and its copies alone.
+    identity: Arc<()>,
 }
 
 impl Model {
@@ -153,6 +155,7 @@ impl Model {
             rooms,
             settled,
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
+            identity: Arc::default(),
             prepared,
         }
     }
@@ -176,6 +179,7 @@ impl Model {
         uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
         uncut.first_texel.clear();
         uncut.settled = None;
+        uncut.identity = Arc::default();
         uncut
     }
 
@@ -192,6 +196,11 @@ impl Model {
     /// Whether a clip-surface is a cutter.
     pub fn is_cutter(&self, surface: usize) -> bool {
         self.prepared.surfaces[surface].volume.is_some()
+    }
+
+    /// Whether one is a copy of the other.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.identity, &other.identity)
     }
 
     /// Whether one is the other at another time, or of the same solids.

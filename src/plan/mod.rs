@@ -65,6 +65,13 @@ pub struct Bounded {
     pub exact: bool,
 }
 
+impl Bounded {
+    /// That a frame needed more, in words.
+    pub fn shortage(&self, need: u32) -> String {
+        format!("{} need {need}, there are {}", self.what, self.capacity)
+    }
+}
+
 /// The sizes that a frame's report can ask to change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Knob {
@@ -120,6 +127,17 @@ impl Capacities {
     /// Layers of the sprite of the part with this rank.
     pub fn layers_of(&self, rank: usize) -> u32 {
         self.layers.get(rank).copied().unwrap_or(Self::FIRST_LAYERS)
+    }
+
+    /// Takes in what a frame needed of a bounded structure; whether the next frame has another size for it.
+    pub fn learn(&mut self, bounded: &Bounded, need: u32) -> bool {
+        let is_right = need <= bounded.capacity && (!bounded.exact || need == bounded.capacity);
+        let (false, Some(knob)) = (is_right, bounded.knob) else {
+            return false;
+        };
+        let before = self.clone();
+        self.set(knob, need);
+        *self != before
     }
 
     /// Sets a size.

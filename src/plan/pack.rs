@@ -10,6 +10,7 @@ use crate::scene::{Bounds, PreparedSurface, View};
 
 mod normal;
 
+pub use composite::Composite;
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
@@ -40,6 +41,7 @@ macro_rules! shared {
 }
 
 // After the macro, which they use.
+mod composite;
 mod lists;
 mod pose;
 mod pyramid;

@@ -183,21 +183,28 @@ impl Prepared {
 
     /// The view of another camera.
     pub fn view_of(&self, camera: &Camera, size_px: [u32; 2]) -> View {
-        let mut view = camera.view(
+        self.seen_to_the_end(camera.view(
             |p| (p - self.centre_in_world) * self.scale,
             self.scale,
             self.bounds,
             size_px,
-        );
-        // What lies behind is counted, of cutters too: they may reach farther than the parts.
-        let corners = (self.surfaces.iter())
-            .filter_map(|s| s.volume.as_ref())
-            .flat_map(|v| v.bounds.corners());
-        let farthest = corners
+        ))
+    }
+
+    /// A view whose depth reaches as far as there is anything: what lies behind is counted, of cutters too, which may reach farther than
+    /// the parts.
+    pub(super) fn seen_to_the_end(&self, view: View) -> View {
+        let volumes = self.surfaces.iter().filter_map(|s| s.volume.as_ref());
+        let boxes = volumes.map(|v| v.bounds).chain([self.bounds]);
+        let farthest = boxes
+            .flat_map(|b| b.corners())
             .map(|c| (c - view.eye).dot(view.forward))
             .fold(f64::NEG_INFINITY, f64::max);
-        view.far = view.far.max(view.near + (farthest - view.near) * 1.01);
-        view
+        let far = view.near + (farthest - view.near) * 1.01;
+        View {
+            far: view.far.max(far),
+            ..view
+        }
     }
 
     /// Whether the vertices of all parts are here; what a device places is not.

@@ -5,8 +5,9 @@
 //! rays, so all pixels are what they are in one piece, but for those that hang on the rounding of a rasteriser. Each band has
 //! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
 
+use super::encode::Last;
 use super::{Drawn, MOST_TRIES, Outcome};
-use crate::gpu::{ClockSet, Gpu, Program, RunTimes};
+use crate::gpu::{ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Plan};
 use crate::scene::View;
@@ -17,14 +18,21 @@ use crate::{Error, Result};
 #[derive(Default)]
 pub(super) struct Band {
     pub(super) program: Program,
-    first_row: u32,
-    rows: u32,
+    pub(super) first_row: u32,
+    pub(super) rows: u32,
+    /// What puts it into the attachments of a host, with the generation of the program that it was made for.
+    pub(super) compositor: Option<(u64, Compositor)>,
 }
 
 impl Band {
     /// Width and height, in a picture of a size.
     pub(super) fn size_px(&self, of: [u32; 2]) -> [u32; 2] {
         [of[0], self.rows]
+    }
+
+    /// Its rows of a view.
+    pub(super) fn view(&self, of: &View) -> View {
+        of.rows(self.first_row, self.rows)
     }
 }
 
@@ -34,11 +42,14 @@ pub(super) struct Slot {
     /// From the top.
     pub(super) bands: Vec<Band>,
     pub(super) size_px: [u32; 2],
-    capacities: Option<Capacities>,
+    pub(super) capacities: Option<Capacities>,
     /// The model that the capacities were learnt from.
     model: Option<Model>,
     /// Why the last call left no frame to read, if it did.
     pub(super) refused: Option<String>,
+    /// What was last encoded for a host, where it still stands.
+    pub(super) last: Option<Last>,
+    pub(super) reports: Vec<Report>,
 }
 
 /// Why bands are not drawn.
@@ -59,6 +70,26 @@ impl Slot {
         view: &View,
         record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
     ) -> Result<Drawn> {
+        self.begin(model, view);
+        self.last = None;
+        let mut too_large = None;
+        loop {
+            let reason = match self.draw_bands(gpu, is_timed, view, &record)? {
+                Ok(drawn) => {
+                    self.refused = None;
+                    return Ok(drawn);
+                }
+                Err(Stop::Refused(refusal)) => return Ok(self.refuse(refusal)),
+                Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
+            };
+            if !self.cut_smaller() {
+                return Ok(self.refuse(Refusal::new(Obstacle::Limit, reason)));
+            }
+        }
+    }
+
+    /// Makes ready for a frame: what another solid or another size has taught is forgotten.
+    pub(super) fn begin(&mut self, model: &Model, view: &View) {
         let kin = self.model.as_ref().is_some_and(|m| m.is_kin_of(model));
         if self.size_px != view.size_px || !kin {
             // What one solid needed at one size says nothing of another.
@@ -70,29 +101,23 @@ impl Slot {
         }
         self.model = Some(model.clone());
         self.refused = Some("it has drawn no frame".to_owned());
-        let mut too_large = None;
-        loop {
-            let reason = match self.draw_bands(gpu, is_timed, view, &record)? {
-                Ok(drawn) => {
-                    self.refused = None;
-                    return Ok(drawn);
-                }
-                Err(Stop::Refused(refusal)) => return Ok(self.refuse(refusal)),
-                Err(Stop::TooLarge(reason)) => too_large.get_or_insert(reason).clone(),
-            };
-            if self.bands.iter().any(|b| b.rows <= Capacities::FEWEST_ROWS) {
-                // The next frame begins in one piece: this one says nothing of how many pieces would do.
-                self.cut_into(1);
-                return Ok(self.refuse(Refusal::new(Obstacle::Limit, reason)));
-            }
-            if let Some(capacities) = &mut self.capacities {
-                // What all rows needed together would make every band too large.
-                capacities.fragments = None;
-                capacities.triangles = None;
-                capacities.sheets = None;
-            }
-            self.cut_into(2 * self.bands.len() as u32);
+    }
+
+    /// Cuts the picture into twice as many bands, if they may be smaller.
+    pub(super) fn cut_smaller(&mut self) -> bool {
+        if self.bands.iter().any(|b| b.rows <= Capacities::FEWEST_ROWS) {
+            // The next frame begins in one piece: this one says nothing of how many pieces would do.
+            self.cut_into(1);
+            return false;
         }
+        if let Some(capacities) = &mut self.capacities {
+            // What all rows needed together would make every band too large.
+            capacities.fragments = None;
+            capacities.triangles = None;
+            capacities.sheets = None;
+        }
+        self.cut_into(2 * self.bands.len() as u32);
+        true
     }
 
     /// Runs the last frame again on some clocks, for its times.
@@ -111,6 +136,7 @@ impl Slot {
         };
         let bands = (0..count).map(|band| Band {
             program: Program::default(),
+            compositor: None,
             first_row: row(band),
             rows: row(band + 1) - row(band),
         });
@@ -141,7 +167,7 @@ impl Slot {
             times: RunTimes::default(),
         };
         for band in &mut self.bands {
-            let view = view.rows(band.first_row, band.rows);
+            let view = band.view(view);
             match band.draw(gpu, is_timed, capacities, |capacities| {
                 record(&view, capacities)
             })? {
@@ -187,16 +213,9 @@ impl Band {
             let needs = self.program.needs(gpu)?;
             let (mut grown, mut overflow) = (false, None);
             for (bounded, need) in self.program.plan().bounded.iter().zip(needs) {
-                if need > bounded.capacity || (bounded.exact && need != bounded.capacity) {
-                    let before = capacities.clone();
-                    if let Some(knob) = bounded.knob {
-                        capacities.set(knob, need);
-                    }
-                    grown |= *capacities != before;
-                }
+                grown |= capacities.learn(bounded, need);
                 if need > bounded.capacity {
-                    let (what, capacity) = (&bounded.what, bounded.capacity);
-                    overflow = Some(format!("{what} need {need}, there are {capacity}"));
+                    overflow = Some(bounded.shortage(need));
                 }
             }
             if !grown || tries == MOST_TRIES {

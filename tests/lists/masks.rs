@@ -5,7 +5,7 @@ use cutaway::plan::Capacities;
 use cutaway::scene::{Camera, Scene};
 use cutaway::strategies::{Rasteriser, Strategy};
 
-use super::{SIZE, drawn, plan_with, ring, row, words};
+use super::{SIZE, drawn, method, plan_with, ring, row, words};
 use crate::common::{Question, scenes, session, strategy};
 
 const RASTERISERS: [Rasteriser; 2] = [Rasteriser::Hardware, Rasteriser::Compute];
@@ -34,7 +34,7 @@ fn corpus() -> Vec<(&'static str, Scene)> {
 
 fn mask_of(question: &Question, strategy: &Strategy, rasteriser: Rasteriser) -> Vec<u32> {
     drawn(question, strategy, rasteriser, |session, _| {
-        words(session, strategy, "mask")
+        words(session, method(strategy, rasteriser), "mask")
     })
 }
 

@@ -46,7 +46,7 @@ fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
         let lanes = scene.parts.len();
         let pixels = (SIZE[0] * SIZE[1]) as usize;
         let counts = drawn(&question, &all, HARDWARE, |session, _| {
-            let slots = words(session, &all, "nearest fragments");
+            let slots = words(session, all, "nearest fragments");
             let of_lane = |lane: usize| slots[lane * 33 * pixels..][..pixels].to_vec();
             (0..lanes).flat_map(of_lane).collect::<Vec<u32>>()
         });
@@ -131,7 +131,7 @@ fn case_46_a_session_tries_again_with_the_size_it_was_told() {
     let all = strategy("raycast+abuffer");
     drawn(&question, &all, HARDWARE, |session, outcome| {
         assert_eq!(*outcome, Outcome::Complete, "drawn again");
-        let need = words(session, &all, "need")[NEED_OF_FRAGMENTS as usize];
+        let need = words(session, all, "need")[NEED_OF_FRAGMENTS as usize];
         let plan = session.plan(all).unwrap_or_else(|e| panic!("{e}"));
         let pool = plan.bounded.iter().find(|b| b.what.contains("A-buffer"));
         let capacity = pool.expect("a pool").capacity;

@@ -208,12 +208,4 @@ fn what_is_no_section_is_refused_with_the_reason() {
         let drawn = plan(&scene, Rasteriser::Hardware);
         drawn.unwrap_or_else(|e| panic!("{e}"));
     }
-    // An inside test has nothing to say beside sections.
-    let named: Strategy = "planar+mask".parse().expect("a name");
-    let scene = cubes(1, vec![Cut::of("cut", vec![plane(0.1)])]);
-    let model = Model::of(&scene);
-    let view = model.prepared.view(SIZE);
-    let refusal = strategies::record(&model, &view, named, &Capacities::UNKNOWN);
-    let told = refusal.expect_err("planar+mask").to_string();
-    assert!(told.contains("name planar alone"), "{told}");
 }

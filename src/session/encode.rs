@@ -1,0 +1,167 @@
+//! Frames for a host: passes in the host's encoder, the picture in the host's attachments, and nothing waited for.
+//!
+//! A scene that stands still in a view that does takes one triangle: its passes have run. What bounded buffers needed is copied behind
+//! the passes and mapped when the host has submitted them; [`Slot::settle`] takes in what has come, and the next frame has the room.
+//! Uploads go by the queue, before whatever is submitted next.
+//!
+//! Cannot: encode two frames of one method into the same submission, for both would be drawn with the uploads of the second.
+
+use super::bands::{Band, Slot};
+use crate::gpu::{CommandEncoder, Compositor, Gpu, Target};
+use crate::passes::Model;
+use crate::plan::{Capacities, Plan};
+use crate::scene::View;
+use crate::strategies::{Obstacle, Refusal};
+use crate::{Error, Result};
+
+/// Reports that are waited for; a host that never submits has older ones forgotten.
+const MOST_REPORTS: usize = 16;
+
+/// A frame in the encoder of a host.
+#[must_use = "a method may have refused the scene"]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Encoded {
+    /// The frame is in the attachments when the encoder has been submitted; so many passes of its own it took, none where nothing
+    /// changed.
+    Drawn {
+        /// Passes beside the one that composites.
+        passes: usize,
+    },
+    /// The method does not draw such a scene, and nothing was encoded.
+    Refused(Refusal),
+}
+
+/// A bounded buffer that was too small for a frame, whose pixels concerned are marked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Overflow {
+    /// What needed more, and how much.
+    pub what: String,
+    /// Whether the next frame has the room.
+    pub is_mended: bool,
+}
+
+/// What was last encoded.
+pub(super) struct Last {
+    model: Model,
+    view: View,
+}
+
+impl Slot {
+    /// Encodes a frame that `record` plans.
+    pub(super) fn encode(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut CommandEncoder,
+        (model, view): (&Model, &View),
+        target: &Target<'_>,
+        record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+    ) -> Result<Encoded> {
+        let is_still = (self.last.as_ref()).is_some_and(|l| l.model.is(model) && l.view == *view);
+        let mut passes = 0;
+        if !is_still {
+            self.last = None;
+            self.begin(model, view);
+            if let Err(refusal) = self.load_bands(gpu, view, &record)? {
+                self.refused = Some(refusal.reason.clone());
+                return Ok(Encoded::Refused(refusal));
+            }
+            for band in &mut self.bands {
+                band.program.clear_needs_of_frame(gpu)?;
+                let encoded = band.program.encode_due(gpu, encoder)?;
+                passes += encoded.passes;
+                self.reports.extend(encoded.report);
+            }
+            let old = self.reports.len().saturating_sub(MOST_REPORTS);
+            self.reports.drain(..old);
+            self.refused = None;
+            self.last = Some(Last {
+                model: model.clone(),
+                view: *view,
+            });
+        }
+        let (width, scale) = (view.size_px[0], model.prepared.scale);
+        for band in &mut self.bands {
+            band.composite(gpu, encoder, target, width, scale)?;
+        }
+        Ok(Encoded::Drawn { passes })
+    }
+
+    /// Loads the plans of all bands, cut into as many as fit.
+    fn load_bands(
+        &mut self,
+        gpu: &Gpu,
+        view: &View,
+        record: &impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+    ) -> Result<Result<(), Refusal>> {
+        let mut too_large: Option<String> = None;
+        'cut: loop {
+            let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
+            for band in &mut self.bands {
+                let plan = match record(&band.view(view), capacities) {
+                    Ok(plan) => plan,
+                    Err(refusal) => return Ok(Err(refusal)),
+                };
+                capacities.pyramids |= plan.resource_named("pyramids").is_some();
+                match band.program.load(gpu, plan) {
+                    Ok(_) => {}
+                    Err(Error::Limit(reason)) => {
+                        let first = too_large.get_or_insert(reason).clone();
+                        match self.cut_smaller() {
+                            true => continue 'cut,
+                            false => return Ok(Err(Refusal::new(Obstacle::Limit, first))),
+                        }
+                    }
+                    Err(e) => return Err(e),
+                }
+            }
+            return Ok(Ok(()));
+        }
+    }
+
+    /// Takes in the reports that have come: what overflowed.
+    pub(super) fn settle(&mut self) -> Vec<Overflow> {
+        let mut overflows = Vec::new();
+        let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
+        let mut has_grown = false;
+        self.reports.retain(|report| {
+            for (bounded, need) in report.needs() {
+                let is_mended = capacities.learn(bounded, need);
+                has_grown |= is_mended;
+                if need > bounded.capacity {
+                    overflows.push(Overflow {
+                        what: bounded.shortage(need),
+                        is_mended,
+                    });
+                }
+            }
+            report.is_under_way()
+        });
+        if has_grown {
+            self.last = None;
+        }
+        overflows
+    }
+}
+
+impl Band {
+    /// Puts the rows of the band into the attachments of a host.
+    fn composite(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut CommandEncoder,
+        target: &Target<'_>,
+        width: u32,
+        scale: f64,
+    ) -> Result<()> {
+        let generation = self.program.generation();
+        let fits = |made: &(u64, Compositor)| made.0 == generation && made.1.fits(target);
+        let mut made = match self.compositor.take().filter(fits) {
+            Some(made) => made,
+            None => (generation, self.program.compositor(gpu, target)?),
+        };
+        let size_px = [width, self.rows];
+        (made.1).encode(gpu, encoder, target, self.first_row, size_px, scale);
+        self.compositor = Some(made);
+        Ok(())
+    }
+}

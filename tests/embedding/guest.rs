@@ -1,0 +1,263 @@
+//! What a host gets: the very pixels of a session of our own, in whatever bands, and again when buffers grew.
+
+use cutaway::Gpu;
+use cutaway::gpu::wgpu;
+use cutaway::passes::Model;
+use cutaway::plan::Limits;
+use cutaway::scene::{Cut, Scene, section_surface};
+use cutaway::session::{Encoded, Outcome, Session};
+use cutaway::strategies::{Method, Obstacle};
+
+use super::common::{meshes, scenes, session};
+use super::host::{Host, adapter};
+
+const SIZE_PX: [u32; 2] = [160, 120];
+const PLAIN: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+fn crank() -> Scene {
+    let mut scene = scenes::of_parts("crank", meshes::parts("crank"), Vec::new());
+    let plane = section_surface("-z=50%", &scene.bounds()).expect("a section");
+    let rough = scenes::relief(&scene, "x=60%", "waves:amplitude=4%");
+    scene.cuts = vec![
+        Cut::of("plane", vec![plane]),
+        Cut::of("relief", vec![rough]),
+    ];
+    scene
+}
+
+fn method(name: &str) -> Method {
+    name.parse().expect("a method")
+}
+
+/// Encodes and submits until no buffer asks for more: how many passes each frame took, and what overflowed.
+fn settled(
+    host: &Host,
+    session: &mut Session,
+    model: &Model,
+    method: Method,
+) -> (Vec<usize>, Vec<String>) {
+    let view = model.prepared.view(SIZE_PX);
+    let views = host.views();
+    let (mut passes, mut overflows) = (Vec::new(), Vec::new());
+    for _ in 0..6 {
+        let mut encoder = host.encoder();
+        let target = host.target(&views, None);
+        let encoded = session.encode(&mut encoder, model, &view, method, &target);
+        let Encoded::Drawn { passes: count } = encoded.expect("a frame") else {
+            panic!("{method} is refused");
+        };
+        passes.push(count);
+        host.submit(encoder);
+        // A host would go on; a test wants to know what comes of this frame.
+        host.wait();
+        let lacked = session.poll().expect("a device");
+        overflows.extend(lacked.into_iter().map(|(_, overflow)| overflow.what));
+    }
+    (passes, overflows)
+}
+
+#[test]
+fn a_host_sees_the_pixels_of_render() {
+    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::of(&scene);
+    let view = model.prepared.view(SIZE_PX);
+    for name in [
+        "raycast+mask",
+        "raycast+mask@compute",
+        "raycast+abuffer",
+        "raycast+ldi:64",
+        "grid:32+vds:64",
+        "adaptive:0.5+mask",
+    ] {
+        let method = method(name);
+        let expected = {
+            let mut own = session();
+            let drawn = own.draw(&model, &view, method).expect("a frame");
+            assert_eq!(drawn.outcome, Outcome::Complete, "{name}");
+            own.picture(method).expect("a picture")
+        };
+        let mut session = host.session();
+        let (passes, _) = settled(&host, &mut session, &model, method);
+        let (color, _) = host.read();
+        assert!(color == expected, "{name}: other pixels");
+        // A still scene runs no pass of its own, once its buffers are large enough.
+        assert!(passes[0] > 2, "{name}: {passes:?}");
+        assert_eq!(passes.last(), Some(&0), "{name}: {passes:?}");
+    }
+    // The control: another picture is noticed.
+    let (color, _) = host.read();
+    let picture = session().picture(method("raycast+mask"));
+    assert!(color != picture.expect("a picture"), "all alike");
+}
+
+#[test]
+fn what_overflows_is_reported_later_and_has_room_then() {
+    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::of(&scene);
+    let mut session = host.session();
+    let (passes, overflows) = settled(&host, &mut session, &model, method("grid:32+vds:64"));
+    let layers = |o: &&String| o.contains("layers of the sprite");
+    assert!(overflows.iter().any(|o| layers(&o)), "{overflows:?}");
+    assert!(passes[1] > passes[0], "more layers are peeled: {passes:?}");
+    // What cannot grow stays as it is, and is reported once: no frame after it is encoded anew.
+    let mut session = host.session();
+    let (passes, overflows) = settled(&host, &mut session, &model, method("raycast+kbuffer:1"));
+    assert!(
+        overflows.iter().any(|o| o.contains("the K")),
+        "{overflows:?}"
+    );
+    assert_eq!(passes.last(), Some(&0), "{passes:?}");
+}
+
+#[test]
+fn bands_are_composed_to_one_picture() {
+    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::of(&scene);
+    let method = method("raycast+mask");
+    let mut whole = host.session();
+    settled(&host, &mut whole, &model, method);
+    let (expected, _) = host.read();
+    let plan = whole.plan(method).expect("a plan");
+    let largest = plan.resources.iter().map(|r| r.shape.bytes()).max();
+    let limits = Limits {
+        storage_binding_bytes: largest.expect("resources") / 2,
+        ..Limits::CORE
+    };
+    let (device, queue) = (host.device.clone(), host.queue.clone());
+    let gpu = Gpu::from_device(&host.info, device, queue).expect("a device");
+    let mut held = Session::new(gpu.held_to(limits));
+    let mut encoder = host.encoder();
+    host.clear(&mut encoder, [0.0; 3], 0.0);
+    host.submit(encoder);
+    settled(&host, &mut held, &model, method);
+    assert!(held.bands(method).expect("a frame") > 1, "in one piece");
+    let (color, _) = host.read();
+    assert!(color == expected, "another picture in bands");
+}
+
+#[test]
+fn what_moves_is_drawn_anew_and_what_is_refused_leaves_no_trace() {
+    let (mut scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::of(&scene);
+    let mut session = host.session();
+    let exact = method("raycast+mask");
+    settled(&host, &mut session, &model, exact);
+    let (before, _) = host.read();
+    scene.cuts[0].surfaces[0].origin.z += 0.1;
+    let moved = model.updated(&scene);
+    let (passes, _) = settled(&host, &mut session, &moved, exact);
+    assert!(passes[0] > 0, "{passes:?}");
+    let (after, _) = host.read();
+    assert!(before != after, "nothing moved");
+
+    let view = moved.prepared.view(SIZE_PX);
+    let views = host.views();
+    let mut encoder = host.encoder();
+    let target = host.target(&views, None);
+    let encoded = session.encode(&mut encoder, &moved, &view, method("planar"), &target);
+    host.submit(encoder);
+    match encoded.expect("an answer") {
+        Encoded::Refused(refusal) => assert_eq!(refusal.obstacle, Obstacle::Reliefs),
+        drawn => panic!("{drawn:?}"),
+    }
+    assert!(host.read().0 == after, "a refusal has drawn");
+}
+
+#[test]
+fn linear_targets_get_linear_light() {
+    let (scene, host) = (
+        crank(),
+        Host::new(SIZE_PX, wgpu::TextureFormat::Rgba8UnormSrgb),
+    );
+    let model = Model::of(&scene);
+    let method = method("raycast+mask");
+    settled(&host, &mut host.session(), &model, method);
+    let view = model.prepared.view(SIZE_PX);
+    let mut own = session();
+    let _ = own.draw(&model, &view, method).expect("a frame");
+    let expected = own.picture(method).expect("a picture");
+    let (color, _) = host.read();
+    let farthest = color
+        .iter()
+        .zip(&expected)
+        .map(|(a, b)| a.abs_diff(*b))
+        .max();
+    assert!(farthest <= Some(1), "off by {farthest:?} of 255");
+}
+
+#[test]
+fn a_device_with_less_than_core_is_refused_by_name() {
+    let adapter = adapter();
+    let asked = wgpu::DeviceDescriptor {
+        required_limits: wgpu::Limits {
+            max_storage_buffers_per_shader_stage: 4,
+            ..wgpu::Limits::default()
+        },
+        ..wgpu::DeviceDescriptor::default()
+    };
+    let asked = adapter.request_device(&asked);
+    let (device, queue) = pollster::block_on(asked).expect("a device");
+    let refused = Gpu::from_device(&adapter.get_info(), device, queue);
+    let message = refused.err().expect("too little").to_string();
+    for told in [
+        "max_storage_buffers_per_shader_stage",
+        "8 are needed, 4",
+        "help:",
+    ] {
+        assert!(message.contains(told), "{message}");
+    }
+}
+
+#[test]
+fn what_the_device_lacks_is_refused_with_what_works() {
+    // A device without the optional features: the stencil strategies want one.
+    let adapter = adapter();
+    let asked = adapter.request_device(&wgpu::DeviceDescriptor::default());
+    let (device, queue) = pollster::block_on(asked).expect("a device");
+    let gpu = Gpu::from_device(&adapter.get_info(), device, queue).expect("core is enough");
+    let mut session = Session::new(gpu);
+    let scene = scenes::sectioned("cube", &["-z=50%"]);
+    let model = Model::of(&scene);
+    let view = model.prepared.view(SIZE_PX);
+    let drawn = session
+        .draw(&model, &view, method("stencil"))
+        .expect("an answer");
+    let Outcome::Refused(refusal) = drawn.outcome else {
+        panic!("{:?}", drawn.outcome);
+    };
+    assert_eq!(refusal.obstacle, Obstacle::Limit, "{refusal}");
+    for told in ["depth32float-stencil8", "raycast+mask", "planar"] {
+        assert!(refusal.reason.contains(told), "{refusal}");
+    }
+    assert!(!refusal.reason.contains("raycast+stencil"), "{refusal}");
+}
+
+#[test]
+fn the_handler_of_the_host_hears_nothing_of_ours() {
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    let host = Host::new(SIZE_PX, PLAIN);
+    let heard = Arc::new(AtomicUsize::new(0));
+    let count = heard.clone();
+    host.device
+        .on_uncaptured_error(Arc::new(move |_: wgpu::Error| {
+            count.fetch_add(1, Ordering::Relaxed);
+        }));
+    let mut session = host.session();
+    let model = Model::of(&crank());
+    settled(&host, &mut session, &model, method("raycast+mask"));
+    // A target that does not fit its pipeline is our error, not the host's.
+    let view = model.prepared.view([SIZE_PX[0] * 2, SIZE_PX[1]]);
+    let views = host.views();
+    let mut encoder = host.encoder();
+    let target = host.target(&views, None);
+    let encoded = session.encode(&mut encoder, &model, &view, method("raycast+mask"), &target);
+    let message = encoded
+        .expect_err("a frame larger than its target")
+        .to_string();
+    assert!(
+        message.contains("320 x 120") && message.contains("160 x 120"),
+        "{message}"
+    );
+    assert_eq!(heard.load(Ordering::Relaxed), 0, "the host was told");
+}
