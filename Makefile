@@ -17,6 +17,8 @@ test: setup
 	$(CARGO) fmt --check
 	# The lints of Cargo.toml, for tests and benches too.
 	$(CARGO) clippy --all-targets -- -D warnings
+	# The parts that hosts embed compile by themselves, and for a browser.
+	CARGO="$(CARGO)" scripts/check-features.sh
 	# Every public item says what it is, and every link in it leads somewhere.
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --no-deps
 	# Everything else, on whatever adapter there is; a software one will do.

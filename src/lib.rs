@@ -13,19 +13,36 @@
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
 //! but [`scene`] and the [`layers`]. A test holds this map against the source.
 
+#![cfg_attr(
+    not(feature = "cli"),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "what only files, judges or the command use of a module is not taken out of it feature by feature"
+    )
+)]
+
+#[cfg(feature = "cli")]
 pub mod cmd;
+#[cfg(feature = "lab")]
 pub mod compare;
+#[cfg(feature = "io")]
 pub mod document;
 pub mod error;
+#[cfg(feature = "lab")]
 pub mod exact;
+#[cfg(feature = "lab")]
 pub mod experiment;
 pub mod generate;
 pub mod gpu;
+#[cfg(feature = "lab")]
 pub mod hard_cases;
 pub mod layers;
+#[cfg(feature = "io")]
 pub mod load;
 pub mod passes;
 pub mod plan;
+#[cfg(feature = "lab")]
 pub mod report;
 pub mod scene;
 pub mod session;
@@ -33,9 +50,12 @@ pub mod shader;
 pub mod slice;
 pub mod strategies;
 
+#[cfg(feature = "lab")]
 pub use compare::{Comparison, compare};
+#[cfg(feature = "io")]
 pub use document::Document;
 pub use error::{Error, Result};
+#[cfg(feature = "lab")]
 pub use exact::Exact;
 pub use gpu::{Gpu, GpuOptions};
 pub use layers::Layers;

@@ -6,8 +6,6 @@ mod common;
 mod allocations;
 #[path = "embedding/depth.rs"]
 mod depth;
-#[path = "embedding/examples.rs"]
-mod examples;
 #[path = "embedding/guest.rs"]
 mod guest;
 #[path = "embedding/host.rs"]

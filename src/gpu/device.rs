@@ -20,7 +20,8 @@ pub struct GpuOptions {
 }
 
 /// What is known of an adapter, for reports.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AdapterReport {
     /// Name of the device.
     pub name: String,
@@ -55,7 +56,8 @@ pub struct Gpu {
 const SHARED_FROM_BYTES: u64 = 1 << 16;
 
 impl Gpu {
-    /// Opens a device.
+    /// Opens a device, and waits for it.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn open(options: &GpuOptions) -> Result<Self> {
         pollster::block_on(Self::open_async(options))
     }

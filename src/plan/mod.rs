@@ -23,10 +23,12 @@ pub use pass::{
 pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
 
 /// When work is done again.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
 )]
-#[serde(rename_all = "lowercase")]
 pub enum Clock {
     /// The mesh changed.
     Solid,

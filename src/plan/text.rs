@@ -2,8 +2,6 @@
 
 use std::fmt::Write;
 
-use serde_json::{Value, json};
-
 use super::{Clock, CpuWork, Pass, Plan, ResourceId, StencilStep, Work};
 
 impl Plan {
@@ -44,7 +42,9 @@ impl Plan {
     }
 
     /// The passes with `name`, `clock`, `reads`, `writes`, `reason`.
-    pub fn to_json(&self) -> Value {
+    #[cfg(feature = "serde")]
+    pub fn to_json(&self) -> serde_json::Value {
+        use serde_json::{Value, json};
         let list = |ids: Vec<ResourceId>| -> Vec<&str> {
             ids.iter()
                 .map(|id| self.resource(*id).name.as_str())

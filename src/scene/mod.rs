@@ -13,6 +13,7 @@ mod cutter;
 mod doubled;
 mod doubts;
 mod exact_sum;
+mod facing;
 mod fill;
 mod height_filter;
 mod host_view;

@@ -10,7 +10,6 @@ mod rays;
 
 use glam::DVec3;
 use rayon::prelude::*;
-use serde::Serialize;
 
 pub(crate) use edges::{EdgeCount, Edges, Sets};
 use rays::Rays;
@@ -21,7 +20,8 @@ use super::{Bounds, Mesh, Part};
 const EXAMPLES: usize = 16;
 
 /// The facts of a mesh that decide how well it can be capped.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Topology {
     /// Vertices that triangles use.
     pub vertices: usize,
@@ -53,14 +53,15 @@ pub struct Topology {
     pub depth_complexity: DepthComplexity,
     /// Share of the rays with an odd number of crossings; 0 for a closed mesh.
     pub odd_ray_share: f64,
-    #[serde(skip)]
+    #[cfg_attr(feature = "serde", serde(skip))]
     open_at: Vec<DVec3>,
-    #[serde(skip)]
+    #[cfg_attr(feature = "serde", serde(skip))]
     rays: Rays,
 }
 
 /// A box as reports write it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extent {
     /// Least corner.
     pub min: [f64; 3],
@@ -69,7 +70,8 @@ pub struct Extent {
 }
 
 /// Crossings of the surface along rays of a 256 x 256 grid over the bounds, parallel to each axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DepthComplexity {
     /// Most crossings of any ray, along any axis.
     pub largest: u32,

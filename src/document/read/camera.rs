@@ -13,9 +13,6 @@ use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
 
 static KEYS: Keys = Keys::below("camera");
 
-/// A cut face counts as seen if the cosine between its normal and the view is more.
-const LEAST_COSINE: f64 = 0.1;
-
 /// A camera, and which of its angles are to be found.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
@@ -41,51 +38,7 @@ impl Seen {
 
     /// The angles from which most faces are seen of the cuts that a scene has at some times; of equals those nearest to the usual.
     pub(crate) fn turned<'a>(&self, cuts: impl Iterator<Item = &'a Cut> + Clone) -> Viewpoint {
-        let Viewpoint::Orbit {
-            azimuth_deg,
-            elevation_deg,
-        } = self.camera.viewpoint
-        else {
-            return self.camera.viewpoint;
-        };
-        let azimuths: &[f64] = match self.free[0] {
-            true => &[
-                azimuth_deg,
-                -azimuth_deg,
-                azimuth_deg + 180.0,
-                -azimuth_deg - 180.0,
-            ],
-            false => &[azimuth_deg],
-        };
-        let elevations: &[f64] = match self.free[1] {
-            true => &[elevation_deg, -elevation_deg],
-            false => &[elevation_deg],
-        };
-        let mut best = (0, self.camera.viewpoint);
-        for elevation_deg in elevations.iter().copied() {
-            for azimuth_deg in azimuths.iter().copied() {
-                let viewpoint = Viewpoint::Orbit {
-                    azimuth_deg,
-                    elevation_deg,
-                };
-                let camera = Camera {
-                    viewpoint,
-                    ..self.camera
-                };
-                // Where an orbit looks does not depend on what it looks at.
-                let anything = Bounds::of([DVec3::ZERO, DVec3::ONE]);
-                let forward = camera.view(|p| p, 1.0, anything, [1, 1]).forward;
-                let enabled = cuts.clone().filter(|c| c.enabled);
-                let seen = enabled
-                    .flat_map(|c| &c.surfaces)
-                    .filter(|s| s.frame().normal.dot(forward) > LEAST_COSINE)
-                    .count();
-                if seen > best.0 {
-                    best = (seen, viewpoint);
-                }
-            }
-        }
-        best.1
+        self.camera.viewpoint_facing(cuts, self.free)
     }
 }
 
