@@ -30,7 +30,12 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .to_string_lossy()
                 .replace('\\', "/");
             if path.starts_with("lib/") == is_library {
-                writeln!(source, "    ({path:?}, include_str!({file:?})),")?;
+                // Of this package wherever it lies, whichever copy of it a shared target folder was filled from.
+                let place = format!("/shaders/{path}");
+                writeln!(
+                    source,
+                    "    ({path:?}, include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {place:?}))),"
+                )?;
             }
         }
         writeln!(source, "];")?;

@@ -4,7 +4,7 @@
 //! they are. Where one does not do as its kind does, the case names it.
 
 use super::expected::Expected::{
-    self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, Share,
+    self, Band, Doubted, Exact, Fails, Listed, Marked, Refuses, RefusesSome, Share,
 };
 use super::{Judged, failures};
 use crate::scene::{Scene, glob_matches};
@@ -19,6 +19,15 @@ pub enum Form {
     Planes,
     /// At least one relief.
     Reliefs,
+    /// Reliefs, some of which are flat and so planes.
+    FlatReliefs,
+}
+
+impl Form {
+    /// Whether there is a relief among the cuts.
+    pub fn has_reliefs(self) -> bool {
+        matches!(self, Self::Reliefs | Self::FlatReliefs)
+    }
 }
 
 /// A row of the table.
@@ -96,6 +105,7 @@ impl Case {
         match self.form {
             Form::Planes if !can.surfaces => return Refuses(Obstacle::Surfaces),
             Form::Reliefs if !can.reliefs => return Refuses(Obstacle::Reliefs),
+            Form::FlatReliefs if !can.reliefs => return RefusesSome(Obstacle::Reliefs),
             _ => {}
         }
         if strategy.is_by_the_papers_rule() {
@@ -111,9 +121,7 @@ impl Case {
             }
             Exact if strategy.resolution().is_some() => Band,
             exact => match self.paper {
-                Share(most) if strategy.is_tessellated() && self.form == Form::Reliefs => {
-                    Listed(most)
-                }
+                Share(most) if strategy.is_tessellated() && self.form.has_reliefs() => Listed(most),
                 _ => exact,
             },
         }

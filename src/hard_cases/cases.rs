@@ -1,6 +1,6 @@
 //! The table: what is hard, and who is expected to manage it. Here are the cases of the list; `user_cases` has those that users met.
 
-use super::case::Form::{self, Plane, Reliefs};
+use super::case::Form::{self, FlatReliefs, Plane, Reliefs};
 use super::case::{Case, Keeps};
 use super::expected::Expected::{self, Band, Exact, Fails, Listed, Marked, Refuses, Share};
 use super::user_cases::OF_USERS;
@@ -41,9 +41,6 @@ const NEAR_PLANE_MEETS: &[(&str, Expected)] = &[
 ];
 
 const PEELED: Expected = Fails("peeling loses the second of two faces");
-
-/// A map of one texel is a plane.
-const FLAT_ALONE: Expected = Expected::RefusesSome(Obstacle::Reliefs);
 
 const NUMBERED: &[Case] = &[
     case(
@@ -296,11 +293,10 @@ const NUMBERED: &[Case] = &[
         "31",
         "maps of odd sizes",
         bumps::odd_sizes,
-        Reliefs,
+        FlatReliefs,
         Exact,
         chord(0.114),
-    )
-    .but(&[("planar*", FLAT_ALONE), ("stencil", FLAT_ALONE)]),
+    ),
     case(
         "32",
         "cut almost along a face",

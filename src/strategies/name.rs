@@ -205,7 +205,7 @@ impl FromStr for Strategy {
         };
         Ok(Self::new(
             chosen("cap surface", surface, &wrong)?,
-            self::chosen::<InsideTestRow>("inside test", inside, &INSIDE_TESTS, &wrong)?,
+            self::chosen::<InsideTestRow>("inside test", inside, INSIDE_TESTS, &wrong)?,
         ))
     }
 }

@@ -6,7 +6,7 @@ use super::row::{Abilities, CapSurfaceRow, Caps, Chosen, Facts, InsideTestRow, R
 use super::{Strategy, inside, surface};
 
 /// All cap surfaces.
-pub static CAP_SURFACES: [&CapSurfaceRow; 5] = [
+pub static CAP_SURFACES: &[&CapSurfaceRow] = &[
     &surface::raycast::ROW,
     &inside::stencil::alone::ROW,
     &surface::planar::ROW,
@@ -15,7 +15,7 @@ pub static CAP_SURFACES: [&CapSurfaceRow; 5] = [
 ];
 
 /// All inside tests.
-pub static INSIDE_TESTS: [&InsideTestRow; 6] = [
+pub static INSIDE_TESTS: &[&InsideTestRow] = &[
     &inside::mask::ROW,
     &inside::stencil::ROW,
     &inside::abuffer::ROW,
