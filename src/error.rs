@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read as what it claims to be.
-    #[error("{}{}{}: {what}\n  help: {mend}", path.display(), number(*line), number(*column))]
+    #[error("{}{}{}: {what}\n  help: {help}", path.display(), number(*line), number(*column))]
     File {
         /// The file.
         path: PathBuf,
@@ -22,25 +22,25 @@ pub enum Error {
         /// What is wrong.
         what: String,
         /// What the user can do about it.
-        mend: String,
+        help: String,
     },
     /// An option, a key or a value that makes no sense.
-    #[error("{culprit}: {what}\n  help: {mend}")]
+    #[error("{culprit}: {what}\n  help: {help}")]
     Input {
         /// The option, key or value, as the user wrote it.
         culprit: String,
         /// What is wrong.
         what: String,
         /// What the user can do about it.
-        mend: String,
+        help: String,
     },
     /// No adapter, or one that lacks what a plan needs.
-    #[error("{what}\n  help: {mend}")]
+    #[error("{what}\n  help: {help}")]
     Adapter {
         /// What is missing.
         what: String,
         /// What the user can do about it.
-        mend: String,
+        help: String,
     },
     /// A shader that does not compose or validate: a fault of this crate, never of its input.
     #[error("shader {name}: {what}")]
@@ -68,13 +68,13 @@ fn number(of_place: Option<usize>) -> String {
 
 impl Error {
     /// A file that cannot be used.
-    pub fn file(path: &Path, what: impl Into<String>, mend: impl Into<String>) -> Self {
+    pub fn file(path: &Path, what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::File {
             path: path.to_owned(),
             line: None,
             column: None,
             what: what.into(),
-            mend: mend.into(),
+            help: help.into(),
         }
     }
 
@@ -83,14 +83,14 @@ impl Error {
         path: &Path,
         line: usize,
         what: impl Into<String>,
-        mend: impl Into<String>,
+        help: impl Into<String>,
     ) -> Self {
         Self::File {
             path: path.to_owned(),
             line: Some(line),
             column: None,
             what: what.into(),
-            mend: mend.into(),
+            help: help.into(),
         }
     }
 
@@ -109,18 +109,18 @@ impl Error {
             Self::Input {
                 culprit,
                 what,
-                mend,
-            } => Self::input(format!("{place}: {culprit}"), what, mend),
+                help,
+            } => Self::input(format!("{place}: {culprit}"), what, help),
             Self::File {
                 path,
                 line,
                 column,
                 what,
-                mend,
+                help,
             } => {
                 let [line, column] = [line, column].map(number);
                 let culprit = format!("{place}: {}{line}{column}", path.display());
-                Self::input(culprit, what, mend)
+                Self::input(culprit, what, help)
             }
             other => other,
         }
@@ -130,17 +130,17 @@ impl Error {
     pub fn input(
         culprit: impl Into<String>,
         what: impl Into<String>,
-        mend: impl Into<String>,
+        help: impl Into<String>,
     ) -> Self {
         Self::Input {
             culprit: culprit.into(),
             what: what.into(),
-            mend: mend.into(),
+            help: help.into(),
         }
     }
 }
 
-/// The closest of `known` to a misspelt `word`, as the text of a mend.
+/// The closest of `known` to a misspelt `word`, as the text of a `help:` line.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     let best = known

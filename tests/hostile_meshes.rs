@@ -148,7 +148,7 @@ fn must_be_refused(path: &Path, word: &str) {
     };
     let name = path.file_name().unwrap().to_string_lossy().into_owned();
     assert!(said.contains(&name), "names no file: {said}");
-    assert!(said.contains("help:"), "tells no mend: {said}");
+    assert!(said.contains("help:"), "tells no help: {said}");
     assert!(said.contains(word), "does not say `{word}`: {said}");
 }
 

@@ -350,7 +350,7 @@ fn the_default_crank_has_a_hundred_thousand_faces() {
 
 #[test]
 fn bad_specs_are_refused_by_name() {
-    for (spec, culprit, mend) in [
+    for (spec, culprit, help) in [
         ("cubee", "shape:cubee", "did you mean `cube`"),
         ("shape:", "shape:", "use one of"),
         ("cube?sise=2", "cube?sise", "did you mean `size`"),
@@ -383,7 +383,7 @@ fn bad_specs_are_refused_by_name() {
             Err(error) => error.to_string(),
         };
         assert!(
-            message.contains(culprit) && message.contains(mend),
+            message.contains(culprit) && message.contains(help),
             "{spec}: {message}"
         );
     }

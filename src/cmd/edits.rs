@@ -49,9 +49,9 @@ impl EditArgs {
             return Ok(None);
         };
         let Output::File(path) = Output::checked("--save", save, &["toml"])? else {
-            let mend = "give the name of a .toml file: what it names is found from there";
+            let help = "give the name of a .toml file: what it names is found from there";
             let what = "a scene is saved to a file";
-            return Err(Error::input("--save -", what, mend));
+            return Err(Error::input("--save -", what, help));
         };
         if !self.force && path.exists() && !holds(&path, &document.moved_to(&path)?) {
             let is_read = same_file::is_same_file(&path, document.path()).unwrap_or(false);
@@ -59,8 +59,8 @@ impl EditArgs {
                 true => "it is the scene that is read, and would be overwritten",
                 false => "there is such a file, and it holds something else",
             };
-            let mend = "save to another file, or add --force to replace it";
-            return Err(Error::input(format!("--save {save}"), what, mend));
+            let help = "save to another file, or add --force to replace it";
+            return Err(Error::input(format!("--save {save}"), what, help));
         }
         Ok(Some(path))
     }

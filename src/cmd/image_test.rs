@@ -32,8 +32,8 @@ pub(super) fn open(path: &Path) -> Result<RgbaImage> {
     let reader = image::ImageReader::open(path)
         .and_then(image::ImageReader::with_guessed_format)
         .map_err(|e| {
-            let mend = "check the path; to make a reference, render it, look at it and keep it";
-            Error::file(path, format!("cannot be read: {e}"), mend)
+            let help = "check the path; to make a reference, render it, look at it and keep it";
+            Error::file(path, format!("cannot be read: {e}"), help)
         })?;
     let image = reader.decode().map_err(|e| {
         Error::file(

@@ -93,8 +93,8 @@ fn told((number, clip): (usize, &Clip)) -> String {
 fn to_json(facts: &[(&str, Topology)], total: &Topology, clips: &[Clip]) -> Result<Value> {
     let value = |t: &Topology| {
         serde_json::to_value(t).map_err(|e| {
-            let mend = "leave --json out, and report this";
-            Error::input("--json", format!("cannot be encoded: {e}"), mend)
+            let help = "leave --json out, and report this";
+            Error::input("--json", format!("cannot be encoded: {e}"), help)
         })
     };
     let mut parts = Vec::with_capacity(facts.len());

@@ -128,8 +128,8 @@ pub(super) fn exr(layers: &Layers, about: &About<'_>) -> Result<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     let written = Image::from_layer(layer).write().to_buffered(&mut bytes);
     written.map_err(|e| {
-        let mend = "lower --resolution, or leave --layers out";
-        Error::input("--layers", format!("cannot be encoded: {e}"), mend)
+        let help = "lower --resolution, or leave --layers out";
+        Error::input("--layers", format!("cannot be encoded: {e}"), help)
     })?;
     Ok(bytes.into_inner())
 }

@@ -30,8 +30,8 @@ impl Output {
         let culprit = || format!("{option} {value}");
         let path = PathBuf::from(value);
         if path.is_dir() || value.is_empty() || value.ends_with(std::path::MAIN_SEPARATOR) {
-            let mend = "give the name of a file, or `-` for standard output";
-            return Err(Error::input(culprit(), "it is a folder", mend));
+            let help = "give the name of a file, or `-` for standard output";
+            return Err(Error::input(culprit(), "it is a folder", help));
         }
         let extension = path.extension().map(|e| e.to_ascii_lowercase());
         let known = |e: &&str| extension.as_ref().is_some_and(|have| have == e);
@@ -68,8 +68,8 @@ impl Output {
 pub(super) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     let culprit = format!("{option} {}", path.display());
     if path.exists() && !path.is_dir() {
-        let mend = "give the name of a folder, which is made if need be";
-        return Err(Error::input(culprit, "it is a file, not a folder", mend));
+        let help = "give the name of a folder, which is made if need be";
+        return Err(Error::input(culprit, "it is a file, not a folder", help));
     }
     check_folder(&culprit, path)
 }
@@ -200,8 +200,8 @@ pub(super) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
         .filter(|a| !a.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
     let refuse = |what: String| {
-        let mend = "name a folder that you may write to";
-        Err(Error::input(culprit, what, mend))
+        let help = "name a folder that you may write to";
+        Err(Error::input(culprit, what, help))
     };
     if !there.is_dir() {
         return refuse(format!("{} is a file, not a folder", there.display()));

@@ -126,7 +126,7 @@ pub(super) fn strategy_name(renderer: Renderer) -> String {
 
 /// The error of a strategy that does not draw what it was asked to.
 pub(super) fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
-    let mend = if renderer
+    let help = if renderer
         .method()
         .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
     {
@@ -134,7 +134,7 @@ pub(super) fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
     } else {
         "use --strategy raycast+mask, or see `cutaway compare` for those that draw this scene"
     };
-    Error::input(format!("strategy {renderer}"), &refusal.reason, mend)
+    Error::input(format!("strategy {renderer}"), &refusal.reason, help)
 }
 
 /// A picture as PNG.

@@ -55,8 +55,8 @@ impl InputFiles {
                         input.display()
                     )
                 };
-                let mend = "write to another file: an output never replaces an input";
-                return Err(Error::input(culprit(), what, mend));
+                let help = "write to another file: an output never replaces an input";
+                return Err(Error::input(culprit(), what, help));
             }
             let other = places.get(&place_of(&path)).copied();
             if let Some(first) = other {

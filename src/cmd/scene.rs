@@ -37,9 +37,9 @@ pub(super) fn run(args: &SceneCommandArgs) -> Result<Verdict> {
     let is_asked = |p: &&Path| args.part.as_ref().is_none_or(|part| has(p.path, part));
     let asked: Vec<&Path> = PATHS.iter().filter(is_asked).collect();
     if let (true, Some(part)) = (asked.is_empty(), &args.part) {
-        let mend =
+        let help =
             "`cutaway scene` lists them all; names and numbers of parts and cuts are `*` there";
-        return Err(Error::input(part, "no path has this in it", mend));
+        return Err(Error::input(part, "no path has this in it", help));
     }
     if let Some(output) = &json {
         let all: Vec<_> = (asked.iter())

@@ -125,8 +125,8 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     }
     if let Some(output) = &outputs.json {
         let json = serde_json::to_string_pretty(&report).map_err(|e| {
-            let mend = "leave --json out, and report this";
-            Error::input("--json", format!("cannot be encoded: {e}"), mend)
+            let help = "leave --json out, and report this";
+            Error::input("--json", format!("cannot be encoded: {e}"), help)
         })?;
         output.write(format!("{json}\n").as_bytes())?;
     }
@@ -320,8 +320,8 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
                 part.defects.join("; ")
             );
             if !part.closed {
-                let mend = part.mend.unwrap_or("move the section");
-                console.failed(format!("{told}\n  help: {mend}"));
+                let help = part.help.unwrap_or("move the section");
+                console.failed(format!("{told}\n  help: {help}"));
                 verdict = Verdict::Failed;
             } else if !part.defects.is_empty() {
                 console.note(told);

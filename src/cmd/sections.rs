@@ -71,7 +71,7 @@ struct Section {
 struct Stray {
     option: String,
     what: &'static str,
-    mend: &'static str,
+    help: &'static str,
 }
 
 impl Stray {
@@ -79,7 +79,7 @@ impl Stray {
         Self {
             option: option.into(),
             what: "there is no section for it",
-            mend: "add --section SPEC before it, for example --section z=50%",
+            help: "add --section SPEC before it, for example --section z=50%",
         }
     }
 }
@@ -137,7 +137,7 @@ impl FromArgMatches for SectionArgs {
                     stray = Some(Stray {
                         option: format!("--relief {relief}"),
                         what: "its section has a relief already",
-                        mend: "leave one out, or add another --section SPEC before it",
+                        help: "leave one out, or add another --section SPEC before it",
                     });
                 }
                 None => stray = Some(Stray::without_section(format!("--relief {relief}"))),
@@ -175,7 +175,7 @@ impl SectionArgs {
     /// Adds the cuts to a document.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
         if let Some(stray) = &self.stray {
-            return Err(Error::input(&stray.option, stray.what, stray.mend));
+            return Err(Error::input(&stray.option, stray.what, stray.help));
         }
         self.cutters.iter().try_for_each(|c| check_model(c))?;
         for cut in self.drafts() {
@@ -207,8 +207,8 @@ impl SectionArgs {
         let is_empty = |cut: &&Cut| !cut.enabled && own.contains(&&*cut.name);
         match scene.cuts.iter().find(is_empty) {
             Some(cut) => {
-                let mend = "let the first end be less than the second";
-                Err(Error::input(&cut.name, "it has no inside", mend))
+                let help = "let the first end be less than the second";
+                Err(Error::input(&cut.name, "it has no inside", help))
             }
             None => Ok(()),
         }

@@ -179,11 +179,11 @@ pub(super) fn check_model(input: &str) -> Result<()> {
     if input.starts_with("shape:") || Pattern::is_in(input) || path.exists() {
         return Ok(());
     }
-    let mend = match shape(input) {
+    let help = match shape(input) {
         Ok(_) => format!("write shape:{input} for the built-in shape"),
         Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
     };
-    Err(Error::file(path, "there is no such file", mend))
+    Err(Error::file(path, "there is no such file", help))
 }
 
 /// Whether an input is a scene file by its name.
@@ -200,8 +200,8 @@ fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
     let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
     match view.defect() {
         Some(what) => {
-            let mend = "move it nearer to the model, and let it look at another point than its own";
-            Err(Error::input("camera", what, mend))
+            let help = "move it nearer to the model, and let it look at another point than its own";
+            Err(Error::input("camera", what, help))
         }
         None => Ok(()),
     }

@@ -167,8 +167,8 @@ impl Document {
             return self.set_node(path, Node { value, origin });
         }
         if !matches!(step.node.value, Value::List(_)) {
-            let mend = "put it into a list, such as `cut`, or set the value itself";
-            return Err(lost(path, ("it is no list".into(), mend.into())));
+            let help = "put it into a list, such as `cut`, or set the value itself";
+            return Err(lost(path, ("it is no list".into(), help.into())));
         }
         self.push_at(&step.place, node)
     }
@@ -194,8 +194,8 @@ impl Document {
     /// The end of a path at which a value can be set.
     fn to_be_set(&self, path: &str) -> Result<Step<'_>> {
         if path.split('.').any(str::is_empty) {
-            let mend = "write keys with points between them, as in `camera.azimuth_deg`";
-            return Err(lost(path, ("it names no value".into(), mend.into())));
+            let help = "write keys with points between them, as in `camera.azimuth_deg`";
+            return Err(lost(path, ("it names no value".into(), help.into())));
         }
         let step = walk(&self.root, path);
         if !step.rest.is_empty() && !matches!(step.node.value, Value::Table(_)) {
@@ -238,8 +238,8 @@ fn edited<'a>(
         Some(text) => Ok(text),
         None => {
             let parsed = text.parse().map_err(|e| {
-                let mend = "report it: one reader of TOML takes the text and another does not";
-                Error::file(path, format!("{e}"), mend)
+                let help = "report it: one reader of TOML takes the text and another does not";
+                Error::file(path, format!("{e}"), help)
             })?;
             Ok(edited.insert(parsed))
         }

@@ -226,8 +226,8 @@ impl fmt::Display for Document {
     }
 }
 
-fn lost(path: &str, (what, mend): Lost) -> Error {
-    Error::input(format!("`{path}`"), what, mend)
+fn lost(path: &str, (what, help): Lost) -> Error {
+    Error::input(format!("`{path}`"), what, help)
 }
 
 #[cfg(test)]

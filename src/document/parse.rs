@@ -16,8 +16,8 @@ pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
     let lines = Lines::of(text);
     let root = DeTable::parse(text).map_err(|e| {
         let (line, column) = lines.place(e.span().map_or(0, |s| s.start));
-        let mend = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
-        Error::file_line(path, line, e.message().trim_end(), mend).at_column(column)
+        let help = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
+        Error::file_line(path, line, e.message().trim_end(), help).at_column(column)
     })?;
     Ok(Node {
         value: lines.table(root.get_ref()),

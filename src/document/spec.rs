@@ -39,7 +39,7 @@ pub(super) struct ReliefWords {
 
 /// Reads `NAME[:key=value,...]` or `IMAGE[:key=value,...]`.
 pub(super) fn relief(text: &str) -> Result<ReliefWords> {
-    let fault = |what: String, mend: String| Error::input(format!("relief `{text}`"), what, mend);
+    let fault = |what: String, help: String| Error::input(format!("relief `{text}`"), what, help);
     // A colon may belong to a path; only what looks like keys is read as keys.
     let (name, words) = match text.rsplit_once(':') {
         Some((name, tail)) if tail.contains('=') => (name.trim(), tail),
@@ -50,8 +50,8 @@ pub(super) fn relief(text: &str) -> Result<ReliefWords> {
         Some(_) => vec![("kind".to_owned(), name.into())],
         None if looks_like_a_path(name) => vec![("image".to_owned(), name.into())],
         None => {
-            let mend = format!("{}, or an image file", did_you_mean(name, Procedure::NAMES));
-            return Err(fault("there is no such relief or file".into(), mend));
+            let help = format!("{}, or an image file", did_you_mean(name, Procedure::NAMES));
+            return Err(fault("there is no such relief or file".into(), help));
         }
     };
     let keys = procedure.as_ref().map_or(&[] as &[_], Procedure::keys);
@@ -61,8 +61,8 @@ pub(super) fn relief(text: &str) -> Result<ReliefWords> {
             key if PLACEMENT.contains(&key) => &mut placement,
             key if keys.contains(&key) => &mut relief,
             key => {
-                let mend = did_you_mean(key, PLACEMENT.into_iter().chain(keys.iter().copied()));
-                return Err(fault(format!("`{key}` is no key of {name}"), mend));
+                let help = did_you_mean(key, PLACEMENT.into_iter().chain(keys.iter().copied()));
+                return Err(fault(format!("`{key}` is no key of {name}"), help));
             }
         };
         table.push((key.to_owned(), several(value)));
@@ -82,18 +82,18 @@ fn looks_like_a_path(name: &str) -> bool {
 
 /// Reads `KIND[:key=value,...]`.
 pub(super) fn defect(text: &str) -> Result<Entries> {
-    let fault = |what: String, mend: String| Error::input(format!("defect `{text}`"), what, mend);
+    let fault = |what: String, help: String| Error::input(format!("defect `{text}`"), what, help);
     let (name, words) = text.split_once(':').unwrap_or((text, ""));
     let name = name.trim();
     let Some(kind) = DefectKind::named(name) else {
-        let mend = did_you_mean(name, DefectKind::NAMES);
-        return Err(fault("there is no such defect".to_owned(), mend));
+        let help = did_you_mean(name, DefectKind::NAMES);
+        return Err(fault("there is no such defect".to_owned(), help));
     };
     let mut table = vec![("kind".to_owned(), name.into())];
     for (key, value) in settings(words).map_err(|what| fault(what, DEFECT.into()))? {
         if !kind.keys().contains(&key) {
-            let mend = did_you_mean(key, kind.keys().iter().copied());
-            return Err(fault(format!("`{key}` is no key of {name}"), mend));
+            let help = did_you_mean(key, kind.keys().iter().copied());
+            return Err(fault(format!("`{key}` is no key of {name}"), help));
         }
         table.push((key.to_owned(), one(value)));
     }

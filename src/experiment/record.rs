@@ -224,8 +224,9 @@ pub enum Warning {
     Opening {
         /// What.
         text: String,
-        /// What to do about it; empty where nothing was said of that.
-        mend: String,
+        /// What to do about it; empty where nothing was said of that. Records of 2026-11-21 call it `mend`.
+        #[serde(alias = "mend")]
+        help: String,
     },
     /// The machine slowed down from round to round.
     Throttled {

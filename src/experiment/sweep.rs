@@ -43,7 +43,7 @@ pub struct Axis {
 impl Axis {
     /// An axis, if its values can be told apart and set the same paths.
     pub fn of(name: &str, paths: Vec<String>, values: Vec<Value>) -> Result<Self> {
-        let fault = |what: &str, mend: &str| Error::input(format!("axis `{name}`"), what, mend);
+        let fault = |what: &str, help: &str| Error::input(format!("axis `{name}`"), what, help);
         let Some(first) = values.first() else {
             return Err(fault(
                 "it has no values",
@@ -54,8 +54,8 @@ impl Axis {
             value.sets.iter().map(|(path, _)| path.clone()).collect()
         };
         if values.iter().any(|v| set_by(v) != set_by(first)) {
-            let mend = "let every value set the same paths";
-            return Err(fault("its values set different paths", mend));
+            let help = "let every value set the same paths";
+            return Err(fault("its values set different paths", help));
         }
         let mut seen = BTreeSet::new();
         if let Some(twice) = values.iter().find(|v| !seen.insert(v.is.to_string())) {
@@ -168,8 +168,8 @@ pub fn expand(axes: &Axes, of: &Variable) -> Result<Vec<Point>> {
         axes.0.iter().partition(|a| a.is_of_strategies());
     let Some(count) = product(&of_points).filter(|count| *count <= MOST_POINTS) else {
         let what = "the values make too many points";
-        let mend = format!("leave some out: at most {MOST_POINTS} are measured");
-        return Err(Error::input("sweep", what, mend));
+        let help = format!("leave some out: at most {MOST_POINTS} are measured");
+        return Err(Error::input("sweep", what, help));
     };
     must_be_apart(axes, &of.scene)?;
     let trials = trials(&of.strategies, &of_renderers)?;
@@ -203,8 +203,8 @@ fn must_be_apart(axes: &Axes, scene: &Document) -> Result<()> {
             for path in paths(axis) {
                 if paths(other).iter().any(|p| scene.overlap(p, &path)) {
                     let what = format!("axis `{}` sets `{path}` too", other.name);
-                    let mend = "let each value be set by one axis: the last would count alone";
-                    return Err(Error::input(format!("axis `{}`", axis.name), what, mend));
+                    let help = "let each value be set by one axis: the last would count alone";
+                    return Err(Error::input(format!("axis `{}`", axis.name), what, help));
                 }
             }
         }
@@ -229,12 +229,12 @@ fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
         for name in in_braces(text)? {
             if !of_strategies.contains(&name) {
                 let what = format!("nothing says what {{{name}}} is");
-                let mend = if of_strategies.is_empty() {
+                let help = if of_strategies.is_empty() {
                     format!("add `sweep = {{ {name} = [1, 2] }}`, or leave the braces out")
                 } else {
                     did_you_mean(name, of_strategies)
                 };
-                return Err(Error::input(format!("`{text}`"), what, mend));
+                return Err(Error::input(format!("`{text}`"), what, help));
             }
         }
     }
@@ -244,8 +244,8 @@ fn check_braces(axes: &Axes, strategies: &[String]) -> Result<()> {
 /// Names between braces.
 fn in_braces(text: &str) -> Result<Vec<&str>> {
     let fault = || {
-        let mend = "write {name}, with both braces and a name between";
-        Error::input(format!("`{text}`"), "a brace stands alone", mend)
+        let help = "write {name}, with both braces and a name between";
+        Error::input(format!("`{text}`"), "a brace stands alone", help)
     };
     let mut names = Vec::new();
     for piece in text.split('{').skip(1) {
@@ -302,11 +302,11 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
     for (template, text) in texts.iter().enumerate() {
         let own: Vec<&Axis> = axes.iter().copied().filter(|a| a.is_in(text)).collect();
         if product(&own).is_none_or(|count| count > MOST_RENDERERS) {
-            let mend = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
+            let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
             return Err(Error::input(
                 format!("`{text}`"),
                 "it has too many values",
-                mend,
+                help,
             ));
         }
         for values in combinations(&own) {
@@ -337,8 +337,8 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
     }
     if trials.len() > MOST_RENDERERS {
         let what = format!("the values make {} renderers", trials.len());
-        let mend = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
-        return Err(Error::input("strategies", what, mend));
+        let help = format!("leave some out: at most {MOST_RENDERERS} are measured in turns");
+        return Err(Error::input("strategies", what, help));
     }
     Ok(trials)
 }

@@ -70,14 +70,14 @@ impl Warning {
         all
     }
 
-    /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may be its mend.
+    /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may say what to do.
     pub fn of_opening(said: &str) -> Self {
-        let (text, mend) = said.split_once("\n  help: ").unwrap_or((said, ""));
+        let (text, help) = said.split_once("\n  help: ").unwrap_or((said, ""));
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
-        let words: Vec<&str> = mend.split_whitespace().collect();
+        let words: Vec<&str> = help.split_whitespace().collect();
         Self::Opening {
             text: lines.join("; "),
-            mend: words.join(" "),
+            help: words.join(" "),
         }
     }
 
@@ -157,10 +157,10 @@ impl Warning {
             }
             Self::FewRounds { is_quick: true, .. } => "leave --quick out, or measure more --rounds",
             Self::FewRounds { .. } => "measure more --rounds",
-            Self::Opening { mend, .. } if mend.is_empty() => {
+            Self::Opening { help, .. } if help.is_empty() => {
                 "look at the scene by `cutaway render` before you believe its figures"
             }
-            Self::Opening { mend, .. } => mend,
+            Self::Opening { help, .. } => help,
         }
     }
 }
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_said_of_opening_keeps_its_mend() {
+    fn what_was_said_of_opening_keeps_its_help() {
         let of = Warning::of_opening(
             "section z misses the model: all of it\n  bounds: 0 to 1\n  help: give\n   a position",
         );

@@ -92,7 +92,7 @@ impl Gpu {
         let Some(adapter) = adapters.into_iter().min_by_key(rank) else {
             return Err(Error::Adapter {
                 what: "there is no graphics adapter, not even a software one".to_owned(),
-                mend: "install a Vulkan driver; the software one is the package mesa-vulkan-drivers (Debian, Ubuntu, \
+                help: "install a Vulkan driver; the software one is the package mesa-vulkan-drivers (Debian, Ubuntu, \
                        Fedora) or vulkan-swrast (Arch)"
                     .to_owned(),
             });
@@ -105,7 +105,7 @@ impl Gpu {
                     "{} offers no device that can run core WebGPU: {e}",
                     adapter.get_info().name
                 ),
-                mend: format!(
+                help: format!(
                     "choose another with --adapter; there are: {}",
                     names.join(", ")
                 ),
@@ -176,7 +176,7 @@ impl Gpu {
                     info.name,
                     lacking.join("; ")
                 ),
-                mend: "create it with the limits of Gpu::required_limits(), or by Gpu::descriptor(&adapter)"
+                help: "create it with the limits of Gpu::required_limits(), or by Gpu::descriptor(&adapter)"
                     .to_owned(),
             });
         }
@@ -277,7 +277,7 @@ impl Gpu {
     fn refused(&self, what: &str) -> Error {
         Error::Adapter {
             what: format!("the adapter {} refused work: {what}", self.report.name),
-            mend: "lower --resolution, or choose another adapter with --adapter".to_owned(),
+            help: "lower --resolution, or choose another adapter with --adapter".to_owned(),
         }
     }
 

@@ -20,7 +20,7 @@ impl Gpu {
         self.wait()?;
         let lost = |what: String| Error::Adapter {
             what,
-            mend: "the device was lost; run again".to_owned(),
+            help: "the device was lost; run again".to_owned(),
         };
         let values = {
             let view = staging
@@ -56,7 +56,7 @@ impl Gpu {
     fn polled(&self, how: wgpu::PollType) -> Result<()> {
         self.device.poll(how).map_err(|e| Error::Adapter {
             what: format!("waiting failed: {e}"),
-            mend: "run again".to_owned(),
+            help: "run again".to_owned(),
         })?;
         self.complaint()
     }

@@ -240,12 +240,12 @@ fn refuse_defects(path: &Path, mesh: &Mesh) -> Result<()> {
             None => Ok(()),
         };
     };
-    let mend = match &defect {
+    let help = match &defect {
         MeshDefect::Empty => "export it with faces; points, lines and curves are not cut",
         MeshDefect::NotFinite { .. } => "export it again, or delete that vertex and its faces",
         MeshDefect::OutOfRange { .. } => "the file is damaged or cut off: export it again",
     };
-    Err(Error::file(path, defect.to_string(), mend))
+    Err(Error::file(path, defect.to_string(), help))
 }
 
 fn retain<T>(items: &mut Vec<T>, kept: &[bool]) {

@@ -47,8 +47,8 @@ pub fn read_offset_map(path: &Path) -> Result<OffsetMap> {
         ));
     }
     OffsetMap::new(size, texels).map_err(|what| {
-        let mend = "heights must be finite: replace such pixels, for example by 0";
-        Error::file(path, what, mend)
+        let help = "heights must be finite: replace such pixels, for example by 0";
+        Error::file(path, what, help)
     })
 }
 

@@ -29,8 +29,8 @@ pub(crate) fn check(path: &Path) -> Result<u64> {
             "folder" => "cannot be read: it is a folder".to_owned(),
             kind => format!("cannot be read: it is a {kind}, not a regular file"),
         };
-        let mend = "give the name of a file; save what comes through a pipe to one first";
-        return Err(Error::file(path, what, mend));
+        let help = "give the name of a file; save what comes through a pipe to one first";
+        return Err(Error::file(path, what, help));
     }
     if metadata.len() > MOST_BYTES {
         let what = format!("it has {} bytes, more than {MOST_BYTES}", metadata.len());
@@ -70,8 +70,8 @@ fn unpacked(path: &Path, packed: &[u8]) -> Result<Vec<u8>> {
         .read_to_end(&mut bytes)
         .map_err(|e| {
             let what = format!("gzip: {e} after {} bytes", bytes.len());
-            let mend = "the archive is cut off or damaged: get it again";
-            Error::file(path, what, mend)
+            let help = "the archive is cut off or damaged: get it again";
+            Error::file(path, what, help)
         })?;
     if bytes.len() as u64 > most {
         let limit = if most < MOST_BYTES {
@@ -80,21 +80,21 @@ fn unpacked(path: &Path, packed: &[u8]) -> Result<Vec<u8>> {
             format!("{MOST_BYTES} bytes")
         };
         let what = format!("gzip: it unpacks to more than {limit}");
-        let mend = "if that is meant, unpack it with gunzip and give the result";
-        return Err(Error::file(path, what, mend));
+        let help = "if that is meant, unpack it with gunzip and give the result";
+        return Err(Error::file(path, what, help));
     }
     Ok(bytes)
 }
 
 fn unreadable(path: &Path, e: &std::io::Error) -> Error {
-    let mend = match e.kind() {
+    let help = match e.kind() {
         std::io::ErrorKind::NotFound => {
             "check the path; in a scene file it is relative to that file"
         }
         std::io::ErrorKind::PermissionDenied => "make the file readable",
         _ => "check that it is a file that can be read",
     };
-    Error::file(path, format!("cannot be read: {e}"), mend)
+    Error::file(path, format!("cannot be read: {e}"), help)
 }
 
 #[cfg(unix)]

@@ -78,8 +78,8 @@ pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> 
     stage("reading");
     let bytes = input_file::read_unpacked(path)?;
     if bytes.is_empty() {
-        let mend = "export or download it again";
-        return Err(Error::file(path, "the file is empty", mend));
+        let help = "export or download it again";
+        return Err(Error::file(path, "the file is empty", help));
     }
     stage("parsing");
     let mut notes = Vec::new();

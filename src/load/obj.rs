@@ -142,8 +142,8 @@ impl Reader<'_> {
     }
 
     fn error(&self, line: usize, what: impl Into<String>) -> Error {
-        let mend = "correct the line, or export the file again if it is damaged or cut off";
-        Error::file_line(self.path, line, what, mend)
+        let help = "correct the line, or export the file again if it is damaged or cut off";
+        Error::file_line(self.path, line, what, help)
     }
 
     fn three(&self, line: usize, rest: &str, what: &str) -> Result<[f64; 3]> {

@@ -271,7 +271,7 @@ fn mesh_of(path: &Path, vertices: &[Vertex], faces: &[Face], has_normals: bool) 
 
 /// The parser's complaint in one line; for text, the line at fault. The parser takes no NaN and no infinity either.
 fn wrong(path: &Path, bytes: &[u8], error: &ParseError, in_lines: bool) -> Error {
-    let mend = "the file is cut off, damaged or no PLY: export or download it again";
+    let help = "the file is cut off, damaged or no PLY: export or download it again";
     let line = error.line().filter(|_| in_lines);
     let shown = |text: &str| text.chars().take(160).collect::<String>();
     if let Some(number) = line
@@ -280,7 +280,7 @@ fn wrong(path: &Path, bytes: &[u8], error: &ParseError, in_lines: bool) -> Error
         let text = bytes.split(|b| *b == b'\n').nth(number - 1).unwrap_or(b"");
         let text = shown(String::from_utf8_lossy(text).trim());
         let what = format!("`{text}` is not what a PLY has here");
-        return Error::file_line(path, number, what, mend);
+        return Error::file_line(path, number, what, help);
     }
     let text = error.to_string();
     let text = match text.split_once(": ") {
@@ -289,8 +289,8 @@ fn wrong(path: &Path, bytes: &[u8], error: &ParseError, in_lines: bool) -> Error
     };
     let what = shown(text.lines().next().unwrap_or(text));
     match line {
-        Some(line) => Error::file_line(path, line, what, mend),
-        None => Error::file(path, what, mend),
+        Some(line) => Error::file_line(path, line, what, help),
+        None => Error::file(path, what, help),
     }
 }
 

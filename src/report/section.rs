@@ -75,7 +75,7 @@ pub struct PartReport {
     pub defects: Vec<String>,
     /// What is to be done about the first of them that takes something of the section away.
     #[serde(skip)]
-    pub mend: Option<&'static str>,
+    pub help: Option<&'static str>,
 }
 
 /// A curve in a plane.
@@ -195,7 +195,7 @@ impl PartReport {
                 .collect(),
             open_chains: section.open.iter().map(|c| curve(c, false)).collect(),
             defects: section.defects.iter().map(ToString::to_string).collect(),
-            mend: (section.defects.iter().find(|d| d.loses_cap())).map(|d| d.mend()),
+            help: (section.defects.iter().find(|d| d.loses_cap())).map(|d| d.help()),
         }
     }
 }

@@ -41,8 +41,8 @@ impl Cutter {
     pub fn of(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Result<Self> {
         let (name, mesh) = (name.into(), mesh.into());
         if let Some(defect) = mesh.defect() {
-            let mend = "use a mesh of finite vertices with triangles between them";
-            return Err(Error::input(name, defect.to_string(), mend));
+            let help = "use a mesh of finite vertices with triangles between them";
+            return Err(Error::input(name, defect.to_string(), help));
         }
         let open = Edges::of(&mesh.triangles).count().open;
         if open > 0 {
@@ -50,9 +50,9 @@ impl Cutter {
                 "a cutter must be closed, but {open} edges of its {} triangles have an odd number of faces",
                 mesh.triangles.len()
             );
-            let mend =
+            let help =
                 "close the holes (`cutaway inspect` says where they are), or use another mesh";
-            return Err(Error::input(name, what, mend));
+            return Err(Error::input(name, what, help));
         }
         Ok(Self {
             name,

@@ -87,11 +87,11 @@ impl SectionSpec {
     pub fn through(point: DVec3, normal: DVec3) -> Result<Self> {
         let text = format!("{}@{}", listed(normal), listed(point));
         if normal == DVec3::ZERO {
-            let mend = "give it a direction, for example [0, 0, 1]";
+            let help = "give it a direction, for example [0, 0, 1]";
             return Err(Error::input(
                 format!("section `{text}`"),
                 "the normal is zero",
-                mend,
+                help,
             ));
         }
         let point = point.to_array().map(Amount::Units);
@@ -108,8 +108,8 @@ impl SectionSpec {
             Plane::Point { point, .. } => point.iter().any(percent),
             Plane::Offset { .. } => false,
         };
-        let fault = |what: &str, mend: &str| {
-            Err(Error::input(format!("section `{}`", self.text), what, mend))
+        let fault = |what: &str, help: &str| {
+            Err(Error::input(format!("section `{}`", self.text), what, help))
         };
         if relative && bounds.is_empty() {
             return fault(

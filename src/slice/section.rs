@@ -80,7 +80,7 @@ pub enum SectionDefect {
 
 impl SectionDefect {
     /// What is to be done about it.
-    pub fn mend(&self) -> &'static str {
+    pub fn help(&self) -> &'static str {
         match self {
             Self::Plane => "give the plane an origin and a normal that are finite",
             Self::Unusable { .. } => "use a mesh of coordinates within 1e300, or scale it down",
@@ -184,7 +184,7 @@ mod tests {
             (SectionDefect::Plane, false),
         ] {
             assert!(defect.loses_cap(), "{defect}");
-            let told = defect.mend().contains("close the mesh");
+            let told = defect.help().contains("close the mesh");
             assert_eq!(told, closes, "{defect}");
         }
     }

@@ -359,7 +359,7 @@ fn what_is_said_of_a_scene_stands_in_its_record_and_is_said_once_with_its_place(
         "{opening}"
     );
     assert!(
-        opening["mend"].as_str().unwrap().contains("percentage"),
+        opening["help"].as_str().unwrap().contains("percentage"),
         "{opening}"
     );
     folder.write("01-cube.toml", CUBE);

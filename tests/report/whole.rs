@@ -106,7 +106,7 @@ fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
         record.truth = Some(scene(None));
         record.warnings.push(Warning::Opening {
             text: "the section misses the model".to_owned(),
-            mend: "move it".to_owned(),
+            help: "move it".to_owned(),
         });
     }
     let pages = report_of(&folder, &records);

@@ -117,8 +117,8 @@ impl Rectangle {
 
 /// The error of a file that an encoder could not write.
 pub(super) fn cannot_encode(path: &Path, why: impl std::fmt::Display) -> crate::Error {
-    let mend = "check the room on the disk, or lower --resolution";
-    crate::Error::file(path, format!("cannot be written: {why}"), mend)
+    let help = "check the room on the disk, or lower --resolution";
+    crate::Error::file(path, format!("cannot be written: {why}"), help)
 }
 
 #[cfg(test)]

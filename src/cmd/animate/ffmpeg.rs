@@ -50,9 +50,9 @@ impl Program {
                     }
                     _ => format!("ffmpeg, which makes MP4 files, cannot be started: {e}"),
                 };
-                let mend = "install the package ffmpeg (apt install ffmpeg, dnf install ffmpeg-free, pacman -S ffmpeg, \
+                let help = "install the package ffmpeg (apt install ffmpeg, dnf install ffmpeg-free, pacman -S ffmpeg, \
                             brew install ffmpeg), or write a .gif or a .png";
-                return Err(Error::input(culprit(), what, mend));
+                return Err(Error::input(culprit(), what, help));
             }
         };
         let has = |name: &str| said.split_whitespace().any(|word| word == name);

@@ -224,8 +224,8 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
     let file = Output::File(target.path());
     no_place_twice(&[("--output", Some(&file)), ("--json", json.as_ref())])?;
     let refuse = |culprit: &str, what: &str| {
-        let mend = "leave it out, or write a .gif or a .png";
-        Err(Error::input(culprit, what, mend))
+        let help = "leave it out, or write a .gif or a .png";
+        Err(Error::input(culprit, what, help))
     };
     if args.plays.is_some() && !target.counts_plays() {
         return refuse(

@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_refused_with_a_mend() {
+    fn what_cannot_be_written_is_refused_with_help() {
         for (value, said) in [
             ("-", "standard output"),
             ("a.giff", "did you mean `gif`"),

@@ -57,8 +57,8 @@ impl Folder {
             return if force {
                 Ok(None)
             } else {
-                let mend = "remove the file and measure again: points that are whole are kept";
-                Err(Error::file(&path, "it is no whole record of a run", mend))
+                let help = "remove the file and measure again: points that are whole are kept";
+                Err(Error::file(&path, "it is no whole record of a run", help))
             };
         };
         let word = |is_quick| if is_quick { "quick" } else { "in full" };
@@ -69,7 +69,7 @@ impl Folder {
         if force {
             return Ok(None);
         }
-        let mend = "choose another folder with --out, or measure all again with --force";
+        let help = "choose another folder with --out, or measure all again with --force";
         let what = format!(
             "the folder holds a run on {} ({}), {}; this one is on {} ({}), {}",
             run.adapter.name,
@@ -79,7 +79,7 @@ impl Folder {
             adapter.driver,
             word(is_quick)
         );
-        Err(Error::file(&path, what, mend))
+        Err(Error::file(&path, what, help))
     }
 
     /// Writes what is said of the run.
@@ -175,8 +175,8 @@ pub(super) fn remove(files: &[PathBuf]) -> Result<()> {
     for file in files {
         match std::fs::remove_file(file) {
             Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-                let mend = "check the folder's permissions";
-                return Err(Error::file(file, format!("cannot be removed: {e}"), mend));
+                let help = "check the folder's permissions";
+                return Err(Error::file(file, format!("cannot be removed: {e}"), help));
             }
             _ => {}
         }

@@ -223,7 +223,7 @@ fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
     let of_run: Vec<&Job<'_>> = (jobs.iter())
         .filter(|j| glob_matches(run, &j.run.name))
         .collect();
-    let fault = |what: &str, mend: String| Error::input(format!("--only {only}"), what, mend);
+    let fault = |what: &str, help: String| Error::input(format!("--only {only}"), what, help);
     if of_run.is_empty() {
         let names: BTreeSet<&str> = jobs.iter().map(|j| j.run.name.as_str()).collect();
         return Err(fault("no run is called so", did_you_mean(run, names)));
@@ -232,10 +232,10 @@ fn must_mean_a_job(only: &str, jobs: &[Job<'_>]) -> Result<()> {
     let stems = addresses
         .iter()
         .map(|a| a.split_once(':').map_or("*", |(_, stem)| stem));
-    let mend = did_you_mean(point, stems);
+    let help = did_you_mean(point, stems);
     Err(fault(
         "no point of the run is called so in names of files",
-        mend,
+        help,
     ))
 }
 

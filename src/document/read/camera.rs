@@ -59,8 +59,8 @@ pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds) -> Result<Seen> {
     if let Some(zoom) = table.get("zoom") {
         camera.zoom = zoom.number()?;
         if !(1e-3..=1e3).contains(&camera.zoom) {
-            let mend = "2 shows the model twice as large";
-            return Err(zoom.fault("it must be from 0.001 to 1000", mend));
+            let help = "2 shows the model twice as large";
+            return Err(zoom.fault("it must be from 0.001 to 1000", help));
         }
     }
     Ok(Seen { camera, free })
@@ -115,10 +115,10 @@ fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> 
         None => middle,
     };
     if focal_point == position {
-        let mend = "move one of them: the camera looks from position to focal_point";
+        let help = "move one of them: the camera looks from position to focal_point";
         return Err(match table.get("focal_point") {
-            Some(focal) => focal.fault("it is the camera's position", mend),
-            None => eye.fault("it is the point that the camera looks at", mend),
+            Some(focal) => focal.fault("it is the camera's position", help),
+            None => eye.fault("it is the point that the camera looks at", help),
         });
     }
     let view_up = match table.get("view_up") {
@@ -128,11 +128,11 @@ fn viewpoint(table: &Table<'_>, (usual, up): (Viewpoint, Up), middle: DVec3) -> 
             let forward = (focal_point - position).normalize_or_zero();
             if view_up.normalize_or_zero().cross(forward).length() < 1e-9 {
                 let what = "it points along the viewing direction, or nowhere";
-                let mend = format!(
+                let help = format!(
                     "use a direction across it, for example {:?}",
                     up.axis().to_array()
                 );
-                return Err(entry.fault(what, mend));
+                return Err(entry.fault(what, help));
             }
             Some(view_up)
         }

@@ -74,9 +74,9 @@ pub(super) fn read(
     }
     if let Some(offsets) = table.get("offset") {
         if cut.volume.is_some() {
-            let mend =
+            let help =
                 "a mesh has no side to move to: scale it in a cut of its own for these parts";
-            return Err(offsets.fault("the cut has a `volume`, which no offset moves", mend));
+            return Err(offsets.fault("the cut has a `volume`, which no offset moves", help));
         }
         cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
@@ -113,14 +113,14 @@ fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<
     }
     if region.is_everywhere() && !has_volume {
         if let Some(wedge) = wedges.first() {
-            let mend = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
+            let help = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
             let what = "it turns all the way round and has no end along its axis: it would remove everything";
-            return Err(wedge.fault(what, mend));
+            return Err(wedge.fault(what, help));
         }
-        let mend = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge` or a `volume`";
+        let help = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge` or a `volume`";
         return Err(table
             .entry
-            .fault("it has no clip-surface, and would remove everything", mend));
+            .fault("it has no clip-surface, and would remove everything", help));
     }
     Ok(region)
 }
@@ -169,8 +169,8 @@ fn offsets_of(
             .collect();
         if globs.len() > 1 && !globs.contains(&part.name.as_str()) {
             let what = format!("part `{}` fits {}", part.name, globs.join(" and "));
-            let mend = format!("add `\"{}\" = 0.1`, which counts before them", part.name);
-            return Err(entry.fault(what, mend));
+            let help = format!("add `\"{}\" = 0.1`, which counts before them", part.name);
+            return Err(entry.fault(what, help));
         }
     }
     Ok(offsets)
@@ -223,9 +223,9 @@ pub(super) fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSu
 
 /// Refuses what is no clip-surface.
 pub(super) fn sound(surface: &ClipSurface, model: &Bounds, entry: &Entry<'_>) -> Result<()> {
-    let mend = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
+    let help = "u and v must be finite, not zero and at a right angle; u = [1, 0, 0], v = [0, 1, 0] keep z > origin";
     match surface.defect_beside(model) {
-        Some(what) => Err(entry.fault(what, mend)),
+        Some(what) => Err(entry.fault(what, help)),
         None => Ok(()),
     }
 }
@@ -255,8 +255,8 @@ pub(super) fn on_plane(
     let Some(map) = map_of(table, context)? else {
         for key in ["amplitude", "period", "wrap"] {
             if let Some(entry) = table.get(key) {
-                let mend = "add `relief = \"NAME\"`, or remove the key";
-                return Err(entry.fault("a plane has none: there is no relief", mend));
+                let help = "add `relief = \"NAME\"`, or remove the key";
+                return Err(entry.fault("a plane has none: there is no relief", help));
             }
         }
         return Ok(plane);
@@ -272,11 +272,11 @@ pub(super) fn on_plane(
         None => place_map(plane, map, &placement, &context.bounds),
     };
     placed.map_err(|what| {
-        let mend = "give `amplitude` and `period` in scene units, or as \"6%\" of the diagonal";
+        let help = "give `amplitude` and `period` in scene units, or as \"6%\" of the diagonal";
         let relief = table.get("relief");
         relief
             .unwrap_or_else(|| table.entry.clone())
-            .fault(what, mend)
+            .fault(what, help)
     })
 }
 
@@ -288,12 +288,12 @@ fn map_of(table: &Table<'_>, context: &Context<'_>) -> Result<Option<Arc<OffsetM
     if let Some(map) = context.maps.get(name) {
         return Ok(Some(Arc::clone(map)));
     }
-    let mend = if context.maps.is_empty() {
+    let help = if context.maps.is_empty() {
         format!("describe it in a table [relief.{name}]")
     } else {
         did_you_mean(name, context.maps.keys().map(String::as_str))
     };
-    Err(entry.fault(format_args!("there is no relief `{name}`"), mend))
+    Err(entry.fault(format_args!("there is no relief `{name}`"), help))
 }
 
 fn wrap_of(table: &Table<'_>) -> Result<Wrap> {
@@ -301,5 +301,5 @@ fn wrap_of(table: &Table<'_>) -> Result<Wrap> {
         return Ok(Wrap::default());
     };
     let name = entry.text()?;
-    parse_wrap(name).map_err(|mend| entry.fault(format_args!("{name:?} is no wrap mode"), mend))
+    parse_wrap(name).map_err(|help| entry.fault(format_args!("{name:?} is no wrap mode"), help))
 }

@@ -60,8 +60,8 @@ pub(super) fn read(
 ) -> Result<Option<Cutter>> {
     let Some(held) = held else {
         if let Some(entry) = PLACES.iter().find_map(|key| table.get(key)) {
-            let mend = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
-            return Err(entry.fault("only a cutter has it", mend));
+            let help = "add `volume = \"FILE\"`, or place and flip the surfaces themselves";
+            return Err(entry.fault("only a cutter has it", help));
         }
         return Ok(None);
     };

@@ -23,8 +23,8 @@ pub(super) fn read_one(entry: &Entry<'_>) -> Result<Defect> {
     let named = entry.open_table()?.need("kind", "\"holes\"")?;
     let name = named.text()?;
     let Some(kind) = DefectKind::named(name) else {
-        let mend = did_you_mean(name, DefectKind::NAMES);
-        return Err(named.fault(format_args!("{name:?} is no defect"), mend));
+        let help = did_you_mean(name, DefectKind::NAMES);
+        return Err(named.fault(format_args!("{name:?} is no defect"), help));
     };
     let keys: Vec<&str> = ["kind"]
         .into_iter()
@@ -41,8 +41,8 @@ pub(super) fn read_one(entry: &Entry<'_>) -> Result<Defect> {
             "axis" => defect.set_axis(value.text()?),
             _ => defect.set_number(key, value.whole::<u64>()?),
         };
-        let mend = "write for example `{ kind = \"holes\", amount = \"5%\", seed = 1 }`";
-        set.map_err(|what| value.fault(what, mend))?;
+        let help = "write for example `{ kind = \"holes\", amount = \"5%\", seed = 1 }`";
+        set.map_err(|what| value.fault(what, help))?;
     }
     Ok(defect)
 }

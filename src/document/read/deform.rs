@@ -133,8 +133,8 @@ fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
             let across = direction(&entry)?;
             let across = across - along * across.dot(along);
             if across.length() < 1e-6 {
-                let mend = "use a direction across it";
-                return Err(entry.fault("it points along the axis", mend));
+                let help = "use a direction across it";
+                return Err(entry.fault("it points along the axis", help));
             }
             across.normalize()
         }

@@ -163,8 +163,8 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         .into_iter()
         .unzip();
     if values[0].is_empty() || shapes.iter().any(|s| *s != shapes[0]) {
-        let mend = "make all values numbers, or all lists of the same length";
-        return Err(list.fault("the values differ in length, or have none", mend));
+        let help = "make all values numbers, or all lists of the same length";
+        return Err(list.fault("the values differ in length, or have none", help));
     }
     let example = match values[0].as_slice() {
         [one] if shapes[0] == Shape::Flag => format!("{}", *one != 0.0),
@@ -176,7 +176,7 @@ fn read_one(entry: &Entry<'_>, root: &Table<'_>) -> Result<Keyed> {
         places,
         shape,
     } = target::find(root.entry.node, path, &example)
-        .map_err(|(what, mend)| target.fault(what, mend))?;
+        .map_err(|(what, help)| target.fault(what, help))?;
     let is_flag = shape == Shape::Flag;
     let switches = |v: &Vec<f64>| matches!(v.as_slice(), [v] if [0.0, 1.0].contains(v));
     let is_list = matches!(shapes[0], Shape::List(_));
@@ -224,8 +224,8 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
         return Err(target.fault(what, did_you_mean(root, MOVABLE)));
     }
     if below.is_empty() || path.split('.').any(str::is_empty) {
-        let mend = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
-        return Err(target.fault("it names no number of the scene", mend));
+        let help = "add the field, as in `camera.azimuth_deg` or `cut.front.surfaces.0.origin`";
+        return Err(target.fault("it names no number of the scene", help));
     }
     let last = path.rsplit('.').next();
     if matches!(root, "part" | "relief") && matches!(last, Some("fps" | "first" | "loop")) {

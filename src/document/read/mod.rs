@@ -197,8 +197,8 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
     names_differ(&parts)?;
     names_differ(&cuts)?;
     if parts.is_empty() {
-        let mend = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
-        return Err(root.entry.fault("the scene has no part", mend));
+        let help = "add `[[part]]` with `mesh = \"FILE\"` or `shape = \"crank\"`";
+        return Err(root.entry.fault("the scene has no part", help));
     }
     let parts = stock::open(&parts, &mut opening)?;
     let cutters = cutters::open(&cuts, &mut opening)?;

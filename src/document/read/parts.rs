@@ -165,8 +165,8 @@ fn look(entry: &Entry<'_>) -> Result<Look> {
         Some(hatch) => {
             let name = hatch.text()?;
             if !HATCHES.contains(&name) {
-                let mend = did_you_mean(name, HATCHES.iter().copied());
-                return Err(hatch.fault(format_args!("{name:?} is no hatch"), mend));
+                let help = did_you_mean(name, HATCHES.iter().copied());
+                return Err(hatch.fault(format_args!("{name:?} is no hatch"), help));
             }
             Some(name.to_owned())
         }

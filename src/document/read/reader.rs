@@ -1,7 +1,7 @@
 //! Typed reading of TOML, with errors that name the file, the line, the column and the key.
 //!
 //! Values are taken one by one, and a table states the keys it knows when it is opened: an unknown key is an error there
-//! and then, with the nearest known one. Derived deserialisation would report neither the path of a key nor a mend.
+//! and then, with the nearest known one. Derived deserialisation would report neither the path of a key nor what to do.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub(crate) struct Entry<'a> {
 }
 
 impl<'a> Entry<'a> {
-    pub(crate) fn fault(&self, what: impl Display, mend: impl Into<String>) -> Error {
+    pub(crate) fn fault(&self, what: impl Display, help: impl Into<String>) -> Error {
         let what = match (&self.node.origin, self.key.as_str()) {
             // The file as a whole has no key, and words of an option are their own.
             (_, "") => what.to_string(),
@@ -49,16 +49,16 @@ impl<'a> Entry<'a> {
         };
         match &self.node.origin {
             Origin::Text { line, column } => {
-                Error::file_line(self.source.path, *line, what, mend).at_column(*column)
+                Error::file_line(self.source.path, *line, what, help).at_column(*column)
             }
             Origin::Elsewhere { file, line, column } => {
-                Error::file_line(file, *line, what, mend).at_column(*column)
+                Error::file_line(file, *line, what, help).at_column(*column)
             }
-            Origin::Option(words) => Error::input(words.to_string(), what, mend),
+            Origin::Option(words) => Error::input(words.to_string(), what, help),
             Origin::Program if self.source.path.as_os_str().is_empty() => {
-                Error::input("the scene", what, mend)
+                Error::input("the scene", what, help)
             }
-            Origin::Program => Error::file(self.source.path, what, mend),
+            Origin::Program => Error::file(self.source.path, what, help),
         }
     }
 
@@ -70,10 +70,10 @@ impl<'a> Entry<'a> {
                 Error::Input {
                     culprit,
                     what,
-                    mend,
+                    help,
                 },
                 Origin::Text { .. } | Origin::Elsewhere { .. } | Origin::Program,
-            ) => self.fault(format_args!("{culprit}: {what}"), mend),
+            ) => self.fault(format_args!("{culprit}: {what}"), help),
             (other, _) => other,
         }
     }
@@ -146,7 +146,7 @@ impl<'a> Entry<'a> {
     }
 
     /// How a number that cannot be is mended.
-    pub(crate) fn mend_of_number(&self) -> &'static str {
+    pub(crate) fn help_of_number(&self) -> &'static str {
         match &self.node.value {
             Value::Number(n) if self.source.moment.is_some() && n.value.fract() != 0.0 => {
                 "let the [[key]] have whole numbers, and `interpolation = \"step\"` between them"
@@ -179,8 +179,8 @@ impl<'a> Entry<'a> {
             .find(|(name, _)| *name == word)
             .map(|(_, value)| *value)
             .ok_or_else(|| {
-                let mend = did_you_mean(word, choices.iter().map(|(name, _)| *name));
-                self.fault(format_args!("{word:?} is no choice"), mend)
+                let help = did_you_mean(word, choices.iter().map(|(name, _)| *name));
+                self.fault(format_args!("{word:?} is no choice"), help)
             })
     }
 
@@ -241,8 +241,8 @@ impl<'a> Entry<'a> {
     /// A length, or text with a percentage.
     pub(crate) fn amount(&self) -> Result<Amount> {
         if self.is_text() {
-            let mend = "write a number, or text such as \"6%\"";
-            return Amount::parse(self.text()?).map_err(|what| self.fault(what, mend));
+            let help = "write a number, or text such as \"6%\"";
+            return Amount::parse(self.text()?).map_err(|what| self.fault(what, help));
         }
         self.number().map(Amount::Units)
     }
@@ -296,9 +296,9 @@ impl<'a> Entry<'a> {
         let table = self.open_table()?;
         for (key, node) in table.entries {
             if !known.contains(&&**key) {
-                let mend = did_you_mean(key, known.iter().copied());
+                let help = did_you_mean(key, known.iter().copied());
                 let stray = self.child(key, node);
-                return Err(stray.fault("there is no such key here", mend));
+                return Err(stray.fault("there is no such key here", help));
             }
         }
         Ok(table)

@@ -79,13 +79,13 @@ pub(super) fn block(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     };
     if let Some(axis) = block.inverted_axis() {
         let what = format!("it ends before it begins along {}", ["x", "y", "z"][axis]);
-        let mend = "let every number of `min` be at most that of `max`, and no size be below 0";
-        return Err(entry.fault(what, mend));
+        let help = "let every number of `min` be at most that of `max`, and no size be below 0";
+        return Err(entry.fault(what, help));
     }
     let faces = block.faces(bounds.centre(), context.up);
     if faces.is_empty() {
-        let mend = "add for example `min = [0, 0, 0]`, or `centre` and `size`";
-        return Err(entry.fault("it has no side", mend));
+        let help = "add for example `min = [0, 0, 0]`, or `centre` and `size`";
+        return Err(entry.fault("it has no side", help));
     }
     let present: Vec<_> = faces.iter().map(|f| f.name).collect();
     Ok(Union {
@@ -125,8 +125,8 @@ pub(super) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
     let [from_deg, to_deg] = [angle("from_deg", "0")?, angle("to_deg", "90")?];
     if !(0.0..=360.0).contains(&(to_deg - from_deg)) {
         let what = format!("it turns by {} degrees", to_deg - from_deg);
-        let mend = "let `to_deg` be from 0 to 360 more than `from_deg`";
-        return Err(entry.fault(what, mend));
+        let help = "let `to_deg` be from 0 to 360 more than `from_deg`";
+        return Err(entry.fault(what, help));
     }
     let origin = match table.get("origin") {
         Some(entry) => point(&entry, bounds)?,
@@ -152,8 +152,8 @@ pub(super) fn wedge(entry: &Entry<'_>, context: &Context<'_>) -> Result<Union> {
         max: end("max")?,
     };
     if matches!((wedge.min, wedge.max), (Some(a), Some(b)) if a > b) {
-        let mend = "let `min` be at most `max`: both are coordinates along the axis";
-        return Err(entry.fault("it ends before it begins along its axis", mend));
+        let help = "let `min` be at most `max`: both are coordinates along the axis";
+        return Err(entry.fault("it ends before it begins along its axis", help));
     }
     // A full turn has neither, but may be a moment of one that opens.
     let mut present = vec!["from", "to"];
@@ -184,8 +184,8 @@ fn listed(present: &[&'static str], table: &Table<'_>) -> Result<Vec<&'static st
         None if has_relief => Ok(present.to_vec()),
         None => Ok(Vec::new()),
         Some(list) if !has_relief => {
-            let mend = "add `relief = \"NAME\"`, or remove the key";
-            Err(list.fault("there is no relief for them", mend))
+            let help = "add `relief = \"NAME\"`, or remove the key";
+            Err(list.fault("there is no relief for them", help))
         }
         Some(list) => {
             let choices: Vec<_> = present.iter().map(|name| (*name, *name)).collect();

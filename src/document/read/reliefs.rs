@@ -147,8 +147,8 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
         (None, [Some(_), _]) => "image",
         (None, [_, Some(_)]) => "blend",
         (None, _) => {
-            let mend = "add `kind = \"fractal\"`, `image = \"FILE\"` or `blend = [\"a\", \"b\"]`";
-            return Err(entry.fault("it does not say where its heights come from", mend));
+            let help = "add `kind = \"fractal\"`, `image = \"FILE\"` or `blend = [\"a\", \"b\"]`";
+            return Err(entry.fault("it does not say where its heights come from", help));
         }
     };
     match (kind, Procedure::named(kind)) {
@@ -163,9 +163,9 @@ fn describe(entry: &Entry<'_>, images: &[Image]) -> Result<Relief> {
         ("layers", _) => layers(&entry.table(LAYERS_KEYS)?, images),
         (_, None) => {
             let known = Procedure::NAMES.into_iter().chain(OTHER_KINDS);
-            let mend = did_you_mean(kind, known);
+            let help = did_you_mean(kind, known);
             let kind_entry = open.get("kind").unwrap_or_else(|| entry.clone());
-            Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), mend))
+            Err(kind_entry.fault(format_args!("{kind:?} is no kind of relief"), help))
         }
     }
 }
@@ -177,7 +177,7 @@ fn computed(entry: &Entry<'_>, mut procedure: Procedure) -> Result<Relief> {
             let numbers = value.numbers()?;
             procedure
                 .set(key, &numbers)
-                .map_err(|what| value.fault(what, value.mend_of_number()))?;
+                .map_err(|what| value.fault(what, value.help_of_number()))?;
         }
     }
     Ok(Relief::Procedure(procedure))
@@ -187,8 +187,8 @@ fn blended(table: &Table<'_>) -> Result<Relief> {
     let blend = table.need("blend", "[\"a\", \"b\"]")?;
     let names = blend.texts()?;
     let Ok(of) = <[String; 2]>::try_from(names) else {
-        let mend = "name two; blend the result with a third in another relief";
-        return Err(blend.fault("a blend is of exactly two reliefs", mend));
+        let help = "name two; blend the result with a third in another relief";
+        return Err(blend.fault("a blend is of exactly two reliefs", help));
     };
     let op = table.need("op", "\"add\"")?;
     let name = op.text()?;
@@ -241,9 +241,9 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
         }
         (None, Some(_)) => images.iter().map(|i| name_of_image(&i.path)).collect(),
         (None, None) => {
-            let mend =
+            let help =
                 "add `of = [\"a\", \"b\"]`, names of reliefs, or `images = \"frames/%03d.png\"`";
-            return Err(table.entry.fault("it has no layers", mend));
+            return Err(table.entry.fault("it has no layers", help));
         }
     };
     let wrap = match table.get("wrap") {

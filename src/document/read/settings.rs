@@ -80,8 +80,8 @@ pub(super) fn read(root: &Table<'_>) -> Result<Settings> {
     if let Some(entry) = root.get("time_s") {
         let time_s = entry.number()?;
         if time_s < 0.0 {
-            let mend = "times are seconds from the beginning";
-            return Err(entry.fault("it must be 0 or more", mend));
+            let help = "times are seconds from the beginning";
+            return Err(entry.fault("it must be 0 or more", help));
         }
         settings.time_s = Some(time_s);
     }
@@ -112,8 +112,8 @@ fn background(entry: &Entry<'_>) -> Result<Background> {
 pub(super) fn color(entry: &Entry<'_>) -> Result<Vec3> {
     let text = entry.text()?;
     parse_color(text).ok_or_else(|| {
-        let mend = "write `#rrggbb`, for example \"#8a94a6\"";
-        entry.fault(format_args!("{text:?} is no colour"), mend)
+        let help = "write `#rrggbb`, for example \"#8a94a6\"";
+        entry.fault(format_args!("{text:?} is no colour"), help)
     })
 }
 

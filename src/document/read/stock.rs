@@ -179,8 +179,8 @@ impl Opening<'_> {
                 return Err(shape.fault("the part has a mesh too", "keep one of the two"));
             }
             (None, None) => {
-                let mend = "add `mesh = \"FILE\"` or `shape = \"crank\"`";
-                return Err(table.entry.fault("it has neither a mesh nor a shape", mend));
+                let help = "add `mesh = \"FILE\"` or `shape = \"crank\"`";
+                return Err(table.entry.fault("it has neither a mesh nor a shape", help));
             }
         };
         let path = self.folder.join(&text);
@@ -189,8 +189,8 @@ impl Opening<'_> {
         }
         for key in ["fps", "first", "loop"] {
             if let Some(entry) = table.get(key) {
-                let mend = "remove it, or name frames as in `mesh = \"walk_%04d.ply\"`";
-                return Err(entry.fault("only frames have it", mend));
+                let help = "remove it, or name frames as in `mesh = \"walk_%04d.ply\"`";
+                return Err(entry.fault("only frames have it", help));
             }
         }
         let parts = if is_mesh {
@@ -273,13 +273,13 @@ pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
 /// There is no such file.
 pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
     let what = format!("there is no file {}", path.display());
-    let mend = match origin.node.origin {
+    let help = match origin.node.origin {
         Origin::Text { .. } => {
             "check the name; it is relative to the scene file, and built-in shapes are `shape = \"crank\"`, cutters `shape:NAME`"
         }
         _ => "check the path; built-in shapes are written shape:NAME",
     };
-    origin.fault(what, mend)
+    origin.fault(what, help)
 }
 
 /// The solids that `only` and `except` leave.

@@ -42,8 +42,8 @@ impl<'a> Table<'a> {
     /// The value of a key that has to be there.
     pub(crate) fn need(&self, key: &str, example: &str) -> Result<Entry<'a>> {
         self.get(key).ok_or_else(|| {
-            let mend = format!("add for example `{key} = {example}`");
-            self.entry.fault(format_args!("it has no `{key}`"), mend)
+            let help = format!("add for example `{key} = {example}`");
+            self.entry.fault(format_args!("it has no `{key}`"), help)
         })
     }
 

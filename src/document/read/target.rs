@@ -78,7 +78,7 @@ fn no_number(step: &Step<'_>) -> Lost {
     let last = step.path.rsplit('.').next().unwrap_or_default();
     match &step.node.value {
         Value::Text(text) => {
-            let mend = match last {
+            let help = match last {
                 "section" => {
                     "write the plane as `normal = [0, 0, 1], origin = [0, 0, 0]` and move its origin"
                 }
@@ -89,7 +89,7 @@ fn no_number(step: &Step<'_>) -> Lost {
             };
             (
                 format!("it names no number: {} is the text {text:?}", step.path),
-                mend.into(),
+                help.into(),
             )
         }
         Value::Table(_) | Value::List(_) => {
@@ -112,7 +112,7 @@ fn missing(step: &Step<'_>, example: &str) -> Lost {
     }
     let below = children(step.node);
     let mut names = below.iter().map(|(names, _)| &*names[0]);
-    let mend = match names.find(|n| strsim::jaro_winkler(n, next) > 0.9) {
+    let help = match names.find(|n| strsim::jaro_winkler(n, next) > 0.9) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!(
             "add `{next} = {example}` to `{path}`{}: a key moves a number that the file has",
@@ -122,5 +122,5 @@ fn missing(step: &Step<'_>, example: &str) -> Lost {
             }
         ),
     };
-    (format!("the file has no `{next}` in `{path}`"), mend)
+    (format!("the file has no `{next}` in `{path}`"), help)
 }

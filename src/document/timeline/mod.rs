@@ -175,21 +175,21 @@ impl Timeline {
         }
         let culprit = format!("clip `{name_or_number}`");
         if self.clips.is_empty() {
-            let mend = "use a glTF or GLB file with animations, or leave the clip out";
-            return Err(Error::input(culprit, "no part has a clip", mend));
+            let help = "use a glTF or GLB file with animations, or leave the clip out";
+            return Err(Error::input(culprit, "no part has a clip", help));
         }
-        let mut mend = did_you_mean(name_or_number, self.clips.iter().map(|c| c.name.as_str()));
-        mend.push_str(&format!("; or a number from 0 to {}", self.clips.len() - 1));
-        Err(Error::input(culprit, "there is no such clip", mend))
+        let mut help = did_you_mean(name_or_number, self.clips.iter().map(|c| c.name.as_str()));
+        help.push_str(&format!("; or a number from 0 to {}", self.clips.len() - 1));
+        Err(Error::input(culprit, "there is no such clip", help))
     }
 
     /// The scene at a time in seconds, not negative. Its parts stand in the poses of their clips, and parts without the clip that is
     /// played stand at rest; its stage is that of all times.
     pub fn at(&self, time_s: f64) -> Result<Scene> {
         if !(time_s.is_finite() && time_s >= 0.0) {
-            let mend = "times are seconds from the beginning, 0 or more";
+            let help = "times are seconds from the beginning, 0 or more";
             let what = "it is not a time of the scene";
-            return Err(Error::input(format!("time {time_s}"), what, mend));
+            return Err(Error::input(format!("time {time_s}"), what, help));
         }
         let stage = self.stage()?;
         let (mut scene, seen) = self.unposed_scene_at(time_s, stage)?;

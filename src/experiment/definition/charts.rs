@@ -80,8 +80,8 @@ fn axes(table: &Table<'_>) -> Result<Vec<String>> {
     let axes = log.texts()?;
     match axes.iter().find(|a| *a != "x" && *a != "y") {
         Some(stray) => {
-            let mend = "write some of `log = [\"x\", \"y\"]`";
-            Err(log.fault(format_args!("`{stray}` is no axis"), mend))
+            let help = "write some of `log = [\"x\", \"y\"]`";
+            Err(log.fault(format_args!("`{stray}` is no axis"), help))
         }
         None => Ok(axes),
     }

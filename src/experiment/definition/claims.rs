@@ -65,8 +65,8 @@ pub(super) fn read(table: &Table<'_>, run: &SceneRun) -> Result<Vec<Claim>> {
 fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     for (key, stray) in entry.open_table()?.all() {
         if OF_TIME.contains(&key) || key.starts_with("time") || key.contains("draw_only") {
-            let mend = "leave it out: draw it in a [[chart]]; a time is another on each machine";
-            return Err(stray.fault("nothing can be expected of time", mend));
+            let help = "leave it out: draw it in a [[chart]]; a time is another on each machine";
+            return Err(stray.fault("nothing can be expected of time", help));
         }
     }
     let mut names = of_error();
@@ -121,7 +121,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
 }
 
 fn check(table: &Table<'_>, claim: &Claim, is_declared: bool) -> Result<()> {
-    let fault = |what: &str, mend: &str| Err(table.entry.fault(what, mend));
+    let fault = |what: &str, help: &str| Err(table.entry.fault(what, help));
     if claim.figures.is_empty() && table.get("outcome").is_none() {
         return fault(
             "nothing is expected",
@@ -132,14 +132,14 @@ fn check(table: &Table<'_>, claim: &Claim, is_declared: bool) -> Result<()> {
         return fault("what is refused has no figures", "expect one or the other");
     }
     if claim.outcome == Ending::Complete && claim.reason.is_some() {
-        let mend = "leave `reason` out, or expect `outcome = \"refused\"`";
-        return fault("what is complete has no reason", mend);
+        let help = "leave `reason` out, or expect `outcome = \"refused\"`";
+        return fault("what is complete has no reason", help);
     }
     if is_declared && claim.why.is_none() {
-        let mend = "add `why = \"...\"`: what keeps it from being exact";
+        let help = "add `why = \"...\"`: what keeps it from being exact";
         return fault(
             "it declares a failure or a bound and does not say why",
-            mend,
+            help,
         );
     }
     Ok(())
@@ -159,8 +159,8 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
             .find(|v| Some(&v.is) == is.as_ref());
         let Some(held) = held else {
             let told = is.map_or_else(String::new, |is| is.to_string());
-            let mend = "name a value that [run.sweep] has, written as it is there";
-            return Err(value.fault(format_args!("it is never `{told}`"), mend));
+            let help = "name a value that [run.sweep] has, written as it is there";
+            return Err(value.fault(format_args!("it is never `{told}`"), help));
         };
         conditions.insert(key.to_owned(), held.is.clone());
     }
@@ -191,8 +191,8 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
         };
     };
     if bound != Bound::default() {
-        let mend = "write two [[run.expect]]";
-        return Err(entry.fault("it falls, or it is within bounds", mend));
+        let help = "write two [[run.expect]]";
+        return Err(entry.fault("it falls, or it is within bounds", help));
     }
     let axis = along.text()?;
     let points = run.points.first();
@@ -205,13 +205,13 @@ fn wanted(entry: &Entry<'_>, run: &SceneRun) -> Result<Wanted> {
             trials.any(|e| e.is_made_by(|p| p.contains_key(*name)))
         };
         let known: Vec<&str> = run.axes.names().filter(of_strategies).collect();
-        let mend = if known.is_empty() {
+        let help = if known.is_empty() {
             "vary something that is in `strategies` alone, as in \"grid:{cells}+mask\"".to_owned()
         } else {
             did_you_mean(axis, known)
         };
         let what = format!("`{axis}` is no axis that only strategies have");
-        return Err(along.fault(what, mend));
+        return Err(along.fault(what, help));
     }
     Ok(Wanted::FallsAlong(axis.to_owned()))
 }
@@ -239,8 +239,8 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
         .collect();
     for glob in &claim.strategies {
         if !names.iter().any(|n| glob_matches(glob, n)) {
-            let mend = did_you_mean(glob, names.iter().map(String::as_str));
-            return Err(strategies.fault(format_args!("nobody is called `{glob}`"), mend));
+            let help = did_you_mean(glob, names.iter().map(String::as_str));
+            return Err(strategies.fault(format_args!("nobody is called `{glob}`"), help));
         }
     }
     let is_meant = run.points.iter().any(|p| {
@@ -255,13 +255,13 @@ fn must_mean_somebody(table: &Table<'_>, claim: &Claim, run: &SceneRun) -> Resul
         if !run.points.iter().any(|p| has_a_step(p, claim, axis)) {
             let what =
                 format!("nobody has two values of `{axis}` between which anything could fall");
-            let mend = "give the axis two values, or expect `{ most = .. }`";
-            return Err(table.entry.fault(what, mend));
+            let help = "give the axis two values, or expect `{ most = .. }`";
+            return Err(table.entry.fault(what, help));
         }
     }
     if is_meant {
         return Ok(());
     }
-    let mend = "let `where` and `strategies` fit some renderer of some point";
-    Err(table.entry.fault("it means nobody", mend))
+    let help = "let `where` and `strategies` fit some renderer of some point";
+    Err(table.entry.fault("it means nobody", help))
 }

@@ -75,8 +75,8 @@ impl Definition {
     /// Reads an experiment from its file.
     pub fn load(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(path).map_err(|e| {
-            let mend = "check the path; an experiment is TOML text in UTF-8";
-            Error::file(path, format!("cannot be read: {e}"), mend)
+            let help = "check the path; an experiment is TOML text in UTF-8";
+            Error::file(path, format!("cannot be read: {e}"), help)
         })?;
         Self::read(path, &text)
     }
@@ -131,8 +131,8 @@ fn question(root: &Table<'_>) -> Result<String> {
     let entry = root.need("question", "\"What does it cost?\"")?;
     let question = entry.text()?.trim();
     if question.len() < 2 || !question.ends_with('?') {
-        let mend = "ask something: one sentence that ends in a question mark";
-        return Err(entry.fault("it is no question", mend));
+        let help = "ask something: one sentence that ends in a question mark";
+        return Err(entry.fault("it is no question", help));
     }
     Ok(question.to_owned())
 }
@@ -140,8 +140,8 @@ fn question(root: &Table<'_>) -> Result<String> {
 fn runs(root: &Table<'_>, path: &Path) -> Result<Vec<(DefinedRun, RunSynopsis)>> {
     let entries = root.tables("run")?;
     if entries.is_empty() {
-        let mend = "add `[[run]]` with `name`, `scene` and `strategies`";
-        return Err(root.entry.fault("the experiment runs nothing", mend));
+        let help = "add `[[run]]` with `name`, `scene` and `strategies`";
+        return Err(root.entry.fault("the experiment runs nothing", help));
     }
     let runs: Vec<_> = entries
         .iter()
@@ -161,13 +161,13 @@ fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
     if usize::from(is_cases) + usize::from(is_search) + usize::from(table.get("scene").is_some())
         != 1
     {
-        let mend = "say what is run by one of `scene`, `cases` and `random`";
-        return Err(entry.fault("it runs nothing, or several things", mend));
+        let help = "say what is run by one of `scene`, `cases` and `random`";
+        return Err(entry.fault("it runs nothing, or several things", help));
     }
     let name = table.need("name", "\"crank\"")?;
     if !is_name(name.text()?) {
-        let mend = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are called by it";
-        return Err(name.fault("it cannot be a name", mend));
+        let help = "use small letters, digits and `-`, and neither `experiment` nor `peers`: files are called by it";
+        return Err(name.fault("it cannot be a name", help));
     }
     let about = table.get("about");
     let about = about.map(|e| e.text().map(str::to_owned)).transpose()?;

@@ -32,8 +32,8 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Moves> {
     match NAMED.iter().find(|(name, _)| *name == text) {
         Some((_, moves)) => Ok(*moves),
         None => {
-            let mend = did_you_mean(text, NAMED.map(|(name, _)| name));
-            Err(entry.fault(format!("nothing is called `{text}` that moves"), mend))
+            let help = did_you_mean(text, NAMED.map(|(name, _)| name));
+            Err(entry.fault(format!("nothing is called `{text}` that moves"), help))
         }
     }
 }

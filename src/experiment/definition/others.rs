@@ -111,8 +111,8 @@ fn sizes(table: &Table<'_>) -> Result<Option<Vec<u32>>> {
         .map(Entry::whole)
         .collect::<Result<_>>()?;
     if sizes.is_empty() || sizes.iter().any(|s| !(8..=4096).contains(s)) {
-        let mend = "write for example `sizes = [64, 256]`: whole numbers from 8 to 4096";
-        return Err(entry.fault("there must be sizes that can be drawn", mend));
+        let help = "write for example `sizes = [64, 256]`: whole numbers from 8 to 4096";
+        return Err(entry.fault("there must be sizes that can be drawn", help));
     }
     Ok(Some(sizes))
 }

@@ -205,8 +205,8 @@ fn scene(table: &Table<'_>, path: &Path) -> Result<Document> {
     let file = folder.join(entry.text()?);
     if !file.is_file() {
         let what = format!("there is no file {}", file.display());
-        let mend = "check the name, which is relative to the experiment, or write the scene as a table: [run.scene]";
-        return Err(entry.fault(what, mend));
+        let help = "check the name, which is relative to the experiment, or write the scene as a table: [run.scene]";
+        return Err(entry.fault(what, help));
     }
     Document::read(&file)
 }
@@ -234,8 +234,8 @@ fn pictures(entry: &Entry<'_>) -> Result<Pictures> {
         return entry.choice(&[("all", Pictures::All), ("last", Pictures::Last)]);
     }
     let is_kept = entry.flag().map_err(|_| {
-        let mend = "write true (of the first point), \"last\", \"all\", or false";
-        entry.fault("it does not say of which points pictures are kept", mend)
+        let help = "write true (of the first point), \"last\", \"all\", or false";
+        entry.fault("it does not say of which points pictures are kept", help)
     })?;
     Ok(if is_kept {
         Pictures::First
@@ -252,8 +252,8 @@ fn rounds(table: &Table<'_>) -> Result<Option<usize>> {
     if (1..=MOST_ROUNDS).contains(&rounds) {
         return Ok(Some(rounds));
     }
-    let mend = format!("use 1 to {MOST_ROUNDS}");
-    Err(entry.fault("so many rounds cannot be measured", mend))
+    let help = format!("use 1 to {MOST_ROUNDS}");
+    Err(entry.fault("so many rounds cannot be measured", help))
 }
 
 fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
@@ -299,10 +299,10 @@ fn axis(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
     }
     let is_path = PATHS.iter().any(|known| known.path == name);
     if !name.contains('.') && !is_path && draft.variable.scene.root().get(name).is_none() {
-        let mend = format!(
+        let help = format!(
             "write {braces} in a strategy, or let the name be the path of a value, as `cut.front.surfaces.0.amplitude`"
         );
-        return Err(entry.fault("nobody uses its values", mend));
+        return Err(entry.fault("nobody uses its values", help));
     }
     of_paths(name, vec![name.to_owned()], entry, draft)
 }
@@ -326,8 +326,8 @@ fn fewer(name: &str, entry: &Entry<'_>, draft: &Draft) -> Result<Axis> {
         let known = full.values.iter().find(|v| v.is == is);
         known.cloned().ok_or_else(|| {
             let names: Vec<String> = full.values.iter().map(|v| v.is.to_string()).collect();
-            let mend = format!("use one of: {}", names.join(", "));
-            e.fault(format_args!("the sweep has no value `{is}`"), mend)
+            let help = format!("use one of: {}", names.join(", "));
+            e.fault(format_args!("the sweep has no value `{is}`"), help)
         })
     };
     let values = entry.list()?.iter().map(value).collect::<Result<_>>()?;
@@ -369,8 +369,8 @@ fn tabled(entry: &Entry<'_>, draft: &Draft) -> Result<Value> {
         .map(|(path, e)| (path.to_owned(), e.node.clone()))
         .collect();
     if sets.is_empty() {
-        let mend = "add the paths of what it sets, as `\"part.0.scale\" = 2`";
-        return Err(entry.fault("it sets nothing", mend));
+        let help = "add the paths of what it sets, as `\"part.0.scale\" = 2`";
+        return Err(entry.fault("it sets nothing", help));
     }
     settable(&sets, entry, draft)?;
     Ok(Value { is, sets })
@@ -381,8 +381,8 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
         .iter()
         .any(|(path, _)| path == "strategy.name" || path == "strategy")
     {
-        let mend = "name the strategies in `strategies`: each of them is asked at each point";
-        return Err(entry.fault("who draws is no value of the scene here", mend));
+        let help = "name the strategies in `strategies`: each of them is asked at each point";
+        return Err(entry.fault("who draws is no value of the scene here", help));
     }
     changed(&draft.variable.scene, sets)
         .map(|_| ())
@@ -392,7 +392,7 @@ fn settable(sets: &Changes, entry: &Entry<'_>, draft: &Draft) -> Result<()> {
 /// What a value is called.
 fn called(entry: &Entry<'_>) -> Result<Parameter> {
     Parameter::of(&entry.node.value).ok_or_else(|| {
-        let mend = "give it a name: `{ is = \"small\", \"resolution\" = [64, 48] }`";
-        entry.fault("a list or a table has no name to be told apart by", mend)
+        let help = "give it a name: `{ is = \"small\", \"resolution\" = [64, 48] }`";
+        entry.fault("a list or a table has no name to be told apart by", help)
     })
 }

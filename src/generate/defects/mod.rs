@@ -135,11 +135,11 @@ impl Defect {
             DefectKind::Soup => shells::unweld(&mut edit, amount, self.seed),
         };
         if edit.faces.is_empty() {
-            let mend = "take a smaller amount";
+            let help = "take a smaller amount";
             return Err(Error::input(
                 format!("defect `{self}`"),
                 "it leaves no face",
-                mend,
+                help,
             ));
         }
         Ok(Some((edit, did)))

@@ -136,8 +136,8 @@ impl ShapeInfo {
         let mut given: Vec<Option<f64>> = vec![None; self.parameters.len()];
         for pair in query.split('&').filter(|p| !p.is_empty()) {
             let (key, text) = pair.split_once('=').ok_or_else(|| {
-                let mend = format!("write `{}?{pair}=value`", self.name);
-                Error::input(format!("{}?{pair}", self.name), "it has no value", mend)
+                let help = format!("write `{}?{pair}=value`", self.name);
+                Error::input(format!("{}?{pair}", self.name), "it has no value", help)
             })?;
             let names = self.parameters.iter().map(|p| p.name);
             let slot = names.clone().position(|n| n == key).ok_or_else(|| {
@@ -191,7 +191,7 @@ impl Values {
     }
 
     /// Refuses values that are in range one by one but make no sense together.
-    pub(super) fn require(&self, holds: bool, names: &str, mend: impl Into<String>) -> Result<()> {
+    pub(super) fn require(&self, holds: bool, names: &str, help: impl Into<String>) -> Result<()> {
         if holds {
             return Ok(());
         }
@@ -202,7 +202,7 @@ impl Values {
         Err(Error::input(
             format!("{}?{}", self.shape, listed.join("&")),
             "these values contradict each other",
-            mend,
+            help,
         ))
     }
 }

@@ -77,8 +77,8 @@ pub(super) const KNOT: ShapeInfo = ShapeInfo {
             DVec3::new(out * cos, out * sin, minor * (q * t).sin())
         };
         let thickest = thickness(curve);
-        let mend = format!("the tube would meet itself: let tube < {thickest:.3}");
-        v.require(tube < thickest, "tube major minor", mend)?;
+        let help = format!("the tube would meet itself: let tube < {thickest:.3}");
+        v.require(tube < thickest, "tube major minor", help)?;
         let (rows, columns) = (v.count("segments"), v.count("sides"));
         let centres: Vec<DVec3> = (0..rows)
             .map(|i| curve(TAU * i as f64 / rows as f64))

@@ -82,11 +82,11 @@ impl Sequence {
     /// The same frames at another rate. Without a loop the last frame stays.
     pub fn timed(self, fps: f64, loops: bool) -> Result<Self> {
         if !(fps.is_finite() && fps > 0.0) {
-            let mend = "write how many frames make a second, for example 24";
+            let help = "write how many frames make a second, for example 24";
             return Err(Error::input(
                 format!("fps {fps}"),
                 "it must be above 0",
-                mend,
+                help,
             ));
         }
         Ok(Self { fps, loops, ..self })
@@ -142,12 +142,12 @@ impl Sequence {
 
 /// Refuses a frame that cannot be drawn.
 fn whole(path: &Path, parts: &[Part]) -> Result<()> {
-    let mend = "export the frame again, or leave out this and later ones";
+    let help = "export the frame again, or leave out this and later ones";
     if parts.is_empty() {
-        return Err(Error::file(path, "the frame holds no solid", mend));
+        return Err(Error::file(path, "the frame holds no solid", help));
     }
     match parts.iter().find_map(|p| p.mesh.defect()) {
-        Some(defect) => Err(Error::file(path, format!("the frame: {defect}"), mend)),
+        Some(defect) => Err(Error::file(path, format!("the frame: {defect}"), help)),
         None => Ok(()),
     }
 }

@@ -115,7 +115,7 @@ impl Pattern {
             None => [0, 1].into_iter().find(is_there),
         };
         let Some(start) = start else {
-            let (what, mend) = match first {
+            let (what, help) = match first {
                 Some(first) => (
                     format!("there is no file {}", self.file(first).display()),
                     "let `first` be the number of the first frame",
@@ -129,7 +129,7 @@ impl Pattern {
                     "check the folder and the digits: %04d is four of them; in a scene file `first` may be any number",
                 ),
             };
-            return Err(Error::input(format!("`{}`", self.text), what, mend));
+            return Err(Error::input(format!("`{}`", self.text), what, help));
         };
         let files: Vec<PathBuf> = (start..)
             .take_while(is_there)

@@ -74,10 +74,10 @@ const MISSING: &str =
     "name the folder that `cutaway measure` wrote with --out, or measure into it again";
 
 fn misread(path: &Path, e: &serde_json::Error) -> Error {
-    let mend = "remove the file and measure again: points that are whole are kept";
+    let help = "remove the file and measure again: points that are whole are kept";
     let what = format!("it is no whole record: {e}");
     match e.line() {
-        0 => Error::file(path, what, mend),
-        line => Error::file_line(path, line, what, mend),
+        0 => Error::file(path, what, help),
+        line => Error::file_line(path, line, what, help),
     }
 }

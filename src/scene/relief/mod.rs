@@ -97,8 +97,8 @@ fn resolve_within(
     let culprit = format!("relief `{name}`");
     if within.iter().any(|n| n == name) {
         let what = format!("it is made of itself: {} -> {name}", within.join(" -> "));
-        let mend = "make it only of reliefs that do not use this one";
-        return Err(Error::input(culprit, what, mend));
+        let help = "make it only of reliefs that do not use this one";
+        return Err(Error::input(culprit, what, help));
     }
     let Some(relief) = reliefs.get(name) else {
         // Images that are layers have names that nobody can write, and that help nobody.
@@ -106,12 +106,12 @@ fn resolve_within(
         let mut known = known
             .filter(|n| !n.starts_with(char::is_control))
             .peekable();
-        let mend = if known.peek().is_none() {
+        let help = if known.peek().is_none() {
             format!("describe it in a table [relief.{name}]")
         } else {
             did_you_mean(name, known)
         };
-        return Err(Error::input(culprit, "there is no such relief", mend));
+        return Err(Error::input(culprit, "there is no such relief", help));
     };
     within.push(name.to_owned());
     let made_of = relief.of().iter();
@@ -124,17 +124,17 @@ fn resolve_within(
         Relief::Image(image) => Arc::clone(&image.map),
         Relief::Blend { op, .. } => {
             let blended = op.blend(&parts[0], &parts[1]);
-            let mend = "scale the images of the two down";
-            Arc::new(blended.map_err(|what| Error::input(culprit, what, mend))?)
+            let help = "scale the images of the two down";
+            Arc::new(blended.map_err(|what| Error::input(culprit, what, help))?)
         }
         Relief::Profile(heights) => {
-            let mend = "give heights within the range of f32";
-            Arc::new(profile(heights).map_err(|what| Error::input(culprit, what, mend))?)
+            let help = "give heights within the range of f32";
+            Arc::new(profile(heights).map_err(|what| Error::input(culprit, what, help))?)
         }
         Relief::Layers { at, wrap, .. } => {
-            let mend =
+            let help =
                 "give layers of one size: add `size = [256, 256]` to each, or scale the images";
-            between_layers(&parts, *at, *wrap).map_err(|what| Error::input(culprit, what, mend))?
+            between_layers(&parts, *at, *wrap).map_err(|what| Error::input(culprit, what, help))?
         }
     };
     done.insert(name.to_owned(), Arc::clone(&map));
