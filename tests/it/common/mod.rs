@@ -1,0 +1,130 @@
+//! What the tests that draw share: one session on the software adapter, a question asked of it and of the exact reference,
+//! and the answer judged.
+//!
+//! The reference is worked out once per [`Question`] and shared by all strategies that answer it. The session is one per
+//! test binary: its programs, capacities and pipelines live on from scene to scene, as they do for a user.
+
+#![allow(
+    dead_code,
+    reason = "each test binary uses its own share of what is here"
+)]
+
+pub(crate) mod command;
+pub(crate) mod data;
+pub(crate) mod meshes;
+pub(crate) mod numbers;
+pub(crate) mod real;
+pub(crate) mod refined;
+pub(crate) mod scenes;
+pub(crate) mod tolerances;
+
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use cutaway::compare::{Comparison, compare};
+use cutaway::exact::{Exact, evaluate};
+use cutaway::gpu::{Gpu, GpuOptions};
+use cutaway::hard_cases::{self};
+use cutaway::layers::Layers;
+use cutaway::passes::Model;
+use cutaway::scene::{Camera, Scene, View};
+use cutaway::session::Session;
+use cutaway::strategies::{Method, Strategy};
+
+#[allow(
+    unused_imports,
+    reason = "each test binary uses its own share of what is here"
+)]
+pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
+
+/// The session of this test binary, on the software adapter: the same everywhere.
+pub(crate) fn session() -> MutexGuard<'static, Session> {
+    static SESSION: OnceLock<Mutex<Session>> = OnceLock::new();
+    SESSION
+        .get_or_init(|| {
+            let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
+            Mutex::new(Session::new(gpu))
+        })
+        .lock()
+        // A test that failed while it drew must not take the others down with it.
+        .unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The adapter that tests ask for.
+pub(crate) fn software() -> GpuOptions {
+    GpuOptions {
+        prefer_software: true,
+        ..GpuOptions::default()
+    }
+}
+
+/// A strategy by its name.
+pub(crate) fn strategy(name: &str) -> Strategy {
+    name.parse().expect("the name of a strategy")
+}
+
+/// One frame of one scene, and the truth about it.
+pub(crate) struct Question {
+    /// The scene as strategies take it.
+    pub(crate) model: Model,
+    /// The view.
+    pub(crate) view: View,
+    /// The reference.
+    pub(crate) exact: Arc<Exact>,
+}
+
+impl Question {
+    /// The scene through its own camera.
+    pub(crate) fn of(scene: &Scene, size_px: [u32; 2]) -> Self {
+        Self::through(scene, &scene.camera, size_px)
+    }
+
+    /// The scene through another camera.
+    pub(crate) fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
+        let model = Model::of(scene);
+        let view = model.prepared.view_of(camera, size_px);
+        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        Self { model, view, exact }
+    }
+
+    /// The scene through its own camera, of a model that may have been updated from another.
+    pub(crate) fn of_model(model: Model, scene: &Scene, size_px: [u32; 2]) -> Self {
+        let view = model.prepared.view(size_px);
+        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        Self { model, view, exact }
+    }
+
+    /// The answer of a method, judged.
+    pub(crate) fn answer(&self, method: impl Into<Method>) -> Judged {
+        let method = method.into();
+        (self.asked().answer(&mut session(), &method))
+            .unwrap_or_else(|e| panic!("{method} could not draw: {e}"))
+    }
+
+    /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.
+    pub(crate) fn boundary_px(&self) -> usize {
+        self.asked().boundary_px()
+    }
+
+    /// Judges layers from anywhere.
+    pub(crate) fn compare(&self, layers: &Layers) -> Comparison {
+        compare(&self.exact, layers, &self.view, self.model.prepared.scale)
+    }
+
+    fn asked(&self) -> hard_cases::Question {
+        hard_cases::Question {
+            model: self.model.clone(),
+            view: self.view,
+            exact: self.exact.clone(),
+        }
+    }
+}
+
+/// The answer of a strategy to a scene through a camera, judged.
+pub(crate) fn judge(
+    scene: &Scene,
+    camera: &Camera,
+    size_px: [u32; 2],
+    strategy: &Strategy,
+) -> Judged {
+    Question::through(scene, camera, size_px).answer(strategy)
+}

@@ -1,0 +1,8 @@
+//! Frames in the encoder and the attachments of a host: the pixels of `render`, composed by the host's depth, without a wait.
+
+use crate::common;
+
+mod allocations;
+mod depth;
+mod guest;
+mod host;

@@ -1,0 +1,7 @@
+//! The compute rasteriser covers what it must, exactly once, and draws what the GPU's own rasteriser draws.
+
+mod agree;
+mod coverage;
+mod plans;
+mod solids;
+mod ways;
