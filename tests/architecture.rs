@@ -384,7 +384,9 @@ fn idle_tests(tests: &BTreeMap<String, String>) -> Vec<String> {
             let has_tests = ["#[test]", "proptest!", "#[path = "]
                 .iter()
                 .any(|w| text.contains(w));
-            if name.contains('/') {
+            if name.ends_with("/main.rs") {
+                !text.contains("\nmod ")
+            } else if name.contains('/') {
                 !is_named
             } else {
                 !has_tests && !is_named

@@ -19,14 +19,17 @@ pub struct Listed {
     pub name: &'static str,
     /// What is expected of an exact strategy, in words.
     pub expected: &'static str,
-    /// Test binaries and functions in them, separated by a space.
+    /// Modules of the tests and functions below them, separated by a space.
     pub tests: &'static [&'static str],
 }
 
 impl Listed {
     /// The tests as one would type them after `cargo test`, one after the other; none if pictures are all of it.
     pub fn held_by(&self) -> Option<String> {
-        let typed: Vec<String> = self.tests.iter().map(|t| format!("--test {t}")).collect();
+        let functions = self.tests.iter().filter_map(|t| t.split_once(' '));
+        let typed: Vec<String> = functions
+            .map(|(_, name)| format!("--test it {name}"))
+            .collect();
         (!typed.is_empty()).then(|| typed.join("; "))
     }
 }

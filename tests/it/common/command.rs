@@ -1,9 +1,5 @@
 //! The command in a folder of its own: what it is run with, and what it leaves.
 
-#![allow(
-    dead_code,
-    reason = "each test binary uses its own share of what is here"
-)]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use std::fs;

@@ -1,13 +1,8 @@
 //! What the tests that draw share: one session on the software adapter, a question asked of it and of the exact reference,
 //! and the answer judged.
 //!
-//! The reference is worked out once per [`Question`] and shared by all strategies that answer it. The session is one per
-//! test binary: its programs, capacities and pipelines live on from scene to scene, as they do for a user.
-
-#![allow(
-    dead_code,
-    reason = "each test binary uses its own share of what is here"
-)]
+//! The reference is worked out once per [`Question`] and shared by all strategies that answer it. The session is one for
+//! all tests: its programs, capacities and pipelines live on from scene to scene, as they do for a user.
 
 pub(crate) mod command;
 pub(crate) mod data;
@@ -30,10 +25,6 @@ use cutaway::scene::{Camera, Scene, View};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};
 
-#[allow(
-    unused_imports,
-    reason = "each test binary uses its own share of what is here"
-)]
 pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
 
 /// The session of this test binary, on the software adapter: the same everywhere.
@@ -117,14 +108,4 @@ impl Question {
             exact: self.exact.clone(),
         }
     }
-}
-
-/// The answer of a strategy to a scene through a camera, judged.
-pub(crate) fn judge(
-    scene: &Scene,
-    camera: &Camera,
-    size_px: [u32; 2],
-    strategy: &Strategy,
-) -> Judged {
-    Question::through(scene, camera, size_px).answer(strategy)
 }

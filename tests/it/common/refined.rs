@@ -1,11 +1,6 @@
 //! What a frame of `adaptive` holds, and its triangles made once more on the CPU: from the same tables, by a recursion that keeps
 //! nothing and shares nothing.
 
-#![allow(
-    dead_code,
-    reason = "each test binary uses its own share of what is here"
-)]
-
 use std::collections::BTreeSet;
 
 use cutaway::plan::Plan;

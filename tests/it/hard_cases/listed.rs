@@ -19,19 +19,19 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// Tests by binary and name, as the list writes them: functions right after a line that makes them tests.
+/// Tests by module and name, as the list writes them: functions right after a line that makes them tests.
 fn tests() -> BTreeSet<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it");
     let mut found = BTreeSet::new();
     for path in sources(&root) {
         let below = path.strip_prefix(&root).expect("below the folder");
         let first = below.iter().next().expect("a name").to_string_lossy();
-        let binary = first.trim_end_matches(".rs");
+        let module = first.trim_end_matches(".rs");
         let text = std::fs::read_to_string(&path).expect("a source");
         found.extend(
             names(&text)
                 .into_iter()
-                .map(|name| format!("{binary} {name}")),
+                .map(|name| format!("{module} {name}")),
         );
     }
     found

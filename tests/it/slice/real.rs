@@ -1,7 +1,7 @@
 //! Meshes that others made (see `real_meshes.rs`), cut obliquely: closed ones leave nothing open, their fills are what their
 //! loops enclose, and the areas within loops add up to the volume.
 //!
-//! `cargo test --test slice areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
+//! `cargo test --test it areas -- --nocapture` prints a line per section that `experiments/peers/section_areas.py` takes.
 
 use cutaway::load::load_mesh_file;
 use cutaway::scene::{Fill, Mesh, Topology};
