@@ -2,5 +2,4 @@
 
 mod frames;
 mod plans;
-#[path = "controls/scenes.rs"]
 mod planted;

@@ -11,7 +11,6 @@ use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap, se
 use glam::{DVec3, Vec3};
 
 use crate::common::command;
-#[path = "scene_files/tiff.rs"]
 mod grey_tiff;
 
 /// A tetrahedron with corners at the origin and 1 along each axis.
