@@ -140,17 +140,18 @@ impl Error {
     }
 }
 
+/// The one of `known` that a misspelt `word` may mean, if it is close to one.
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let scored = known.iter().map(|k| (strsim::jaro_winkler(word, k), *k));
+    let (score, best) = scored.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (score > 0.75).then_some(best)
+}
+
 /// The closest of `known` to a misspelt `word`, as the text of a `help:` line.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
-    let best = known
-        .iter()
-        .map(|k| (strsim::jaro_winkler(word, k), *k))
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    match best {
-        Some((score, k)) if score > 0.75 => {
-            format!("did you mean `{k}`? Known: {}", known.join(", "))
-        }
-        _ => format!("use one of: {}", known.join(", ")),
+    match nearest(word, &known) {
+        Some(near) => format!("did you mean `{near}`? Known: {}", known.join(", ")),
+        None => format!("use one of: {}", known.join(", ")),
     }
 }

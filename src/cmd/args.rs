@@ -13,6 +13,7 @@ use crate::document::{Document, Node, Origin, Value};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
 use crate::scene::{Fill, HeightFilter, parse_color};
+use crate::session::Session;
 use crate::strategies::Rasteriser;
 
 /// Most pixels along a side of a picture.
@@ -120,6 +121,15 @@ pub(super) struct AdapterArgs {
 }
 
 impl AdapterArgs {
+    /// A session on the device, which takes the times of what it draws where they are told.
+    pub(super) fn session(&self, is_timed: bool) -> Result<Session> {
+        let session = Session::new(self.open()?);
+        Ok(match is_timed {
+            true => session.timed(),
+            false => session,
+        })
+    }
+
     /// The device.
     pub(super) fn open(&self) -> Result<Gpu> {
         Gpu::open(&GpuOptions {

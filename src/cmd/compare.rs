@@ -101,7 +101,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
         .map(|path| ("--heatmaps", path));
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(written.chain(paths_of(&json_file)), &args.scene.edits)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = args.device.session(false)?;
     let shown = Shown::of(&subject.scene);
     let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
@@ -162,15 +162,12 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
 fn parse_renderers(list: &str) -> Result<Vec<Renderer>> {
     let mut renderers: Vec<Renderer> = Vec::new();
     for name in split_list(list) {
-        renderers.extend(Renderer::named(name)?);
-    }
-    let mut seen: Vec<Renderer> = Vec::new();
-    renderers.retain(|c| {
-        !seen.contains(c) && {
-            seen.push(*c);
-            true
+        for renderer in Renderer::named(name)? {
+            if !renderers.contains(&renderer) {
+                renderers.push(renderer);
+            }
         }
-    });
+    }
     Ok(renderers)
 }
 

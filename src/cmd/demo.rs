@@ -84,7 +84,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     args.means.amend(&mut document)?;
     let text = document.to_string();
     let subject = Subject::open(document, None, &EditArgs::default(), &console)?;
-    let mut session = Session::new(args.device.open()?);
+    let mut session = args.device.session(false)?;
     let shown = Shown::of(&subject.scene);
     let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 

@@ -93,10 +93,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     subject.files.add(args.reference.clone());
     let renderer = subject.renderer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
-    let mut session = match args.json {
-        Some(_) => Session::new(args.device.open()?).timed(),
-        None => Session::new(args.device.open()?),
-    };
+    let mut session = args.device.session(args.json.is_some())?;
     console.detail(format!(
         "adapter: {}, {}",
         session.gpu().report().name,

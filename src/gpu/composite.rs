@@ -251,12 +251,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
     });
     let composed = shader::compose(&shader)?;
     gpu.scoped(|| {
-        let module = gpu
-            .device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(shader.path),
-                source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
-            });
+        let module = gpu.module(shader.path, composed);
         Ok(gpu
             .device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {

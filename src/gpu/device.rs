@@ -2,6 +2,7 @@
 //!
 //! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
 
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, Waker};
 
@@ -279,6 +280,15 @@ impl Gpu {
             what: format!("the adapter {} refused work: {what}", self.report.name),
             help: "lower --resolution, or choose another adapter with --adapter".to_owned(),
         }
+    }
+
+    /// A shader module of what was composed.
+    pub(super) fn module(&self, label: &str, composed: naga::Module) -> wgpu::ShaderModule {
+        self.device
+            .create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Naga(Cow::Owned(composed)),
+            })
     }
 
     /// A buffer with contents; large ones that stay as they are are shared between programs.

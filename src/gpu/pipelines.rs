@@ -3,7 +3,6 @@
 //! They are kept for all programs of a device, so that a method whose shaders another has used already starts without a stall. Constants
 //! are put into the shader before it is handed over: the WGSL that wgpu hands to a browser has other names for them.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -91,16 +90,20 @@ impl Pipelines {
         if let Some(made) = self.made.get(&recipe) {
             return Ok(made.clone());
         }
+        let fault = |what: String| Error::Shader {
+            name: pass.shader.to_string(),
+            what,
+        };
         let composed = shader::compose(&pass.shader)?;
-        let bindings: Arc<[ShaderBinding]> = shader::bindings(&composed).into();
-        let resolved = without_overrides(&pass.shader, &composed, &pass.constants)?;
+        let info = shader::validate(&composed).map_err(fault)?;
+        let bindings: Arc<[ShaderBinding]> = shader::bindings_by(&composed, Some(&info)).into();
+        let constants: PipelineConstants = (pass.constants.iter())
+            .map(|(name, value)| ((*name).to_owned(), *value))
+            .collect();
+        let (resolved, _) = process_overrides(&composed, &info, None, &constants)
+            .map_err(|e| fault(e.to_string()))?;
         let made = gpu.scoped(|| {
-            let module = gpu
-                .device
-                .create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: Some(pass.shader.path),
-                    source: wgpu::ShaderSource::Naga(Cow::Owned(resolved)),
-                });
+            let module = gpu.module(pass.shader.path, resolved.into_owned());
             Ok(match pass.work {
                 Work::Draw { .. } => Pipeline::Render(render_pipeline(gpu, plan, pass, &module)),
                 Work::Compute { .. } => Pipeline::Compute(gpu.device.create_compute_pipeline(
@@ -125,25 +128,6 @@ impl Pipelines {
         self.made.insert(recipe, made.clone());
         Ok(made)
     }
-}
-
-/// The shader with its constants in the place of overrides.
-fn without_overrides(
-    shader: &Shader,
-    composed: &naga::Module,
-    constants: &[(&'static str, f64)],
-) -> Result<naga::Module> {
-    let fault = |what: String| Error::Shader {
-        name: shader.to_string(),
-        what,
-    };
-    let info = shader::validate(shader, composed).map_err(fault)?;
-    let constants: PipelineConstants = (constants.iter())
-        .map(|(name, value)| ((*name).to_owned(), *value))
-        .collect();
-    let (resolved, _) =
-        process_overrides(composed, &info, None, &constants).map_err(|e| fault(e.to_string()))?;
-    Ok(resolved.into_owned())
 }
 
 fn render_pipeline(

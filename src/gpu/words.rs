@@ -45,12 +45,7 @@ pub fn run_words_with(
 ) -> Result<Vec<u32>> {
     let composed = shader::compose_text_with("words", wgsl, with)?;
     let wanted = shader::bindings(&composed);
-    let module = gpu
-        .device
-        .create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("words"),
-            source: wgpu::ShaderSource::Naga(std::borrow::Cow::Owned(composed)),
-        });
+    let module = gpu.module("words", composed);
     let pipeline = gpu
         .device
         .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {

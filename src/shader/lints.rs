@@ -4,10 +4,10 @@
 //! being equal, nothing is declared and unused, and core WebGPU can run it. A finding names its rule and its place; which
 //! findings are allowed, and why, is stated where the tree is tested.
 
-use naga::valid::{FunctionInfo, ModuleInfo, ValidationFlags, Validator};
+use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
 
-use super::compose::capabilities;
+use super::compose::validate;
 use super::loops::unbounded_loops;
 use super::reflect::{BindingKind, bindings, undecorated};
 use crate::{Error, Result};
@@ -47,12 +47,10 @@ pub const INVOCATIONS_PER_WORKGROUP: u32 = 256;
 
 /// Everything in a composed shader that breaks a rule.
 pub fn lint(module: &Module) -> Result<Vec<Finding>> {
-    let info = Validator::new(ValidationFlags::all(), capabilities(true))
-        .validate(module)
-        .map_err(|e| Error::Shader {
-            name: "lint".to_owned(),
-            what: e.into_inner().to_string(),
-        })?;
+    let info = validate(module).map_err(|what| Error::Shader {
+        name: "lint".to_owned(),
+        what,
+    })?;
     let mut found = Vec::new();
     for (handle, function) in module.functions.iter() {
         let name = undecorated(function.name.as_deref().unwrap_or_default());

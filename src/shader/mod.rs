@@ -13,5 +13,5 @@ pub use compose::{
     Shader, compose, compose_text, compose_text_with, compositions, is_native, validate,
 };
 pub use lints::{Finding, INVOCATIONS_PER_WORKGROUP, Rule, STORAGE_BUFFERS_PER_STAGE, lint};
-pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};
+pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, bindings_by, struct_layout};
 pub use tree::{FILES, LIBRARY, NATIVE, SHADERS, source};

@@ -3,13 +3,11 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::row::{
-    Abilities, Answers, CapSurface, CapSurfaceRow, Caps, Chosen, InsideTest, InsideTestRow, Row,
-};
+use super::row::{Abilities, Answers, CapSurface, CapSurfaceRow, Caps, Chosen, InsideTest, Row};
 use super::table::{CAP_SURFACES, INSIDE_TESTS, all};
 use super::{inside, surface};
 use crate::Error;
-use crate::error::did_you_mean;
+use crate::error::{did_you_mean, nearest};
 
 impl CapSurface {
     /// All crossings of each pixel's ray, exactly.
@@ -166,47 +164,36 @@ impl FromStr for Strategy {
             Some((surface, inside)) => (surface.trim(), Some(inside.trim())),
             None => (text.trim(), None),
         };
-        let is_alone = |row: &&&'static CapSurfaceRow| matches!(row.caps, Caps::Alone(_));
-        let names_alone: Vec<&str> = (CAP_SURFACES.iter().filter(is_alone))
-            .map(|row| row.facts.name)
-            .collect();
-        let Some(inside) = inside else {
-            if let Some(row) = CAP_SURFACES
-                .iter()
-                .filter(is_alone)
-                .find(|row| row.facts.name == surface)
-            {
-                return Ok(Self::alone(Chosen::usual(*row)));
-            }
-            let usual = format!(
-                "write for example {} or {}; {} stand alone",
-                Self::RAYCAST_MASK,
-                Self::PAPER,
-                names_alone.join(" and ")
-            );
-            let near = did_you_mean(surface, names_alone.iter().copied());
-            let near = near.split_once("? Known").map(|(near, _)| near);
-            return Err(wrong(
-                "a strategy is a cap surface and an inside test".to_owned(),
-                near.map_or_else(|| usual.clone(), |near| format!("{near}? Or {usual}")),
-            ));
-        };
-        if names_alone.contains(&surface) {
-            return Err(wrong(
+        let (alone, listed): (Vec<&'static CapSurfaceRow>, Vec<&'static CapSurfaceRow>) =
+            CAP_SURFACES.iter().partition(|row| row.is_alone());
+        let by_itself = alone.iter().find(|row| row.facts.name == surface);
+        match (by_itself, inside) {
+            (Some(row), None) => Ok(Self::alone(Chosen::usual(*row))),
+            (Some(_), Some(_)) => Err(wrong(
                 format!("`{surface}` knows by itself what is inside"),
                 format!("write `{surface}` alone"),
-            ));
+            )),
+            (None, Some(inside)) => Ok(Self::new(
+                chosen("cap surface", surface, &listed, &wrong)?,
+                chosen("inside test", inside, INSIDE_TESTS, &wrong)?,
+            )),
+            (None, None) => {
+                let names: Vec<&str> = alone.iter().map(|row| row.facts.name).collect();
+                let usual = format!(
+                    "write for example {} or {}; {} stand alone",
+                    Self::RAYCAST_MASK,
+                    Self::PAPER,
+                    names.join(" and ")
+                );
+                Err(wrong(
+                    "a strategy is a cap surface and an inside test".to_owned(),
+                    match nearest(surface, &names) {
+                        Some(near) => format!("did you mean `{near}`? Or {usual}"),
+                        None => usual,
+                    },
+                ))
+            }
         }
-        let listed: Vec<&'static CapSurfaceRow> = (CAP_SURFACES.iter().copied())
-            .filter(|row| !is_alone(&row))
-            .collect();
-        let chosen = |what, word, wrong: &dyn Fn(String, String) -> Error| {
-            chosen::<CapSurfaceRow>(what, word, &listed, wrong)
-        };
-        Ok(Self::new(
-            chosen("cap surface", surface, &wrong)?,
-            self::chosen::<InsideTestRow>("inside test", inside, INSIDE_TESTS, &wrong)?,
-        ))
     }
 }
 

@@ -31,7 +31,7 @@ pub struct Parameter {
 
 impl Parameter {
     /// A value in steps, as a number.
-    fn number(&self, steps: u32) -> f64 {
+    pub(super) fn number(&self, steps: u32) -> f64 {
         f64::from(steps) / f64::from(self.steps_per_unit)
     }
 
@@ -105,6 +105,16 @@ pub struct Facts {
     pub hard_cases: &'static [(&'static str, bool)],
 }
 
+impl Facts {
+    /// How it is written, with a letter for the parameter: `kbuffer:K`.
+    pub(super) fn pattern(&self) -> String {
+        match &self.parameter {
+            Some(parameter) => format!("{}:{}", self.name, parameter.letter),
+            None => self.name.to_owned(),
+        }
+    }
+}
+
 /// A cap surface.
 #[derive(Debug)]
 pub struct CapSurfaceRow {
@@ -116,6 +126,13 @@ pub struct CapSurfaceRow {
     pub(super) usual_tests: fn(&InsideTestRow) -> bool,
     /// How caps come about.
     pub(crate) caps: Caps,
+}
+
+impl CapSurfaceRow {
+    /// Whether it draws the whole frame and needs no inside test.
+    pub(super) fn is_alone(&self) -> bool {
+        matches!(self.caps, Caps::Alone(_))
+    }
 }
 
 /// How caps come about.

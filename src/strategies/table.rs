@@ -2,7 +2,7 @@
 //!
 //! Adding one is a file with its row and its passes, a folder of shaders, and a line here.
 
-use super::row::{Abilities, CapSurfaceRow, Caps, Chosen, Facts, InsideTestRow, Row};
+use super::row::{Abilities, CapSurfaceRow, Chosen, Facts, InsideTestRow};
 use super::{Strategy, inside, surface};
 
 /// All cap surfaces.
@@ -30,7 +30,7 @@ pub fn all() -> Vec<Strategy> {
     let with_tests = |surface: &'static CapSurfaceRow| {
         let usual = (INSIDE_TESTS.iter()).filter(|test| (surface.usual_tests)(test));
         let tests = usual.map(|test| Some(Chosen::usual(*test)));
-        let alone = matches!(surface.caps, Caps::Alone(_)).then_some(None);
+        let alone = surface.is_alone().then_some(None);
         let pair = move |inside| Strategy {
             surface: Chosen::usual(surface),
             inside,
@@ -45,12 +45,15 @@ pub fn all() -> Vec<Strategy> {
 
 /// The names of strategies, as a help text lists them.
 pub fn names() -> String {
-    let is_alone = |row: &&&CapSurfaceRow| matches!(row.caps, Caps::Alone(_));
-    let mut listed = CAP_SURFACES.iter().filter(|row| !is_alone(row));
-    let first = listed.next().map(|row| pattern(*row)).unwrap_or_default();
-    let tests: Vec<String> = INSIDE_TESTS.iter().map(|row| pattern(*row)).collect();
-    let others: Vec<String> = listed.map(|row| pattern(*row)).collect();
-    let alone: Vec<String> = (CAP_SURFACES.iter().filter(is_alone))
+    let (alone, listed): (Vec<&CapSurfaceRow>, Vec<&CapSurfaceRow>) =
+        CAP_SURFACES.iter().partition(|row| row.is_alone());
+    let mut listed = listed.iter().map(|row| row.facts.pattern());
+    let first = listed.next().unwrap_or_default();
+    let others: Vec<String> = listed.collect();
+    let tests: Vec<String> = (INSIDE_TESTS.iter())
+        .map(|row| row.facts.pattern())
+        .collect();
+    let alone: Vec<String> = (alone.iter())
         .map(|row| format!("{} ({})", row.facts.name, row.facts.limit))
         .collect();
     format!(
@@ -59,17 +62,6 @@ pub fn names() -> String {
         others.join(" and "),
         alone.join("; "),
     )
-}
-
-/// How a row is written: `kbuffer:K`.
-fn pattern(row: &impl Row) -> String {
-    let Facts {
-        name, parameter, ..
-    } = row.facts();
-    match parameter {
-        Some(parameter) => format!("{name}:{}", parameter.letter),
-        None => (*name).to_owned(),
-    }
 }
 
 /// Both tables as Markdown: what is known of each row.
@@ -87,15 +79,10 @@ fn rows_as_markdown(what: &str, rows: impl Iterator<Item = &'static Facts>) -> S
     let mut text =
         format!("| {what} | what it is | when a mesh changes | cannot |\n|---|---|---|---|\n");
     for facts in rows {
+        let pattern = facts.pattern();
         let name = match &facts.parameter {
-            Some(p) => format!(
-                "`{}:{}`, {}, usually {}",
-                facts.name,
-                p.letter,
-                p.about,
-                f64::from(p.usual) / f64::from(p.steps_per_unit)
-            ),
-            None => format!("`{}`", facts.name),
+            Some(p) => format!("`{pattern}`, {}, usually {}", p.about, p.number(p.usual)),
+            None => format!("`{pattern}`"),
         };
         let rebuilds = match facts.rebuilds {
             "" => "nothing is rebuilt",

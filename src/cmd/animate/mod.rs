@@ -32,7 +32,7 @@ use super::subject::Subject;
 use super::when::ClipArgs;
 use crate::experiment::{Identity, Renderer, Shown};
 use crate::load::frames::USUAL_FPS;
-use crate::session::{Outcome, Session};
+use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
 use film::Film;
@@ -155,10 +155,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let files = files.map(|file| ("--output", file));
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(files.chain(paths_of(&json_file)), &args.scene.edits)?;
-    let mut session = match args.json {
-        Some(_) => Session::new(args.device.open()?).timed(),
-        None => Session::new(args.device.open()?),
-    };
+    let mut session = args.device.session(args.json.is_some())?;
     // Its files are read once more for it, which only numbered frames have any use for.
     let run = match target {
         Target::Numbered(_) => identity::of(args, &subject, &session),

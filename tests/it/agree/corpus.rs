@@ -16,21 +16,6 @@ const SIZE: [u32; 2] = [160, 120];
 /// A scene with fewer cap pixels would test nothing.
 const LEAST_CAP_PX: usize = 60;
 
-/// Small details: the number of triangles changes nothing about which pixels are right.
-const SHAPES: [&str; 11] = [
-    "cube",
-    "sphere?subdivisions=3",
-    "torus?segments=40&sides=20",
-    "knot?segments=160&sides=12",
-    "comb?teeth=8",
-    "sponge?level=2",
-    "earth?subdivisions=3",
-    "shells?subdivisions=3",
-    "gears?flank=2",
-    "conduit?segments=16&sides=24",
-    "crank?throws=2&detail=16",
-];
-
 /// Gives a scene its cuts, and what parts they need.
 type Cutting = fn(&mut Scene);
 
@@ -98,7 +83,7 @@ fn companion(scene: &mut Scene, change: impl FnOnce(&mut Part)) {
 }
 
 fn corpus() -> impl Iterator<Item = (String, Scene)> {
-    SHAPES.into_iter().flat_map(|shape| {
+    meshes::SHAPES.into_iter().flat_map(|shape| {
         CUTS.into_iter().flat_map(move |(cut, apply)| {
             [false, true].map(|orthographic| {
                 let mut scene = scenes::of_parts(shape, meshes::parts(shape), Vec::new());

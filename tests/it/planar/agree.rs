@@ -11,20 +11,6 @@ use super::decided_differing;
 
 const SIZE: [u32; 2] = [160, 120];
 
-const SHAPES: [&str; 11] = [
-    "cube",
-    "sphere?subdivisions=3",
-    "torus?segments=40&sides=20",
-    "knot?segments=160&sides=12",
-    "comb?teeth=8",
-    "sponge?level=2",
-    "earth?subdivisions=3",
-    "shells?subdivisions=3",
-    "gears?flank=2",
-    "conduit?segments=16&sides=24",
-    "crank?throws=2&detail=16",
-];
-
 fn section(scene: &Scene, text: &str) -> ClipSurface {
     section_surface(text, &scene.bounds()).expect(text)
 }
@@ -94,7 +80,7 @@ fn companion(scene: &mut Scene, change: impl FnOnce(&mut Part)) {
 }
 
 fn corpus() -> impl Iterator<Item = (String, Scene)> {
-    SHAPES.into_iter().flat_map(|shape| {
+    meshes::SHAPES.into_iter().flat_map(|shape| {
         ways().into_iter().flat_map(move |(way, apply)| {
             [false, true].map(|orthographic| {
                 let mut scene = scenes::of_parts(shape, meshes::parts(shape), Vec::new());
