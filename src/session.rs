@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::gpu::{ClockSet, CommandEncoder, Gpu, Program, RunTimes, Target};
 use crate::layers::Layers;
-use crate::passes::{Model, Recorder};
+use crate::passes::{self, Model};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
 use crate::strategies::{self, Method, Obstacle, Refusal, Strategy};
@@ -292,11 +292,10 @@ impl Session {
     }
 
     fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
-        let mut recorder = Recorder::new(model, view).map_err(|r| Error::Plan(r.reason))?;
-        recorder.given_layers(&crate::gpu::words_from_layers(layers));
-        recorder.shade();
+        let words = crate::gpu::words_from_layers(layers);
+        let plan = passes::shading_of(model, view, &words).map_err(|r| Error::Plan(r.reason))?;
         let mut program = Program::default();
-        program.load(&self.gpu, recorder.plan)?;
+        program.load(&self.gpu, plan)?;
         program.run(&self.gpu, ClockSet::ALL)?;
         program.picture(&self.gpu)
     }

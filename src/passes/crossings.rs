@@ -11,6 +11,8 @@ pub struct Crossings {
     pub z: ResourceId,
     /// Clip-surfaces.
     pub surfaces: ResourceId,
+    /// How many a pixel has room for.
+    pub capacity: u32,
 }
 
 impl Crossings {

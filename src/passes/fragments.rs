@@ -6,13 +6,12 @@
 //!
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
-use super::Refusal;
-use super::recorder::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
-use super::{Rasteriser, Recorder, Scan, ScreenOf, Store, Sweep, pixels};
+use super::need::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
+use super::{Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep};
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
-    Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Knob, Pass, Resource,
-    ResourceId, Role, Work,
+    Binding, Bounded, Clock, Contents, DepthTarget, Knob, Pass, Plan, Resource, ResourceId, Role,
+    Work,
 };
 use crate::shader::Shader;
 
@@ -99,39 +98,38 @@ impl FragmentLists {
     pub fn count(&self) -> u32 {
         self.layout.lists
     }
-}
 
-impl Recorder<'_> {
     /// So many lists, and as many fragments in them as the last frame needed: at first one for each list. The reason where
     /// there are more lists than words can count.
-    pub fn fragment_lists(
-        &mut self,
+    pub fn of_mesh(
+        plan: &mut Plan,
+        input: &Input<'_>,
         lists: u64,
         has_owners: bool,
-        capacities: &Capacities,
         what: &str,
-    ) -> Result<FragmentLists, Refusal> {
-        self.lists_of(OF_MESH, lists, has_owners, capacities.fragments, what)
+    ) -> Result<Self, Refusal> {
+        let capacity = input.capacities.fragments;
+        Self::of_kind(plan, OF_MESH, lists, has_owners, capacity, what)
     }
 
     /// A list of sheet fragments for each pixel: depths, and a word of `shaders/lib/sheet_words.wgsl` in the place of owners.
-    pub(super) fn sheet_lists(
-        &mut self,
-        capacities: &Capacities,
+    pub(super) fn of_sheets(
+        plan: &mut Plan,
+        input: &Input<'_>,
         what: &str,
-    ) -> Result<FragmentLists, Refusal> {
-        let lists = pixels(self.view.size_px);
-        self.lists_of(OF_SHEETS, lists, true, capacities.sheets, what)
+    ) -> Result<Self, Refusal> {
+        let (lists, capacity) = (input.pixel_count(), input.capacities.sheets);
+        Self::of_kind(plan, OF_SHEETS, lists, true, capacity, what)
     }
 
-    fn lists_of(
-        &mut self,
+    fn of_kind(
+        plan: &mut Plan,
         kind: Kind,
         lists: u64,
         has_owners: bool,
         capacity: Option<u32>,
         what: &str,
-    ) -> Result<FragmentLists, Refusal> {
+    ) -> Result<Self, Refusal> {
         let lists = u32::try_from(lists).map_err(|_| {
             Refusal::amount(format!(
                 "{lists} lists of {what} are more than 32 bits can count"
@@ -140,135 +138,114 @@ impl Recorder<'_> {
         let capacity = capacity.unwrap_or(lists);
         let words_each = if has_owners { 2 } else { 1 };
         let bytes = 4 * (u64::from(lists) + u64::from(capacity) * words_each);
-        let fragments = self.once(what, |_| Resource::storage(what, bytes, Clock::Frame));
+        let fragments = plan.add_resource(Resource::storage(what, bytes, Clock::Frame));
         let layout = FragmentPool {
             lists,
             capacity,
             has_owners: u32::from(has_owners),
             first_list: 0,
         };
-        self.plan.bounded.push(Bounded {
+        plan.bounded.push(Bounded {
             what: what.to_owned(),
             slot: kind.slot,
             capacity,
             knob: Some(kind.knob),
             exact: false,
         });
-        let pool = self.pool(kind.pool, layout);
-        Ok(FragmentLists {
+        Ok(Self {
             fragments,
-            pool,
+            pool: pool(plan, kind.pool, layout),
             layout,
             kind,
         })
     }
 
     /// The same lists for passes that count theirs from `first_list`.
-    pub fn lists_from(&mut self, lists: &FragmentLists, first_list: u32) -> FragmentLists {
+    #[must_use]
+    pub fn starting_at(&self, plan: &mut Plan, first_list: u32) -> Self {
         let layout = FragmentPool {
             first_list,
-            ..lists.layout
+            ..self.layout
         };
-        FragmentLists {
-            pool: self.pool(&format!("{} from {first_list}", lists.kind.pool), layout),
+        let name = format!("{} from {first_list}", self.kind.pool);
+        Self {
+            pool: pool(plan, &name, layout),
             layout,
-            ..*lists
+            ..*self
         }
-    }
-
-    fn pool(&mut self, name: &str, layout: FragmentPool) -> Binding {
-        let contents = Contents::of(&[layout]);
-        let id = self.once(name, |_| {
-            Resource::upload(name, Role::Uniform, contents, Clock::Frame)
-        });
-        Binding::read("pool", id)
     }
 
     /// Lays the lists out once they are counted.
-    pub fn lay_out(&mut self, lists: &FragmentLists, what: &str, need: ResourceId) {
+    pub fn lay_out(&self, plan: &mut Plan, what: &str, need: ResourceId) {
         Scan {
-            name: lists.kind.lists,
+            name: self.kind.lists,
             what,
             clock: Clock::Frame,
-            items: lists.fragments,
-            length: lists.layout.lists,
-            total: (need, lists.kind.slot),
+            items: self.fragments,
+            length: self.layout.lists,
+            total: (need, self.kind.slot),
         }
-        .record(&mut self.plan);
-    }
-
-    /// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
-    /// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles nobody else fills.
-    pub fn leave_fragments(
-        &mut self,
-        rasteriser: Rasteriser,
-        name: &str,
-        reason: &str,
-        store: &Store,
-    ) -> Result<(), Refusal> {
-        match rasteriser {
-            Rasteriser::Hardware => {
-                self.draw_fragments(name, reason, store);
-                Ok(())
-            }
-            Rasteriser::Compute => {
-                let ranks = self.relevance.cut_parts().to_vec();
-                let (frame, view) = (self.frame(), self.view);
-                let screen = self.screen(ScreenOf {
-                    name,
-                    view,
-                    frame,
-                    clock: Clock::Frame,
-                    ranks: &ranks,
-                    settles: false,
-                    fresh: "lib/fresh/nothing.wgsl",
-                    freshened: Vec::new(),
-                })?;
-                self.sweep(&screen, &sweep_of_fragments("fragments", reason, store));
-                Ok(())
-            }
-        }
-    }
-
-    fn draw_fragments(&mut self, name: &str, reason: &str, store: &Store) {
-        let (vertices, indices) = self.mesh();
-        let mut bindings = vec![self.frame(), self.parts()];
-        bindings.extend(store.bindings.iter().cloned());
-        let ranks = self.relevance.cut_parts().to_vec();
-        let depth = self.targets().depth;
-        self.plan.add_pass(Pass {
-            name: name.to_owned(),
-            clock: Clock::Frame,
-            reason: reason.to_owned(),
-            shader: Shader::from("passes/fragments.wgsl").with(store.file),
-            bindings,
-            constants: vec![("lane_bits", f64::from(self.lane_bits))],
-            work: Work::Draw {
-                color: None,
-                depth: DepthTarget {
-                    resource: depth,
-                    layer: 0,
-                    clear: true,
-                    compare: DepthCompare::Always,
-                    stencil: None,
-                },
-                vertices,
-                indices,
-                draws: self.draws_of(&ranks),
-            },
-        });
+        .record(plan);
     }
 }
 
-/// A first sweep in which fragments do nothing but leave what an inside test wants.
-pub fn sweep_of_fragments<'a>(name: &'a str, reason: &'a str, store: &'a Store) -> Sweep<'a> {
-    Sweep {
+fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
+    let contents = Contents::of(&[layout]);
+    let pool = Resource::upload(name, Role::Uniform, contents, Clock::Frame);
+    Binding::read("pool", plan.add_resource(pool))
+}
+
+/// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
+/// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles nobody else fills.
+pub fn leave_fragments(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    name: &str,
+    reason: &str,
+    store: &Store,
+) -> Result<(), Refusal> {
+    match scene.input.rasteriser {
+        Rasteriser::Hardware => draw_fragments(plan, scene, name, reason, store),
+        Rasteriser::Compute => {
+            let of = ScreenOf {
+                name,
+                view: scene.input.view,
+                frame: scene.frame.clone(),
+                clock: Clock::Frame,
+                ranks: scene.input.relevance.cut_parts(),
+                settles: false,
+                fresh: "lib/fresh/nothing.wgsl",
+                freshened: Vec::new(),
+            };
+            let screen = Screen::record(plan, scene, of)?;
+            Sweep::of_fragments("fragments", reason, store).record(plan, scene, &screen);
+        }
+    }
+    Ok(())
+}
+
+fn draw_fragments(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    name: &str,
+    reason: &str,
+    store: &Store,
+) {
+    let (vertices, indices) = scene.mesh();
+    let mut bindings = vec![scene.frame.clone(), scene.parts.clone()];
+    bindings.extend(store.bindings.iter().cloned());
+    let pass = Pass::new(
         name,
         reason,
-        sample: "lib/sample/bare.wgsl",
-        store: Some(store),
-        crossings: None,
-        bindings: Vec::new(),
-        again: false,
-    }
+        Shader::from("passes/fragments.wgsl").with(store.file),
+        bindings,
+        Work::Draw {
+            color: None,
+            depth: DepthTarget::untouched(scene.depth),
+            vertices,
+            indices,
+            draws: scene.input.draws_of(scene.input.relevance.cut_parts()),
+        },
+    );
+    plan.add_pass(pass.with_constants(vec![scene.lanes.constant()]));
 }

@@ -8,29 +8,47 @@
 //! would add errors of their own that are larger on smooth reliefs. Cannot: maps of several sizes in one texture, or several ways
 //! to go on with one sampler; a device that does not filter 32-bit floats.
 
-use super::Recorder;
-use crate::plan::{Binding, Clock, Format, Resource, Role};
+use super::Input;
+use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource};
 use crate::scene::{HeightFilter, OffsetMap, Wrap};
 
-impl Recorder<'_> {
-    /// The heights of all reliefs.
-    pub fn heights(&mut self) -> Binding {
-        self.uploaded("heights", Role::Storage, Clock::Cut, |r| {
-            r.model.heights.clone()
-        })
-    }
+/// Maps that a sampler reads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SampledMaps {
+    /// Texels of each.
+    size: [u32; 2],
+    wrap: Wrap,
+}
 
+impl SampledMaps {
+    /// The maps as layers of a texture, and the sampler.
+    pub(super) fn upload(self, plan: &mut Plan, heights: Contents) -> Vec<Binding> {
+        let Self { size, wrap } = self;
+        let format = Format::R32Float;
+        let layer_bytes = u64::from(size[0]) * u64::from(size[1]) * format.texel_bytes();
+        let layers = (heights.len() / layer_bytes) as u32;
+        let clock = Clock::Cut;
+        let maps = Resource::uploaded_texture("relief_maps", size, layers, format, heights, clock);
+        let sampler = Resource::sampler("relief_sampler", wrap, clock);
+        vec![
+            Binding::read("relief_maps", plan.add_resource(maps)),
+            Binding::read("relief_sampler", plan.add_resource(sampler)),
+        ]
+    }
+}
+
+impl Input<'_> {
     /// Why the sampler of the GPU does not read the heights that are asked of it; `None` where it does, and where nothing is.
     pub fn unfiltered(&self) -> Option<String> {
-        let (first, wrap) = self.sampled()?;
-        for (map, other) in self.maps() {
+        let first = self.sampled()?;
+        for (map, wrap) in self.maps() {
             if map.size != first.size {
                 let [[w, h], [v, g]] = [first.size, map.size];
                 return Some(format!(
                     "height_filter = \"hardware\" reads all reliefs from one texture, and there are maps of {w} x {h} and of {v} x {g} texels"
                 ));
             }
-            if other != wrap {
+            if wrap != first.wrap {
                 return Some(
                     "height_filter = \"hardware\" reads all reliefs through one sampler, and they go on beyond their maps in different ways (wrap)"
                         .to_owned(),
@@ -48,39 +66,14 @@ impl Recorder<'_> {
         }
     }
 
-    /// What that binds.
-    pub fn filtered_heights(&mut self) -> Vec<Binding> {
-        let Some((map, wrap)) = self.sampled() else {
-            return vec![self.heights()];
-        };
-        let size = map.size;
-        let maps = self.once("relief_maps", |r| {
-            let heights = r.model.heights.clone();
-            let layer_bytes =
-                u64::from(size[0]) * u64::from(size[1]) * Format::R32Float.texel_bytes();
-            let layers = (heights.len() / layer_bytes) as u32;
-            Resource::uploaded_texture(
-                "relief_maps",
-                size,
-                layers,
-                Format::R32Float,
-                heights,
-                Clock::Cut,
-            )
-        });
-        let sampler = self.once("relief_sampler", |_| {
-            Resource::sampler("relief_sampler", wrap, Clock::Cut)
-        });
-        vec![
-            Binding::read("relief_maps", maps),
-            Binding::read("relief_sampler", sampler),
-        ]
-    }
-
-    /// A map and how it goes on, if heights are to be read through a sampler and there are some.
-    fn sampled(&self) -> Option<(&OffsetMap, Wrap)> {
+    /// The first map and how it goes on, if heights are to be read through a sampler and there are some.
+    pub(super) fn sampled(&self) -> Option<SampledMaps> {
         let is_asked = self.height_filter == HeightFilter::Hardware && self.has_reliefs();
-        self.maps().next().filter(|_| is_asked)
+        let (map, wrap) = self.maps().next().filter(|_| is_asked)?;
+        Some(SampledMaps {
+            size: map.size,
+            wrap,
+        })
     }
 
     /// The maps of true reliefs.

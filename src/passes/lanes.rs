@@ -1,9 +1,13 @@
-//! Where the words of each part are among those of a pixel, for inside tests that keep such words.
+//! Where the words of each part are among those of a pixel, for inside tests that keep such words; and the mask that they make.
 //!
-//! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled nonzero have words of their own after all
-//! of those, where the inside test has given them some ([`Recorder::winding_words`]).
+//! Parts filled even-odd have lanes of bits, as many to a word as fit, or several words each where lists are long. Parts filled
+//! nonzero have words of their own after all of those, where the inside test gives them some.
+//!
+//! The mask is written by fragments, or made once they have left what they know. What is made from something bounded has one more
+//! plane of a word per pixel, which says where not all found room.
 
-use super::Recorder;
+use super::Input;
+use crate::plan::{Clock, Plan, Resource, ResourceId};
 use crate::scene::Fill;
 
 /// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/lanes.wgsl`.
@@ -11,43 +15,87 @@ const COUNTS: u32 = 32;
 
 /// The lanes of all parts that need an inside test.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LaneTable {
+pub struct Lanes {
+    /// Bits of a lane of bits.
+    pub bits: u32,
     /// First word and shift, in table order.
-    pub places: Vec<[u32; 2]>,
+    places: Vec<[u32; 2]>,
     /// Words of a pixel.
     pub words: u32,
 }
 
-impl Recorder<'_> {
-    /// Where the lanes are.
-    pub fn lane_table(&self) -> LaneTable {
-        let counts = |rank: &usize| {
-            self.winding_words > 0 && self.model.prepared.parts[*rank].fill == Fill::Nonzero
+impl Lanes {
+    /// No lanes: of a strategy that keeps no words.
+    pub fn none() -> Self {
+        Self {
+            bits: 32,
+            places: Vec::new(),
+            words: 0,
+        }
+    }
+
+    /// Lanes wide enough for lists of so many crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
+    /// so that none straddles a word.
+    pub fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
+        Self::with_counts(input, crossings, 0)
+    }
+
+    /// The same, but that parts filled nonzero have so many words each.
+    pub fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
+        let bits = crossings + 1;
+        let bits = if bits > 32 {
+            bits.next_multiple_of(32)
+        } else {
+            bits.next_power_of_two().max(2)
         };
-        let ranks = self.relevance.cut_parts();
+        let parts = &input.model.prepared.parts;
+        let counts = |rank: &usize| words_of_counts > 0 && parts[*rank].fill == Fill::Nonzero;
+        let ranks = input.relevance.cut_parts();
         let of_bits = ranks.iter().filter(|r| !counts(r)).count() as u32;
         let mut lane = 0;
-        let mut words = (of_bits * self.lane_bits).div_ceil(32);
+        let mut words = (of_bits * bits).div_ceil(32);
         let places = ranks
             .iter()
             .map(|rank| {
                 if counts(rank) {
-                    words += self.winding_words;
-                    [words - self.winding_words, COUNTS]
+                    words += words_of_counts;
+                    [words - words_of_counts, COUNTS]
                 } else {
                     lane += 1;
-                    let bit = (lane - 1) * self.lane_bits;
+                    let bit = (lane - 1) * bits;
                     [bit / 32, bit % 32]
                 }
             })
             .collect();
-        LaneTable { places, words }
+        Self {
+            bits,
+            places,
+            words,
+        }
     }
 
-    /// Whether some part that needs an inside test is filled nonzero.
-    pub fn has_nonzero(&self) -> bool {
-        let parts = &self.model.prepared.parts;
-        let mut ranks = self.relevance.cut_parts().iter();
-        ranks.any(|r| parts[*r].fill == Fill::Nonzero)
+    /// First word and shift of the part at a place of the table; zeros where it has no lane.
+    pub fn of_place(&self, place: usize) -> [u32; 2] {
+        self.places.get(place).copied().unwrap_or_default()
+    }
+
+    /// The width as a constant of shaders.
+    pub fn constant(&self) -> (&'static str, f64) {
+        ("lane_bits", f64::from(self.bits))
+    }
+
+    /// The mask that fragments write.
+    pub fn mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+        self.planes(plan, input, u64::from(self.words))
+    }
+
+    /// The mask that is made from what fragments left.
+    pub fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+        self.planes(plan, input, u64::from(self.words) + 1)
+    }
+
+    fn planes(&self, plan: &mut Plan, input: &Input<'_>, words: u64) -> ResourceId {
+        let bytes = input.pixel_count() * 4 * words;
+        plan.add_resource(Resource::storage("mask", bytes, Clock::Frame))
     }
 }

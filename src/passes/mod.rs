@@ -1,24 +1,30 @@
-//! Building blocks that strategies share: what of the cuts matters, the scene as resources, the list of crossings, the pass over
-//! the mesh by either rasteriser, what it leaves for an inside test, prefix sums and lists of fragments, questions to images of
-//! volumes, sheets, resolving, gathering, shading.
+//! Building blocks that strategies share. A pass is a function from handles to handles: what it reads it is given, what it makes it
+//! returns, so that the frame of a strategy reads from top to bottom.
+//!
+//! - [`Input`] is what a frame is recorded from, [`SceneBuffers`] the scene on the device, with [`Lanes`] for the words of parts.
+//! - [`Crossings`] are the one list of depths per pixel; [`Sheets`] add those of surfaces made of triangles.
+//! - [`over_mesh`] goes over the mesh by either rasteriser and returns the nearest kept surfaces; a [`Store`] says what each fragment
+//!   leaves for the inside test, [`FragmentLists`] among others. A [`Volume`] answers for points.
+//! - [`resolve`] or [`gather`] makes the [`Picture`] that a frame ends with.
 
+mod buffers;
 mod crossings;
 mod cutters;
 mod fragments;
 mod height_filter;
 mod heights;
+mod input;
+mod kept;
 mod lanes;
-mod mask;
 mod model;
+mod need;
 mod packed;
 mod picture;
-
 mod pose;
 mod probe;
 mod pyramid;
 mod rasterise;
 mod rasteriser;
-mod recorder;
 mod refusal;
 mod relevance;
 mod resolve;
@@ -33,25 +39,31 @@ mod solid;
 mod surface;
 mod sweep;
 
+pub use buffers::SceneBuffers;
 pub use crossings::Crossings;
 pub use cutters::Cutters;
-pub use fragments::{FragmentLists, sweep_of_fragments};
-pub use lanes::LaneTable;
+pub use fragments::{FragmentLists, leave_fragments};
+pub use input::{Input, counted, pixels};
+pub use kept::KeptContents;
+pub use lanes::Lanes;
 pub use model::{MeshRange, Model};
+pub use need::{
+    NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_SPRITES,
+    NEED_OF_TRIANGLES, need,
+};
+pub use picture::{Picture, gather, shading_of};
 pub use pose::Moving;
 pub use probe::Volume;
-pub use pyramid::ReliefWalk;
+pub use pyramid::{ReliefWalk, pyramids};
+pub use rasterise::Swept;
 pub use rasteriser::Rasteriser;
-pub use recorder::{
-    DrawPass, NEED_OF_CELLS, NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_SPRITES,
-    NEED_OF_TRIANGLES, Recorder, Targets, counted, pixels,
-};
 pub use refusal::{Obstacle, Refusal};
 pub use relevance::{Relevance, Treatment};
-pub use resolve::Inside;
+pub use resolve::{Inside, resolve};
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::{NO_LANE, Screen, ScreenOf};
 pub use sections::Sections;
 pub use sheet::{SheetDraw, Sheets};
-pub use solid::Store;
+pub use solid::{NearestKept, Store, over_mesh};
+pub use surface::{DrawPass, Surfaces};
 pub use sweep::{INVOCATIONS_PER_ROW, Sweep, groups_along};

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::KeptContents;
 use super::cutters::Cutters;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
@@ -64,6 +65,8 @@ pub struct Model {
     rooms: Vec<Room>,
     /// Triangles whose sides of clip-surfaces are known; none where there is none.
     pub(super) settled: Option<SettledParts>,
+    /// The indices of grids, which go with no scene but are asked for in every frame.
+    pub grid_indices: Arc<KeptContents>,
     lineage: Arc<()>,
     /// Of this model and its copies alone.
     identity: Arc<()>,
@@ -154,6 +157,7 @@ impl Model {
             packed: Arc::new(packed),
             rooms,
             settled,
+            grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
             identity: Arc::default(),
             prepared,

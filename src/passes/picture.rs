@@ -2,115 +2,100 @@
 
 use glam::Vec3;
 
-use super::recorder::{Recorder, or_one, pixels};
-use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+use super::{Input, Lanes, Model, Refusal, SceneBuffers, Surfaces};
+use crate::plan::{
+    Binding, Capacities, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work,
+};
+use crate::scene::View;
 use crate::shader::Shader;
 
-impl Recorder<'_> {
-    /// The layers of the frame: three words per pixel.
-    pub fn layers(&mut self) -> ResourceId {
-        let bytes = pixels(self.view.size_px) * 12;
-        let id = self.once("layers", |_| {
-            Resource::storage("layers", bytes, Clock::Frame)
-        });
-        self.plan.layers = Some(id);
-        id
-    }
+/// What a frame ends with.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture {
+    /// Three words per pixel.
+    pub layers: ResourceId,
+    /// One RGBA8 word per pixel.
+    pub picture: ResourceId,
+}
 
-    /// Turns what was drawn into layers.
-    pub fn gather(&mut self) {
-        let targets = self.targets();
-        let layers = self.layers();
-        let bindings = vec![
-            self.frame(),
-            Binding::read("surface_words", targets.words),
-            Binding::read("surface_depth", targets.depth),
-            Binding::write("layers", layers),
-        ];
-        self.compute(
-            "gather",
-            Clock::Frame,
-            "layers are what the picture and the comparison read",
-            "passes/gather.wgsl",
-            bindings,
-            Vec::new(),
-            self.view.size_px,
-        );
-    }
+/// The layers of the frame: three words per pixel.
+pub(super) fn layers(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+    let bytes = input.pixel_count() * 12;
+    plan.add_resource(Resource::storage("layers", bytes, Clock::Frame))
+}
 
-    /// Layers that come from elsewhere, as words: what the exact reference found.
-    pub fn given_layers(&mut self, words: &[u32]) {
-        self.once("layers", |_| {
-            Resource::upload("layers", Role::Storage, Contents::of(words), Clock::Frame)
-        });
-    }
+/// The picture of the frame: one RGBA8 word per pixel.
+pub(super) fn picture(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+    let bytes = input.pixel_count() * 4;
+    plan.add_resource(Resource::storage("picture", bytes, Clock::Frame))
+}
 
-    /// Whether anything asks where solids overlap, and two are there that could.
-    pub fn shows_overlaps(&self) -> bool {
-        self.model.prepared.interference.is_some() && self.relevance.lanes > 1
-    }
+/// Turns what was drawn into layers, and these into a picture.
+pub fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfaces) -> Picture {
+    let layers = layers(plan, scene.input);
+    let mut bindings = vec![scene.frame.clone()];
+    bindings.extend(surfaces.bindings());
+    bindings.push(Binding::write("layers", layers));
+    plan.add_pass(Pass::new(
+        "gather",
+        "layers are what the picture and the comparison read",
+        "passes/gather.wgsl",
+        bindings,
+        Work::over(scene.input.view.size_px),
+    ));
+    shade(plan, scene, layers)
+}
 
-    /// The picture of the frame: one RGBA8 word per pixel.
-    pub(super) fn picture(&mut self) -> ResourceId {
-        let bytes = pixels(self.view.size_px) * 4;
-        let id = self.once("picture", |_| {
-            Resource::storage("picture", bytes, Clock::Frame)
-        });
-        self.plan.picture = Some(id);
-        id
-    }
+/// Turns layers into a picture.
+pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
+    let picture = picture(plan, scene.input);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.parts.clone(),
+        Binding::read("layers", layers),
+        scene.place_of_part.clone(),
+        Binding::write("picture", picture),
+    ];
+    let overlap = overlap(plan, scene.input, &mut bindings);
+    plan.add_pass(Pass::new(
+        "shade",
+        "lit shading turns layers into a picture",
+        Shader::from("passes/shade.wgsl").with(overlap),
+        bindings,
+        Work::over(scene.input.view.size_px),
+    ));
+    Picture { layers, picture }
+}
 
-    /// Where each part of the scene is in the part table.
-    pub(super) fn rank_of_part(&mut self) -> Binding {
-        self.uploaded("rank_of_part", Role::Storage, Clock::Cut, |r| {
-            let mut places = vec![0_u32; r.model.prepared.parts.len()];
-            for (place, rank) in r.relevance.order.iter().enumerate() {
-                places[r.model.prepared.parts[*rank].part] = place as u32;
-            }
-            Contents::of(&or_one(places))
-        })
-    }
+/// The plan that shades layers which come from elsewhere, as words: what the exact reference found. The reason where the scene is too
+/// much.
+pub fn shading_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
+    let capacities = Capacities::UNKNOWN;
+    let input = Input::new(model, view, &capacities)?;
+    let mut plan = Plan::default();
+    let scene = SceneBuffers::unposed(&mut plan, &input, Lanes::none());
+    let layers = Contents::of(layers);
+    let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
+    let layers = plan.add_resource(layers);
+    let Picture { picture, .. } = shade(&mut plan, &scene, layers);
+    plan.picture = Some(picture);
+    Ok(plan.without_unused())
+}
 
-    /// The file that fills `cutaway::overlap`, and what it binds.
-    pub(super) fn overlap(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
-        let color = self.model.prepared.interference;
-        match color.filter(|_| self.shows_overlaps()) {
-            None => "lib/overlap/plain.wgsl",
-            Some(color) => {
-                let color = linear_from_srgb(color);
-                bindings.push(
-                    self.uploaded("interference", Role::Uniform, Clock::Cut, |_| {
-                        Contents::of(&[color])
-                    }),
-                );
-                "lib/overlap/hatched.wgsl"
-            }
-        }
-    }
-
-    /// Turns layers into a picture, unless what resolved the frame painted it.
-    pub fn shade(&mut self) {
-        if self.plan.picture.is_some() {
-            return;
-        }
-        let mut bindings = vec![
-            self.frame(),
-            self.parts(),
-            Binding::read("layers", self.layers()),
-            self.rank_of_part(),
-            Binding::write("picture", self.picture()),
-        ];
-        let overlap = self.overlap(&mut bindings);
-        self.compute(
-            "shade",
-            Clock::Frame,
-            "lit shading turns layers into a picture",
-            Shader::from("passes/shade.wgsl").with(overlap),
-            bindings,
-            Vec::new(),
-            self.view.size_px,
-        );
-    }
+/// The file that fills `cutaway::overlap`, and what it binds.
+pub(super) fn overlap(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    bindings: &mut Vec<Binding>,
+) -> &'static str {
+    let color = input.model.prepared.interference;
+    let Some(color) = color.filter(|_| input.shows_overlaps()) else {
+        return "lib/overlap/plain.wgsl";
+    };
+    let color = Contents::of(&[linear_from_srgb(color)]);
+    let color = Resource::upload("interference", Role::Uniform, color, Clock::Cut);
+    bindings.push(Binding::read("interference", plan.add_resource(color)));
+    "lib/overlap/hatched.wgsl"
 }
 
 /// The colour as the shader mixes it.

@@ -15,11 +15,13 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::Recorder;
+use super::Input;
 use super::rest::{FIRST_JOINT, Rest};
 use super::sweep::groups_along;
 use crate::plan::pack::{self, MOST_DEFORMERS};
-use crate::plan::{Binding, Clock, Contents, Pass, Resource, Role, VERTEX_BYTES, Work};
+use crate::plan::{
+    Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, VERTEX_BYTES, Work,
+};
 use crate::scene::{Axis, Deformer, Part, SceneSpace};
 use crate::shader::Shader;
 
@@ -166,102 +168,104 @@ fn deformer(of: &Deformer, rest_from_part: &DAffine3, scale: f64) -> pack::Defor
     }
 }
 
-impl Recorder<'_> {
-    /// Places the parts that move and are drawn; the reason where one cannot be.
-    pub fn pose_parts(&mut self) -> Result<(), Refusal> {
-        let model = self.model;
-        for rank in self.relevance.order.clone() {
-            let Some(moving) = &model.moving[rank] else {
-                continue;
-            };
-            if let Some(reason) = &moving.standing.refusal {
-                return Err(Refusal::amount(reason.clone()));
-            }
-            self.pose_part(rank, moving);
+/// Places the parts that move and are drawn, into the vertices of all parts; the reason where one cannot be.
+pub(super) fn pose_parts(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    vertices: ResourceId,
+) -> Result<(), Refusal> {
+    for rank in &input.relevance.order {
+        let Some(moving) = &input.model.moving[*rank] else {
+            continue;
+        };
+        if let Some(reason) = &moving.standing.refusal {
+            return Err(Refusal::amount(reason.clone()));
         }
-        Ok(())
+        pose_part(plan, input, *rank, moving, vertices);
     }
+    Ok(())
+}
 
-    fn pose_part(&mut self, rank: usize, moving: &Moving) {
-        let Moving { rest, standing } = moving;
-        let part = &self.model.prepared.parts[rank];
-        let number = part.part;
-        let name = part.name.clone();
-        let range = &self.model.ranges[rank];
-        let first = u64::from(range.base_vertex.unsigned_abs());
-        let end = first + u64::from(range.vertex_count);
-        let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
-        let vertices = self.vertices();
-        let mut bindings = vec![
-            self.own(number, "pose", Role::Uniform, &standing.pose),
-            self.own(number, "rest", Role::Storage, &rest.vertices),
-            Binding::write("posed", vertices).within(bytes),
-        ];
-        let mut shader = Shader::from("passes/pose.wgsl");
-        let mut how = Vec::new();
-        let mut per_position = false;
-        shader = match (&rest.displacements, &standing.weights) {
-            (Some(displacements), Some(weights)) => {
-                per_position = true;
-                how.push("morph targets");
-                bindings.push(self.own(number, "displacements", Role::Storage, displacements));
-                bindings.push(self.own(number, "weights", Role::Storage, weights));
-                shader.with("lib/morph/targets.wgsl")
-            }
-            _ => shader.with("lib/morph/none.wgsl"),
-        };
-        shader = match (&rest.pulls, &standing.joints) {
-            (Some(pulls), Some(joints)) => {
-                per_position = true;
-                how.push("its skin");
-                bindings.push(self.own(number, "pulls", Role::Storage, pulls));
-                bindings.push(self.own(number, "joints", Role::Storage, joints));
-                shader.with("lib/skin/linear.wgsl")
-            }
-            _ => shader.with("lib/skin/none.wgsl"),
-        };
-        shader = match (&standing.deformers, &rest.outward) {
-            (None, _) => shader.with("lib/deform/none.wgsl"),
-            (Some(deformers), outward) => {
-                how.push("deformers");
-                bindings.push(self.own(number, "deformers", Role::Uniform, deformers));
-                match outward.as_ref().filter(|_| standing.inflates) {
-                    Some(outward) => {
-                        per_position = true;
-                        bindings.push(self.own(number, "outward", Role::Storage, outward));
-                        shader.with("lib/deform/mesh.wgsl")
-                    }
-                    None => shader.with("lib/deform/space.wgsl"),
+fn pose_part(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    rank: usize,
+    moving: &Moving,
+    vertices: ResourceId,
+) {
+    let Moving { rest, standing } = moving;
+    let part = &input.model.prepared.parts[rank];
+    let number = part.part;
+    let range = &input.model.ranges[rank];
+    let first = u64::from(range.base_vertex.unsigned_abs());
+    let end = first + u64::from(range.vertex_count);
+    let bytes = first * VERTEX_BYTES..end * VERTEX_BYTES;
+    // Resources of the part's own, bound under their kind.
+    let mut own = |kind: &'static str, role: Role, contents: &Contents| {
+        let name = format!("{kind} {number}");
+        let resource = Resource::upload(name, role, contents.clone(), Clock::Solid);
+        Binding::read(kind, plan.add_resource(resource))
+    };
+    let mut bindings = vec![
+        own("pose", Role::Uniform, &standing.pose),
+        own("rest", Role::Storage, &rest.vertices),
+        Binding::write("posed", vertices).within(bytes),
+    ];
+    let mut shader = Shader::from("passes/pose.wgsl");
+    let mut how = Vec::new();
+    let mut per_position = false;
+    shader = match (&rest.displacements, &standing.weights) {
+        (Some(displacements), Some(weights)) => {
+            per_position = true;
+            how.push("morph targets");
+            bindings.push(own("displacements", Role::Storage, displacements));
+            bindings.push(own("weights", Role::Storage, weights));
+            shader.with("lib/morph/targets.wgsl")
+        }
+        _ => shader.with("lib/morph/none.wgsl"),
+    };
+    shader = match (&rest.pulls, &standing.joints) {
+        (Some(pulls), Some(joints)) => {
+            per_position = true;
+            how.push("its skin");
+            bindings.push(own("pulls", Role::Storage, pulls));
+            bindings.push(own("joints", Role::Storage, joints));
+            shader.with("lib/skin/linear.wgsl")
+        }
+        _ => shader.with("lib/skin/none.wgsl"),
+    };
+    shader = match (&standing.deformers, &rest.outward) {
+        (None, _) => shader.with("lib/deform/none.wgsl"),
+        (Some(deformers), outward) => {
+            how.push("deformers");
+            bindings.push(own("deformers", Role::Uniform, deformers));
+            match outward.as_ref().filter(|_| standing.inflates) {
+                Some(outward) => {
+                    per_position = true;
+                    bindings.push(own("outward", Role::Storage, outward));
+                    shader.with("lib/deform/mesh.wgsl")
                 }
+                None => shader.with("lib/deform/space.wgsl"),
             }
-        };
-        if per_position {
-            let contents = &rest.position_of_vertex;
-            bindings.push(self.own(number, "position_of_vertex", Role::Storage, contents));
         }
-        how.push("its placement");
-        self.plan.add_pass(Pass {
-            name: format!("place {number}"),
-            clock: Clock::Solid,
-            reason: format!(
-                "`{name}` moves: {} take it from rest to the scene",
-                how.join(", ")
-            ),
-            shader,
-            bindings,
-            constants: Vec::new(),
-            work: Work::Compute {
-                groups: groups_along(rest.vertex_count),
-            },
-        });
+    };
+    if per_position {
+        let contents = &rest.position_of_vertex;
+        bindings.push(own("position_of_vertex", Role::Storage, contents));
     }
-
-    /// A resource of one part, bound under its kind.
-    fn own(&mut self, part: usize, kind: &'static str, role: Role, contents: &Contents) -> Binding {
-        let id = self.once(&format!("{kind} {part}"), |_| {
-            let name = format!("{kind} {part}");
-            Resource::upload(name, role, contents.clone(), Clock::Solid)
-        });
-        Binding::read(kind, id)
-    }
+    how.push("its placement");
+    let pass = Pass::new(
+        format!("place {number}"),
+        format!(
+            "`{}` moves: {} take it from rest to the scene",
+            part.name,
+            how.join(", ")
+        ),
+        shader,
+        bindings,
+        Work::Compute {
+            groups: groups_along(rest.vertex_count),
+        },
+    );
+    plan.add_pass(pass.on(Clock::Solid));
 }

@@ -5,8 +5,8 @@
 
 use std::ops::Range;
 
-use super::{Crossings, Recorder};
-use crate::plan::{Binding, Clock, ResourceId};
+use super::{Crossings, SceneBuffers};
+use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
 /// An image of the volume of parts that says which points are inside.
@@ -18,38 +18,37 @@ pub struct Volume {
     pub bindings: Vec<Binding>,
 }
 
-impl Recorder<'_> {
+impl Volume {
     /// Asks for the parts at some places of the table.
     pub fn probe(
-        &mut self,
-        name: String,
+        &self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
         places: Range<usize>,
-        volume: &Volume,
         mask: ResourceId,
         crossings: &Crossings,
     ) {
         let mut bindings = vec![
-            self.frame(),
-            self.cut_table(),
-            self.parts(),
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            scene.parts.clone(),
             Binding::update("mask", mask),
         ];
-        bindings.extend(volume.bindings.iter().cloned());
+        bindings.extend(self.bindings.iter().cloned());
         bindings.extend(crossings.bindings());
-        let near_inside = f64::from(u8::from(self.relevance.near_inside));
-        self.compute(
-            name,
-            Clock::Frame,
+        let near_inside = f64::from(u8::from(scene.input.relevance.near_inside));
+        let pass = Pass::new(
+            format!("probe {}", places.start),
             "whether a crossing is inside, asked where its part goes from removed to kept",
-            Shader::from("passes/probe.wgsl").with(volume.file),
+            Shader::from("passes/probe.wgsl").with(self.file),
             bindings,
-            vec![
-                ("lane_bits", f64::from(self.lane_bits)),
-                ("near_inside", near_inside),
-                ("first_place", places.start as f64),
-                ("end_place", places.end as f64),
-            ],
-            self.view.size_px,
+            Work::over(scene.input.view.size_px),
         );
+        plan.add_pass(pass.with_constants(vec![
+            scene.lanes.constant(),
+            ("near_inside", near_inside),
+            ("first_place", places.start as f64),
+            ("end_place", places.end as f64),
+        ]));
     }
 }

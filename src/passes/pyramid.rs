@@ -9,9 +9,9 @@
 
 use std::fmt;
 
-use super::Recorder;
+use super::{Input, SceneBuffers};
 use crate::plan::pack::{LOWEST, MAX_SURFACES, Pyramid, SIDE};
-use crate::plan::{Binding, Clock, Contents, Limits, Pass, Resource, ResourceId, Role, Work};
+use crate::plan::{Binding, Clock, Contents, Limits, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::Wrap;
 use crate::shader::Shader;
 
@@ -20,6 +20,8 @@ const MOST_LEVELS: u32 = 15;
 /// Levels that a pass builds.
 const LEVELS_OF_PASS: u32 = 5;
 const NODE_BYTES: u64 = 8;
+/// The name of their resource.
+const PYRAMIDS: &str = "pyramids";
 
 /// How rays are followed through the heights of a relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -53,7 +55,7 @@ fn levels_of(size: [u32; 2]) -> u32 {
         .clamp(LOWEST, MOST_LEVELS)
 }
 
-impl Recorder<'_> {
+impl Input<'_> {
     /// The pyramids of the reliefs that matter, by clip-surface, and how many nodes they have together.
     fn pyramid_rows(&self) -> (Vec<Pyramid>, u64) {
         let mut rows: Vec<Pyramid> = Vec::new();
@@ -103,58 +105,62 @@ impl Recorder<'_> {
         nodes * NODE_BYTES <= limits.storage_binding_bytes
             && nodes_of(longest, 1).div_ceil(SIDE) <= limits.groups_per_dimension
     }
+}
 
-    /// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/pyramid.wgsl` binds.
-    pub fn pyramids(&mut self) -> [Binding; 2] {
-        let (rows, nodes) = self.pyramid_rows();
-        let table = self.uploaded("pyramid_table", Role::Uniform, Clock::Cut, |_| {
-            let mut all = rows.clone();
-            all.resize(MAX_SURFACES, bytemuck::Zeroable::zeroed());
-            Contents::of(&all)
-        });
-        let built = match self.plan.resource_named("pyramids") {
-            Some(id) => id,
-            None => self.build_pyramids(&rows, nodes, &table),
+/// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/pyramid.wgsl` binds.
+pub fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
+    let (rows, nodes) = scene.input.pyramid_rows();
+    let mut all = rows.clone();
+    all.resize(MAX_SURFACES, bytemuck::Zeroable::zeroed());
+    let table = Contents::of(&all);
+    let table = Resource::upload("pyramid_table", Role::Uniform, table, Clock::Cut);
+    let table = Binding::read("pyramid_table", plan.add_resource(table));
+    let built = build(plan, &scene.heights, &table, &rows, nodes);
+    [table, Binding::read("nodes", built)]
+}
+
+fn build(
+    plan: &mut Plan,
+    heights: &Binding,
+    table: &Binding,
+    rows: &[Pyramid],
+    nodes: u64,
+) -> ResourceId {
+    let bytes = nodes.max(1) * NODE_BYTES;
+    let built = plan.add_resource(Resource::storage(PYRAMIDS, bytes, Clock::Cut));
+    let levels = rows.iter().map(|r| r.levels).max().unwrap_or(0);
+    for from in (0..levels).step_by(LEVELS_OF_PASS as usize) {
+        let to = (from + LEVELS_OF_PASS).min(levels);
+        let mut bindings = vec![table.clone()];
+        let base = if from == 0 {
+            bindings.extend([heights.clone(), Binding::write("built", built)]);
+            "lib/pyramid_base/heights.wgsl"
+        } else {
+            bindings.push(Binding::update("built", built));
+            "lib/pyramid_base/nodes.wgsl"
         };
-        [table, Binding::read("nodes", built)]
+        let groups = |axis: usize| {
+            let nodes = rows.iter().map(|r| nodes_of(r.map_size[axis], from + 1));
+            nodes.max().unwrap_or(0).div_ceil(SIDE).max(1)
+        };
+        let pass = Pass::new(
+            format!("pyramid {}", from / LEVELS_OF_PASS),
+            format!(
+                "least and greatest height of blocks of cells, levels {} to {to}: rays pass what is not near them",
+                (from + 1).max(LOWEST)
+            ),
+            Shader::from("passes/pyramid.wgsl").with(base),
+            bindings,
+            Work::Compute {
+                groups: [groups(0), groups(1), rows.len() as u32],
+            },
+        );
+        plan.add_pass(
+            pass.on(Clock::Cut)
+                .with_constants(vec![("from_level", f64::from(from))]),
+        );
     }
-
-    fn build_pyramids(&mut self, rows: &[Pyramid], nodes: u64, table: &Binding) -> ResourceId {
-        let built = self.once("pyramids", |_| {
-            Resource::storage("pyramids", nodes.max(1) * NODE_BYTES, Clock::Cut)
-        });
-        let levels = rows.iter().map(|r| r.levels).max().unwrap_or(0);
-        for from in (0..levels).step_by(LEVELS_OF_PASS as usize) {
-            let to = (from + LEVELS_OF_PASS).min(levels);
-            let mut bindings = vec![table.clone()];
-            let base = if from == 0 {
-                bindings.extend([self.heights(), Binding::write("built", built)]);
-                "lib/pyramid_base/heights.wgsl"
-            } else {
-                bindings.push(Binding::update("built", built));
-                "lib/pyramid_base/nodes.wgsl"
-            };
-            let groups = |axis: usize| {
-                let nodes = rows.iter().map(|r| nodes_of(r.map_size[axis], from + 1));
-                nodes.max().unwrap_or(0).div_ceil(SIDE).max(1)
-            };
-            self.plan.add_pass(Pass {
-                name: format!("pyramid {}", from / LEVELS_OF_PASS),
-                clock: Clock::Cut,
-                reason: format!(
-                    "least and greatest height of blocks of cells, levels {} to {to}: rays pass what is not near them",
-                    (from + 1).max(LOWEST)
-                ),
-                shader: Shader::from("passes/pyramid.wgsl").with(base),
-                bindings,
-                constants: vec![("from_level", f64::from(from))],
-                work: Work::Compute {
-                    groups: [groups(0), groups(1), rows.len() as u32],
-                },
-            });
-        }
-        built
-    }
+    built
 }
 
 #[cfg(test)]

@@ -6,151 +6,158 @@
 //!
 //! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
 
-use super::Refusal;
-use super::recorder::{Recorder, pixels};
+use super::picture::{Picture, layers, overlap, picture};
+use super::resolve::{cap_normal, constants_of_decision};
 use super::sweep::GROUP;
-use super::{Crossings, Inside, Screen, ScreenOf, Store, Sweep};
-use crate::plan::{Binding, Clock, Pass, Resource, ResourceId, Work};
+use super::{Crossings, Inside, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep};
+use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
 
 /// Workgroups that share the list of pixels to be painted, at most.
 const PAINTING_GROUPS: u32 = 1024;
 
-impl Recorder<'_> {
-    /// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
-    /// are too many parts.
-    pub(super) fn rasterise(
-        &mut self,
-        store: &Store,
-        crossings: &Crossings,
-    ) -> Result<(), Refusal> {
-        let nearest = self.nearest();
-        let screen = self.screen_of_frame()?;
-        let marking = Sweep {
-            name: "mark",
-            reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",
-            sample: "lib/sample/fused.wgsl",
-            store: Some(store),
-            crossings: Some(crossings),
-            bindings: vec![Binding::update("nearest", nearest)],
-            again: false,
-        };
-        if self.wide_atomics {
-            self.sweep(&screen, &marking);
-            return Ok(());
-        }
+/// What the sweeps over the mesh leave.
+#[derive(Clone, Debug)]
+pub struct Swept {
+    /// The nearest kept triangle of each pixel.
+    nearest: ResourceId,
+    /// The list of pixels that show something.
+    painted: ResourceId,
+    /// The picture, all background.
+    picture: ResourceId,
+    /// How the screen of the frame was gone over, and the table of the parts on it.
+    sweep: ResourceId,
+    drawn_parts: ResourceId,
+}
+
+/// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
+/// are too many parts.
+pub(super) fn rasterise(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    crossings: &Crossings,
+) -> Result<Swept, Refusal> {
+    let input = scene.input;
+    let mut of_pixels =
+        |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
+    let nearest = of_pixels("nearest", input.pixel_count() * 8);
+    let painted = of_pixels("painted", input.pixel_count() * 4 + 4);
+    let picture = picture(plan, input);
+    let of = ScreenOf {
+        name: "",
+        view: input.view,
+        frame: scene.frame.clone(),
+        clock: Clock::Frame,
+        ranks: &input.relevance.order,
+        settles: true,
+        fresh: "lib/fresh/frame.wgsl",
+        freshened: vec![
+            Binding::write("nearest", nearest),
+            Binding::write("painted", painted),
+            Binding::write("picture", picture),
+        ],
+    };
+    let screen = Screen::record(plan, scene, of)?;
+    let marking = Sweep {
+        name: "mark",
+        reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",
+        sample: "lib/sample/fused.wgsl",
+        store: Some(store),
+        crossings: Some(crossings),
+        bindings: vec![Binding::update("nearest", nearest)],
+        again: false,
+    };
+    if input.wide_atomics {
+        marking.record(plan, scene, &screen);
+    } else {
         let marking = Sweep {
             reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
             sample: "lib/sample/ranked.wgsl",
             ..marking
         };
-        self.sweep(&screen, &marking);
+        marking.record(plan, scene, &screen);
         let claiming = Sweep {
             name: "claim",
             reason: "the first triangle at the depth of a pixel claims it",
             again: true,
             ..marking
         };
-        self.sweep(&screen, &claiming);
-        Ok(())
+        claiming.record(plan, scene, &screen);
     }
+    Ok(Swept {
+        nearest,
+        painted,
+        picture,
+        sweep: screen.sweep.resource,
+        drawn_parts: screen.drawn_parts.resource,
+    })
+}
 
-    /// The screen of the frame, with all parts that are drawn.
-    fn screen_of_frame(&mut self) -> Result<Screen, Refusal> {
-        let order = self.relevance.order.clone();
-        let of = ScreenOf {
-            name: "",
-            view: self.view,
-            frame: self.frame(),
-            clock: Clock::Frame,
-            ranks: &order,
-            settles: self.settles(),
-            fresh: "lib/fresh/frame.wgsl",
-            freshened: vec![
-                Binding::write("nearest", self.nearest()),
-                Binding::write("painted", self.painted()),
-                Binding::write("picture", self.picture()),
-            ],
-        };
-        let screen = self.screen(of)?;
-        self.screen_of_frame = Some(screen.clone());
-        Ok(screen)
-    }
+/// Decides what each pixel shows, and paints what is not background.
+pub(super) fn decide_and_paint(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    swept: Swept,
+    inside: Inside,
+    crossings: &Crossings,
+) -> Picture {
+    let layers = layers(plan, scene.input);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+        Binding::read("nearest", swept.nearest),
+        Binding::update("painted", swept.painted),
+        Binding::write("layers", layers),
+    ];
+    bindings.extend(inside.bindings);
+    bindings.extend(crossings.bindings());
+    let decide = Pass::new(
+        "decide",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it; pixels that show \
+         something are listed",
+        Shader::from("passes/rasterise/decide.wgsl").with(inside.file),
+        bindings,
+        Work::over(scene.input.view.size_px),
+    );
+    plan.add_pass(decide.with_constants(constants_of_decision(scene)));
+    paint(plan, scene, swept, layers)
+}
 
-    /// Decides what each pixel shows, and paints what is not background.
-    pub(super) fn decide_and_paint(&mut self, inside: Inside, crossings: &Crossings) {
-        let mut bindings = vec![
-            self.frame(),
-            self.cut_table(),
-            self.parts(),
-            Binding::read("nearest", self.nearest()),
-            Binding::update("painted", self.painted()),
-            Binding::write("layers", self.layers()),
-        ];
-        bindings.extend(inside.bindings);
-        bindings.extend(crossings.bindings());
-        self.compute(
-            "decide",
-            Clock::Frame,
-            "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it; pixels that show \
-             something are listed",
-            Shader::from("passes/rasterise/decide.wgsl").with(inside.file),
-            bindings,
-            self.of_lanes(),
-            self.view.size_px,
-        );
-        self.paint();
-    }
-
-    fn paint(&mut self) {
-        let groups = pixels(self.view.size_px).div_ceil(u64::from(GROUP));
-        let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
-        let (vertices, indices) = self.mesh_in_storage(Clock::Frame);
-        let mut bindings = vec![
-            self.frame(),
-            self.cut_table(),
-            self.parts(),
-            vertices,
-            indices,
-            self.rank_of_part(),
-            Binding::read("painted", self.painted()),
-            Binding::update("layers", self.layers()),
-            Binding::update("picture", self.picture()),
-        ];
-        if let Some(screen) = self.screen_of_frame.clone() {
-            bindings.extend([self.told(&screen, false), screen.drawn_parts]);
-        }
-        let cap_normal = self.cap_normal(&mut bindings);
-        let overlap = self.overlap(&mut bindings);
-        self.plan.add_pass(Pass {
-            name: "paint".to_owned(),
-            clock: Clock::Frame,
-            reason: "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both"
-                .to_owned(),
-            shader: Shader::from("passes/rasterise/paint.wgsl")
-                .with(cap_normal)
-                .with(overlap),
-            bindings,
-            constants: vec![("stride", f64::from(groups * GROUP))],
-            work: Work::Compute {
-                groups: [groups, 1, 1],
-            },
-        });
-    }
-
-    /// The nearest kept triangle of each pixel.
-    fn nearest(&mut self) -> ResourceId {
-        let bytes = pixels(self.view.size_px) * 8;
-        self.once("nearest", |_| {
-            Resource::storage("nearest", bytes, Clock::Frame)
-        })
-    }
-
-    /// The list of pixels that show something.
-    fn painted(&mut self) -> ResourceId {
-        let bytes = pixels(self.view.size_px) * 4 + 4;
-        self.once("painted", |_| {
-            Resource::storage("painted", bytes, Clock::Frame)
-        })
+fn paint(plan: &mut Plan, scene: &SceneBuffers<'_>, swept: Swept, layers: ResourceId) -> Picture {
+    let groups = scene.input.pixel_count().div_ceil(u64::from(GROUP));
+    let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
+    let [vertices, indices] = scene.mesh_in_storage(Clock::Frame);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+        vertices,
+        indices,
+        scene.place_of_part.clone(),
+        Binding::read("painted", swept.painted),
+        Binding::update("layers", layers),
+        Binding::update("picture", swept.picture),
+        Binding::read("sweep", swept.sweep),
+        Binding::read("drawn_parts", swept.drawn_parts),
+    ];
+    let cap_normal = cap_normal(scene, &mut bindings);
+    let overlap = overlap(plan, scene.input, &mut bindings);
+    let pass = Pass::new(
+        "paint",
+        "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both",
+        Shader::from("passes/rasterise/paint.wgsl")
+            .with(cap_normal)
+            .with(overlap),
+        bindings,
+        Work::Compute {
+            groups: [groups, 1, 1],
+        },
+    );
+    plan.add_pass(pass.with_constants(vec![("stride", f64::from(groups * GROUP))]));
+    Picture {
+        layers,
+        picture: swept.picture,
     }
 }

@@ -4,8 +4,10 @@
 //! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser has
 //! `decide` and `paint` in its place.
 
-use super::{Crossings, Rasteriser, Recorder};
-use crate::plan::{Binding, Clock, ResourceId};
+use super::picture::{Picture, layers, shade};
+use super::rasterise::decide_and_paint;
+use super::{Crossings, NearestKept, SceneBuffers, Surfaces};
+use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
 /// How the inside test is answered.
@@ -35,68 +37,75 @@ impl Inside {
     }
 }
 
-impl Recorder<'_> {
-    /// Records the pass, or those of the compute rasteriser, which paint as well.
-    pub fn resolve(&mut self, rasteriser: Rasteriser, inside: Inside, crossings: &Crossings) {
-        match rasteriser {
-            Rasteriser::Hardware => self.resolve_drawn(inside, crossings),
-            Rasteriser::Compute => self.decide_and_paint(inside, crossings),
-        }
+/// Records the passes that decide and shade.
+pub fn resolve(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    nearest: NearestKept,
+    inside: Inside,
+    crossings: &Crossings,
+) -> Picture {
+    match nearest {
+        NearestKept::Drawn(surfaces) => resolve_drawn(plan, scene, &surfaces, inside, crossings),
+        NearestKept::Swept(swept) => decide_and_paint(plan, scene, swept, inside, crossings),
     }
+}
 
-    fn resolve_drawn(&mut self, inside: Inside, crossings: &Crossings) {
-        let targets = self.targets();
-        let mut bindings = vec![
-            self.frame(),
-            self.cut_table(),
-            self.parts(),
-            Binding::read("surface_words", targets.words),
-            Binding::read("surface_depth", targets.depth),
-            Binding::write("layers", self.layers()),
-        ];
-        bindings.extend(inside.bindings);
-        bindings.extend(crossings.bindings());
-        let cap_normal = self.cap_normal(&mut bindings);
-        self.compute(
-            "resolve",
-            Clock::Frame,
-            "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
-            Shader::from("passes/resolve.wgsl")
-                .with(inside.file)
-                .with(cap_normal),
-            bindings,
-            self.of_lanes(),
-            self.view.size_px,
-        );
+fn resolve_drawn(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    surfaces: &Surfaces,
+    inside: Inside,
+    crossings: &Crossings,
+) -> Picture {
+    let layers = layers(plan, scene.input);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+    ];
+    bindings.extend(surfaces.bindings());
+    bindings.push(Binding::write("layers", layers));
+    bindings.extend(inside.bindings);
+    bindings.extend(crossings.bindings());
+    let cap_normal = cap_normal(scene, &mut bindings);
+    let pass = Pass::new(
+        "resolve",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
+        Shader::from("passes/resolve.wgsl")
+            .with(inside.file)
+            .with(cap_normal),
+        bindings,
+        Work::over(scene.input.view.size_px),
+    );
+    plan.add_pass(pass.with_constants(constants_of_decision(scene)));
+    shade(plan, scene, layers)
+}
+
+/// The constants of a pass that decides.
+pub(super) fn constants_of_decision(scene: &SceneBuffers<'_>) -> Vec<(&'static str, f64)> {
+    let relevance = &scene.input.relevance;
+    let mut constants = vec![
+        scene.lanes.constant(),
+        ("lane_count", relevance.lanes as f64),
+        ("near_inside", f64::from(u8::from(relevance.near_inside))),
+    ];
+    if scene.input.shows_overlaps() {
+        constants.push(("overlaps", 1.0));
     }
+    constants
+}
 
-    /// The constants of a pass that decides.
-    pub(super) fn of_lanes(&self) -> Vec<(&'static str, f64)> {
-        let mut constants = vec![
-            ("lane_bits", f64::from(self.lane_bits)),
-            ("lane_count", self.relevance.lanes as f64),
-            (
-                "near_inside",
-                f64::from(u8::from(self.relevance.near_inside)),
-            ),
-        ];
-        if self.shows_overlaps() {
-            constants.push(("overlaps", 1.0));
-        }
-        constants
+/// The file that fills `cutaway::cap_normal`, and what it binds.
+pub(super) fn cap_normal(scene: &SceneBuffers<'_>, bindings: &mut Vec<Binding>) -> &'static str {
+    let reliefs = scene.input.has_reliefs();
+    if reliefs {
+        bindings.push(scene.heights.clone());
     }
-
-    /// The file that fills `cutaway::cap_normal`, and what it binds.
-    pub(super) fn cap_normal(&mut self, bindings: &mut Vec<Binding>) -> &'static str {
-        let reliefs = self.has_reliefs();
-        if reliefs {
-            bindings.push(self.heights());
-        }
-        match (self.has_cutters(), reliefs) {
-            (false, false) => "lib/cap_normal/planes.wgsl",
-            (false, true) => "lib/cap_normal/reliefs.wgsl",
-            (true, false) => "lib/cap_normal/cutters.wgsl",
-            (true, true) => "lib/cap_normal/cutters_reliefs.wgsl",
-        }
+    match (scene.input.has_cutters(), reliefs) {
+        (false, false) => "lib/cap_normal/planes.wgsl",
+        (false, true) => "lib/cap_normal/reliefs.wgsl",
+        (true, false) => "lib/cap_normal/cutters.wgsl",
+        (true, true) => "lib/cap_normal/cutters_reliefs.wgsl",
     }
 }

@@ -98,16 +98,15 @@ impl Scan<'_> {
         constants: Vec<(&'static str, f64)>,
         blocks: u32,
     ) {
-        plan.add_pass(Pass {
+        let pass = Pass::new(
             name,
-            clock: self.clock,
-            reason: format!("{}: {reason}", self.what),
-            shader: shader.into(),
+            format!("{}: {reason}", self.what),
+            shader,
             bindings,
-            constants,
-            work: Work::Compute {
+            Work::Compute {
                 groups: [blocks.max(1), 1, 1],
             },
-        });
+        );
+        plan.add_pass(pass.on(self.clock).with_constants(constants));
     }
 }

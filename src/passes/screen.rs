@@ -6,16 +6,15 @@
 //! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
 //! views have it beyond all parts.
 
-use super::Refusal;
 use std::ops::Range;
 
 use bytemuck::Zeroable;
 use glam::DVec2;
 
-use super::Recorder;
 use super::sweep::groups_along;
+use super::{Input, Lanes, Refusal, SceneBuffers};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
-use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
 use crate::shader::Shader;
 
@@ -57,8 +56,11 @@ pub struct Screen {
     pub(super) indices: Binding,
     /// The groups of settled triangles, where they have rows of their own.
     pub(super) settled: Option<Binding>,
-    /// What a first sweep is told.
-    pub(super) description: Sweep,
+    /// How a first sweep goes over it.
+    pub(super) sweep: Binding,
+    /// How one that comes again does.
+    pub(super) sweep_again: Binding,
+    pub(super) triangle_count: u32,
     pub(super) vertices: ResourceId,
     pub(super) queue: ResourceId,
     /// Some part may reach beyond the near plane or the guard band.
@@ -85,14 +87,16 @@ fn named(screen: &str, what: &str) -> String {
     }
 }
 
-impl Recorder<'_> {
+impl Screen {
     /// Records the pass that takes parts to a screen; the reason where they are too many.
-    pub fn screen(&mut self, of: ScreenOf<'_>) -> Result<Screen, Refusal> {
-        let groups = if of.settles {
-            self.settled_groups().len()
-        } else {
-            0
-        };
+    pub fn record(
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        of: ScreenOf<'_>,
+    ) -> Result<Self, Refusal> {
+        let input = scene.input;
+        let settled = scene.settled.as_ref().filter(|_| of.settles);
+        let groups = settled.map_or(0, |_| input.settled_groups().len());
         let rows = of.ranks.len() + groups;
         if rows > MOST_DRAWN_PARTS {
             return Err(Refusal::amount(format!(
@@ -101,14 +105,15 @@ impl Recorder<'_> {
         }
         // Vertices from the first to the last that some part needs.
         let (first_vertex, end_vertex) = (of.ranks.iter())
-            .map(|rank| self.vertices_of(*rank))
+            .map(|rank| input.vertices_of(*rank))
             .fold((u32::MAX, 0), |(first, end), range| {
                 (first.min(range.start), end.max(range.end))
             });
         let first_vertex = first_vertex.min(end_vertex);
-        let (table, triangle_count) = self.drawn_parts(of.ranks, of.settles, first_vertex);
+        let (table, triangle_count) =
+            input.drawn_parts(of.ranks, &scene.lanes, settled.is_some(), first_vertex);
         let vertex_count = end_vertex - first_vertex;
-        let description = Sweep {
+        let sweep = Sweep {
             triangle_count,
             vertex_count,
             search_steps: rows.next_power_of_two().ilog2(),
@@ -116,30 +121,38 @@ impl Recorder<'_> {
             first_vertex,
             first_group: of.ranks.len() as u32,
         };
-        let table = Contents::of(&table);
-        let drawn_parts = self.uniform(&named(of.name, "drawn_parts"), table, of.clock);
-        let (vertices, indices) = self.mesh_in_storage(of.clock);
-        let settled = of.settles.then(|| self.settled());
+        let [vertices, indices] = scene.mesh_in_storage(of.clock);
         let mut made = |what, words: u64| {
             let name = named(of.name, what);
-            self.once(&name, |_| Resource::storage(&name, words * 4, of.clock))
+            plan.add_resource(Resource::storage(name, words * 4, of.clock))
         };
-        let screen = Screen {
+        let screen_vertices = made("screen", u64::from(vertex_count).max(1) * 4);
+        let queue = made("queue", 2 * u64::from(triangle_count) + 3);
+        // Tables that change with the cuts, if what reads them is not done more rarely.
+        let mut table_of = |variable, what, contents| {
+            let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
+            let table = Resource::upload(name, Role::Uniform, contents, clock);
+            Binding::read(variable, plan.add_resource(table))
+        };
+        let again = Sweep { again: 1, ..sweep };
+        let screen = Self {
             name: of.name.to_owned(),
             clock: of.clock,
             frame: of.frame,
-            drawn_parts: Binding::read("drawn_parts", drawn_parts),
+            drawn_parts: table_of("drawn_parts", "drawn_parts", Contents::of(&table)),
             indices,
-            settled,
-            vertices: made("screen", u64::from(vertex_count).max(1) * 4),
-            queue: made("queue", 2 * u64::from(triangle_count) + 3),
-            description,
-            may_clip: of.ranks.iter().any(|rank| self.may_clip(of.view, *rank)),
+            settled: settled.cloned(),
+            vertices: screen_vertices,
+            queue,
+            sweep: table_of("sweep", "sweep", Contents::of(&[sweep])),
+            sweep_again: table_of("sweep", "sweep again", Contents::of(&[again])),
+            triangle_count,
+            may_clip: of.ranks.iter().any(|rank| input.may_clip(of.view, *rank)),
         };
         let pixel_count = of.view.size_px[0] * of.view.size_px[1];
         let mut bindings = vec![
             screen.frame.clone(),
-            self.told(&screen, false),
+            screen.sweep.clone(),
             vertices,
             Binding::write("screen", screen.vertices),
             Binding::write("queue", screen.queue),
@@ -150,22 +163,26 @@ impl Recorder<'_> {
             vertex_count.max(pixel_count)
         };
         bindings.extend(of.freshened);
-        self.over(
-            &screen,
-            "transform",
+        let pass = Pass::new(
+            screen.named("transform"),
             "each vertex goes to fixed point once; what samples raise begins empty, as does the queue of triangles that are not small",
             Shader::from("passes/rasterise/transform.wgsl").with(of.fresh),
             bindings,
-            Vec::new(),
-            groups_along(items),
+            Work::Compute {
+                groups: groups_along(items),
+            },
         );
+        plan.add_pass(pass.on(of.clock));
         Ok(screen)
     }
+}
 
+impl Input<'_> {
     /// The table of drawn parts, those of settled triangles at its end, and how many triangles they have.
     fn drawn_parts(
         &self,
         ranks: &[usize],
+        lanes: &Lanes,
         settles: bool,
         first_vertex: u32,
     ) -> (Vec<DrawnPart>, u32) {
@@ -184,12 +201,11 @@ impl Recorder<'_> {
         let of_groups = groups.iter().map(|(rank, g)| (*rank, g.indices.clone()));
         let rows: Vec<_> = ranks.iter().map(of_rank).chain(of_groups).collect();
         let mut table = vec![DrawnPart::zeroed(); MOST_DRAWN_PARTS];
-        let lanes = self.lane_table().places;
         let mut triangle_count = 0;
         for (row, (rank, indices)) in table.iter_mut().zip(&rows) {
             let range = &self.model.ranges[*rank];
             let place = self.relevance.place_of(*rank);
-            let [lane_word, lane_shift] = lanes.get(place).copied().unwrap_or_default();
+            let [lane_word, lane_shift] = lanes.of_place(place);
             *row = DrawnPart {
                 first_triangle: triangle_count,
                 first_index: indices.start,
@@ -210,37 +226,6 @@ impl Recorder<'_> {
             row.first_triangle = u32::MAX;
         }
         (table, triangle_count)
-    }
-
-    /// The mesh of all parts in storage bindings, for passes on a clock: vertices and indices.
-    pub(super) fn mesh_in_storage(&mut self, clock: Clock) -> (Binding, Binding) {
-        let indices = match clock {
-            Clock::Frame => self.indices(),
-            Clock::Solid | Clock::Cut => self.solid_indices(),
-        };
-        (
-            Binding::read("vertices", self.vertices()),
-            Binding::read("indices", indices),
-        )
-    }
-
-    /// What a first sweep over a screen is told, or one that comes again.
-    pub(super) fn told(&mut self, screen: &Screen, again: bool) -> Binding {
-        let name = screen.named(if again { "sweep again" } else { "sweep" });
-        let sweep = Sweep {
-            again: u32::from(again),
-            ..screen.description
-        };
-        let id = self.uniform(&name, Contents::of(&[sweep]), screen.clock);
-        Binding::read("sweep", id)
-    }
-
-    /// A table that changes with the cuts, if what reads it is not done more rarely.
-    fn uniform(&mut self, name: &str, contents: Contents, reader: Clock) -> ResourceId {
-        let clock = reader.min(Clock::Cut);
-        self.once(name, |_| {
-            Resource::upload(name, Role::Uniform, contents, clock)
-        })
     }
 
     /// Numbers of the vertices of a part.

@@ -11,9 +11,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::sliced::{PackedSection, Sliced};
-use super::{Recorder, counted};
+use super::{Input, counted};
 use crate::plan::pack::MAX_SURFACES;
-use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Resource, ResourceId, Role};
+use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Plan, Resource, ResourceId, Role};
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
 
@@ -50,10 +50,10 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wan
     of_each
 }
 
-impl Recorder<'_> {
+impl Sections {
     /// The sections of the cut parts by the planes that cut them; none where all planes pass by. All clip-surfaces must be planes.
-    pub fn sections(&mut self) -> Option<Sections> {
-        let wanted = self.wanted();
+    pub fn slice(plan: &mut Plan, input: &Input<'_>) -> Option<Self> {
+        let wanted = wanted(input);
         let known: Vec<_> =
             (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
         let slicers_ms = make_slicers(&wanted, &known);
@@ -73,9 +73,9 @@ impl Recorder<'_> {
             .collect();
         let found = met.iter().filter(|(_, s)| s.index_count > 0).count();
         let sections = (!met.is_empty()).then(|| {
-            let [vertices, indices] = self.upload(&met);
+            let [vertices, indices] = upload(plan, &met);
             let (draws, doubts) = draws(&met);
-            Sections {
+            Self {
                 vertices,
                 indices,
                 draws,
@@ -84,105 +84,102 @@ impl Recorder<'_> {
         });
         if !wanted.is_empty() {
             let makes = (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect();
-            self.add_work(wanted, found, makes, [slicers_ms, took_ms]);
+            add_work(plan, wanted, found, makes, [slicers_ms, took_ms]);
         }
         sections
     }
+}
 
-    /// Tells of the slicers and of the sections, and of how long each took, if it was not known from before.
-    fn add_work(
-        &mut self,
-        wanted: Vec<Wanted>,
-        found: usize,
-        makes: Vec<ResourceId>,
-        [slicers_ms, took_ms]: [Option<f64>; 2],
-    ) {
-        let wanted = Arc::new(wanted);
-        let parts = of_each_part(wanted.iter()).len();
-        let of_slicers = wanted.clone();
-        self.plan.on_cpu.push(CpuWork {
-            name: "slicers".to_owned(),
-            clock: Clock::Solid,
-            reason: format!(
-                "{} made ready to be sliced by any plane",
-                counted(parts, "part")
-            ),
-            makes: Vec::new(),
-            took_ms: slicers_ms,
-            again: Arc::new(move || {
-                let made = of_each_part(of_slicers.iter()).into_par_iter();
-                made.for_each(|w| drop(w.sliced.new_slicer(&w.part)));
-            }),
-        });
-        self.plan.on_cpu.push(CpuWork {
-            name: "slice".to_owned(),
-            clock: Clock::Cut,
-            reason: format!(
-                "{}, triangulated: where a plane is inside a part",
-                counted(found, "section")
-            ),
-            makes,
-            took_ms,
-            again: Arc::new(move || {
-                wanted.par_iter().for_each(|w| drop(w.sliced()));
-            }),
-        });
-    }
+/// Tells of the slicers and of the sections, and of how long each took, if it was not known from before.
+fn add_work(
+    plan: &mut Plan,
+    wanted: Vec<Wanted>,
+    found: usize,
+    makes: Vec<ResourceId>,
+    [slicers_ms, took_ms]: [Option<f64>; 2],
+) {
+    let wanted = Arc::new(wanted);
+    let parts = of_each_part(wanted.iter()).len();
+    let of_slicers = wanted.clone();
+    plan.on_cpu.push(CpuWork {
+        name: "slicers".to_owned(),
+        clock: Clock::Solid,
+        reason: format!(
+            "{} made ready to be sliced by any plane",
+            counted(parts, "part")
+        ),
+        makes: Vec::new(),
+        took_ms: slicers_ms,
+        again: Arc::new(move || {
+            let made = of_each_part(of_slicers.iter()).into_par_iter();
+            made.for_each(|w| drop(w.sliced.new_slicer(&w.part)));
+        }),
+    });
+    plan.on_cpu.push(CpuWork {
+        name: "slice".to_owned(),
+        clock: Clock::Cut,
+        reason: format!(
+            "{}, triangulated: where a plane is inside a part",
+            counted(found, "section")
+        ),
+        makes,
+        took_ms,
+        again: Arc::new(move || {
+            wanted.par_iter().for_each(|w| drop(w.sliced()));
+        }),
+    });
+}
 
-    fn wanted(&self) -> Vec<Wanted> {
-        let prepared = &self.model.prepared;
-        let mut wanted = Vec::new();
-        for (place, rank) in self.relevance.cut_parts().iter().enumerate() {
-            let cuts = self.relevance.cuts_of(*rank);
-            let bits = (self.relevance.cuts.iter().enumerate())
-                .filter(|(cut, _)| cuts >> cut & 1 == 1)
-                .fold(0, |bits, (_, of_cut)| bits | of_cut);
-            for (slot, number) in self.relevance.surfaces.iter().enumerate() {
-                if bits >> slot & 1 == 0 {
-                    continue;
-                }
-                let surface = &prepared.surfaces[*number];
-                let lift = surface.flat_height().unwrap_or(0.0);
-                wanted.push(Wanted {
-                    part: prepared.parts[*rank].clone(),
-                    sliced: self.model.sliced(*rank),
-                    // All parts are near the centre of scene space; the origin of the plane may be anywhere.
-                    plane: (SlicePlane::from(surface).keeping(lift)).seen_from(DVec3::ZERO),
-                    instance: (place * MAX_SURFACES + slot) as u32,
-                });
+fn wanted(input: &Input<'_>) -> Vec<Wanted> {
+    let prepared = &input.model.prepared;
+    let mut wanted = Vec::new();
+    for (place, rank) in input.relevance.cut_parts().iter().enumerate() {
+        let cuts = input.relevance.cuts_of(*rank);
+        let bits = (input.relevance.cuts.iter().enumerate())
+            .filter(|(cut, _)| cuts >> cut & 1 == 1)
+            .fold(0, |bits, (_, of_cut)| bits | of_cut);
+        for (slot, number) in input.relevance.surfaces.iter().enumerate() {
+            if bits >> slot & 1 == 0 {
+                continue;
             }
+            let surface = &prepared.surfaces[*number];
+            let lift = surface.flat_height().unwrap_or(0.0);
+            wanted.push(Wanted {
+                part: prepared.parts[*rank].clone(),
+                sliced: input.model.sliced(*rank),
+                // All parts are near the centre of scene space; the origin of the plane may be anywhere.
+                plane: (SlicePlane::from(surface).keeping(lift)).seen_from(DVec3::ZERO),
+                instance: (place * MAX_SURFACES + slot) as u32,
+            });
         }
-        wanted
     }
+    wanted
+}
 
-    fn upload(&mut self, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceId; 2] {
-        let mut ends = [0_u64; 2];
-        let mut pieces = [Vec::new(), Vec::new()];
-        for (_, section) in met {
-            for (i, bytes) in [&section.vertices, &section.indices]
-                .into_iter()
-                .enumerate()
-            {
-                pieces[i].push(Piece {
-                    offset: ends[i],
-                    bytes: bytes.clone(),
-                });
-                ends[i] += bytes.len() as u64;
-            }
+fn upload(plan: &mut Plan, met: &[(&Wanted, &Arc<PackedSection>)]) -> [ResourceId; 2] {
+    let mut ends = [0_u64; 2];
+    let mut pieces = [Vec::new(), Vec::new()];
+    for (_, section) in met {
+        for (i, bytes) in [&section.vertices, &section.indices]
+            .into_iter()
+            .enumerate()
+        {
+            pieces[i].push(Piece {
+                offset: ends[i],
+                bytes: bytes.clone(),
+            });
+            ends[i] += bytes.len() as u64;
         }
-        let of = [
-            ("section vertices", Role::Vertex),
-            ("section indices", Role::Index),
-        ];
-        let mut pieces = pieces.into_iter();
-        [0, 1].map(|i| {
-            let contents =
-                Contents::in_pieces(room(ends[i]), pieces.next().unwrap_or_default(), true);
-            self.once(of[i].0, |_| {
-                Resource::own_upload(of[i].0, of[i].1, contents, Clock::Cut)
-            })
-        })
     }
+    let of = [
+        ("section vertices", Role::Vertex),
+        ("section indices", Role::Index),
+    ];
+    let mut pieces = pieces.into_iter();
+    [0, 1].map(|i| {
+        let contents = Contents::in_pieces(room(ends[i]), pieces.next().unwrap_or_default(), true);
+        plan.add_resource(Resource::own_upload(of[i].0, of[i].1, contents, Clock::Cut))
+    })
 }
 
 /// Makes the slicers that sections which are not known ask for; how long that took, if any was made.

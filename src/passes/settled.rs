@@ -19,10 +19,10 @@ use std::sync::Arc;
 use bytemuck::Zeroable;
 use glam::Vec3;
 
-use super::Recorder;
+use super::Input;
 use super::packed::{Packed, Room};
 use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
-use crate::plan::{Binding, Clock, Contents, Draw, INDEX_BYTES, Piece, ResourceId, Role};
+use crate::plan::{Contents, Draw, INDEX_BYTES, Piece};
 use crate::scene::{FlatSurface, Prepared, PreparedPart, PreparedVolume, Side};
 
 /// What triangles may be settled by.
@@ -226,7 +226,7 @@ fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
         .collect()
 }
 
-impl Recorder<'_> {
+impl Input<'_> {
     /// Whether triangles that are drawn are settled by clip-surfaces that matter, or lie on each other.
     pub fn settles(&self) -> bool {
         self.relevance.order.iter().any(|rank| {
@@ -282,37 +282,29 @@ impl Recorder<'_> {
     }
 
     /// The table of groups.
-    pub fn settled(&mut self) -> Binding {
-        self.uploaded("settled", Role::Uniform, Clock::Cut, |r| {
-            let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
-            for (row, (rank, group)) in table.iter_mut().zip(r.settled_groups()) {
-                let [surfaces, removed, cutters, flush] = r.bits_of(group);
-                let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
-                *row = SettledGroup {
-                    place: r.relevance.place_of(rank) as u32,
-                    surfaces,
-                    removed,
-                    flush,
-                    doubled: u32::from(group.lie.is_doubled),
-                    cutters,
-                    padding: [0; 2],
-                    normal: [x, y, z, 0.0],
-                };
-            }
-            Contents::of(&table)
-        })
+    pub(super) fn settled_table(&self) -> Contents {
+        let mut table = vec![SettledGroup::zeroed(); MOST_SETTLED_GROUPS];
+        for (row, (rank, group)) in table.iter_mut().zip(self.settled_groups()) {
+            let [surfaces, removed, cutters, flush] = self.bits_of(group);
+            let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
+            *row = SettledGroup {
+                place: self.relevance.place_of(rank) as u32,
+                surfaces,
+                removed,
+                flush,
+                doubled: u32::from(group.lie.is_doubled),
+                cutters,
+                padding: [0; 2],
+                normal: [x, y, z, 0.0],
+            };
+        }
+        Contents::of(&table)
     }
 
-    /// The indices of all parts in a frame, with settled triangles at the end of each.
-    pub(super) fn indices(&mut self) -> ResourceId {
-        match &self.model.settled {
-            Some(settled) if self.settles() => {
-                let contents = settled.indices.clone();
-                let sorted = self.uploaded("sorted indices", Role::Index, Clock::Cut, |_| contents);
-                sorted.resource
-            }
-            _ => self.solid_indices(),
-        }
+    /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.
+    pub(super) fn sorted_indices(&self) -> Option<&Contents> {
+        let settled = self.model.settled.as_ref().filter(|_| self.settles());
+        settled.map(|s| &s.indices)
     }
 
     /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.

@@ -11,12 +11,9 @@
 //!
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice.
 
-use super::Refusal;
-use super::{Crossings, FragmentLists, Recorder};
-use crate::plan::{
-    Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Resource,
-    ResourceId, Vertices, Work,
-};
+use super::need::need;
+use super::{Crossings, FragmentLists, Refusal, SceneBuffers};
+use crate::plan::{Binding, Clock, DepthTarget, Draw, Pass, Plan, ResourceId, Vertices, Work};
 use crate::shader::Shader;
 
 /// What is bounded, for the report of a frame that needs more.
@@ -77,111 +74,98 @@ impl Default for Sheets {
     }
 }
 
-impl Recorder<'_> {
+impl Sheets {
     /// Records the passes that insert the crossings with sheets into lists that hold all others.
-    pub fn merge_sheets(
-        &mut self,
-        sheets: &Sheets,
+    pub fn merge(
+        &self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
         crossings: &Crossings,
-        capacity: u32,
-        capacities: &Capacities,
     ) -> Result<(), Refusal> {
-        let lists = self.sheet_lists(capacities, FRAGMENTS_OF_SHEETS)?;
-        let mut bindings = vec![self.frame()];
+        let size = scene.input.view.size_px;
+        let lists = FragmentLists::of_sheets(plan, scene.input, FRAGMENTS_OF_SHEETS)?;
+        let mut bindings = vec![scene.frame.clone()];
         bindings.extend(lists.emptied());
-        self.compute(
+        plan.add_pass(Pass::new(
             "sheet clear",
-            Clock::Frame,
             "the list of sheet fragments of every pixel begins empty",
             "passes/sheet/clear.wgsl",
             bindings,
-            Vec::new(),
-            self.view.size_px,
-        );
-        for draw in &sheets.draws {
-            self.draw_sheet(
+            Work::over(size),
+        ));
+        for draw in &self.draws {
+            plan.add_pass(draw.pass(
                 "count",
                 "how many fragments of sheets each pixel has",
                 "lib/sheet_store/count.wgsl",
-                draw,
                 &lists,
-            );
+                scene.depth,
+            ));
         }
-        let need = self.need(Clock::Frame);
-        self.lay_out(&lists, "fragments of sheets", need);
-        for draw in &sheets.draws {
-            self.draw_sheet(
+        let need = need(plan, scene.input, Clock::Frame);
+        lists.lay_out(plan, "fragments of sheets", need);
+        for draw in &self.draws {
+            plan.add_pass(draw.pass(
                 "keep",
                 "where rays cross the sheets",
                 "lib/sheet_store/keep.wgsl",
-                draw,
                 &lists,
-            );
+                scene.depth,
+            ));
         }
         let mut bindings = vec![
-            self.frame(),
-            self.cut_table(),
+            scene.frame.clone(),
+            scene.cut_table.clone(),
             Binding::update("crossing_heads", crossings.heads),
             Binding::update("crossing_z", crossings.z),
             Binding::update("crossing_surface", crossings.surfaces),
             Binding::update("need", need),
         ];
         bindings.extend(lists.read());
-        bindings.extend(sheets.side_bindings.iter().cloned());
-        self.compute(
+        bindings.extend(self.side_bindings.iter().cloned());
+        let merge = Pass::new(
             "merge",
-            Clock::Frame,
             "crossings with sheets go into the one list of depths per pixel",
-            Shader::from("passes/sheet/merge.wgsl").with_all(&sheets.side),
+            Shader::from("passes/sheet/merge.wgsl").with_all(&self.side),
             bindings,
-            vec![
-                ("capacity", f64::from(capacity)),
-                ("by_facing", f64::from(sheets.by_facing)),
-                ("by_parity", f64::from(sheets.by_parity)),
-                ("keeps_inside", f64::from(sheets.keeps_inside)),
-                ("closed", f64::from(sheets.closed)),
-                ("beside", sheets.beside),
-            ],
-            self.view.size_px,
+            Work::over(size),
         );
+        plan.add_pass(merge.with_constants(vec![
+            ("capacity", f64::from(crossings.capacity)),
+            ("by_facing", f64::from(self.by_facing)),
+            ("by_parity", f64::from(self.by_parity)),
+            ("keeps_inside", f64::from(self.keeps_inside)),
+            ("closed", f64::from(self.closed)),
+            ("beside", self.beside),
+        ]));
         Ok(())
     }
+}
 
-    fn draw_sheet(
-        &mut self,
+impl SheetDraw {
+    fn pass(
+        &self,
         name: &str,
         reason: &str,
         store: &'static str,
-        draw: &SheetDraw,
         lists: &FragmentLists,
-    ) {
-        // Nothing is drawn into it: a pass that draws must have one.
-        let target = self.once("surface_depth", |r| {
-            let format = Format::Depth32Float;
-            Resource::texture("surface_depth", r.view.size_px, 1, format, Clock::Frame)
-        });
-        let mut bindings = draw.bindings.clone();
+        depth: ResourceId,
+    ) -> Pass {
+        let mut bindings = self.bindings.clone();
         bindings.extend(lists.updated());
-        self.plan.add_pass(Pass {
-            name: format!("{} {name}", draw.name),
-            clock: Clock::Frame,
-            reason: reason.to_owned(),
-            shader: draw.shader.clone().with(store),
+        let pass = Pass::new(
+            format!("{} {name}", self.name),
+            reason,
+            self.shader.clone().with(store),
             bindings,
-            constants: draw.constants.clone(),
-            work: Work::Draw {
+            Work::Draw {
                 color: None,
-                depth: DepthTarget {
-                    resource: target,
-                    layer: 0,
-                    clear: true,
-                    compare: DepthCompare::Always,
-                    stencil: None,
-                },
-                vertices: draw.vertices,
-                indices: draw.indices,
-                draws: draw.draws.clone(),
+                depth: DepthTarget::untouched(depth),
+                vertices: self.vertices,
+                indices: self.indices,
+                draws: self.draws.clone(),
             },
-        });
+        );
+        pass.with_constants(self.constants.clone())
     }
 }

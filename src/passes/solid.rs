@@ -4,9 +4,9 @@
 //! One pass for the cut parts by the GPU's own rasteriser, and one that draws the others plainly; or the sweeps of the compute
 //! rasteriser over all. What an inside test wants of a fragment is a file that fills the open module `cutaway::store`.
 
-use super::Refusal;
-use super::{Crossings, DrawPass, Rasteriser, Recorder, counted};
-use crate::plan::{Access, Binding};
+use super::rasterise::{Swept, rasterise};
+use super::{Crossings, DrawPass, Rasteriser, Refusal, SceneBuffers, Surfaces, counted};
+use crate::plan::{Access, Binding, Plan};
 use crate::shader::Shader;
 
 /// What the pass over the mesh leaves for an inside test.
@@ -39,60 +39,74 @@ impl Store {
     }
 }
 
-impl Recorder<'_> {
-    /// The pass over the mesh by either rasteriser; the reason where the compute rasteriser cannot.
-    pub fn over_mesh(
-        &mut self,
-        rasteriser: Rasteriser,
-        store: &Store,
-        crossings: &Crossings,
-    ) -> Result<(), Refusal> {
-        match rasteriser {
-            Rasteriser::Hardware => {
-                self.draw_solids(store, crossings);
-                Ok(())
-            }
-            Rasteriser::Compute => self.rasterise(store, crossings),
-        }
-    }
+/// The nearest kept surface of each pixel, by whichever rasteriser.
+#[derive(Debug)]
+pub enum NearestKept {
+    /// By the GPU's own.
+    Drawn(Surfaces),
+    /// By the compute rasteriser.
+    Swept(Swept),
+}
 
-    fn draw_solids(&mut self, store: &Store, crossings: &Crossings) {
-        let (vertices, indices) = self.mesh();
-        let mut bindings = vec![self.frame(), self.cut_table(), self.parts()];
-        bindings.extend(store.bindings.iter().cloned());
-        bindings.extend(crossings.bindings());
-        let ranks = self.relevance.cut_parts().to_vec();
-        let groups = self.draws_of_groups(&ranks);
-        let of_groups = (!groups.is_empty()).then(|| {
-            let mut bindings = bindings.clone();
-            bindings.push(self.settled());
-            DrawPass {
-                name: "solid settled".to_owned(),
-                reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie".to_owned(),
-                shader: Shader::from("passes/settled.wgsl").with(store.file),
-                bindings,
-                constants: vec![("lane_bits", f64::from(self.lane_bits))],
-                vertices,
-                indices,
-                draws: groups,
-            }
-        });
-        self.draw(DrawPass {
-            name: "solid".to_owned(),
-            reason: format!(
-                "{}: each fragment marks the crossings it is behind, and stays where it is kept",
-                counted(ranks.len(), "cut part")
-            ),
-            shader: Shader::from("passes/solid.wgsl").with(store.file),
-            bindings,
-            constants: vec![("lane_bits", f64::from(self.lane_bits))],
-            vertices,
-            indices,
-            draws: self.draws_of_rest(&ranks),
-        });
-        if let Some(pass) = of_groups {
-            self.draw(pass);
-        }
-        self.draw_plain_parts(true);
+/// Records the pass over the mesh by either rasteriser; the reason where the compute rasteriser cannot.
+pub fn over_mesh(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    crossings: &Crossings,
+) -> Result<NearestKept, Refusal> {
+    Ok(match scene.input.rasteriser {
+        Rasteriser::Hardware => NearestKept::Drawn(draw_solids(plan, scene, store, crossings)),
+        Rasteriser::Compute => NearestKept::Swept(rasterise(plan, scene, store, crossings)?),
+    })
+}
+
+fn draw_solids(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    crossings: &Crossings,
+) -> Surfaces {
+    let input = scene.input;
+    let (vertices, indices) = scene.mesh();
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+    ];
+    bindings.extend(store.bindings.iter().cloned());
+    bindings.extend(crossings.bindings());
+    let ranks = input.relevance.cut_parts();
+    let solid = DrawPass {
+        name: "solid".to_owned(),
+        reason: format!(
+            "{}: each fragment marks the crossings it is behind, and stays where it is kept",
+            counted(ranks.len(), "cut part")
+        ),
+        shader: Shader::from("passes/solid.wgsl").with(store.file),
+        bindings,
+        constants: vec![scene.lanes.constant()],
+        vertices,
+        indices,
+        draws: input.draws_of_rest(ranks),
+    };
+    let settled = scene.settled.as_ref().map(|settled| {
+        let mut pass = DrawPass {
+            name: "solid settled".to_owned(),
+            reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie"
+                .to_owned(),
+            shader: Shader::from("passes/settled.wgsl").with(store.file),
+            draws: input.draws_of_groups(ranks),
+            ..solid.clone()
+        };
+        pass.bindings.push(settled.clone());
+        pass
+    });
+    let mut surfaces = Surfaces::new(plan, scene);
+    surfaces.draw(plan, solid);
+    if let Some(settled) = settled.filter(|s| !s.draws.is_empty()) {
+        surfaces.draw(plan, settled);
     }
+    surfaces.draw_plain_parts(plan, scene, true);
+    surfaces
 }

@@ -1,24 +1,121 @@
-//! Parts that no cut reaches, drawn as they are.
+//! Drawing surfaces by the GPU's own rasteriser: what is drawn into, and the parts that no cut reaches, drawn as they are.
 //!
-//! One pass for all of them by the GPU's own rasteriser, and one for their faces that lie on each other, where there are any.
+//! One pass for all of those, and one for their faces that lie on each other, where there are any.
 
-use super::recorder::{DrawPass, Recorder, counted};
+use super::{SceneBuffers, counted};
+use crate::plan::{
+    Binding, Clock, ColorTarget, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
+    ResourceId, Stencil, Vertices, Work,
+};
+use crate::shader::Shader;
 
 /// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
 const UNRANKED: f64 = 254.0;
 
-impl Recorder<'_> {
+/// The nearest surface of each pixel while it is drawn: the first pass clears it.
+#[derive(Debug)]
+pub struct Surfaces {
+    /// Two words per pixel.
+    pub words: ResourceId,
+    /// Reversed depth.
+    pub depth: ResourceId,
+    is_cleared: bool,
+}
+
+/// A draw of surfaces.
+#[derive(Clone, Debug)]
+pub struct DrawPass {
+    /// Unique name.
+    pub name: String,
+    /// Why it is there.
+    pub reason: String,
+    /// The shader.
+    pub shader: Shader,
+    /// Resources by name.
+    pub bindings: Vec<Binding>,
+    /// Override constants.
+    pub constants: Vec<(&'static str, f64)>,
+    /// Vertex buffer.
+    pub vertices: Vertices,
+    /// Index buffer.
+    pub indices: ResourceId,
+    /// Draws.
+    pub draws: Vec<Draw>,
+}
+
+impl Surfaces {
+    /// Nothing drawn yet.
+    pub fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
+        Self::into_depth(plan, scene, scene.depth)
+    }
+
+    /// Nothing drawn yet, with a stencil beside the depth.
+    pub fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
+        let size = scene.input.view.size_px;
+        let format = Format::Depth32FloatStencil8;
+        let depth = Resource::texture("surface_depth", size, 1, format, Clock::Frame);
+        let depth = plan.add_resource(depth);
+        Self::into_depth(plan, scene, depth)
+    }
+
+    fn into_depth(plan: &mut Plan, scene: &SceneBuffers<'_>, depth: ResourceId) -> Self {
+        let size = scene.input.view.size_px;
+        let words = Resource::texture("surface_words", size, 1, Format::Rg32Uint, Clock::Frame);
+        Self {
+            words: plan.add_resource(words),
+            depth,
+            is_cleared: false,
+        }
+    }
+
+    /// What a pass reads that looks at them.
+    pub fn bindings(&self) -> [Binding; 2] {
+        [
+            Binding::read("surface_words", self.words),
+            Binding::read("surface_depth", self.depth),
+        ]
+    }
+
+    /// Records a pass that draws.
+    pub fn draw(&mut self, plan: &mut Plan, pass: DrawPass) {
+        self.draw_with(plan, pass, None);
+    }
+
+    /// As [`Self::draw`], with a stencil, which they must have been made with.
+    pub fn draw_with(&mut self, plan: &mut Plan, pass: DrawPass, stencil: Option<Stencil>) {
+        let clear = !std::mem::replace(&mut self.is_cleared, true);
+        let work = Work::Draw {
+            color: Some(ColorTarget {
+                resource: self.words,
+                clear,
+            }),
+            depth: DepthTarget {
+                resource: self.depth,
+                layer: 0,
+                clear,
+                compare: DepthCompare::Greater,
+                stencil,
+            },
+            vertices: pass.vertices,
+            indices: pass.indices,
+            draws: pass.draws,
+        };
+        let drawn = Pass::new(pass.name, pass.reason, pass.shader, pass.bindings, work);
+        plan.add_pass(drawn.with_constants(pass.constants));
+    }
+
     /// Draws the parts that no cut reaches. `ranked` frames find such a surface's place among crossings later.
-    pub fn draw_plain_parts(&mut self, ranked: bool) {
-        let ranks = self.relevance.plain_parts().to_vec();
-        if ranks.is_empty() && self.drawn {
+    pub fn draw_plain_parts(&mut self, plan: &mut Plan, scene: &SceneBuffers<'_>, ranked: bool) {
+        let input = scene.input;
+        let ranks = input.relevance.plain_parts();
+        if ranks.is_empty() && self.is_cleared {
             return;
         }
-        let (vertices, indices) = self.mesh();
-        let bindings = vec![self.frame(), self.parts()];
+        let (vertices, indices) = scene.mesh();
+        let bindings = vec![scene.frame.clone(), scene.parts.clone()];
         let reason = if ranks.is_empty() {
             "clears the targets: every part is removed or capped".to_owned()
-        } else if self.relevance.lanes == 0 {
+        } else if input.relevance.lanes == 0 {
             "no part is cut open: the solids as they are".to_owned()
         } else {
             format!(
@@ -30,32 +127,30 @@ impl Recorder<'_> {
         if ranked {
             constants.push(("place", UNRANKED));
         }
-        if !self.view.near_cap {
+        if !input.view.near_cap {
             constants.push(("passes_exits", 1.0));
         }
-        self.draw(DrawPass {
+        let plain = DrawPass {
             name: "surface".to_owned(),
             reason,
             shader: "passes/surface.wgsl".into(),
             bindings,
-            constants: constants.clone(),
+            constants,
             vertices,
             indices,
-            draws: self.draws_of_rest(&ranks),
+            draws: input.draws_of_rest(ranks),
+        };
+        let doubled = scene.settled.as_ref().map(|settled| DrawPass {
+            name: "surface doubled".to_owned(),
+            reason: "of faces that lie on each other the one that faces the eye".to_owned(),
+            shader: "passes/doubled.wgsl".into(),
+            bindings: vec![scene.frame.clone(), scene.parts.clone(), settled.clone()],
+            draws: input.draws_of_groups(ranks),
+            ..plain.clone()
         });
-        let doubled = self.draws_of_groups(&ranks);
-        if !doubled.is_empty() {
-            let pass = DrawPass {
-                name: "surface doubled".to_owned(),
-                reason: "of faces that lie on each other the one that faces the eye".to_owned(),
-                shader: "passes/doubled.wgsl".into(),
-                bindings: vec![self.frame(), self.parts(), self.settled()],
-                constants,
-                vertices,
-                indices,
-                draws: doubled,
-            };
-            self.draw(pass);
+        self.draw(plan, plain);
+        if let Some(doubled) = doubled.filter(|d| !d.draws.is_empty()) {
+            self.draw(plan, doubled);
         }
     }
 }

@@ -9,9 +9,8 @@
 //! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
 //! *High-performance software rasterization on GPUs* (2011).
 
-use super::recorder::Recorder;
-use super::{Crossings, Screen, Store};
-use crate::plan::{Access, Binding, Pass, Work};
+use super::{Crossings, SceneBuffers, Screen, Store};
+use crate::plan::{Access, Binding, Pass, Plan, Work};
 use crate::shader::Shader;
 
 /// Invocations along x of a dispatch folded into two dimensions: `shaders/lib/sweep.wgsl`.
@@ -40,43 +39,58 @@ pub struct Sweep<'a> {
     pub again: bool,
 }
 
-impl Recorder<'_> {
-    /// Records a sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
-    pub fn sweep(&mut self, screen: &Screen, sweep: &Sweep<'_>) {
-        let constants = vec![("lane_bits", f64::from(self.lane_bits))];
+impl<'a> Sweep<'a> {
+    /// A first sweep in which fragments do nothing but leave what an inside test wants.
+    pub fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
+        Self {
+            name,
+            reason,
+            sample: "lib/sample/bare.wgsl",
+            store: Some(store),
+            crossings: None,
+            bindings: Vec::new(),
+            again: false,
+        }
+    }
+
+    /// Records the sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
+    pub fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
-            let mut shader = Shader::from(path).with(sweep.sample);
-            if sweep.crossings.is_some() {
+            let mut shader = Shader::from(path).with(self.sample);
+            if self.crossings.is_some() {
                 shader = shader.with(if screen.settled.is_some() {
                     "lib/settling/groups.wgsl"
                 } else {
                     "lib/settling/none.wgsl"
                 });
             }
-            match sweep.store {
+            match self.store {
                 Some(store) => shader.with(store.file),
                 None => shader,
             }
         };
         let mut bindings = vec![
             screen.frame.clone(),
-            self.told(screen, sweep.again),
+            match self.again {
+                true => screen.sweep_again.clone(),
+                false => screen.sweep.clone(),
+            },
             screen.drawn_parts.clone(),
             screen.indices.clone(),
             screen.vertices(),
         ];
-        bindings.extend(sweep.bindings.iter().cloned());
-        if let Some(store) = sweep.store {
+        bindings.extend(self.bindings.iter().cloned());
+        if let Some(store) = self.store {
             bindings.extend(store.bindings.iter().cloned());
         }
-        if let Some(crossings) = sweep.crossings {
-            bindings.push(self.cut_table());
+        if let Some(crossings) = self.crossings {
+            bindings.push(scene.cut_table.clone());
             bindings.extend(crossings.bindings());
             bindings.extend(screen.settled.clone());
         }
         let queue = Binding::read("queue", screen.queue);
         let mut small = bindings.clone();
-        small.push(if sweep.again {
+        small.push(if self.again {
             queue.clone()
         } else {
             Binding {
@@ -84,62 +98,37 @@ impl Recorder<'_> {
                 ..queue.clone()
             }
         });
-        self.over(
-            screen,
-            &format!("{} small", sweep.name),
-            sweep.reason,
-            shader("passes/rasterise/small.wgsl"),
-            small,
-            constants.clone(),
-            groups_along(screen.description.triangle_count),
-        );
         bindings.push(queue);
+        let mut add = |what: &str, reason: &str, path, bindings, groups| {
+            let name = screen.named(&format!("{} {what}", self.name));
+            let work = Work::Compute { groups };
+            let pass = Pass::new(name, reason, shader(path), bindings, work);
+            let constants = vec![scene.lanes.constant()];
+            plan.add_pass(pass.on(screen.clock).with_constants(constants));
+        };
+        add(
+            "small",
+            self.reason,
+            "passes/rasterise/small.wgsl",
+            small,
+            groups_along(screen.triangle_count),
+        );
         if screen.may_clip {
-            self.over(
-                screen,
-                &format!("{} clipped", sweep.name),
+            add(
+                "clipped",
                 "the same for triangles that the near plane or the guard band cuts",
-                shader("passes/rasterise/clipped.wgsl"),
+                "passes/rasterise/clipped.wgsl",
                 bindings.clone(),
-                constants.clone(),
                 QUEUE_GROUPS,
             );
         }
-        self.over(
-            screen,
-            &format!("{} large", sweep.name),
+        add(
+            "large",
             "the same for triangles of many samples",
-            shader("passes/rasterise/large.wgsl"),
+            "passes/rasterise/large.wgsl",
             bindings,
-            constants,
             QUEUE_GROUPS,
         );
-    }
-
-    /// A pass of a screen.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "the sentence form of a pass: each word is one argument"
-    )]
-    pub(super) fn over(
-        &mut self,
-        screen: &Screen,
-        name: &str,
-        reason: &str,
-        shader: Shader,
-        bindings: Vec<Binding>,
-        constants: Vec<(&'static str, f64)>,
-        groups: [u32; 3],
-    ) {
-        self.plan.add_pass(Pass {
-            name: screen.named(name),
-            clock: screen.clock,
-            reason: reason.to_owned(),
-            shader,
-            bindings,
-            constants,
-            work: Work::Compute { groups },
-        });
     }
 }
 

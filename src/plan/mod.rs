@@ -203,6 +203,32 @@ impl Plan {
             .map(ResourceId)
     }
 
+    /// The plan less the resources that no pass mentions: what is uploaded for any pass that may want it is not there where none does.
+    #[must_use]
+    pub fn without_unused(mut self) -> Self {
+        let mut is_used = vec![false; self.resources.len()];
+        for id in self.mentions_mut() {
+            is_used[id.0] = true;
+        }
+        let mut next = 0..;
+        let numbers: Vec<usize> = (is_used.iter())
+            .map(|used| if *used { next.next().unwrap_or(0) } else { 0 })
+            .collect();
+        for id in self.mentions_mut() {
+            id.0 = numbers[id.0];
+        }
+        let mut used = is_used.into_iter();
+        self.resources.retain(|_| used.next().unwrap_or(true));
+        self
+    }
+
+    fn mentions_mut(&mut self) -> impl Iterator<Item = &mut ResourceId> {
+        let of_passes = self.passes.iter_mut().flat_map(Pass::resources_mut);
+        let of_cpu = self.on_cpu.iter_mut().flat_map(|w| &mut w.makes);
+        let of_frame = [&mut self.layers, &mut self.picture, &mut self.need];
+        (of_passes.chain(of_cpu)).chain(of_frame.into_iter().flatten())
+    }
+
     /// The passes of a clock, in order.
     pub fn passes_on(&self, clock: Clock) -> impl Iterator<Item = &Pass> {
         self.passes.iter().filter(move |pass| pass.clock == clock)

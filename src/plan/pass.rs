@@ -227,6 +227,54 @@ pub enum Work {
     },
 }
 
+impl DepthTarget {
+    /// One that fragments neither ask nor write: a pass that draws must have one. Any depths do, for they are cleared.
+    pub fn untouched(resource: ResourceId) -> Self {
+        Self {
+            resource,
+            layer: 0,
+            clear: true,
+            compare: DepthCompare::Always,
+            stencil: None,
+        }
+    }
+}
+
+impl Work {
+    /// A dispatch with one invocation for each pixel, or texel, of a picture.
+    pub fn over(size: [u32; 2]) -> Self {
+        Self::Compute {
+            groups: groups_over(size),
+        }
+    }
+
+    /// A dispatch of one workgroup.
+    pub fn once() -> Self {
+        Self::Compute { groups: [1, 1, 1] }
+    }
+
+    fn resources_mut(&mut self) -> Vec<&mut ResourceId> {
+        let Self::Draw {
+            color,
+            depth,
+            vertices,
+            indices,
+            draws,
+        } = self
+        else {
+            return Vec::new();
+        };
+        let mut all = vec![&mut depth.resource, indices];
+        all.extend(color.as_mut().map(|c| &mut c.resource));
+        if let Vertices::Mesh(id) = vertices {
+            all.push(id);
+        }
+        let arguments = draws.iter_mut().filter_map(|d| d.arguments.as_mut());
+        all.extend(arguments.map(|a| &mut a.resource));
+        all
+    }
+}
+
 /// One step of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pass {
@@ -247,6 +295,37 @@ pub struct Pass {
 }
 
 impl Pass {
+    /// A pass of the frame, without constants.
+    pub fn new(
+        name: impl Into<String>,
+        reason: impl Into<String>,
+        shader: impl Into<Shader>,
+        bindings: Vec<Binding>,
+        work: Work,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            clock: Clock::Frame,
+            reason: reason.into(),
+            shader: shader.into(),
+            bindings,
+            constants: Vec::new(),
+            work,
+        }
+    }
+
+    /// The same on another clock.
+    #[must_use]
+    pub fn on(self, clock: Clock) -> Self {
+        Self { clock, ..self }
+    }
+
+    /// The same with values of the shader's `override` constants.
+    #[must_use]
+    pub fn with_constants(self, constants: Vec<(&'static str, f64)>) -> Self {
+        Self { constants, ..self }
+    }
+
     /// Resources the pass reads, in order of first mention.
     pub fn reads(&self) -> Vec<ResourceId> {
         let bound = self
@@ -277,6 +356,12 @@ impl Pass {
             all.extend(keeps.then_some(depth.resource));
         }
         all
+    }
+
+    /// All that it mentions, to be numbered anew.
+    pub(super) fn resources_mut(&mut self) -> impl Iterator<Item = &mut ResourceId> {
+        let bound = self.bindings.iter_mut().map(|b| &mut b.resource);
+        bound.chain(self.work.resources_mut())
     }
 
     /// Resources the pass writes.

@@ -19,7 +19,7 @@ pub(crate) use row::{Answers, Caps};
 
 use std::fmt::Display;
 
-use crate::passes::{Model, Recorder};
+use crate::passes::{Input, Lanes, Model, Picture, SceneBuffers, Surfaces, gather};
 use crate::plan::{Capacities, Plan};
 use crate::scene::{HeightFilter, View};
 
@@ -48,52 +48,55 @@ pub fn record(
             ),
         ));
     }
-    let mut recorder = Recorder::new(model, view)?;
-    recorder.wide_atomics = means.wide_atomics.unwrap_or(false);
-    recorder.relief_walk = means.relief_walk;
-    recorder.height_filter = means.height_filter.unwrap_or_default();
-    recorder.keeps_pyramids = capacities.pyramids;
-    must_be_able(&recorder, strategy)?;
-    recorder.pose_parts()?;
-    if recorder.relevance.lanes == 0 {
-        recorder.draw_plain_parts(false);
-        recorder.gather();
-    } else {
-        record_cut(&mut recorder, strategy, rasteriser, capacities)?;
-    }
-    recorder.shade();
-    Ok(recorder.plan)
+    let input = Input {
+        rasteriser,
+        wide_atomics: means.wide_atomics.unwrap_or(false),
+        relief_walk: means.relief_walk,
+        height_filter: means.height_filter.unwrap_or_default(),
+        ..Input::new(model, view, capacities)?
+    };
+    must_be_able(&input, strategy)?;
+    let mut plan = Plan::default();
+    let picture = match input.relevance.lanes {
+        0 => record_uncut(&mut plan, &input)?,
+        _ => record_cut(&mut plan, &input, strategy)?,
+    };
+    plan.layers = Some(picture.layers);
+    plan.picture = Some(picture.picture);
+    Ok(plan.without_unused())
 }
 
-/// The plan where a cut opens some part.
-fn record_cut(
-    recorder: &mut Recorder<'_>,
-    strategy: Strategy,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
+/// The passes where no cut opens a part.
+fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+    let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
+    let mut surfaces = Surfaces::new(plan, &scene);
+    surfaces.draw_plain_parts(plan, &scene, false);
+    Ok(gather(plan, &scene, &surfaces))
+}
+
+/// The passes where a cut opens some part.
+fn record_cut(plan: &mut Plan, input: &Input<'_>, strategy: Strategy) -> Result<Picture, Refusal> {
     let Strategy { surface, inside } = strategy;
     let Some(inside) = inside else {
         return match surface.row().caps {
-            Caps::Alone(record) => record(recorder, rasteriser, capacities),
+            Caps::Alone(record) => record(plan, input),
             _ => Err(unpaired(surface, "does not know what is inside")),
         };
     };
+    let steps = inside.steps();
     match (surface.row().caps, inside.row().answers) {
         (Caps::Alone(_), _) => Err(unpaired(surface, "knows by itself what is inside")),
-        (_, Answers::Rays(record)) => {
-            record(recorder, surface, inside.steps(), rasteriser, capacities)
-        }
+        (_, Answers::Rays(record)) => record(plan, input, surface, steps),
         (Caps::Rays(_), Answers::Points(images)) => {
-            let resolution = inside.steps();
-            inside::probed(
-                recorder, surface, images, resolution, rasteriser, capacities,
-            )
+            inside::probed(plan, input, surface, |plan, scene| {
+                images(plan, scene, steps)
+            })
         }
         (Caps::Triangles(tessellate), Answers::Points(images)) => surface::paper::record(
-            recorder,
-            |recorder| tessellate(recorder, surface.steps(), true, capacities),
-            |recorder| images(recorder, inside.steps(), rasteriser, capacities),
+            plan,
+            input,
+            |plan, scene| tessellate(plan, scene, surface.steps(), true),
+            |plan, scene| images(plan, scene, steps),
         ),
     }
 }
@@ -104,10 +107,10 @@ fn unpaired(who: impl Display, what: &str) -> Refusal {
 }
 
 /// Refuses what of the scene is more than the strategy knows of.
-fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refusal> {
+fn must_be_able(input: &Input<'_>, strategy: Strategy) -> Result<(), Refusal> {
     let can = strategy.can();
     let refuse = |obstacle, reason: String| Err(Refusal::new(obstacle, reason));
-    if !can.nonzero && recorder.has_nonzero() {
+    if !can.nonzero && input.has_nonzero() {
         let who = strategy
             .inside
             .map_or_else(|| strategy.to_string(), |i| i.to_string());
@@ -116,7 +119,7 @@ fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refus
             format!("{who} knows parity alone, and a part that is cut has fill = \"nonzero\""),
         );
     }
-    if !can.overlaps && recorder.shows_overlaps() {
+    if !can.overlaps && input.shows_overlaps() {
         return refuse(
             Obstacle::Overlaps,
             format!(
@@ -124,7 +127,7 @@ fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refus
             ),
         );
     }
-    if !can.cutters && recorder.has_cutters() {
+    if !can.cutters && input.has_cutters() {
         let why = match strategy.is_by_the_papers_rule() {
             true => {
                 "draws each clip-surface by itself, with no list of crossings to put its faces in"
@@ -139,9 +142,9 @@ fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refus
             ),
         );
     }
-    heights_must_be_read(recorder, strategy.surface)?;
-    let (prepared, surfaces) = (&recorder.model.prepared, &recorder.relevance.surfaces);
-    let relief = surfaces.iter().find(|s| recorder.model.is_relief(**s));
+    heights_must_be_read(input, strategy.surface)?;
+    let (prepared, surfaces) = (&input.model.prepared, &input.relevance.surfaces);
+    let relief = surfaces.iter().find(|s| input.model.is_relief(**s));
     if let (false, Some(number)) = (can.reliefs, relief) {
         let cut = &prepared.cuts[prepared.surfaces[*number].cut].name;
         return refuse(
@@ -162,13 +165,13 @@ fn must_be_able(recorder: &Recorder<'_>, strategy: Strategy) -> Result<(), Refus
 }
 
 /// Refuses reliefs that cannot be read as the means say.
-fn heights_must_be_read(recorder: &Recorder<'_>, surface: CapSurface) -> Result<(), Refusal> {
-    if recorder.height_filter == HeightFilter::Exact || !recorder.has_reliefs() {
+fn heights_must_be_read(input: &Input<'_>, surface: CapSurface) -> Result<(), Refusal> {
+    if input.height_filter == HeightFilter::Exact || !input.has_reliefs() {
         return Ok(());
     }
     let reason = match surface.row().exact_heights {
         // What cuts by planes alone says so itself.
-        "" => recorder.unfiltered(),
+        "" => input.unfiltered(),
         why => Some(format!(
             "{surface} {why} and asks no sampler for heights: height_filter = \"hardware\" is for grid"
         )),

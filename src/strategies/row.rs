@@ -9,8 +9,8 @@ use std::hash::{Hash, Hasher};
 use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
-use crate::passes::{Crossings, Rasteriser, Recorder, Refusal, Store, Volume};
-use crate::plan::Capacities;
+use crate::passes::{Crossings, Input, Picture, Refusal, SceneBuffers, Store, Volume};
+use crate::plan::Plan;
 
 /// A parameter that follows the name of a row, as in `grid:256`.
 #[derive(Clone, Copy, Debug)]
@@ -147,16 +147,16 @@ pub(crate) enum Caps {
 }
 
 /// Records the passes that write the list of crossings of a pixel, with room for so many, and make every pixel ready for its first
-/// fragment on the way. The first number is the parameter, in steps.
+/// fragment on the way.
 pub(super) type ListCrossings =
-    fn(&mut Recorder<'_>, u32, u32, &Store, &Capacities) -> Result<Crossings, Refusal>;
+    fn(&mut Plan, &SceneBuffers<'_>, u32, &Store) -> Result<Crossings, Refusal>;
 
 /// Records the clip-surfaces as triangles, planes only where they are asked for. The number is the parameter, in steps.
 pub(super) type Tessellate =
-    fn(&mut Recorder<'_>, u32, bool, &Capacities) -> Result<Tessellation, Refusal>;
+    fn(&mut Plan, &SceneBuffers<'_>, u32, bool) -> Result<Tessellation, Refusal>;
 
 /// Records the frame.
-pub(super) type RecordAlone = fn(&mut Recorder<'_>, Rasteriser, &Capacities) -> Result<(), Refusal>;
+pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<Picture, Refusal>;
 
 /// An inside test.
 #[derive(Debug)]
@@ -177,16 +177,11 @@ pub(crate) enum Answers {
 }
 
 /// Records the frame of a cap surface that lists crossings. The number is the parameter, in steps.
-pub(super) type RecordRays =
-    fn(&mut Recorder<'_>, CapSurface, u32, Rasteriser, &Capacities) -> Result<(), Refusal>;
+pub(super) type RecordRays = fn(&mut Plan, &Input<'_>, CapSurface, u32) -> Result<Picture, Refusal>;
 
 /// Records images of all cut parts, each with the places of the parts that it answers for. The number is the parameter, in steps.
-pub(super) type RecordImages = fn(
-    &mut Recorder<'_>,
-    u32,
-    Rasteriser,
-    &Capacities,
-) -> Result<Vec<(Range<usize>, Volume)>, Refusal>;
+pub(super) type RecordImages =
+    fn(&mut Plan, &SceneBuffers<'_>, u32) -> Result<Vec<(Range<usize>, Volume)>, Refusal>;
 
 /// A row of one of the two tables.
 pub trait Row: fmt::Debug + 'static {

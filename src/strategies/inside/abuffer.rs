@@ -13,9 +13,11 @@
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
 //! they are more than a storage binding holds, in bands of rows.
 
-use crate::passes::Refusal;
-use crate::passes::{Inside, Rasteriser, Recorder, pixels};
-use crate::plan::{Binding, Capacities, Clock};
+use crate::passes::{
+    FragmentLists, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, leave_fragments, need,
+    over_mesh, resolve,
+};
+use crate::plan::{Binding, Clock, Pass, Plan, Work};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
 
@@ -44,49 +46,49 @@ pub static ROW: InsideTestRow = InsideTestRow {
 
 /// Records the frame of a cap surface with `abuffer`.
 fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
-    let several = recorder.relevance.lanes > 1;
-    let lists = recorder.fragment_lists(
-        pixels(recorder.view.size_px),
+) -> Result<Picture, Refusal> {
+    let capacity = surface::capacity(input);
+    let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
+    let several = input.relevance.lanes > 1;
+    let lists = FragmentLists::of_mesh(
+        plan,
+        input,
+        input.pixel_count(),
         several,
-        capacities,
         FRAGMENTS_OF_PIXELS,
     )?;
-    let crossings = surface::list(recorder, surface, capacity, &lists.counting(), capacities)?;
-    recorder.leave_fragments(
-        rasteriser,
+    let crossings = surface::list(plan, &scene, surface, capacity, &lists.counting())?;
+    leave_fragments(
+        plan,
+        &scene,
         "count",
         "how many fragments each pixel has",
         &lists.counting(),
     )?;
-    let need = recorder.need(Clock::Frame);
-    recorder.lay_out(&lists, "fragments of each pixel", need);
-    recorder.over_mesh(rasteriser, &lists.keeping(), &crossings)?;
-    let mask = recorder.reduced_mask();
+    let need = need(plan, input, Clock::Frame);
+    lists.lay_out(plan, "fragments of each pixel", need);
+    let nearest = over_mesh(plan, &scene, &lists.keeping(), &crossings)?;
+    let mask = scene.lanes.reduced_mask(plan, input);
     let mut bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
         Binding::write("mask", mask),
     ];
     bindings.extend(lists.read());
     bindings.extend(crossings.bindings());
-    recorder.compute(
+    let reduce = Pass::new(
         "reduce",
-        Clock::Frame,
         "the fragments of a pixel become its words of the mask",
         "strategies/inside/abuffer/reduce.wgsl",
         bindings,
-        vec![("lane_bits", f64::from(recorder.lane_bits))],
-        recorder.view.size_px,
+        Work::over(input.view.size_px),
     );
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
-    Ok(())
+    plan.add_pass(reduce.with_constants(vec![scene.lanes.constant()]));
+    let inside = Inside::mask(mask);
+    Ok(resolve(plan, &scene, nearest, inside, &crossings))
 }

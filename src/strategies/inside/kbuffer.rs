@@ -11,10 +11,12 @@
 //! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
 //! the user's number and does not grow by itself.
 
-use crate::passes::Refusal;
-use crate::passes::{Inside, NEED_OF_FRAGMENTS, Rasteriser, Recorder, Store, pixels};
+use crate::passes::{
+    Input, Inside, Lanes, NEED_OF_FRAGMENTS, Picture, Refusal, SceneBuffers, Store, need,
+    over_mesh, resolve,
+};
 use crate::plan::pack::Cascade;
-use crate::plan::{Binding, Bounded, Capacities, Clock, Contents, Resource, Role};
+use crate::plan::{Binding, Bounded, Clock, Contents, Pass, Plan, Resource, Role, Work};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow, Parameter};
 use crate::strategies::surface;
 
@@ -44,70 +46,59 @@ pub static ROW: InsideTestRow = InsideTestRow {
 
 /// Records the frame of a cap surface with `kbuffer:K`.
 fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    input: &Input<'_>,
     surface: CapSurface,
     depths: u32,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
-    let lanes = recorder.relevance.lanes;
-    let bytes = pixels(recorder.view.size_px) * 4 * lanes as u64 * u64::from(depths + 1);
-    let slots = recorder.once("nearest fragments", |_| {
-        Resource::storage("nearest fragments", bytes, Clock::Frame)
-    });
-    let cascade = Cascade {
+) -> Result<Picture, Refusal> {
+    let capacity = surface::capacity(input);
+    let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
+    let lanes = input.relevance.lanes;
+    let bytes = input.pixel_count() * 4 * lanes as u64 * u64::from(depths + 1);
+    let slots = Resource::storage("nearest fragments", bytes, Clock::Frame);
+    let slots = plan.add_resource(slots);
+    let cascade = Contents::of(&[Cascade {
         slots: depths,
         lanes: lanes as u32,
         padding: [0; 2],
-    };
-    let table = recorder.once("cascade", |_| {
-        Resource::upload(
-            "cascade",
-            Role::Uniform,
-            Contents::of(&[cascade]),
-            Clock::Cut,
-        )
-    });
-    let cascade = Binding::read("cascade", table);
+    }]);
+    let cascade = Resource::upload("cascade", Role::Uniform, cascade, Clock::Cut);
+    let cascade = Binding::read("cascade", plan.add_resource(cascade));
     let store = Store {
         file: "lib/store/cascade.wgsl",
         bindings: vec![Binding::update("slots", slots), cascade.clone()],
     };
-    let crossings = surface::list(recorder, surface, capacity, &store, capacities)?;
-    recorder.over_mesh(rasteriser, &store, &crossings)?;
-    let mask = recorder.reduced_mask();
-    let need = recorder.need(Clock::Frame);
-    let bindings = vec![
-        recorder.frame(),
-        recorder.parts(),
-        Binding::read("crossing_heads", crossings.heads),
-        Binding::read("crossing_z", crossings.z),
-        cascade,
-        Binding::read("slots", slots),
-        Binding::write("mask", mask),
-        Binding::update("need", need),
-    ];
-    recorder.compute(
+    let crossings = surface::list(plan, &scene, surface, capacity, &store)?;
+    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let mask = scene.lanes.reduced_mask(plan, input);
+    let need = need(plan, input, Clock::Frame);
+    let reduce = Pass::new(
         "reduce",
-        Clock::Frame,
         "counts and nearest depths of a pixel become its words of the mask",
         "strategies/inside/kbuffer/reduce.wgsl",
-        bindings,
         vec![
-            ("lane_bits", f64::from(recorder.lane_bits)),
-            ("need_at", f64::from(NEED_OF_FRAGMENTS)),
+            scene.frame.clone(),
+            scene.parts.clone(),
+            Binding::read("crossing_heads", crossings.heads),
+            Binding::read("crossing_z", crossings.z),
+            cascade,
+            Binding::read("slots", slots),
+            Binding::write("mask", mask),
+            Binding::update("need", need),
         ],
-        recorder.view.size_px,
+        Work::over(input.view.size_px),
     );
-    recorder.plan.bounded.push(Bounded {
+    plan.add_pass(reduce.with_constants(vec![
+        scene.lanes.constant(),
+        ("need_at", f64::from(NEED_OF_FRAGMENTS)),
+    ]));
+    plan.bounded.push(Bounded {
         what: "fragments per pixel and part (the K of kbuffer:K)".to_owned(),
         slot: NEED_OF_FRAGMENTS,
         capacity: depths,
         knob: None,
         exact: false,
     });
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
-    Ok(())
+    let inside = Inside::mask(mask);
+    Ok(resolve(plan, &scene, nearest, inside, &crossings))
 }

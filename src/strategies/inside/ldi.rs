@@ -15,15 +15,13 @@
 //! binding, 128 MiB in core WebGPU.
 
 use super::vds;
-use crate::passes::Refusal;
 use crate::passes::{
-    Rasteriser, Recorder, Screen, ScreenOf, Store, Sweep, Volume, counted, groups_along,
-    sweep_of_fragments,
+    FragmentLists, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep, Volume,
+    counted, groups_along, need,
 };
 use crate::plan::pack::{self, Sprite};
 use crate::plan::{
-    Binding, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Pass, Resource, Role,
-    Work,
+    Binding, Clock, Contents, DepthTarget, Format, Pass, Plan, Resource, ResourceId, Role, Work,
 };
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
@@ -52,81 +50,63 @@ pub static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+ldi:512", false), ("grid:256+ldi:512", false)],
     },
-    answers: Answers::Points(|recorder, resolution, rasteriser, capacities| {
-        let ranks = recorder.relevance.cut_parts().to_vec();
-        let volume = record(recorder, rasteriser, &ranks, resolution, capacities)?;
-        Ok(vec![(0..ranks.len(), volume)])
+    answers: Answers::Points(|plan, scene, resolution| {
+        let volume = record(plan, scene, resolution)?;
+        Ok(vec![(0..scene.input.relevance.lanes, volume)])
     }),
 };
 
-/// Records the images of some parts, by rank.
-fn record(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
-    ranks: &[usize],
-    resolution: u32,
-    capacities: &Capacities,
-) -> Result<Volume, Refusal> {
+/// Records the images of the parts that are cut.
+fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<Volume, Refusal> {
+    let input = scene.input;
+    let ranks = input.relevance.cut_parts();
     let texels = u64::from(resolution).pow(2) * ranks.len() as u64;
-    let lists = recorder.fragment_lists(texels, false, capacities, FRAGMENTS_OF_TEXELS)?;
-    let sprites = table(recorder, ranks, resolution);
-    let need = recorder.need(Clock::Frame);
-    recorder.plan.add_pass(Pass {
-        name: "image clear".to_owned(),
-        clock: Clock::Frame,
-        reason: "the lists of all texels are counted from zero".to_owned(),
-        shader: "strategies/inside/ldi/clear.wgsl".into(),
-        bindings: lists.emptied().to_vec(),
-        constants: Vec::new(),
-        work: Work::Compute {
+    let lists = FragmentLists::of_mesh(plan, input, texels, false, FRAGMENTS_OF_TEXELS)?;
+    let sprites = table(plan, scene, resolution);
+    let need = need(plan, input, Clock::Frame);
+    plan.add_pass(Pass::new(
+        "image clear",
+        "the lists of all texels are counted from zero",
+        "strategies/inside/ldi/clear.wgsl",
+        lists.emptied().to_vec(),
+        Work::Compute {
             groups: groups_along(lists.count()),
         },
-    });
+    ));
     let of = counted(ranks.len(), "part");
     let count = format!("how many fragments each texel has, in the images of {of}");
     let fill = format!("the depths of the fragments, in the images of {of}");
-    match rasteriser {
+    match input.rasteriser {
         Rasteriser::Hardware => {
-            let counting = lists.counting();
-            draw(
-                recorder,
-                ranks,
-                resolution,
-                "image count",
-                count,
-                &counting,
-                &sprites,
-            );
-            recorder.lay_out(&lists, "fragments of each texel", need);
-            let keeping = lists.keeping();
-            draw(
-                recorder,
-                ranks,
-                resolution,
-                "image fill",
-                fill,
-                &keeping,
-                &sprites,
-            );
+            let format = Format::Depth32Float;
+            let target =
+                Resource::texture("image target", [resolution; 2], 1, format, Clock::Frame);
+            let target = plan.add_resource(target);
+            let draw = |name, reason: &str, store: &Store| {
+                draw(scene, name, reason, store, &sprites, target)
+            };
+            plan.add_pass(draw("image count", &count, &lists.counting()));
+            lists.lay_out(plan, "fragments of each texel", need);
+            plan.add_pass(draw("image fill", &fill, &lists.keeping()));
         }
         Rasteriser::Compute => {
             let mut screens = Vec::with_capacity(ranks.len());
             for (image, rank) in ranks.iter().enumerate() {
                 let first = image as u32 * resolution * resolution;
-                let own = recorder.lists_from(&lists, first);
-                let screen = screen(recorder, image, *rank, resolution)?;
+                let own = lists.starting_at(plan, first);
+                let screen = screen(plan, scene, image, *rank, resolution)?;
                 let counting = own.counting();
-                recorder.sweep(&screen, &sweep_of_fragments("count", &count, &counting));
+                Sweep::of_fragments("count", &count, &counting).record(plan, scene, &screen);
                 screens.push((screen, own));
             }
-            recorder.lay_out(&lists, "fragments of each texel", need);
+            lists.lay_out(plan, "fragments of each texel", need);
             for (screen, own) in screens {
                 let keeping = own.keeping();
                 let filling = Sweep {
                     again: true,
-                    ..sweep_of_fragments("fill", &fill, &keeping)
+                    ..Sweep::of_fragments("fill", &fill, &keeping)
                 };
-                recorder.sweep(&screen, &filling);
+                filling.record(plan, scene, &screen);
             }
         }
     }
@@ -139,97 +119,67 @@ fn record(
 }
 
 /// The boxes of the parts, by place.
-fn table(recorder: &mut Recorder<'_>, ranks: &[usize], resolution: u32) -> Binding {
-    let rows: Vec<Sprite> = recorder
-        .relevance
-        .cut_parts()
-        .iter()
-        .map(|rank| match ranks.iter().position(|r| r == rank) {
-            None => bytemuck::Zeroable::zeroed(),
-            Some(image) => {
-                let bounds = &recorder.model.prepared.parts[*rank].bounds;
-                vds::sprite(bounds, resolution, 0, image as u32)
-            }
-        })
+fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding {
+    let parts = &scene.input.model.prepared.parts;
+    let ranks = scene.input.relevance.cut_parts().iter().zip(0_u32..);
+    let rows: Vec<Sprite> = ranks
+        .map(|(rank, image)| vds::sprite(&parts[*rank].bounds, resolution, 0, image))
         .collect();
-    let id = recorder.once("images", |_| {
-        Resource::own_upload("images", Role::Storage, Contents::of(&rows), Clock::Cut)
-    });
-    Binding::read("sprites", id)
+    let images = Resource::own_upload("images", Role::Storage, Contents::of(&rows), Clock::Cut);
+    Binding::read("sprites", plan.add_resource(images))
 }
 
-#[allow(
-    clippy::too_many_arguments,
-    reason = "the sentence form of a pass: each word is one argument"
-)]
+/// A pass in which the fragments of all images leave what a store keeps.
 fn draw(
-    recorder: &mut Recorder<'_>,
-    ranks: &[usize],
-    resolution: u32,
+    scene: &SceneBuffers<'_>,
     name: &str,
-    reason: String,
+    reason: &str,
     store: &Store,
     sprites: &Binding,
-) {
-    let (vertices, indices) = recorder.mesh();
+    target: ResourceId,
+) -> Pass {
+    let (vertices, indices) = scene.mesh();
     let mut bindings = vec![sprites.clone()];
     bindings.extend(store.bindings.iter().cloned());
-    // Nothing is drawn into it: a pass that draws must have one.
-    let target = recorder.once("image target", |_| {
-        let size = [resolution; 2];
-        Resource::texture("image target", size, 1, Format::Depth32Float, Clock::Frame)
-    });
-    recorder.plan.add_pass(Pass {
-        name: name.to_owned(),
-        clock: Clock::Frame,
+    Pass::new(
+        name,
         reason,
-        shader: Shader::from("strategies/inside/ldi/fragments.wgsl").with(store.file),
+        Shader::from("strategies/inside/ldi/fragments.wgsl").with(store.file),
         bindings,
-        constants: Vec::new(),
-        work: Work::Draw {
+        Work::Draw {
             color: None,
-            depth: DepthTarget {
-                resource: target,
-                layer: 0,
-                clear: true,
-                compare: DepthCompare::Always,
-                stencil: None,
-            },
+            depth: DepthTarget::untouched(target),
             vertices,
             indices,
-            draws: recorder.draws_of(ranks),
+            draws: scene.input.draws_of(scene.input.relevance.cut_parts()),
         },
-    });
+    )
 }
 
 /// A part on the screen that is its image.
 fn screen(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     image: usize,
     rank: usize,
     resolution: u32,
 ) -> Result<Screen, Refusal> {
-    let bounds = recorder.model.prepared.parts[rank].bounds;
+    let bounds = scene.input.model.prepared.parts[rank].bounds;
     let sprite = vds::sprite(&bounds, resolution, 0, 0);
     let view = vds::view(&bounds, resolution);
-    let contents = Contents::of(&[pack::sprite_frame(&sprite)]);
     let name = format!("image {image}");
-    let frame = recorder.once(&format!("{name} frame"), |_| {
-        Resource::upload(
-            format!("{name} frame"),
-            Role::Uniform,
-            contents,
-            Clock::Frame,
-        )
-    });
-    recorder.screen(ScreenOf {
+    let frame = Contents::of(&[pack::sprite_frame(&sprite)]);
+    let frame_name = format!("{name} frame");
+    let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
+    let of = ScreenOf {
         settles: false,
         name: &name,
         view: &view,
-        frame: Binding::read("frame", frame),
+        frame: Binding::read("frame", plan.add_resource(frame)),
         clock: Clock::Frame,
         ranks: &[rank],
         fresh: "lib/fresh/nothing.wgsl",
         freshened: Vec::new(),
-    })
+    };
+    Screen::record(plan, scene, of)
 }

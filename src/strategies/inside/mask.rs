@@ -23,9 +23,10 @@
 //! do not agree on what is out make as well. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
-use crate::passes::Refusal;
-use crate::passes::{Inside, Rasteriser, Recorder, Store};
-use crate::plan::{Binding, Capacities};
+use crate::passes::{
+    Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
+};
+use crate::plan::{Binding, Plan};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
 
@@ -50,34 +51,32 @@ pub static ROW: InsideTestRow = InsideTestRow {
 
 /// Records the frame of a cap surface with `mask`.
 fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
-    let nonzero = recorder.has_nonzero();
-    if nonzero {
-        recorder.winding_words = 1 + capacity.div_ceil(4);
-    }
-    let mask = recorder.mask();
+) -> Result<Picture, Refusal> {
+    let capacity = surface::capacity(input);
+    let nonzero = input.has_nonzero();
+    let (lanes, file) = match nonzero {
+        true => {
+            let words = 1 + capacity.div_ceil(4);
+            let lanes = Lanes::with_counts(input, capacity, words);
+            (lanes, "lib/store/winding.wgsl")
+        }
+        false => (Lanes::of_bits(input, capacity), "lib/store/mask.wgsl"),
+    };
+    let scene = SceneBuffers::upload(plan, input, lanes)?;
+    let mask = scene.lanes.mask(plan, input);
     let store = Store {
-        file: if nonzero {
-            "lib/store/winding.wgsl"
-        } else {
-            "lib/store/mask.wgsl"
-        },
+        file,
         bindings: vec![Binding::update("mask", mask)],
     };
-    let crossings = surface::list(recorder, surface, capacity, &store, capacities)?;
-    recorder.over_mesh(rasteriser, &store, &crossings)?;
-    let inside = if nonzero {
-        Inside::winding(mask)
-    } else {
-        Inside::mask(mask)
+    let crossings = surface::list(plan, &scene, surface, capacity, &store)?;
+    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let inside = match nonzero {
+        true => Inside::winding(mask),
+        false => Inside::mask(mask),
     };
-    recorder.resolve(rasteriser, inside, &crossings);
-    Ok(())
+    Ok(resolve(plan, &scene, nearest, inside, &crossings))
 }

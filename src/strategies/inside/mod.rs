@@ -10,31 +10,33 @@ pub mod mask;
 pub mod stencil;
 pub mod vds;
 
-use super::row::{CapSurface, RecordImages};
-use super::surface;
-use crate::passes::{Inside, Rasteriser, Recorder, Refusal, Store};
-use crate::plan::{Binding, Capacities};
+use std::ops::Range;
 
-/// Records the frame of listed crossings with images of volumes, of so many texels along a side.
+use super::row::CapSurface;
+use super::surface;
+use crate::passes::{
+    Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, Volume, over_mesh, resolve,
+};
+use crate::plan::{Binding, Plan};
+
+/// Records the frame of listed crossings with the images of volumes that `images` makes, each with the places of the parts that it
+/// answers for.
 pub(super) fn probed(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    input: &Input<'_>,
     surface: CapSurface,
-    images: RecordImages,
-    resolution: u32,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
-    let images = images(recorder, resolution, rasteriser, capacities)?;
-    let mask = recorder.reduced_mask();
+    images: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
+) -> Result<Picture, Refusal> {
+    let capacity = surface::capacity(input);
+    let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
+    let images = images(plan, &scene)?;
+    let mask = scene.lanes.reduced_mask(plan, input);
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(recorder, surface, capacity, &emptied, capacities)?;
-    recorder.over_mesh(rasteriser, &Store::nothing(Vec::new()), &crossings)?;
+    let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
+    let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
     for (places, volume) in images {
-        let name = format!("probe {}", places.start);
-        recorder.probe(name, places, &volume, mask, &crossings);
+        volume.probe(plan, &scene, places, mask, &crossings);
     }
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
-    Ok(())
+    let inside = Inside::mask(mask);
+    Ok(resolve(plan, &scene, nearest, inside, &crossings))
 }

@@ -15,16 +15,16 @@
 //! With `raycast`, in the place of the paper's grid, the crossings of each pixel are looked up in the sprites one part after
 //! the other, and the answers become the words of a mask: its caps lie where they should, and only their rims err.
 
-use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 use glam::{DVec2, DVec3};
 
-use crate::passes::{NEED_OF_SPRITES, Recorder, Volume, pixels};
+use crate::passes::{NEED_OF_SPRITES, SceneBuffers, Volume, need, pixels};
 use crate::plan::pack::Sprite;
 use crate::plan::{
-    Binding, Bounded, Capacities, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass,
-    Resource, Role, Work,
+    Binding, Bounded, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass, Plan,
+    Resource, ResourceId, Role, Work,
 };
 use crate::scene::{Bounds, View};
+use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 
 /// The row of the table.
 pub static ROW: InsideTestRow = InsideTestRow {
@@ -48,10 +48,14 @@ pub static ROW: InsideTestRow = InsideTestRow {
         },
         hard_cases: &[("raycast+vds:512", false), ("grid:256+vds:512", true)],
     },
-    answers: Answers::Points(|recorder, resolution, _, capacities| {
-        let ranks = recorder.relevance.cut_parts().to_vec();
-        let sprites = ranks.iter().enumerate().map(|(place, rank)| {
-            let sprite = record(recorder, *rank, resolution, capacities);
+    answers: Answers::Points(|plan, scene, resolution| {
+        // All parts count in the same buffer, one after the other.
+        let bytes = pixels([resolution; 2]) * 4;
+        let counts = Resource::storage("sprite counts", bytes, Clock::Solid);
+        let counts = plan.add_resource(counts);
+        let ranks = scene.input.relevance.cut_parts().iter().enumerate();
+        let sprites = ranks.map(|(place, rank)| {
+            let sprite = record(plan, scene, *rank, resolution, counts);
             (place..place + 1, sprite)
         });
         Ok(sprites.collect())
@@ -63,46 +67,32 @@ pub const MOST_LAYERS: u32 = 256;
 
 /// Records the sprite of a part, by rank.
 fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     rank: usize,
     resolution: u32,
-    capacities: &Capacities,
+    counts: ResourceId,
 ) -> Volume {
+    let part = &scene.input.model.prepared.parts[rank];
     // By the part's number in the scene, which no cut changes: a sprite stays when other parts begin or cease to be cut.
-    let number = recorder.model.prepared.parts[rank].part as u32;
-    let name = recorder.model.prepared.parts[rank].name.clone();
-    let layers = capacities.layers_of(rank).clamp(1, MOST_LAYERS);
-    let bounds = recorder.model.prepared.parts[rank].bounds;
+    let number = part.part as u32;
+    let name = &part.name;
+    let layers = scene.input.capacities.layers_of(rank);
+    let layers = layers.clamp(1, MOST_LAYERS);
     let slot = NEED_OF_SPRITES + number;
-    let contents = Contents::of(&[sprite(&bounds, resolution, layers, slot)]);
     let size = [resolution; 2];
-    let table = recorder.once(&format!("sprite {number}"), |_| {
-        Resource::upload(
-            format!("sprite {number}"),
-            Role::Uniform,
-            contents,
-            Clock::Solid,
-        )
-    });
-    // All parts count in the same buffer, one after the other.
-    let counts = recorder.once("sprite counts", |_| {
-        Resource::storage("sprite counts", pixels(size) * 4, Clock::Solid)
-    });
-    let depth = recorder.once(&format!("sprite layers {number}"), |_| {
-        Resource::texture(
-            format!("sprite layers {number}"),
-            size,
-            layers,
-            Format::Depth32Float,
-            Clock::Solid,
-        )
-    });
-    let need = recorder.need(Clock::Solid);
-    let sprite = Binding::read("sprite", table);
+    let sprite = Contents::of(&[sprite(&part.bounds, resolution, layers, slot)]);
+    let table_name = format!("sprite {number}");
+    let sprite = Resource::upload(table_name, Role::Uniform, sprite, Clock::Solid);
+    let sprite = Binding::read("sprite", plan.add_resource(sprite));
+    let layers_name = format!("sprite layers {number}");
+    let format = Format::Depth32Float;
+    let depth = Resource::texture(layers_name, size, layers, format, Clock::Solid);
+    let depth = plan.add_resource(depth);
+    let need = need(plan, scene.input, Clock::Solid);
 
-    recorder.compute(
+    let clear = Pass::new(
         format!("sprite clear {number}"),
-        Clock::Solid,
         format!("`{name}` is counted from zero"),
         "strategies/inside/vds/clear.wgsl",
         vec![
@@ -110,58 +100,55 @@ fn record(
             Binding::write("counts", counts),
             Binding::write("need", need),
         ],
-        Vec::new(),
-        size,
+        Work::over(size),
     );
-    let bindings = vec![
-        sprite.clone(),
-        Binding::update("counts", counts),
-        Binding::update("need", need),
-    ];
-    draw(
-        recorder,
-        rank,
+    plan.add_pass(clear.on(Clock::Solid));
+    let draw_into = |depth| {
+        let (vertices, indices) = scene.solid_mesh();
+        Work::Draw {
+            color: None,
+            depth,
+            vertices,
+            indices,
+            draws: scene.input.draws_of(&[rank]),
+        }
+    };
+    let count = Pass::new(
         format!("sprite count {number}"),
-        "the sprite needs as many layers as the depth complexity at this resolution".to_owned(),
+        "the sprite needs as many layers as the depth complexity at this resolution",
         "strategies/inside/vds/count.wgsl",
-        bindings,
-        DepthTarget {
-            resource: depth,
-            layer: 0,
-            clear: true,
-            compare: DepthCompare::Always,
-            stencil: None,
-        },
+        vec![
+            sprite.clone(),
+            Binding::update("counts", counts),
+            Binding::update("need", need),
+        ],
+        draw_into(DepthTarget::untouched(depth)),
     );
+    plan.add_pass(count.on(Clock::Solid));
     for layer in 0..layers {
-        let (shader, mut bindings) = (
-            "strategies/inside/vds/peel_first.wgsl",
-            vec![sprite.clone()],
-        );
+        let mut bindings = vec![sprite.clone()];
         let shader = if layer == 0 {
-            shader
+            "strategies/inside/vds/peel_first.wgsl"
         } else {
             bindings.push(Binding::read_layer("previous", depth, layer - 1));
             "strategies/inside/vds/peel_next.wgsl"
         };
-        let reason = format!("layer {layer} of `{name}`, behind the layer before");
-        draw(
-            recorder,
-            rank,
+        let peel = Pass::new(
             format!("sprite peel {number}.{layer}"),
-            reason,
+            format!("layer {layer} of `{name}`, behind the layer before"),
             shader,
             bindings,
-            DepthTarget {
+            draw_into(DepthTarget {
                 resource: depth,
                 layer,
                 clear: true,
                 compare: DepthCompare::Less,
                 stencil: None,
-            },
+            }),
         );
+        plan.add_pass(peel.on(Clock::Solid));
     }
-    recorder.plan.bounded.push(Bounded {
+    plan.bounded.push(Bounded {
         what: format!("layers of the sprite of `{name}`"),
         slot,
         capacity: layers,
@@ -172,39 +159,6 @@ fn record(
         file: "lib/volume/vds.wgsl",
         bindings: vec![sprite, Binding::read("depth_layers", depth)],
     }
-}
-
-#[allow(
-    clippy::too_many_arguments,
-    reason = "the sentence form of a pass: each word is one argument"
-)]
-fn draw(
-    recorder: &mut Recorder<'_>,
-    rank: usize,
-    name: String,
-    reason: String,
-    shader: &'static str,
-    bindings: Vec<Binding>,
-    depth: DepthTarget,
-) {
-    let (vertices, indices) = recorder.solid_mesh();
-    let draws = recorder.draws_of(&[rank]);
-    let work = Work::Draw {
-        color: None,
-        depth,
-        vertices,
-        indices,
-        draws,
-    };
-    recorder.plan.add_pass(Pass {
-        name,
-        clock: Clock::Solid,
-        reason,
-        shader: shader.into(),
-        bindings,
-        constants: Vec::new(),
-        work,
-    });
 }
 
 /// Axes of a sprite, s, t and depth, and how many sprites long a unit of scene space is: the shortest side of the box is the

@@ -20,12 +20,11 @@ mod measure;
 mod view;
 
 use super::tessellation::{Facets, Tessellation, rounding};
-use crate::passes::Refusal;
-use crate::passes::{NEED_OF_TRIANGLES, Recorder};
+use crate::passes::{NEED_OF_TRIANGLES, Refusal, SceneBuffers, need};
 use crate::plan::pack::{Domain, MAX_SURFACES, Refinement, SHARED};
 use crate::plan::{
     ARGUMENT_BYTES, Arguments, Binding, Bounded, Capacities, Clock, Contents, INDEX_BYTES, Knob,
-    Pass, Resource, Role, Shape, Work,
+    Pass, Plan, Resource, ResourceId, Role, Shape, Work,
 };
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts, Parameter};
 
@@ -52,9 +51,9 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
     },
     exact_heights: "measures its triangles against four texels",
     usual_tests: |test| test.facts.name == "mask",
-    caps: Caps::Triangles(|recorder, steps, with_planes, capacities| {
+    caps: Caps::Triangles(|plan, scene, steps, with_planes| {
         let tau_px = f64::from(steps) / f64::from(STEPS_PER_PX);
-        tessellation(recorder, tau_px, with_planes, capacities)
+        tessellation(plan, scene, tau_px, with_planes)
     }),
 };
 
@@ -65,43 +64,53 @@ const MOST_TRIANGLES: u32 = (128 << 20) / 12;
 
 /// The reliefs as triangles and, where they are asked for, the planes as a square each. The reason where a relief is too large.
 fn tessellation(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     tau_px: f64,
     with_planes: bool,
-    capacities: &Capacities,
 ) -> Result<Tessellation, Refusal> {
-    let rows = domain::rows(recorder)?;
-    let reliefs: Vec<u32> = (0..rows.len() as u32)
-        .filter(|s| {
-            let number = recorder.relevance.surfaces[*s as usize];
-            recorder.model.is_relief(number)
-        })
-        .collect();
-    let domains = table(recorder, "domains", Clock::Cut, &rows);
+    let input = scene.input;
+    let rows = domain::rows(input)?;
+    let surfaces = input.relevance.surfaces.iter().zip(0_u32..);
+    let (reliefs, planes): (Vec<_>, Vec<_>) =
+        surfaces.partition(|(number, _)| input.model.is_relief(**number));
+    let [reliefs, planes] =
+        [reliefs, planes].map(|all| all.into_iter().map(|(_, s)| s).collect::<Vec<u32>>());
+    let domains = table(plan, "domains", "domains", Clock::Cut, &rows);
     let mut facets = Vec::new();
-    for surface in 0..rows.len() as u32 {
-        if with_planes && !reliefs.contains(&surface) {
-            facets.push(square(recorder, surface));
-        }
+    if with_planes && !planes.is_empty() {
+        let indices = square_indices(plan);
+        facets.extend(planes.iter().map(|surface| Facets {
+            surface: *surface,
+            indices,
+            range: 0..6,
+            arguments: None,
+        }));
     }
     let mut side_bindings = vec![domains.clone()];
     if !reliefs.is_empty() {
-        let errors = measure::record(recorder, &rows, &reliefs);
-        let capacity = room(capacities, reliefs.len() as u32);
+        let errors = measure::record(plan, scene, &rows, &reliefs);
+        let capacity = room(input.capacities, reliefs.len() as u32);
         let refinements: Vec<Refinement> = (rows.iter().enumerate())
-            .map(|(s, row)| view::refinement(recorder, s, row, tau_px, capacity))
+            .map(|(s, row)| view::refinement(input, s, row, tau_px, capacity))
             .collect();
-        side_bindings.push(table(recorder, "refinements", Clock::Frame, &refinements));
+        let name = "refinements";
+        side_bindings.push(table(plan, name, name, Clock::Frame, &refinements));
         side_bindings.push(Binding::read("sheet_errors", errors));
-        facets.extend(refine(recorder, &rows, &reliefs, capacity, &side_bindings));
+        let reliefs = Reliefs {
+            rows: &rows,
+            surfaces: &reliefs,
+            capacity,
+        };
+        facets.extend(reliefs.refine(plan, scene, &side_bindings));
     }
     Ok(Tessellation {
         files: vec!["lib/tessellation/adaptive.wgsl"],
-        heights: vec![recorder.heights()],
+        heights: vec![scene.heights.clone()],
         bindings: vec![domains],
         side: vec!["lib/sheet_side/adaptive.wgsl"],
         side_bindings,
-        beside: rounding(recorder),
+        beside: rounding(input),
         facets,
     })
 }
@@ -114,139 +123,114 @@ fn room(capacities: &Capacities, reliefs: u32) -> u32 {
     wanted.map_or(need, |w| w.min(most).max(need))
 }
 
-/// A uniform with a row for each clip-surface.
+/// A uniform with a row for each clip-surface, bound as a variable.
 fn table<T: bytemuck::Pod>(
-    recorder: &mut Recorder<'_>,
-    name: &'static str,
+    plan: &mut Plan,
+    variable: &'static str,
+    name: &str,
     clock: Clock,
     rows: &[T],
 ) -> Binding {
     let mut all = vec![T::zeroed(); MAX_SURFACES];
     all[..rows.len()].copy_from_slice(rows);
-    let id = recorder.once(name, |_| {
-        Resource::own_upload(name, Role::Uniform, Contents::of(&all), clock)
-    });
-    Binding::read(name, id)
+    let table = Resource::own_upload(name, Role::Uniform, Contents::of(&all), clock);
+    Binding::read(variable, plan.add_resource(table))
 }
 
 /// The two triangles of a plane, whose domain is one step along each side.
-fn square(recorder: &mut Recorder<'_>, surface: u32) -> Facets {
-    let corners = [[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]];
-    let indices = recorder.once("square indices", |_| {
-        let contents = Contents::of(&corners);
-        Resource::own_upload("square indices", Role::Index, contents, Clock::Cut)
-    });
-    Facets {
-        surface,
-        indices,
-        range: 0..6,
-        arguments: None,
-    }
+fn square_indices(plan: &mut Plan) -> ResourceId {
+    let corners = Contents::of(&[[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]]);
+    let indices = Resource::own_upload("square indices", Role::Index, corners, Clock::Cut);
+    plan.add_resource(indices)
 }
 
-/// Records the passes that make the triangles of a frame.
-fn refine(
-    recorder: &mut Recorder<'_>,
-    rows: &[Domain],
-    reliefs: &[u32],
+/// The reliefs of a frame.
+struct Reliefs<'a> {
+    /// The domains of all clip-surfaces.
+    rows: &'a [Domain],
+    /// Those that are reliefs, by index in the table.
+    surfaces: &'a [u32],
+    /// Triangles that each has room for.
     capacity: u32,
-    read: &[Binding],
-) -> Vec<Facets> {
-    let count = reliefs.len() as u64;
-    let of_role = |name: &str, bytes, role| Resource {
-        shape: Shape::Buffer { bytes, role },
-        ..Resource::storage(name, bytes, Clock::Frame)
-    };
-    let bytes = count * u64::from(capacity) * 3 * INDEX_BYTES;
-    let indices = recorder.once("triangles", |_| of_role("triangles", bytes, Role::Index));
-    let arguments = recorder.once("arguments", |_| {
-        of_role("arguments", count * ARGUMENT_BYTES, Role::Arguments)
-    });
-    let sizes = vec![("count", count as f64), ("capacity", f64::from(capacity))];
-    step(
-        recorder,
-        "triangles begin",
-        "no triangles yet",
-        "strategies/surface/adaptive/begin.wgsl",
-        vec![Binding::write("arguments", arguments)],
-        sizes.clone(),
-        [1, 1, 1],
-    );
-    for (slot, surface) in reliefs.iter().enumerate() {
-        let row = &rows[*surface as usize];
-        let halvings = 2 * (row.patch_bits + row.step_bits);
-        let visits = SHARED + (2 << halvings.saturating_sub(SHARED));
-        let mut bindings = vec![
-            Binding::write("triangles", indices),
-            Binding::update("arguments", arguments),
-        ];
-        bindings.extend(read.iter().cloned());
-        step(
-            recorder,
-            format!("triangles {slot}"),
-            "a relief as finely as the view asks for, where it is seen",
-            "strategies/surface/adaptive/refine.wgsl",
-            bindings,
-            vec![
+}
+
+impl Reliefs<'_> {
+    /// Records the passes that make the triangles of a frame.
+    fn refine(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, read: &[Binding]) -> Vec<Facets> {
+        let capacity = self.capacity;
+        let count = self.surfaces.len() as u64;
+        let mut of_role = |name: &str, bytes, role| {
+            plan.add_resource(Resource {
+                shape: Shape::Buffer { bytes, role },
+                ..Resource::storage(name, bytes, Clock::Frame)
+            })
+        };
+        let bytes = count * u64::from(capacity) * 3 * INDEX_BYTES;
+        let indices = of_role("triangles", bytes, Role::Index);
+        let arguments = of_role("arguments", count * ARGUMENT_BYTES, Role::Arguments);
+        let sizes = vec![("count", count as f64), ("capacity", f64::from(capacity))];
+        let begin = Pass::new(
+            "triangles begin",
+            "no triangles yet",
+            "strategies/surface/adaptive/begin.wgsl",
+            vec![Binding::write("arguments", arguments)],
+            Work::once(),
+        );
+        plan.add_pass(begin.with_constants(sizes.clone()));
+        for (slot, surface) in self.surfaces.iter().enumerate() {
+            let row = &self.rows[*surface as usize];
+            let halvings = 2 * (row.patch_bits + row.step_bits);
+            let visits = SHARED + (2 << halvings.saturating_sub(SHARED));
+            let mut bindings = vec![
+                Binding::write("triangles", indices),
+                Binding::update("arguments", arguments),
+            ];
+            bindings.extend(read.iter().cloned());
+            let refine = Pass::new(
+                format!("triangles {slot}"),
+                "a relief as finely as the view asks for, where it is seen",
+                "strategies/surface/adaptive/refine.wgsl",
+                bindings,
+                Work::Compute {
+                    groups: [row.patches[0], row.patches[1], 1],
+                },
+            );
+            plan.add_pass(refine.with_constants(vec![
                 ("surface", f64::from(*surface)),
                 ("slot", slot as f64),
                 ("most_visits", f64::from(visits)),
+            ]));
+        }
+        let need = need(plan, scene.input, Clock::Frame);
+        let end = Pass::new(
+            "triangles end",
+            "how many of them are drawn, and how many there should be room for",
+            "strategies/surface/adaptive/end.wgsl",
+            vec![
+                Binding::update("arguments", arguments),
+                Binding::write("need", need),
             ],
-            [row.patches[0], row.patches[1], 1],
+            Work::once(),
         );
+        plan.add_pass(end.with_constants(sizes));
+        plan.bounded.push(Bounded {
+            what: "triangles of a relief".to_owned(),
+            slot: NEED_OF_TRIANGLES,
+            capacity,
+            knob: Some(Knob::Triangles),
+            exact: false,
+        });
+        let facets = self.surfaces.iter().zip(0_u32..);
+        facets
+            .map(|(surface, slot)| Facets {
+                surface: *surface,
+                indices,
+                range: 3 * capacity * slot..3 * capacity * (slot + 1),
+                arguments: Some(Arguments {
+                    resource: arguments,
+                    offset: u64::from(slot) * ARGUMENT_BYTES,
+                }),
+            })
+            .collect()
     }
-    let need = recorder.need(Clock::Frame);
-    step(
-        recorder,
-        "triangles end",
-        "how many of them are drawn, and how many there should be room for",
-        "strategies/surface/adaptive/end.wgsl",
-        vec![
-            Binding::update("arguments", arguments),
-            Binding::write("need", need),
-        ],
-        sizes,
-        [1, 1, 1],
-    );
-    recorder.plan.bounded.push(Bounded {
-        what: "triangles of a relief".to_owned(),
-        slot: NEED_OF_TRIANGLES,
-        capacity,
-        knob: Some(Knob::Triangles),
-        exact: false,
-    });
-    let facets = reliefs.iter().zip(0_u32..).map(|(surface, slot)| Facets {
-        surface: *surface,
-        indices,
-        range: 3 * capacity * slot..3 * capacity * (slot + 1),
-        arguments: Some(Arguments {
-            resource: arguments,
-            offset: u64::from(slot) * ARGUMENT_BYTES,
-        }),
-    });
-    facets.collect()
-}
-
-#[allow(
-    clippy::too_many_arguments,
-    reason = "the sentence form of a pass: each word is one argument"
-)]
-fn step(
-    recorder: &mut Recorder<'_>,
-    name: impl Into<String>,
-    reason: &str,
-    shader: &'static str,
-    bindings: Vec<Binding>,
-    constants: Vec<(&'static str, f64)>,
-    groups: [u32; 3],
-) {
-    recorder.plan.add_pass(Pass {
-        name: name.into(),
-        clock: Clock::Frame,
-        reason: reason.to_owned(),
-        shader: shader.into(),
-        bindings,
-        constants,
-        work: Work::Compute { groups },
-    });
 }

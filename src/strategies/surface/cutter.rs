@@ -11,54 +11,54 @@
 //! Cannot: say on which side of a cutter a point lies that is on no ray of the picture. The paper's rule asks that.
 
 use super::raycast;
-use crate::passes::Refusal;
-use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
-use crate::plan::{Capacities, Clock, Draw, Role, Vertices};
+use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
+use crate::plan::{Clock, Draw, Plan, Resource, Role, Vertices};
 use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
-pub(super) fn bits(recorder: &Recorder<'_>) -> u32 {
-    let numbers = recorder.relevance.surfaces.iter().enumerate();
+pub(super) fn bits(input: &Input<'_>) -> u32 {
+    let numbers = input.relevance.surfaces.iter().enumerate();
     numbers
-        .filter(|(_, number)| recorder.model.is_cutter(**number))
+        .filter(|(_, number)| input.model.is_cutter(**number))
         .fold(0, |bits, (index, _)| bits | 1 << index)
 }
 
 /// Records the passes that write the list of crossings where no other clip-surface is made of triangles: planes and reliefs as
 /// `raycast` finds them, then the cutters, if there are some.
 pub(super) fn list(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     capacity: u32,
     store: &Store,
-    capacities: &Capacities,
 ) -> Result<Crossings, Refusal> {
-    let bits = bits(recorder);
-    let crossings = raycast::record(recorder, capacity, store, bits);
+    let bits = bits(scene.input);
+    let crossings = raycast::record(plan, scene, capacity, store, bits);
     if bits != 0 {
         let mut sheets = Sheets::default();
-        add(recorder, &mut sheets);
-        recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
+        add(plan, scene, &mut sheets);
+        sheets.merge(plan, scene, &crossings)?;
     }
     Ok(crossings)
 }
 
 /// Adds the cutters to the sheets of a frame.
-pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
-    let bits = bits(recorder);
+pub(super) fn add(plan: &mut Plan, scene: &SceneBuffers<'_>, sheets: &mut Sheets) {
+    let input = scene.input;
+    let bits = bits(input);
     if bits == 0 {
         return;
     }
+    let cutters = &input.model.cutters;
     let mut draws = Vec::new();
-    for (index, number) in recorder.relevance.surfaces.iter().enumerate() {
-        let surface = &recorder.model.prepared.surfaces[*number];
-        let (Some(volume), Some(range)) = (&surface.volume, recorder.model.cutters.range(*number))
-        else {
+    for (index, number) in input.relevance.surfaces.iter().enumerate() {
+        let surface = &input.model.prepared.surfaces[*number];
+        let (Some(volume), Some(range)) = (&surface.volume, cutters.range(*number)) else {
             continue;
         };
         if volume.keeps_inside {
             sheets.keeps_inside |= 1 << index;
         }
-        if !recorder.view.near_plane_meets(&volume.bounds) {
+        if !input.view.near_plane_meets(&volume.bounds) {
             sheets.closed |= 1 << index;
         }
         draws.push(Draw {
@@ -69,20 +69,21 @@ pub(super) fn add(recorder: &mut Recorder<'_>, sheets: &mut Sheets) {
             arguments: None,
         });
     }
-    let vertices = recorder.uploaded("cutter vertices", Role::Vertex, Clock::Cut, |r| {
-        r.model.cutters.vertices.clone()
-    });
-    let indices = recorder.uploaded("cutter indices", Role::Index, Clock::Cut, |r| {
-        r.model.cutters.indices.clone()
+    let [vertices, indices] = [
+        ("cutter vertices", Role::Vertex, &cutters.vertices),
+        ("cutter indices", Role::Index, &cutters.indices),
+    ]
+    .map(|(name, role, contents)| {
+        plan.add_resource(Resource::upload(name, role, contents.clone(), Clock::Cut))
     });
     sheets.by_parity |= bits;
     sheets.draws.push(SheetDraw {
         name: "cutter".to_owned(),
         shader: Shader::from("strategies/surface/cutter/draw.wgsl"),
-        bindings: vec![recorder.frame()],
+        bindings: vec![scene.frame.clone()],
         constants: Vec::new(),
-        vertices: Vertices::Mesh(vertices.resource),
-        indices: indices.resource,
+        vertices: Vertices::Mesh(vertices),
+        indices,
         draws,
     });
 }

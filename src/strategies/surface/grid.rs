@@ -7,14 +7,12 @@
 //! Per cut: a quad of 64 bytes and N² x 24 bytes of indices. Per frame: (N + 1)² vertices for each drawn clip-surface.
 
 use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
-use std::sync::{Mutex, PoisonError};
-
 use glam::DVec3;
 
 use super::tessellation::{Facets, Tessellation, rounding};
-use crate::passes::Recorder;
+use crate::passes::{Input, SceneBuffers};
 use crate::plan::pack::Quad;
-use crate::plan::{Binding, Clock, Contents, Resource, ResourceId, Role};
+use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
 use crate::scene::{Bounds, PreparedSurface};
 
 /// The row of the table.
@@ -37,49 +35,40 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
     },
     exact_heights: "",
     usual_tests: |test| test.facts.name == "mask" || matches!(test.answers, Answers::Points(_)),
-    caps: Caps::Triangles(|recorder, cells, _, _| Ok(tessellation(recorder, cells))),
+    caps: Caps::Triangles(|plan, scene, cells, _| Ok(tessellation(plan, scene, cells))),
 };
 
 /// All clip-surfaces as grids of so many cells along a side.
-fn tessellation(recorder: &mut Recorder<'_>, cells: u32) -> Tessellation {
-    let indices = indices_of_grid(recorder, cells);
+fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessellation {
+    let input = scene.input;
+    let kept = &input.model.grid_indices;
+    let contents = kept.get_or_make(cells, || indices_of_grid(cells));
+    let indices = Resource::own_upload("grid indices", Role::Index, contents, Clock::Cut);
+    let indices = plan.add_resource(indices);
     let facets = |surface| Facets {
         surface,
         indices,
         range: 0..cells * cells * 6,
         arguments: None,
     };
-    let count = recorder.relevance.surfaces.len() as u32;
-    let quads = quads(recorder, cells);
-    let filter = recorder.height_filter_file();
+    let count = input.relevance.surfaces.len() as u32;
+    let quads = Contents::of(&quads(input, cells));
+    let quads = Resource::own_upload("quads", Role::Storage, quads, Clock::Cut);
+    let quads = Binding::read("quads", plan.add_resource(quads));
+    let filter = input.height_filter_file();
     Tessellation {
         files: vec!["lib/tessellation/grid.wgsl", filter],
-        heights: recorder.filtered_heights(),
+        heights: scene.filtered_heights.clone(),
         bindings: vec![quads.clone()],
         side: vec!["lib/sheet_side/grid.wgsl", filter],
         side_bindings: vec![quads],
-        beside: rounding(recorder),
+        beside: rounding(input),
         facets: (0..count).map(facets).collect(),
     }
 }
 
 /// Two triangles per cell, the diagonal from the first to the last corner.
-fn indices_of_grid(recorder: &mut Recorder<'_>, cells: u32) -> ResourceId {
-    recorder.once("grid indices", |_| {
-        let contents = grid_contents(cells);
-        Resource::own_upload("grid indices", Role::Index, contents, Clock::Cut)
-    })
-}
-
-/// The indices of a grid of so many cells; the last one asked for is kept, for every frame asks again.
-fn grid_contents(cells: u32) -> Contents {
-    static LAST: Mutex<Option<(u32, Contents)>> = Mutex::new(None);
-    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((of, contents)) = &*last
-        && *of == cells
-    {
-        return contents.clone();
-    }
+fn indices_of_grid(cells: u32) -> Contents {
     let row = cells + 1;
     let indices: Vec<u32> = (0..cells * cells)
         .flat_map(|cell| {
@@ -87,22 +76,17 @@ fn grid_contents(cells: u32) -> Contents {
             [a, a + 1, a + row + 1, a, a + row + 1, a + row]
         })
         .collect();
-    let contents = Contents::of(&indices);
-    *last = Some((cells, contents.clone()));
-    contents
+    Contents::of(&indices)
 }
 
-fn quads(recorder: &mut Recorder<'_>, cells: u32) -> Binding {
-    let id = recorder.once("quads", |r| {
-        let quads: Vec<Quad> = r
-            .relevance
-            .surfaces
-            .iter()
-            .map(|s| quad(&r.model.prepared.surfaces[*s], &r.relevance.cut_box, cells))
-            .collect();
-        Resource::own_upload("quads", Role::Storage, Contents::of(&quads), Clock::Cut)
-    });
-    Binding::read("quads", id)
+fn quads(input: &Input<'_>, cells: u32) -> Vec<Quad> {
+    let surfaces = input.relevance.surfaces.iter();
+    surfaces
+        .map(|s| {
+            let surface = &input.model.prepared.surfaces[*s];
+            quad(surface, &input.relevance.cut_box, cells)
+        })
+        .collect()
 }
 
 /// The rectangle on the plane, along `U` and `V`, that covers the box of the cut solids.

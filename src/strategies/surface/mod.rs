@@ -13,29 +13,25 @@ pub mod tessellation;
 
 use super::row::{CapSurface, Caps};
 use super::unpaired;
-use crate::passes::{Crossings, Recorder, Refusal, Store};
-use crate::plan::Capacities;
+use crate::passes::{Crossings, Refusal, SceneBuffers, Store};
+use crate::plan::Plan;
 
-/// How many crossings a pixel is given room for.
-pub fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
-    raycast::capacity(recorder, capacities)
-}
+pub use raycast::capacity;
 
-/// Records the passes that write the list of crossings, and makes every pixel ready for its first fragment on the way; a refusal where
-/// a cap surface has none.
+/// Records the passes that write the list of crossings, with room for so many in a pixel, and makes every pixel ready for its first
+/// fragment on the way; a refusal where a cap surface has none.
 pub fn list(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     surface: CapSurface,
     capacity: u32,
     store: &Store,
-    capacities: &Capacities,
 ) -> Result<Crossings, Refusal> {
-    let steps = surface.steps();
     match surface.row().caps {
-        Caps::Rays(list) => list(recorder, steps, capacity, store, capacities),
+        Caps::Rays(list) => list(plan, scene, capacity, store),
         Caps::Triangles(tessellate) => {
-            tessellation::list(recorder, capacity, store, capacities, |recorder| {
-                tessellate(recorder, steps, false, capacities)
+            tessellation::list(plan, scene, capacity, store, |plan, scene| {
+                tessellate(plan, scene, surface.steps(), false)
             })
         }
         Caps::Alone(_) => Err(unpaired(surface, "lists no crossings")),

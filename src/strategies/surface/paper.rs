@@ -11,76 +11,88 @@
 use std::ops::Range;
 
 use super::tessellation::{Tessellation, instance};
-use crate::passes::Refusal;
-use crate::passes::{DrawPass, Recorder, Volume, counted};
-use crate::plan::Vertices;
+use crate::passes::{
+    DrawPass, Input, Lanes, Picture, Refusal, SceneBuffers, Surfaces, Volume, counted, gather,
+};
+use crate::plan::{Plan, Vertices};
 use crate::shader::Shader;
-use crate::strategies::inside::stencil::full_screen;
 
 /// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the places of the parts
 /// that it answers for.
 pub fn record(
-    recorder: &mut Recorder<'_>,
-    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, Refusal>,
-    images: impl FnOnce(&mut Recorder<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
-) -> Result<(), Refusal> {
-    let ranks: Vec<usize> = recorder.relevance.cut_parts().to_vec();
-    let images: Vec<(&[usize], Volume)> = (images(recorder)?.into_iter())
+    plan: &mut Plan,
+    input: &Input<'_>,
+    tessellate: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Tessellation, Refusal>,
+    images: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Vec<(Range<usize>, Volume)>, Refusal>,
+) -> Result<Picture, Refusal> {
+    let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
+    let ranks = input.relevance.cut_parts();
+    let images: Vec<(&[usize], Volume)> = (images(plan, &scene)?.into_iter())
         .map(|(places, volume)| (&ranks[places], volume))
         .collect();
 
-    let (vertices, indices) = recorder.mesh();
-    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
-    bindings.extend(recorder.filtered_heights());
-    let filter = recorder.height_filter_file();
-    recorder.draw(DrawPass {
+    let (vertices, indices) = scene.mesh();
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+    ];
+    bindings.extend(scene.filtered_heights.iter().cloned());
+    let clip = DrawPass {
         name: "clip".to_owned(),
         reason: format!(
             "{}: chi decides at every fragment",
             counted(ranks.len(), "cut part")
         ),
-        shader: Shader::from("strategies/surface/paper/clip.wgsl").with(filter),
+        shader: Shader::from("strategies/surface/paper/clip.wgsl").with(input.height_filter_file()),
         bindings,
         constants: Vec::new(),
         vertices,
         indices,
-        draws: recorder.draws_of(&ranks),
-    });
-    recorder.draw_plain_parts(false);
+        draws: input.draws_of(ranks),
+    };
+    let mut surfaces = Surfaces::new(plan, &scene);
+    surfaces.draw(plan, clip);
+    surfaces.draw_plain_parts(plan, &scene, false);
 
     // Parts that only the near plane opens have no clip-surface to draw triangles of.
-    if !recorder.relevance.surfaces.is_empty() {
-        let tessellation = tessellate(recorder)?;
+    if !input.relevance.surfaces.is_empty() {
+        let tessellation = tessellate(plan, &scene)?;
         for (ranks, volume) in &images {
-            caps(recorder, &tessellation, ranks, volume);
+            for pass in caps(&scene, &tessellation, ranks, volume) {
+                surfaces.draw(plan, pass);
+            }
         }
     }
     for (ranks, volume) in &images {
-        near_caps(recorder, ranks, volume);
+        if let Some(pass) = near_caps(&scene, ranks, volume) {
+            surfaces.draw(plan, pass);
+        }
     }
-    recorder.gather();
-    Ok(())
+    Ok(gather(plan, &scene, &surfaces))
 }
 
-/// Draws the caps that the near plane makes in the parts that an image of volumes answers for, by rank.
-fn near_caps(recorder: &mut Recorder<'_>, ranks: &[usize], volume: &Volume) {
-    let view = recorder.view;
-    let parts = &recorder.model.prepared.parts;
+/// The caps that the near plane makes in the parts that an image of volumes answers for, by rank.
+fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Option<DrawPass> {
+    let input = scene.input;
+    let view = input.view;
+    let parts = &input.model.prepared.parts;
     let is_met = |rank: &&usize| view.near_cap && view.near_plane_meets(&parts[**rank].bounds);
     let places: Vec<u32> = (ranks.iter().filter(is_met))
-        .map(|rank| recorder.relevance.place_of(*rank) as u32)
+        .map(|rank| input.relevance.place_of(*rank) as u32)
         .collect();
-    let Some(first) = places.first() else {
-        return;
-    };
-    let mut bindings = vec![recorder.frame(), recorder.cut_table(), recorder.parts()];
-    bindings.extend(recorder.filtered_heights());
+    let first = places.first()?;
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+    ];
+    bindings.extend(scene.filtered_heights.iter().cloned());
     bindings.extend(volume.bindings.iter().cloned());
-    let (indices, draws): (Vec<_>, Vec<_>) = places
-        .iter()
-        .map(|place| full_screen(recorder, *place))
+    let (indices, draws): (Vec<_>, Vec<_>) = (places.iter())
+        .map(|place| scene.full_screen(*place))
         .unzip();
-    recorder.draw(DrawPass {
+    Some(DrawPass {
         name: format!("near cap {first}"),
         reason: format!(
             "{}: the near plane meets it, and its image says where it is inside",
@@ -88,67 +100,68 @@ fn near_caps(recorder: &mut Recorder<'_>, ranks: &[usize], volume: &Volume) {
         ),
         shader: Shader::from("strategies/surface/paper/near.wgsl")
             .with(volume.file)
-            .with(recorder.height_filter_file()),
+            .with(input.height_filter_file()),
         bindings,
         constants: Vec::new(),
         vertices: Vertices::None,
         indices: indices[0],
         draws: draws.concat(),
-    });
+    })
 }
 
-/// Draws the caps of the parts that an image of volumes answers for.
+/// The caps of the parts that an image of volumes answers for.
 fn caps(
-    recorder: &mut Recorder<'_>,
+    scene: &SceneBuffers<'_>,
     tessellation: &Tessellation,
     ranks: &[usize],
     volume: &Volume,
-) {
+) -> Vec<DrawPass> {
+    let input = scene.input;
     let instances: Vec<u32> = (ranks.iter())
-        .flat_map(|rank| instances_of(recorder, *rank))
+        .flat_map(|rank| instances_of(input, *rank))
         .collect();
     let names: Vec<String> = (ranks.iter())
-        .map(|rank| format!("`{}`", recorder.model.prepared.parts[*rank].name))
+        .map(|rank| format!("`{}`", input.model.prepared.parts[*rank].name))
         .collect();
-    let first = ranks.first().map_or(0, |r| recorder.relevance.place_of(*r));
-    for (i, batch) in tessellation.batches(&instances).into_iter().enumerate() {
-        let mut bindings = vec![
-            recorder.frame(),
-            recorder.cut_table(),
-            recorder.parts(),
-            // For the normals.
-            recorder.heights(),
-        ];
-        let filtered = recorder.filtered_heights().into_iter();
-        bindings.extend(filtered.filter(|b| b.name != "heights"));
-        bindings.extend(tessellation.bindings.iter().cloned());
-        bindings.extend(volume.bindings.iter().cloned());
-        let name = match i {
-            0 => format!("cap {first}"),
-            i => format!("cap {first}.{i}"),
-        };
-        recorder.draw(DrawPass {
-            name,
+    let first = ranks.first().map_or(0, |r| input.relevance.place_of(*r));
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
+        // For the normals.
+        scene.heights.clone(),
+    ];
+    let filtered = scene.filtered_heights.iter();
+    bindings.extend(filtered.filter(|b| b.name != "heights").cloned());
+    bindings.extend(tessellation.bindings.iter().cloned());
+    bindings.extend(volume.bindings.iter().cloned());
+    let batches = tessellation.batches(&instances).into_iter().enumerate();
+    batches
+        .map(|(i, batch)| DrawPass {
+            name: match i {
+                0 => format!("cap {first}"),
+                i => format!("cap {first}.{i}"),
+            },
             reason: format!(
                 "the displaced triangles of {}, cut to the solid by its image",
                 names.join(", ")
             ),
             shader: Shader::from("strategies/surface/paper/cap.wgsl")
                 .with(volume.file)
-                .with(recorder.height_filter_file())
+                .with(input.height_filter_file())
                 .with_all(&tessellation.files),
-            bindings,
+            bindings: bindings.clone(),
             constants: batch.constants,
             vertices: Vertices::None,
             indices: batch.indices,
             draws: batch.draws,
-        });
-    }
+        })
+        .collect()
 }
 
 /// The instances of a part: one for each clip-surface that cuts it.
-fn instances_of(recorder: &Recorder<'_>, rank: usize) -> Vec<u32> {
-    let relevance = &recorder.relevance;
+fn instances_of(input: &Input<'_>, rank: usize) -> Vec<u32> {
+    let relevance = &input.relevance;
     let place = relevance.place_of(rank) as u32;
     let bits = (0..relevance.cuts.len())
         .filter(|c| relevance.cuts_of(rank) >> c & 1 == 1)

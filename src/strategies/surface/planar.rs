@@ -23,12 +23,11 @@
 //! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
 //! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
 
-use crate::passes::Refusal;
-use crate::passes::{Crossings, Inside, Obstacle, Rasteriser, Recorder, Sections, Store, counted};
-use crate::plan::{
-    Binding, Capacities, Clock, DepthCompare, DepthTarget, Format, Pass, Resource, ResourceId,
-    Vertices, Work,
+use crate::passes::{
+    Crossings, Input, Inside, Lanes, NearestKept, Obstacle, Picture, Refusal, SceneBuffers,
+    Sections, Store, counted, over_mesh, resolve,
 };
+use crate::plan::{Binding, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
 use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
 use crate::strategies::surface;
 
@@ -56,28 +55,18 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `planar`.
-fn record(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    near_plane_is_free(recorder)?;
-    let sections = recorder.sections();
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+    near_plane_is_free(input)?;
+    let capacity = surface::capacity(input);
+    let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
+    let sections = Sections::slice(plan, input);
     let is_doubtful = sections.as_ref().is_some_and(|s| !s.doubts.is_empty());
-    let capacity = surface::capacity(recorder, capacities);
-    recorder.lay_lanes(capacity);
     let mask = match is_doubtful {
-        true => recorder.reduced_mask(),
-        false => recorder.mask(),
+        true => scene.lanes.reduced_mask(plan, input),
+        false => scene.lanes.mask(plan, input),
     };
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(
-        recorder,
-        CapSurface::RAYCAST,
-        capacity,
-        &emptied,
-        capacities,
-    )?;
+    let crossings = surface::list(plan, &scene, CapSurface::RAYCAST, capacity, &emptied)?;
     let store = if is_doubtful {
         Store {
             file: "lib/store/total.wgsl",
@@ -86,36 +75,36 @@ fn record(
     } else {
         Store::nothing(Vec::new())
     };
-    recorder.over_mesh(rasteriser, &store, &crossings)?;
+    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
     if let Some(sections) = sections {
-        draw(recorder, rasteriser, &sections, mask, &crossings);
+        draw(plan, &scene, &nearest, &sections, mask, &crossings);
     }
-    recorder.resolve(rasteriser, Inside::mask(mask), &crossings);
-    Ok(())
+    Ok(resolve(
+        plan,
+        &scene,
+        nearest,
+        Inside::mask(mask),
+        &crossings,
+    ))
 }
 
 fn draw(
-    recorder: &mut Recorder<'_>,
-    rasteriser: Rasteriser,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    nearest: &NearestKept,
     sections: &Sections,
     mask: ResourceId,
     crossings: &Crossings,
 ) {
-    // A pass must have an attachment, though nothing is tested and nothing written.
-    let (depth, clear) = match rasteriser {
-        Rasteriser::Hardware => (recorder.targets().depth, false),
-        Rasteriser::Compute => {
-            let size = recorder.view.size_px;
-            let depth = recorder.once("section depth", |_| {
-                Resource::texture("section depth", size, 1, Format::Depth32Float, Clock::Frame)
-            });
-            (depth, true)
-        }
+    let depth = DepthTarget {
+        // The depths of surfaces are asked for later.
+        clear: matches!(nearest, NearestKept::Swept(_)),
+        ..DepthTarget::untouched(scene.depth)
     };
     let bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.parts(),
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.parts.clone(),
         Binding::update("mask", mask),
         Binding::read("crossing_heads", crossings.heads),
         Binding::read("crossing_surface", crossings.surfaces),
@@ -142,34 +131,21 @@ fn draw(
         if draws.is_empty() {
             continue;
         }
-        recorder.plan.add_pass(Pass {
-            name: name.to_owned(),
-            clock: Clock::Frame,
-            reason,
-            shader: shader.into(),
-            bindings: bindings.clone(),
-            constants: Vec::new(),
-            work: Work::Draw {
-                color: None,
-                depth: DepthTarget {
-                    resource: depth,
-                    layer: 0,
-                    clear,
-                    compare: DepthCompare::Always,
-                    stencil: None,
-                },
-                vertices: Vertices::Mesh(sections.vertices),
-                indices: sections.indices,
-                draws: draws.clone(),
-            },
-        });
+        let work = Work::Draw {
+            color: None,
+            depth,
+            vertices: Vertices::Mesh(sections.vertices),
+            indices: sections.indices,
+            draws: draws.clone(),
+        };
+        plan.add_pass(Pass::new(name, reason, shader, bindings.clone(), work));
     }
 }
 
 /// Refuses a near plane that opens what is cut.
-fn near_plane_is_free(recorder: &Recorder<'_>) -> Result<(), Refusal> {
-    let (prepared, view) = (&recorder.model.prepared, recorder.view);
-    let cut = recorder.relevance.cut_parts();
+fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
+    let (prepared, view) = (&input.model.prepared, input.view);
+    let cut = input.relevance.cut_parts();
     let mut parts = cut.iter().map(|r| &prepared.parts[*r]);
     match parts.find(|p| view.near_cap && view.near_plane_meets(&p.bounds)) {
         None => Ok(()),

@@ -14,10 +14,11 @@ mod choice;
 
 use super::cutter;
 use crate::passes::{
-    Crossings, NEED_OF_CELLS, NEED_OF_CROSSINGS, Recorder, ReliefWalk, Store, pixels,
+    Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, ReliefWalk, SceneBuffers, Store, need,
+    pixels, pyramids,
 };
 use crate::plan::pack;
-use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Limits, Resource};
+use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Limits, Pass, Plan, Resource, Work};
 use crate::scene::Fill;
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
@@ -35,9 +36,7 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
     },
     exact_heights: "solves for where a ray meets what four texels span",
     usual_tests: |_| true,
-    caps: Caps::Rays(|recorder, _, capacity, store, capacities| {
-        cutter::list(recorder, capacity, store, capacities)
-    }),
+    caps: Caps::Rays(cutter::list),
 };
 
 /// Crossings that one relief or cutter is given room for until a frame reports what it needs: with its parity bit a lane of 8.
@@ -47,11 +46,11 @@ const FIRST_PER_RELIEF: u32 = 7;
 const MOST_BYTES: u64 = 2 << 30;
 
 /// How many crossings a pixel is given room for.
-pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 {
-    let surfaces = &recorder.relevance.surfaces;
+pub fn capacity(input: &Input<'_>) -> u32 {
+    let surfaces = &input.relevance.surfaces;
     let reliefs = surfaces
         .iter()
-        .filter(|s| recorder.model.is_relief(**s) || recorder.model.is_cutter(**s))
+        .filter(|s| input.model.is_relief(**s) || input.model.is_cutter(**s))
         .count() as u32;
     let planes = surfaces.len() as u32 - reliefs;
     // Wider lanes cost time: who needs them will say so.
@@ -59,24 +58,28 @@ pub(super) fn capacity(recorder: &Recorder<'_>, capacities: &Capacities) -> u32 
     let most = if reliefs == 0 {
         planes
     } else {
-        capacities.crossings.unwrap_or(usual).max(planes + reliefs)
+        input
+            .capacities
+            .crossings
+            .unwrap_or(usual)
+            .max(planes + reliefs)
     };
-    most.clamp(1, most_that_fit(recorder))
+    most.clamp(1, most_that_fit(input))
 }
 
 /// The longest lists that find room in bands of a picture, with the lanes that go with them: in core WebGPU, for the plan of a frame
 /// is not to hang on the adapter.
-fn most_that_fit(recorder: &Recorder<'_>) -> u32 {
-    let parts = &recorder.model.prepared.parts;
-    let cut = recorder.relevance.cut_parts();
+fn most_that_fit(input: &Input<'_>) -> u32 {
+    let parts = &input.model.prepared.parts;
+    let cut = input.relevance.cut_parts();
     let nonzero = (cut.iter())
         .filter(|r| parts[**r].fill == Fill::Nonzero)
         .count() as u64;
     // A crossing takes a word of a list, a bit of each lane of bits, a byte of each lane of counts.
     let words = ((cut.len() as u64 - nonzero).div_ceil(32) + nonzero.div_ceil(4)).max(1);
-    let [width, _] = recorder.view.size_px;
+    let [width, _] = input.view.size_px;
     let in_band = Limits::CORE.storage_binding_bytes / pixels([width, Capacities::FEWEST_ROWS]);
-    let in_picture = MOST_BYTES / pixels([width, recorder.view.band[1]]).max(1);
+    let in_picture = MOST_BYTES / pixels([width, input.view.band[1]]).max(1);
     let most = (in_band / (4 * words)).min(in_picture / 4);
     let fewest = u64::from(Capacities::CROSSINGS_OF_A_WORD);
     most.clamp(fewest, u64::from(Capacities::MOST_CROSSINGS)) as u32
@@ -85,35 +88,32 @@ fn most_that_fit(recorder: &Recorder<'_>) -> u32 {
 /// Records the pass that writes the list, and makes every pixel ready for its first fragment on the way. Clip-surfaces with a bit
 /// in `sheets` are left to the passes that draw them as triangles.
 pub(super) fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     capacity: u32,
     store: &Store,
     sheets: u32,
 ) -> Crossings {
-    let count = pixels(recorder.view.size_px);
-    let one_surface = recorder.relevance.surfaces.len() < 2 && !recorder.has_cutters();
-    let mut surfaces = recorder.relevance.surfaces.iter().enumerate();
-    let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && recorder.model.is_relief(*s));
-    let mut buffer = |name: &str, bytes: u64| {
-        recorder.once(name, |_| Resource::storage(name, bytes, Clock::Frame))
-    };
+    let input = scene.input;
+    let relevance = &input.relevance;
+    let count = input.pixel_count();
+    let one_surface = relevance.surfaces.len() < 2 && !input.has_cutters();
+    let mut surfaces = relevance.surfaces.iter().enumerate();
+    let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && input.model.is_relief(*s));
+    let mut buffer =
+        |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
+    let words = count * 4 * u64::from(capacity);
     let crossings = Crossings {
         heads: buffer("crossing_heads", count * 8),
-        z: buffer("crossing_z", count * 4 * u64::from(capacity)),
-        surfaces: buffer(
-            "crossing_surface",
-            if one_surface {
-                4
-            } else {
-                count * 4 * u64::from(capacity)
-            },
-        ),
+        z: buffer("crossing_z", words),
+        surfaces: buffer("crossing_surface", if one_surface { 4 } else { words }),
+        capacity,
     };
-    let need = recorder.need(Clock::Frame);
+    let need = need(plan, input, Clock::Frame);
     let mut bindings = vec![
-        recorder.frame(),
-        recorder.cut_table(),
-        recorder.ray_table(),
+        scene.frame.clone(),
+        scene.cut_table.clone(),
+        scene.ray_table.clone(),
         Binding::write("crossing_heads", crossings.heads),
         Binding::write("crossing_z", crossings.z),
         Binding::write("crossing_surface", crossings.surfaces),
@@ -121,12 +121,12 @@ pub(super) fn record(
     ];
     bindings.extend(store.begun());
     let (shader, how) = if reliefs {
-        bindings.push(recorder.heights());
-        let choice = choice::of(recorder);
+        bindings.push(scene.heights.clone());
+        let choice = choice::of(input);
         let file = match choice.walk {
             ReliefWalk::Cells => "lib/relief_crossing/cells.wgsl",
             ReliefWalk::Pyramid => {
-                bindings.extend(recorder.pyramids());
+                bindings.extend(pyramids(plan, scene));
                 "lib/relief_crossing/pyramid.wgsl"
             }
         };
@@ -144,16 +144,15 @@ pub(super) fn record(
     if sheets != 0 {
         constants.push(("sheets", f64::from(sheets)));
     }
-    recorder.compute(
+    let pass = Pass::new(
         "crossings",
-        Clock::Frame,
         format!("the one list of depths per pixel; {how}"),
         shader.with(store.file),
         bindings,
-        constants,
-        recorder.view.size_px,
+        Work::over(input.view.size_px),
     );
-    recorder.plan.bounded.push(Bounded {
+    plan.add_pass(pass.with_constants(constants));
+    plan.bounded.push(Bounded {
         what: "crossings per pixel".to_owned(),
         slot: NEED_OF_CROSSINGS,
         capacity,
@@ -161,11 +160,11 @@ pub(super) fn record(
         exact: false,
     });
     if reliefs {
-        let limits = recorder.relevance.surfaces.iter().map(|number| {
-            let surface = &recorder.model.prepared.surfaces[*number];
-            pack::cell_limit(surface, recorder.relevance.reach())
+        let limits = relevance.surfaces.iter().map(|number| {
+            let surface = &input.model.prepared.surfaces[*number];
+            pack::cell_limit(surface, relevance.reach())
         });
-        recorder.plan.bounded.push(Bounded {
+        plan.bounded.push(Bounded {
             what: "cells of a relief along a ray".to_owned(),
             slot: NEED_OF_CELLS,
             capacity: limits.max().unwrap_or(0),

@@ -5,12 +5,11 @@
 //! no vertex buffers, since a vertex follows from its index. Triangles turn with `U` and `V`, so that they show their front to the
 //! kept side.
 
-use crate::passes::Refusal;
 use std::ops::Range;
 
 use super::{cutter, raycast};
-use crate::passes::{Crossings, Recorder, SheetDraw, Sheets, Store};
-use crate::plan::{Arguments, Binding, Capacities, Draw, ResourceId, Vertices};
+use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
+use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
 use crate::shader::Shader;
 
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
@@ -25,9 +24,9 @@ const LEAST_ROUNDING: f64 = 2e-4;
 
 /// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope, at the far end
 /// of the box of the cut solids. In powers of two, for a shader is compiled for each.
-pub(super) fn rounding(recorder: &Recorder<'_>) -> f64 {
-    let view = recorder.view;
-    let corners = recorder.relevance.cut_box.corners();
+pub(super) fn rounding(input: &Input<'_>) -> f64 {
+    let view = input.view;
+    let corners = input.relevance.cut_box.corners();
     let depths = corners.map(|c| (c - view.eye).dot(view.forward));
     let farthest = depths.into_iter().fold(view.near, f64::max);
     let beside = view.pixel_size(farthest) * STEEP / SUBPIXELS;
@@ -123,8 +122,8 @@ impl Tessellation {
     }
 
     /// What every use of the triangles binds.
-    pub fn bindings(&self, recorder: &mut Recorder<'_>) -> Vec<Binding> {
-        let mut bindings = vec![recorder.frame(), recorder.cut_table()];
+    pub fn bindings(&self, scene: &SceneBuffers<'_>) -> Vec<Binding> {
+        let mut bindings = vec![scene.frame.clone(), scene.cut_table.clone()];
         bindings.extend(self.heights.iter().cloned());
         bindings.extend(self.bindings.iter().cloned());
         bindings
@@ -134,28 +133,29 @@ impl Tessellation {
 /// Records the passes that write the list of crossings: planes in closed form, for a sheet adds nothing to them, and reliefs by
 /// the sheets that `tessellate` makes. Without reliefs there is no sheet.
 pub fn list(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
     capacity: u32,
     store: &Store,
-    capacities: &Capacities,
-    tessellate: impl FnOnce(&mut Recorder<'_>) -> Result<Tessellation, Refusal>,
+    tessellate: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Tessellation, Refusal>,
 ) -> Result<Crossings, Refusal> {
-    let surfaces = recorder.relevance.surfaces.iter().enumerate();
+    let input = scene.input;
+    let surfaces = input.relevance.surfaces.iter().enumerate();
     let reliefs: Vec<u32> = surfaces
-        .filter(|(_, number)| recorder.model.is_relief(**number))
+        .filter(|(_, number)| input.model.is_relief(**number))
         .map(|(index, _)| index as u32)
         .collect();
-    let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
     if reliefs.is_empty() {
-        return cutter::list(recorder, capacity, store, capacities);
+        return cutter::list(plan, scene, capacity, store);
     }
-    let of_cutters = cutter::bits(recorder);
+    let by_facing = reliefs.iter().fold(0, |bits, s| bits | 1 << s);
     // First, for it may have work to do on slower clocks.
-    let tessellation = tessellate(recorder)?;
-    let crossings = raycast::record(recorder, capacity, store, by_facing | of_cutters);
+    let tessellation = tessellate(plan, scene)?;
+    let by_triangles = by_facing | cutter::bits(input);
+    let crossings = raycast::record(plan, scene, capacity, store, by_triangles);
     let instances: Vec<u32> = reliefs.iter().map(|s| instance(0, *s)).collect();
     let batches = tessellation.batches(&instances).into_iter().enumerate();
-    let bindings = tessellation.bindings(recorder);
+    let bindings = tessellation.bindings(scene);
     let draws = batches.map(|(i, batch)| SheetDraw {
         name: format!("sheet {i}"),
         shader: Shader::from("passes/sheet/draw.wgsl").with_all(&tessellation.files),
@@ -175,7 +175,7 @@ pub fn list(
         side_bindings,
         ..Sheets::default()
     };
-    cutter::add(recorder, &mut sheets);
-    recorder.merge_sheets(&sheets, &crossings, capacity, capacities)?;
+    cutter::add(plan, scene, &mut sheets);
+    sheets.merge(plan, scene, &crossings)?;
     Ok(crossings)
 }

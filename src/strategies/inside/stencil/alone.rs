@@ -13,10 +13,10 @@
 //! which it draws streaks unmarked; count beyond 255 shells. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
 //! of that be seen.
 
-use super::full_screen;
-use crate::passes::Refusal;
-use crate::passes::{DrawPass, Obstacle, Rasteriser, Recorder};
-use crate::plan::{Capacities, Stencil, StencilStep, Vertices};
+use crate::passes::{
+    DrawPass, Input, Lanes, Obstacle, Picture, Refusal, SceneBuffers, Surfaces, gather,
+};
+use crate::plan::{Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
 
@@ -44,90 +44,95 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `stencil`.
-fn record(recorder: &mut Recorder<'_>, _: Rasteriser, _: &Capacities) -> Result<(), Refusal> {
-    near_plane_is_free(recorder)?;
-    recorder.targets_with_stencil();
-    for rank in recorder.relevance.cut_parts().to_vec() {
-        let part = &recorder.model.prepared.parts[rank];
-        let (name, fill) = (part.name.clone(), part.fill);
-        let place = recorder.relevance.place_of(rank) as u32;
-        let (vertices, indices) = recorder.mesh();
-        let solid = DrawPass {
-            name: format!("solid {place}"),
-            reason: format!("what the plane leaves of `{name}`; back faces minus front faces"),
-            shader: "strategies/inside/stencil/solid.wgsl".into(),
-            bindings: vec![recorder.frame(), recorder.parts(), recorder.ray_table()],
-            constants: Vec::new(),
-            vertices,
-            indices,
-            draws: recorder.draws_of_rest(&[rank]),
-        };
-        let counts = Stencil {
-            clear: place == 0,
-            step: StencilStep::WindAll,
-        };
-        let groups = recorder.draws_of_groups(&[rank]);
-        let settled = (!groups.is_empty()).then(|| DrawPass {
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+    near_plane_is_free(input)?;
+    let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
+    let mut surfaces = Surfaces::with_stencil(plan, &scene);
+    for rank in input.relevance.cut_parts() {
+        draw_part(plan, &scene, &mut surfaces, *rank);
+    }
+    surfaces.draw_plain_parts(plan, &scene, false);
+    Ok(gather(plan, &scene, &surfaces))
+}
+
+/// Draws what the plane leaves of a part, by rank, and its cap.
+fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces, rank: usize) {
+    let input = scene.input;
+    let part = &input.model.prepared.parts[rank];
+    let name = &part.name;
+    let place = input.relevance.place_of(rank) as u32;
+    let (vertices, indices) = scene.mesh();
+    let solid = DrawPass {
+        name: format!("solid {place}"),
+        reason: format!("what the plane leaves of `{name}`; back faces minus front faces"),
+        shader: "strategies/inside/stencil/solid.wgsl".into(),
+        bindings: vec![
+            scene.frame.clone(),
+            scene.parts.clone(),
+            scene.ray_table.clone(),
+        ],
+        constants: Vec::new(),
+        vertices,
+        indices,
+        draws: input.draws_of_rest(&[rank]),
+    };
+    let settled = scene.settled.as_ref().map(|settled| {
+        let mut pass = DrawPass {
             name: format!("solid {place} settled"),
             reason: format!("faces of `{name}` in the plane or just beside it, on the side on which they are known to lie"),
             shader: "strategies/inside/stencil/solid_settled.wgsl".into(),
-            bindings: vec![
-                recorder.frame(),
-                recorder.parts(),
-                recorder.ray_table(),
-                recorder.settled(),
-            ],
-            constants: Vec::new(),
-            vertices,
-            indices,
-            draws: groups,
-        });
-        recorder.draw_with(solid, Some(counts));
-        if let Some(settled) = settled {
-            let counts = Stencil {
-                clear: false,
-                ..counts
-            };
-            recorder.draw_with(settled, Some(counts));
-        }
-
-        let (indices, draws) = full_screen(recorder, place);
-        let cap = DrawPass {
-            name: format!("cap {place}"),
-            reason: format!("the plane, where it is inside `{name}`"),
-            shader: "strategies/inside/stencil/cap.wgsl".into(),
-            bindings: vec![
-                recorder.frame(),
-                recorder.cut_table(),
-                recorder.parts(),
-                recorder.ray_table(),
-            ],
-            constants: Vec::new(),
-            vertices: Vertices::None,
-            indices,
-            draws,
+            draws: input.draws_of_groups(&[rank]),
+            ..solid.clone()
         };
-        let takes = Stencil {
+        pass.bindings.push(settled.clone());
+        pass
+    });
+    let counts = Stencil {
+        clear: place == 0,
+        step: StencilStep::WindAll,
+    };
+    surfaces.draw_with(plan, solid, Some(counts));
+    if let Some(settled) = settled.filter(|s| !s.draws.is_empty()) {
+        let counts = Stencil {
             clear: false,
-            step: StencilStep::Take {
-                bits: match fill {
-                    Fill::EvenOdd => 1,
-                    Fill::Nonzero => 0xff,
-                },
-            },
+            ..counts
         };
-        recorder.draw_with(cap, Some(takes));
+        surfaces.draw_with(plan, settled, Some(counts));
     }
-    recorder.draw_plain_parts(false);
-    recorder.gather();
-    Ok(())
+
+    let (indices, draws) = scene.full_screen(place);
+    let cap = DrawPass {
+        name: format!("cap {place}"),
+        reason: format!("the plane, where it is inside `{name}`"),
+        shader: "strategies/inside/stencil/cap.wgsl".into(),
+        bindings: vec![
+            scene.frame.clone(),
+            scene.cut_table.clone(),
+            scene.parts.clone(),
+            scene.ray_table.clone(),
+        ],
+        constants: Vec::new(),
+        vertices: Vertices::None,
+        indices,
+        draws,
+    };
+    let takes = Stencil {
+        clear: false,
+        step: StencilStep::Take {
+            bits: match part.fill {
+                Fill::EvenOdd => 1,
+                Fill::Nonzero => 0xff,
+            },
+        },
+    };
+    surfaces.draw_with(plan, cap, Some(takes));
 }
 
 /// Refuses a near plane that meets what is cut.
-fn near_plane_is_free(recorder: &Recorder<'_>) -> Result<(), Refusal> {
-    let parts = &recorder.model.prepared.parts;
-    let mut cut = recorder.relevance.cut_parts().iter().map(|r| &parts[*r]);
-    match cut.find(|p| recorder.view.near_plane_meets(&p.bounds)) {
+fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
+    let parts = &input.model.prepared.parts;
+    let mut cut = input.relevance.cut_parts().iter().map(|r| &parts[*r]);
+    match cut.find(|p| input.view.near_plane_meets(&p.bounds)) {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
             Obstacle::NearPlane,

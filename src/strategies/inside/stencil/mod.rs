@@ -17,14 +17,14 @@
 
 pub mod alone;
 
-use crate::passes::Refusal;
-use crate::passes::{Crossings, Inside, Rasteriser, Recorder, Store};
+use crate::passes::{
+    Crossings, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
+};
 use crate::plan::{
-    Binding, Capacities, Clock, Contents, DepthCompare, DepthTarget, Draw, Format, Pass, Resource,
-    ResourceId, Role, Stencil, StencilStep, Vertices, Work,
+    Binding, Capacities, Clock, DepthCompare, DepthTarget, Format, Pass, Plan, Resource,
+    ResourceId, Stencil, StencilStep, Vertices, Work,
 };
 use crate::scene::Fill;
-use crate::shader::Shader;
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
 
@@ -60,44 +60,41 @@ pub static ROW: InsideTestRow = InsideTestRow {
 
 /// Records the frame of a cap surface with `stencil`.
 fn record(
-    recorder: &mut Recorder<'_>,
+    plan: &mut Plan,
+    input: &Input<'_>,
     surface: CapSurface,
     _: u32,
-    _: Rasteriser,
-    capacities: &Capacities,
-) -> Result<(), Refusal> {
-    let parts = recorder.relevance.lanes;
+) -> Result<Picture, Refusal> {
+    let parts = input.relevance.lanes;
     // Lists of one word refuse the frame where they are too many passes, longer ones are held shorter.
     let most = (MOST_PASSES / (parts + 2)) as u32;
     let most = most.saturating_sub(1).max(Capacities::CROSSINGS_OF_A_WORD);
-    let capacity = surface::capacity(recorder, capacities).min(most);
-    recorder.lay_lanes(capacity);
+    let capacity = surface::capacity(input).min(most);
     let passes = (capacity as usize + 1) * (parts + 2);
     if passes > MOST_PASSES {
         return Err(Refusal::amount(format!(
             "{parts} cut parts with {capacity} crossings each are {passes} passes for the stencil; {MOST_PASSES} are the most"
         )));
     }
-    let mask = recorder.mask();
-    let stencil = recorder.once("stencil", |r| {
-        let format = Format::Depth32FloatStencil8;
-        Resource::texture("stencil", r.view.size_px, 1, format, Clock::Frame)
-    });
+    let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
+    let mask = scene.lanes.mask(plan, input);
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(recorder, surface, capacity, &emptied, capacities)?;
-    let nothing = Store::nothing(Vec::new());
-    recorder.over_mesh(Rasteriser::Hardware, &nothing, &crossings)?;
+    let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
+    let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
 
+    let format = Format::Depth32FloatStencil8;
+    let stencil = Resource::texture("stencil", input.view.size_px, 1, format, Clock::Frame);
     let mut marks = Marks {
-        stencil,
+        scene: &scene,
+        stencil: plan.add_resource(stencil),
         mask,
         crossings,
         laid: None,
         batches: 0,
     };
     for (fill, most) in [(Fill::EvenOdd, BITS), (Fill::Nonzero, 1)] {
-        let is_filled = |r: &&usize| recorder.model.prepared.parts[**r].fill == fill;
-        let ranks: Vec<usize> = (recorder.relevance.cut_parts().iter())
+        let is_filled = |r: &&usize| input.model.prepared.parts[**r].fill == fill;
+        let ranks: Vec<usize> = (input.relevance.cut_parts().iter())
             .filter(is_filled)
             .copied()
             .collect();
@@ -111,15 +108,16 @@ fn record(
             })
             .collect();
         for batch in all.chunks(most) {
-            marks.record(recorder, fill, batch);
+            marks.record(plan, fill, batch);
         }
     }
-    recorder.resolve(Rasteriser::Hardware, Inside::mask(mask), &crossings);
-    Ok(())
+    let inside = Inside::mask(mask);
+    Ok(resolve(plan, &scene, nearest, inside, &crossings))
 }
 
 /// What the batches share.
-struct Marks {
+struct Marks<'a> {
+    scene: &'a SceneBuffers<'a>,
     stencil: ResourceId,
     mask: ResourceId,
     crossings: Crossings,
@@ -128,20 +126,21 @@ struct Marks {
     batches: u32,
 }
 
-impl Marks {
+impl Marks<'_> {
     /// Draws that fill the stencil, and the pass that takes it.
-    fn record(&mut self, recorder: &mut Recorder<'_>, fill: Fill, batch: &[Mark]) {
-        let (vertices, indices) = recorder.mesh();
-        let lanes = recorder.lane_table().places;
+    fn record(&mut self, plan: &mut Plan, fill: Fill, batch: &[Mark]) {
+        let (scene, input) = (self.scene, self.scene.input);
+        let (vertices, indices) = scene.mesh();
         let mut constants = vec![("used", batch.len() as f64)];
         for (bit, mark) in batch.iter().enumerate() {
             if let Some(crossing) = mark.crossing
                 && self.laid != Some(crossing)
             {
-                self.lay(recorder, fill, crossing);
+                self.laid = Some(crossing);
+                plan.add_pass(self.lay(fill, crossing));
             }
-            let place = recorder.relevance.place_of(mark.rank);
-            let name = &recorder.model.prepared.parts[mark.rank].name;
+            let place = input.relevance.place_of(mark.rank);
+            let name = &input.model.prepared.parts[mark.rank].name;
             let (to, what, reason) = match mark.crossing {
                 Some(i) => (
                     i,
@@ -149,83 +148,78 @@ impl Marks {
                     format!("what of `{name}` is behind crossing {i} counts in the stencil"),
                 ),
                 None => (
-                    recorder.lane_bits - 1,
+                    scene.lanes.bits - 1,
                     "in all".to_owned(),
                     format!("all of `{name}` counts: whether the mesh is closed along the ray"),
                 ),
             };
-            let [word, shift] = lanes[place];
+            let [word, shift] = scene.lanes.of_place(place);
             constants.push((TO[bit], f64::from(32 * word + shift + to)));
             let step = match fill {
                 Fill::EvenOdd => StencilStep::Flip { bits: 1 << bit },
                 Fill::Nonzero => StencilStep::Wind,
             };
-            let pass = Pass {
-                name: format!("mark {place} {what}"),
-                clock: Clock::Frame,
+            let depth = DepthTarget {
+                resource: self.stencil,
+                layer: 0,
+                clear: false,
+                compare: match mark.crossing {
+                    Some(_) => DepthCompare::Behind,
+                    None => DepthCompare::Always,
+                },
+                stencil: Some(Stencil {
+                    clear: bit == 0,
+                    step,
+                }),
+            };
+            let pass = Pass::new(
+                format!("mark {place} {what}"),
                 reason,
-                shader: "strategies/inside/stencil/mark.wgsl".into(),
-                bindings: vec![recorder.frame()],
-                constants: Vec::new(),
-                work: Work::Draw {
+                "strategies/inside/stencil/mark.wgsl",
+                vec![scene.frame.clone()],
+                Work::Draw {
                     color: None,
-                    depth: DepthTarget {
-                        resource: self.stencil,
-                        layer: 0,
-                        clear: false,
-                        compare: match mark.crossing {
-                            Some(_) => DepthCompare::Behind,
-                            None => DepthCompare::Always,
-                        },
-                        stencil: Some(Stencil {
-                            clear: bit == 0,
-                            step,
-                        }),
-                    },
+                    depth,
                     vertices,
                     indices,
-                    draws: recorder.draws_of_rest(&[mark.rank]),
+                    draws: input.draws_of_rest(&[mark.rank]),
                 },
-            };
-            let settled = self.settled(recorder, &pass, mark.rank);
-            recorder.plan.add_pass(pass);
+            );
+            let settled = self.settled(&pass, mark.rank);
+            plan.add_pass(pass);
             if let Some(pass) = settled {
-                recorder.plan.add_pass(pass);
+                plan.add_pass(pass);
             }
         }
         if fill == Fill::Nonzero {
             constants.push(("winds", 1.0));
         }
-        let bindings = vec![
-            recorder.frame(),
-            Binding::read("stencil", self.stencil),
-            Binding::update("mask", self.mask),
-        ];
-        recorder.compute(
+        let take = Pass::new(
             format!("take {}", self.batches),
-            Clock::Frame,
             "the stencil becomes bits of the mask, and is free for others",
             "strategies/inside/stencil/take.wgsl",
-            bindings,
-            constants,
-            recorder.view.size_px,
+            vec![
+                scene.frame.clone(),
+                Binding::read("stencil", self.stencil),
+                Binding::update("mask", self.mask),
+            ],
+            Work::over(input.view.size_px),
         );
+        plan.add_pass(take.with_constants(constants));
         self.batches += 1;
     }
 
     /// The same as a pass for the settled triangles of its part, if there are any.
-    fn settled(&self, recorder: &mut Recorder<'_>, pass: &Pass, rank: usize) -> Option<Pass> {
-        let groups = recorder.draws_of_groups(&[rank]);
-        if groups.is_empty() {
-            return None;
-        }
+    fn settled(&self, pass: &Pass, rank: usize) -> Option<Pass> {
+        let groups = self.scene.input.draws_of_groups(&[rank]);
+        let table = (self.scene.settled.as_ref()).filter(|_| !groups.is_empty())?;
         let mut settled = pass.clone();
         settled.name = format!("{} settled", pass.name);
         settled.reason = "the same for faces in a clip-surface or just beside it".to_owned();
         settled.shader = "strategies/inside/stencil/mark_settled.wgsl".into();
-        settled.bindings.push(recorder.settled());
+        settled.bindings.push(table.clone());
         settled.bindings.extend(self.crossings.bindings());
-        settled.bindings.push(recorder.cut_table());
+        settled.bindings.push(self.scene.cut_table.clone());
         if let Work::Draw { depth, draws, .. } = &mut settled.work {
             *draws = groups;
             if let Some(stencil) = &mut depth.stencil {
@@ -235,28 +229,23 @@ impl Marks {
         Some(settled)
     }
 
-    /// Lays the depth of a crossing down.
-    fn lay(&mut self, recorder: &mut Recorder<'_>, fill: Fill, crossing: u32) {
-        self.laid = Some(crossing);
-        let (indices, draws) = full_screen(recorder, 0);
+    /// The pass that lays the depth of a crossing down.
+    fn lay(&self, fill: Fill, crossing: u32) -> Pass {
+        let (indices, draws) = self.scene.full_screen(0);
         let again = match fill {
             Fill::EvenOdd => "",
             Fill::Nonzero => " to wind",
         };
-        let pass = Pass {
-            name: format!("lay {crossing}{again}"),
-            clock: Clock::Frame,
-            reason: format!(
-                "the depth of crossing {crossing} is what fragments are tested against"
-            ),
-            shader: Shader::from("strategies/inside/stencil/lay.wgsl"),
-            bindings: vec![
-                recorder.frame(),
+        let pass = Pass::new(
+            format!("lay {crossing}{again}"),
+            format!("the depth of crossing {crossing} is what fragments are tested against"),
+            "strategies/inside/stencil/lay.wgsl",
+            vec![
+                self.scene.frame.clone(),
                 Binding::read("crossing_heads", self.crossings.heads),
                 Binding::read("crossing_z", self.crossings.z),
             ],
-            constants: vec![("crossing", f64::from(crossing))],
-            work: Work::Draw {
+            Work::Draw {
                 color: None,
                 depth: DepthTarget {
                     resource: self.stencil,
@@ -269,8 +258,8 @@ impl Marks {
                 indices,
                 draws,
             },
-        };
-        recorder.plan.add_pass(pass);
+        );
+        pass.with_constants(vec![("crossing", f64::from(crossing))])
     }
 }
 
@@ -278,22 +267,3 @@ impl Marks {
 const TO: [&str; BITS] = [
     "to_0", "to_1", "to_2", "to_3", "to_4", "to_5", "to_6", "to_7",
 ];
-
-/// Indices and draw of a triangle that covers the picture.
-pub(in crate::strategies) fn full_screen(
-    recorder: &mut Recorder<'_>,
-    instance: u32,
-) -> (ResourceId, Vec<Draw>) {
-    let indices = recorder.once("screen indices", |_| {
-        let contents = Contents::of(&[0_u32, 1, 2]);
-        Resource::own_upload("screen indices", Role::Index, contents, Clock::Cut)
-    });
-    let draw = Draw {
-        indices: 0..3,
-        base_vertex: 0,
-        vertex_count: 0,
-        instance,
-        arguments: None,
-    };
-    (indices, vec![draw])
-}

@@ -8,7 +8,7 @@
 use crate::passes::Refusal;
 use glam::DVec3;
 
-use crate::passes::Recorder;
+use crate::passes::Input;
 use crate::plan::pack::Domain;
 use crate::scene::{Bounds, PreparedSurface};
 
@@ -30,19 +30,19 @@ const LONGEST_TEXEL: f64 = 64.0;
 const MARGIN: f64 = 1e-3;
 
 /// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
-pub(super) fn rows(recorder: &Recorder<'_>) -> Result<Vec<Domain>, Refusal> {
+pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
     let mut first = 0;
     let mut rows = Vec::new();
-    for number in &recorder.relevance.surfaces {
-        let surface = &recorder.model.prepared.surfaces[*number];
-        let cut_box = &recorder.relevance.cut_box;
-        if !recorder.model.is_relief(*number) {
+    for number in &input.relevance.surfaces {
+        let surface = &input.model.prepared.surfaces[*number];
+        let cut_box = &input.relevance.cut_box;
+        if !input.model.is_relief(*number) {
             rows.push(of_plane(surface, cut_box));
             continue;
         }
         let mut row = of_relief(*number, surface, cut_box)?;
         let [width, height] = texels(&row);
-        row.map_first = recorder.model.first_texel[*number];
+        row.map_first = input.model.first_texel[*number];
         row.first_vertex = first as u32;
         row.first_cell = (first + (width + 1) * (height + 1)) as u32;
         first += (width + 1) * (height + 1) + width * height;

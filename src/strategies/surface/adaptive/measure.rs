@@ -4,24 +4,28 @@
 //! that moves along its normal or is scaled has anything measured again.
 
 use super::domain;
-use crate::passes::Recorder;
+use crate::passes::SceneBuffers;
 use crate::plan::pack::Domain;
-use crate::plan::{Binding, Clock, Pass, Resource, ResourceId, Work, groups_over};
+use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
 /// Records the passes that fill `sheet_errors`: cells first, then edges and squares from the smallest on, each no less than those
 /// that come of it.
-pub(super) fn record(recorder: &mut Recorder<'_>, rows: &[Domain], reliefs: &[u32]) -> ResourceId {
+pub(super) fn record(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    rows: &[Domain],
+    reliefs: &[u32],
+) -> ResourceId {
     let measured: Vec<Domain> = rows.iter().map(Domain::as_measured).collect();
-    let measured = super::table(recorder, "measured domains", Clock::Cut, &measured).resource;
+    let name = "measured domains";
+    let measured = super::table(plan, "domains", name, Clock::Cut, &measured);
     let errors: u64 = (reliefs.iter())
         .map(|s| {
             let [width, height] = domain::texels(&rows[*s as usize]);
             (width + 1) * (height + 1) + width * height
         })
         .sum();
-    let id = recorder.once("sheet_errors", |_| {
-        Resource::storage("sheet_errors", errors * 4, Clock::Cut)
-    });
+    let id = plan.add_resource(Resource::storage("sheet_errors", errors * 4, Clock::Cut));
     for (slot, surface) in reliefs.iter().enumerate() {
         let row = &rows[*surface as usize];
         let texels = domain::texels(row).map(|n| n as u32);
@@ -32,22 +36,10 @@ pub(super) fn record(recorder: &mut Recorder<'_>, rows: &[Domain], reliefs: &[u3
                 None => Binding::write("sheet_errors", id),
                 Some(_) => Binding::update("sheet_errors", id),
             };
-            let bindings = vec![
-                recorder.heights(),
-                Binding::read("domains", measured),
-                errors,
-            ];
-            recorder.plan.add_pass(Pass {
-                name: format!("errors {slot} {what}"),
-                clock: Clock::Cut,
-                reason: reason.to_owned(),
-                shader: shader.into(),
-                bindings,
-                constants,
-                work: Work::Compute {
-                    groups: groups_over(size),
-                },
-            });
+            let bindings = vec![scene.heights.clone(), measured.clone(), errors];
+            let name = format!("errors {slot} {what}");
+            let pass = Pass::new(name, reason, shader, bindings, Work::over(size));
+            plan.add_pass(pass.on(Clock::Cut).with_constants(constants));
         };
         pass(
             "cells",

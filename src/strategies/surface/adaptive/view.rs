@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::passes::Recorder;
+use crate::passes::Input;
 use crate::plan::pack::{BORDERS_OF_DOMAIN, Domain, Refinement};
 use crate::scene::{PreparedSurface, View};
 
@@ -18,23 +18,23 @@ const BORDER_MARGIN: f64 = 1e-4;
 
 /// The row of a clip-surface, by its index in the table.
 pub(super) fn refinement(
-    recorder: &Recorder<'_>,
+    input: &Input<'_>,
     index: usize,
     row: &Domain,
     tau_px: f64,
     capacity: u32,
 ) -> Refinement {
-    let view = recorder.view;
-    let number = recorder.relevance.surfaces[index];
-    let surface = &recorder.model.prepared.surfaces[number];
+    let view = input.view;
+    let number = input.relevance.surfaces[index];
+    let surface = &input.model.prepared.surfaces[number];
     let heights = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
         m.range().map(|h| f64::from(h) * surface.height_scale)
     });
     let mut refinement: Refinement = bytemuck::Zeroable::zeroed();
     refinement.capacity = capacity;
-    refinement.borders = borders(recorder, row, heights, surface);
+    refinement.borders = borders(input, row, heights, surface);
     // Of a plane nothing is ever halved.
-    if recorder.model.is_relief(number) {
+    if input.model.is_relief(number) {
         let (depth, unit) = depths(view, row, heights, surface);
         refinement.depth = depth;
         let per_depth = error_per_depth(view, tau_px) * unit / surface.height_scale.abs();
@@ -100,13 +100,13 @@ fn depths(
 
 /// The borders, as functions of vertices: the greatest value over the heights that the map has.
 fn borders(
-    recorder: &Recorder<'_>,
+    input: &Input<'_>,
     row: &Domain,
     heights: [f64; 2],
     surface: &PreparedSurface,
 ) -> [[f32; 4]; BORDERS_OF_DOMAIN] {
-    let view = recorder.view;
-    let cut_box = &recorder.relevance.cut_box;
+    let view = input.view;
+    let cut_box = &input.relevance.cut_box;
     let mut planes: Vec<(DVec3, f64)> = sides_of_view(view).to_vec();
     for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
         planes.push((axis, -cut_box.min.dot(axis)));

@@ -8,7 +8,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::passes::{Recorder, ReliefWalk};
+use crate::passes::{Input, ReliefWalk};
 use crate::scene::{Bounds, PreparedSurface, View};
 
 /// Expected cells from which on the pyramid is taken. Measured on Mesa's llvmpipe, time of the walk over that of the pyramid: 17 cells
@@ -25,17 +25,17 @@ pub(super) struct Choice {
 }
 
 /// The choice for the reliefs of a frame, or what the options ask for.
-pub(super) fn of(recorder: &Recorder<'_>) -> Choice {
-    if !recorder.pyramids_fit() {
+pub(super) fn of(input: &Input<'_>) -> Choice {
+    if !input.pyramids_fit() {
         return Choice {
             walk: ReliefWalk::Cells,
             reason: "reliefs are walked cell by cell, for their pyramids are too large".to_owned(),
         };
     }
-    let cells = expected_cells(recorder);
-    let (walk, asked) = match recorder.relief_walk {
+    let cells = expected_cells(input);
+    let (walk, asked) = match input.relief_walk {
         Some(walk) => (walk, ", as asked for"),
-        None if recorder.keeps_pyramids => (ReliefWalk::Pyramid, ", as in frames before"),
+        None if input.capacities.pyramids => (ReliefWalk::Pyramid, ", as in frames before"),
         None if cells < CELLS_FOR_PYRAMID => (ReliefWalk::Cells, ""),
         None => (ReliefWalk::Pyramid, ""),
     };
@@ -50,18 +50,18 @@ pub(super) fn of(recorder: &Recorder<'_>) -> Choice {
 }
 
 /// The mean number of cells of a relief that a ray which meets its slab passes.
-fn expected_cells(recorder: &Recorder<'_>) -> f64 {
-    let cut_box = &recorder.relevance.cut_box;
-    let [low, high] = seen(cut_box, recorder.view);
-    let numbers = recorder.relevance.surfaces.iter();
-    let surfaces = numbers.filter(|s| recorder.model.is_relief(**s));
+fn expected_cells(input: &Input<'_>) -> f64 {
+    let cut_box = &input.relevance.cut_box;
+    let [low, high] = seen(cut_box, input.view);
+    let numbers = input.relevance.surfaces.iter();
+    let surfaces = numbers.filter(|s| input.model.is_relief(**s));
     let (mut cells, mut met) = (0.0, 0_u32);
-    for surface in surfaces.map(|s| &recorder.model.prepared.surfaces[*s]) {
+    for surface in surfaces.map(|s| &input.model.prepared.surfaces[*s]) {
         for ray in 0..RAYS * RAYS {
             let at = DVec2::new(f64::from(ray % RAYS), f64::from(ray / RAYS)) + 0.5;
             let at = low + (high - low) * at / f64::from(RAYS);
-            let (origin, direction) = recorder.view.ray(at);
-            let interval = within(cut_box, origin, direction, recorder.view.near);
+            let (origin, direction) = input.view.ray(at);
+            let interval = within(cut_box, origin, direction, input.view.near);
             if let Some(passed) = interval.and_then(|i| passed(surface, origin, direction, i)) {
                 cells += passed;
                 met += 1;

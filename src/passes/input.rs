@@ -1,0 +1,102 @@
+//! What a frame is recorded from. Nothing of it changes while a plan is made; what passes make and read are handles beside it.
+
+use super::{Model, Rasteriser, Refusal, Relevance, ReliefWalk};
+use crate::plan::{Capacities, Draw};
+use crate::scene::{Fill, HeightFilter, View};
+
+/// What a frame is recorded from.
+#[derive(Clone, Debug)]
+pub struct Input<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    /// The view.
+    pub view: &'a View,
+    /// What of the cuts matters.
+    pub relevance: Relevance,
+    /// Sizes of bounded buffers.
+    pub capacities: &'a Capacities,
+    /// Who turns the mesh into samples.
+    pub rasteriser: Rasteriser,
+    /// The compute rasteriser may use atomics of 64 bits.
+    pub wide_atomics: bool,
+    /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
+    pub relief_walk: Option<ReliefWalk>,
+    /// Who interpolates heights at points.
+    pub height_filter: HeightFilter,
+}
+
+impl<'a> Input<'a> {
+    /// A scene in a view, with the means that any device has; the reason where the scene is too much.
+    pub fn new(
+        model: &'a Model,
+        view: &'a View,
+        capacities: &'a Capacities,
+    ) -> Result<Self, Refusal> {
+        Ok(Self {
+            model,
+            view,
+            relevance: Relevance::of(&model.prepared, view)?,
+            capacities,
+            rasteriser: Rasteriser::Hardware,
+            wide_atomics: false,
+            relief_walk: None,
+            height_filter: HeightFilter::Exact,
+        })
+    }
+
+    /// Pixels of the picture.
+    pub fn pixel_count(&self) -> u64 {
+        pixels(self.view.size_px)
+    }
+
+    /// Whether some clip-surface that matters is a relief.
+    pub fn has_reliefs(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_relief(*s))
+    }
+
+    /// Whether some clip-surface that matters is a cutter.
+    pub fn has_cutters(&self) -> bool {
+        let surfaces = &self.relevance.surfaces;
+        surfaces.iter().any(|s| self.model.is_cutter(*s))
+    }
+
+    /// Whether some part that needs an inside test is filled nonzero.
+    pub fn has_nonzero(&self) -> bool {
+        let parts = &self.model.prepared.parts;
+        let mut ranks = self.relevance.cut_parts().iter();
+        ranks.any(|r| parts[*r].fill == Fill::Nonzero)
+    }
+
+    /// Whether anything asks where solids overlap, and two are there that could.
+    pub fn shows_overlaps(&self) -> bool {
+        self.model.prepared.interference.is_some() && self.relevance.lanes > 1
+    }
+
+    /// The draws of some parts, by rank; the instance is the part's place in the table.
+    pub fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
+        ranks
+            .iter()
+            .map(|rank| {
+                let range = &self.model.ranges[*rank];
+                Draw {
+                    indices: range.indices.clone(),
+                    base_vertex: range.base_vertex,
+                    vertex_count: range.vertex_count,
+                    instance: self.relevance.place_of(*rank) as u32,
+                    arguments: None,
+                }
+            })
+            .collect()
+    }
+}
+
+/// `1 part`, `2 parts`.
+pub fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Pixels of a picture.
+pub fn pixels(size: [u32; 2]) -> u64 {
+    u64::from(size[0]) * u64::from(size[1])
+}

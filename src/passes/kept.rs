@@ -1,0 +1,31 @@
+//! Contents that follow from a number alone and take time to make: every frame asks for them again, and the last are kept.
+
+use std::fmt;
+use std::sync::{Mutex, PoisonError};
+
+use crate::plan::Contents;
+
+/// The contents that were last asked for.
+#[derive(Default)]
+pub struct KeptContents(Mutex<Option<(u32, Contents)>>);
+
+impl KeptContents {
+    /// The contents for a number: those kept, if they are for the same, else those that `make` makes.
+    pub fn get_or_make(&self, number: u32, make: impl FnOnce() -> Contents) -> Contents {
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*kept {
+            Some((of, contents)) if *of == number => contents.clone(),
+            _ => {
+                let contents = make();
+                *kept = Some((number, contents.clone()));
+                contents
+            }
+        }
+    }
+}
+
+impl fmt::Debug for KeptContents {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("KeptContents")
+    }
+}
