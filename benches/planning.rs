@@ -30,12 +30,12 @@ fn planning(criterion: &mut Criterion) {
         let view = model.prepared.view([1024, 768]);
         for name in STRATEGIES {
             let strategy: Strategy = name.parse().expect("a strategy that is built");
-            let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+            let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
                 .expect("a scene that it draws");
             assert!(plan.passes.len() > 2, "{name} plans {:?}", plan.passes);
             group.bench_function(BenchmarkId::new(name, cut), |b| {
                 b.iter(|| {
-                    strategies::record(&model, black_box(&view), strategy, &Capacities::UNKNOWN)
+                    strategies::plan(&model, black_box(&view), strategy, &Capacities::UNKNOWN)
                 });
             });
         }

@@ -180,7 +180,7 @@ impl Session {
             return;
         }
         let works = |strategy: &Strategy| {
-            let plan = strategies::record(model, view, strategy, &Capacities::UNKNOWN);
+            let plan = strategies::plan(model, view, strategy, &Capacities::UNKNOWN);
             plan.is_ok_and(|plan| plan.check(self.gpu.limits()).is_ok())
         };
         let working: Vec<String> = (Strategy::all().iter().filter(|s| works(s)))

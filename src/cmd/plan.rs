@@ -77,7 +77,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let Shown { model, .. } = Shown::of(&subject.scene);
     let view = subject.view(&model.prepared);
-    let plan = strategies::record(&model, &view, method, &Capacities::UNKNOWN)
+    let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(method.into(), &refusal))?;
     if let Some(output) = &json {
         let mut value = plan.to_json();

@@ -15,7 +15,7 @@ use super::report::Report;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
-use crate::plan::{Clock, CpuWork, Due, Pass, Plan, Resource, ResourceId, Shape};
+use crate::plan::{Clock, Due, Pass, Plan, Recorded, Resource, ResourceId, Shape};
 use crate::{Error, Result};
 
 /// Passes that were encoded.
@@ -29,7 +29,7 @@ pub(crate) struct Encoded {
 /// A loaded plan.
 #[derive(Default)]
 pub struct Program {
-    plan: Plan,
+    recorded: Recorded,
     real: BTreeMap<String, (Shape, Real)>,
     steps: Vec<Step>,
     stopwatch: Option<Stopwatch>,
@@ -40,14 +40,20 @@ pub struct Program {
 
 impl Program {
     /// Loads a plan; returns what must run before the next frame is right.
-    pub fn load(&mut self, gpu: &Gpu, plan: Plan) -> Result<&Due> {
-        let mut rebind = self.steps.is_empty() || !same_structure(&plan, &self.plan);
+    pub fn load(&mut self, gpu: &Gpu, recorded: impl Into<Recorded>) -> Result<&Due> {
+        let Recorded { plan, on_cpu } = recorded.into();
+        let mut rebind = self.steps.is_empty() || !same_structure(&plan, self.plan());
         if rebind {
             plan.check(gpu.limits())?;
         }
         let mut remade: BTreeSet<&str> = BTreeSet::new();
         for resource in &plan.resources {
-            let before = self.plan.resources.iter().find(|r| r.name == resource.name);
+            let before = self
+                .recorded
+                .plan
+                .resources
+                .iter()
+                .find(|r| r.name == resource.name);
             let uploaded = before.and_then(|b| b.contents.as_ref());
             let kept = self
                 .real
@@ -75,7 +81,7 @@ impl Program {
                 rebind = true;
             }
         }
-        let due = plan.due_after(&self.plan, |r| remade.contains(r.name.as_str()));
+        let due = plan.due_after(self.plan(), |r| remade.contains(r.name.as_str()));
         self.due.add(&due);
         self.due
             .passes
@@ -84,7 +90,7 @@ impl Program {
             .retain(|name, _| plan.resource_named(name).is_some());
         if rebind {
             // Until all of it is built, nothing is loaded: a failure on the way must not look like an unchanged plan.
-            self.plan = Plan::default();
+            self.recorded = Recorded::default();
             self.steps.clear();
             self.generation += 1;
             let step = |pass| Step::new(gpu, &plan, pass, &self.real);
@@ -93,20 +99,20 @@ impl Program {
             gpu.complaint()?;
             self.steps = steps;
         }
-        self.plan = plan;
+        self.recorded = Recorded { plan, on_cpu };
         Ok(&self.due)
     }
 
     /// The loaded plan.
     pub fn plan(&self) -> &Plan {
-        &self.plan
+        &self.recorded.plan
     }
 
     /// Bytes of the buffers and textures that were made for resources of a clock: those of the scene, or those that are not.
     /// Contents that several programs share count for each of them.
     pub fn allocated_on(&self, clock: Clock, is_scene: bool) -> u64 {
         let wanted = |r: &&Resource| r.clock == clock && r.is_scene == is_scene;
-        let resources = self.plan.resources.iter().filter(wanted);
+        let resources = self.recorded.plan.resources.iter().filter(wanted);
         resources
             .filter_map(|r| self.real.get(&r.name))
             .map(|(_, real)| real.bytes())
@@ -121,19 +127,17 @@ impl Program {
             true => self.run_passes(gpu, runs)?,
             false => self.run_at_once(gpu, runs)?,
         };
-        times.add_before(PassTime::of_cpu(&self.plan, |w| w.took_ms));
+        times.add_before(PassTime::of_cpu(&self.recorded, |_, work| work.took_ms));
         self.due = Due::default();
         Ok(times)
     }
 
     /// Runs the passes of some clocks and waits for them; what the CPU does on these clocks is done again for its time.
     pub fn run(&self, gpu: &Gpu, clocks: ClockSet) -> Result<RunTimes> {
-        let again = |w: &CpuWork| {
-            clocks
-                .contains(w.clock)
-                .then(|| Stopwatch::ms_of(&*w.again))
-        };
-        let works = PassTime::of_cpu(&self.plan, again);
+        let works = PassTime::of_cpu(&self.recorded, |step, work| {
+            let is_asked = clocks.contains(step.clock);
+            is_asked.then(|| Stopwatch::ms_of(&*work.again))
+        });
         let mut times = self.run_passes(gpu, |pass| clocks.contains(pass.clock))?;
         times.add_before(works);
         Ok(times)
@@ -206,7 +210,13 @@ impl Program {
         &self,
         runs: impl Fn(&Pass) -> bool,
     ) -> impl Iterator<Item = (usize, &Pass, &Step)> {
-        let all = self.plan.passes.iter().zip(&self.steps).enumerate();
+        let all = self
+            .recorded
+            .plan
+            .passes
+            .iter()
+            .zip(&self.steps)
+            .enumerate();
         all.filter(move |(_, (pass, _))| runs(pass))
             .map(|(index, (pass, step))| (index, pass, step))
     }
@@ -225,12 +235,12 @@ impl Program {
             passes += 1;
         }
         self.due = Due::default();
-        let report = match self.plan.need {
+        let report = match self.recorded.plan.need {
             Some(id) if passes > 0 => {
                 let needs = self.buffer(id)?;
                 let staging = gpu.staging(needs.size());
                 encoder.copy_buffer_to_buffer(needs, 0, &staging, 0, needs.size());
-                let bounded = self.plan.bounded.clone();
+                let bounded = self.recorded.plan.bounded.clone();
                 Some(Report::new(encoder, staging, bounded))
             }
             _ => None,
@@ -241,8 +251,8 @@ impl Program {
     /// What puts the picture into the attachments of a host.
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Target<'_>) -> Result<Compositor> {
         let none = || Error::Plan("the plan makes no picture".to_owned());
-        let picture = self.buffer(self.plan.picture.ok_or_else(none)?)?;
-        let layers = self.buffer(self.plan.layers.ok_or_else(none)?)?;
+        let picture = self.buffer(self.recorded.plan.picture.ok_or_else(none)?)?;
+        let layers = self.buffer(self.recorded.plan.layers.ok_or_else(none)?)?;
         Compositor::new(gpu, target, [picture, layers])
     }
 
@@ -253,12 +263,12 @@ impl Program {
 
     /// What the bounded buffers reported: the largest need of each, in order of [`Plan::bounded`].
     pub fn needs(&self, gpu: &Gpu) -> Result<Vec<u32>> {
-        let Some(id) = self.plan.need else {
+        let Some(id) = self.recorded.plan.need else {
             return Ok(Vec::new());
         };
         let words = gpu.read::<u32>(self.buffer(id)?)?;
         Ok(self
-            .plan
+            .plan()
             .bounded
             .iter()
             .map(|b| words.get(b.slot as usize).copied().unwrap_or(0))
@@ -267,11 +277,11 @@ impl Program {
 
     /// Sets the words that bounded buffers of the frame report in back to zero; those of a solid are reset by its own pass.
     pub fn clear_needs_of_frame(&self, gpu: &Gpu) -> Result<()> {
-        let Some(id) = self.plan.need else {
+        let Some(id) = self.recorded.plan.need else {
             return Ok(());
         };
         let buffer = self.buffer(id)?;
-        for bounded in self.plan.bounded.iter().filter(|b| !b.exact) {
+        for bounded in self.recorded.plan.bounded.iter().filter(|b| !b.exact) {
             gpu.queue
                 .write_buffer(buffer, u64::from(bounded.slot) * 4, &[0; 4]);
         }
@@ -281,7 +291,7 @@ impl Program {
     /// The layers of the last frame.
     pub fn layers(&self, gpu: &Gpu, size_px: [u32; 2]) -> Result<Layers> {
         let id = self
-            .plan
+            .plan()
             .layers
             .ok_or_else(|| Error::Plan("the plan makes no layers".to_owned()))?;
         let words = gpu.read::<u32>(self.buffer(id)?)?;
@@ -297,7 +307,7 @@ impl Program {
     /// The picture of the last frame: RGBA8, rows from the top.
     pub fn picture(&self, gpu: &Gpu) -> Result<Vec<u8>> {
         let id = self
-            .plan
+            .plan()
             .picture
             .ok_or_else(|| Error::Plan("the plan makes no picture".to_owned()))?;
         gpu.read::<u8>(self.buffer(id)?)
@@ -306,14 +316,14 @@ impl Program {
     /// The words of a buffer, by name: for tests.
     pub fn words(&self, gpu: &Gpu, name: &str) -> Result<Vec<u32>> {
         let id = self
-            .plan
+            .plan()
             .resource_named(name)
             .ok_or_else(|| Error::Plan(format!("there is no resource `{name}`")))?;
         gpu.read::<u32>(self.buffer(id)?)
     }
 
     fn buffer(&self, id: ResourceId) -> Result<&wgpu::Buffer> {
-        let name = &self.plan.resource(id).name;
+        let name = &self.recorded.plan.resource(id).name;
         match self.real.get(name) {
             Some((_, Real::Buffer(buffer))) => Ok(buffer),
             _ => Err(Error::Plan(format!("{name} is not a buffer"))),

@@ -7,7 +7,7 @@
 use web_time::Instant;
 
 use super::Gpu;
-use crate::plan::{Clock, CpuWork, Plan};
+use crate::plan::{Clock, CpuStep, CpuWork, Recorded};
 
 /// A set of clocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -57,13 +57,17 @@ pub struct PassTime {
 }
 
 impl PassTime {
-    /// Times of what the CPU does for a plan.
-    pub(super) fn of_cpu(plan: &Plan, ms: impl Fn(&CpuWork) -> Option<f64>) -> Vec<Self> {
-        let timed = plan.on_cpu.iter().filter_map(|work| {
+    /// Times of what the CPU does for a plan: `ms` has those of the work beside it.
+    pub(super) fn of_cpu(
+        recorded: &Recorded,
+        ms: impl Fn(&CpuStep, &CpuWork) -> Option<f64>,
+    ) -> Vec<Self> {
+        let steps = recorded.plan.on_cpu.iter().zip(&recorded.on_cpu);
+        let timed = steps.filter_map(|(step, work)| {
             Some(Self {
-                name: work.name.clone(),
-                clock: work.clock,
-                time_ms: Some(ms(work)?),
+                name: step.name.clone(),
+                clock: step.clock,
+                time_ms: Some(ms(step, work)?),
             })
         });
         timed.collect()

@@ -20,8 +20,6 @@ const MOST_LEVELS: u32 = 15;
 /// Levels that a pass builds.
 const LEVELS_OF_PASS: u32 = 5;
 const NODE_BYTES: u64 = 8;
-/// The name of their resource.
-const PYRAMIDS: &str = "pyramids";
 
 /// How rays are followed through the heights of a relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -109,6 +107,7 @@ impl Input<'_> {
 
 /// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/pyramid.wgsl` binds.
 pub fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
+    plan.has_pyramids = true;
     let (rows, nodes) = scene.input.pyramid_rows();
     let mut all = rows.clone();
     all.resize(MAX_SURFACES, bytemuck::Zeroable::zeroed());
@@ -127,7 +126,7 @@ fn build(
     nodes: u64,
 ) -> ResourceId {
     let bytes = nodes.max(1) * NODE_BYTES;
-    let built = plan.add_resource(Resource::storage(PYRAMIDS, bytes, Clock::Cut));
+    let built = plan.add_resource(Resource::storage("pyramids", bytes, Clock::Cut));
     let levels = rows.iter().map(|r| r.levels).max().unwrap_or(0);
     for from in (0..levels).step_by(LEVELS_OF_PASS as usize) {
         let to = (from + LEVELS_OF_PASS).min(levels);

@@ -13,7 +13,9 @@ use rayon::prelude::*;
 use super::sliced::{PackedSection, Sliced};
 use super::{Input, counted};
 use crate::plan::pack::MAX_SURFACES;
-use crate::plan::{Clock, Contents, CpuWork, Draw, Piece, Plan, Resource, ResourceId, Role};
+use crate::plan::{
+    Clock, Contents, CpuStep, CpuWork, Draw, Piece, Plan, Resource, ResourceId, Role,
+};
 use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
 
@@ -51,8 +53,9 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wan
 }
 
 impl Sections {
-    /// The sections of the cut parts by the planes that cut them; none where all planes pass by. All clip-surfaces must be planes.
-    pub fn slice(plan: &mut Plan, input: &Input<'_>) -> Option<Self> {
+    /// The sections of the cut parts by the planes that cut them, none where all planes pass by; and the work for the steps that the
+    /// plan has on the CPU for them. All clip-surfaces must be planes.
+    pub fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
         let wanted = wanted(input);
         let known: Vec<_> =
             (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();
@@ -82,52 +85,51 @@ impl Sections {
                 doubts,
             }
         });
-        if !wanted.is_empty() {
-            let makes = (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect();
-            add_work(plan, wanted, found, makes, [slicers_ms, took_ms]);
+        if wanted.is_empty() {
+            return (None, Vec::new());
         }
-        sections
+        let parts = of_each_part(wanted.iter()).len();
+        plan.on_cpu.push(CpuStep {
+            name: "slicers".to_owned(),
+            clock: Clock::Solid,
+            reason: format!(
+                "{} made ready to be sliced by any plane",
+                counted(parts, "part")
+            ),
+            makes: Vec::new(),
+        });
+        plan.on_cpu.push(CpuStep {
+            name: "slice".to_owned(),
+            clock: Clock::Cut,
+            reason: format!(
+                "{}, triangulated: where a plane is inside a part",
+                counted(found, "section")
+            ),
+            makes: (sections.iter().flat_map(|s| [s.vertices, s.indices])).collect(),
+        });
+        let work = work(wanted, slicers_ms, took_ms);
+        (sections, work.into())
     }
 }
 
-/// Tells of the slicers and of the sections, and of how long each took, if it was not known from before.
-fn add_work(
-    plan: &mut Plan,
-    wanted: Vec<Wanted>,
-    found: usize,
-    makes: Vec<ResourceId>,
-    [slicers_ms, took_ms]: [Option<f64>; 2],
-) {
+/// The work of making slicers, and of slicing: how long each took, if what it makes was not known from before.
+fn work(wanted: Vec<Wanted>, slicers_ms: Option<f64>, took_ms: Option<f64>) -> [CpuWork; 2] {
     let wanted = Arc::new(wanted);
-    let parts = of_each_part(wanted.iter()).len();
     let of_slicers = wanted.clone();
-    plan.on_cpu.push(CpuWork {
-        name: "slicers".to_owned(),
-        clock: Clock::Solid,
-        reason: format!(
-            "{} made ready to be sliced by any plane",
-            counted(parts, "part")
-        ),
-        makes: Vec::new(),
+    let slicers = CpuWork {
         took_ms: slicers_ms,
         again: Arc::new(move || {
             let made = of_each_part(of_slicers.iter()).into_par_iter();
             made.for_each(|w| drop(w.sliced.new_slicer(&w.part)));
         }),
-    });
-    plan.on_cpu.push(CpuWork {
-        name: "slice".to_owned(),
-        clock: Clock::Cut,
-        reason: format!(
-            "{}, triangulated: where a plane is inside a part",
-            counted(found, "section")
-        ),
-        makes,
+    };
+    let slices = CpuWork {
         took_ms,
         again: Arc::new(move || {
             wanted.par_iter().for_each(|w| drop(w.sliced()));
         }),
-    });
+    };
+    [slicers, slices]
 }
 
 fn wanted(input: &Input<'_>) -> Vec<Wanted> {

@@ -1,17 +1,17 @@
-//! Work of the CPU that makes an upload of a plan: told by name and reason, and timed, as a pass is.
+//! Work of the CPU that makes an upload of a plan.
 //!
-//! A plan is recorded after such work is done, for what is drawn depends on it; what the plan keeps is what it was, how long it
-//! took this time, and how to do it again where somebody measures. Bands of one picture share what is known, so only the first of them does the work; where
-//! it is done again for its time, each band does it.
+//! A plan is recorded after such work is done, for what is drawn depends on it. The plan keeps what was done, as data; how long it took
+//! this time, and how to do it again where somebody measures, stands beside the plan. Bands of one picture share what is known, so only
+//! the first of them does the work; where it is done again for its time, each band does it.
 
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Clock, ResourceId};
+use super::{Clock, Plan, ResourceId};
 
-/// Work of the CPU behind uploads.
-#[derive(Clone)]
-pub struct CpuWork {
+/// Work of the CPU behind uploads, as a pass is one of the device.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CpuStep {
     /// Unique name, as of a pass.
     pub name: String,
     /// When it is done again.
@@ -20,24 +20,35 @@ pub struct CpuWork {
     pub reason: String,
     /// The uploads that it makes; none where it is done for other such work, or where it found nothing to upload.
     pub makes: Vec<ResourceId>,
+}
+
+/// How such work went.
+#[derive(Clone)]
+pub struct CpuWork {
     /// Milliseconds that it took for this plan; `None` where all of it was known from before.
     pub took_ms: Option<f64>,
     /// Does all of it again, and throws away what it makes.
     pub again: Arc<dyn Fn() + Send + Sync>,
 }
 
-/// Time is no part of what a plan is.
-impl PartialEq for CpuWork {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-            && self.clock == other.clock
-            && self.reason == other.reason
-            && self.makes == other.makes
+impl fmt::Debug for CpuWork {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "CpuWork ({:?} ms)", self.took_ms)
     }
 }
 
-impl fmt::Debug for CpuWork {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.name, self.reason)
+/// A plan with the work of the CPU beside it.
+#[derive(Clone, Debug, Default)]
+pub struct Recorded {
+    /// The plan.
+    pub plan: Plan,
+    /// One for each of [`Plan::on_cpu`], in order.
+    pub on_cpu: Vec<CpuWork>,
+}
+
+impl From<Plan> for Recorded {
+    fn from(plan: Plan) -> Self {
+        let on_cpu = Vec::new();
+        Self { plan, on_cpu }
     }
 }

@@ -14,7 +14,7 @@ mod resource;
 mod text;
 
 pub use check::Limits;
-pub use cpu::CpuWork;
+pub use cpu::{CpuStep, CpuWork, Recorded};
 pub use due::Due;
 pub use pass::{
     ARGUMENT_BYTES, Access, Arguments, Binding, ColorTarget, DepthCompare, DepthTarget, Draw,
@@ -167,13 +167,15 @@ pub struct Plan {
     /// In order; passes of slower clocks come first.
     pub passes: Vec<Pass>,
     /// What the CPU did for the uploads, beyond packing them.
-    pub on_cpu: Vec<CpuWork>,
+    pub on_cpu: Vec<CpuStep>,
     /// The layers of the frame: three words per pixel.
     pub layers: Option<ResourceId>,
     /// The picture: one RGBA8 word per pixel.
     pub picture: Option<ResourceId>,
     /// Words that bounded buffers report their need in.
     pub need: Option<ResourceId>,
+    /// Rays go over pyramids of reliefs, as [`Capacities::pyramids`] says of the frames that follow.
+    pub has_pyramids: bool,
     /// Bounded buffers.
     pub bounded: Vec<Bounded>,
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Clock, CpuWork, Pass, Plan, ResourceId, StencilStep, Work};
+use super::{Clock, CpuStep, Pass, Plan, ResourceId, StencilStep, Work};
 
 impl Plan {
     /// One paragraph per pass, by clock, and the bytes of each clock.
@@ -11,7 +11,7 @@ impl Plan {
         for clock in Clock::ALL {
             let passes: Vec<&Pass> = self.passes_on(clock).collect();
             let bytes = self.bytes_on(clock);
-            let works: Vec<&CpuWork> = self.on_cpu.iter().filter(|w| w.clock == clock).collect();
+            let works: Vec<&CpuStep> = self.on_cpu.iter().filter(|w| w.clock == clock).collect();
             if passes.is_empty() && works.is_empty() && bytes == 0 {
                 continue;
             }

@@ -9,7 +9,7 @@ use super::encode::Last;
 use super::{Drawn, MOST_TRIES, Outcome};
 use crate::gpu::{ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::passes::Model;
-use crate::plan::{Capacities, Due, Plan};
+use crate::plan::{Capacities, Due, Recorded};
 use crate::scene::View;
 use crate::strategies::{Obstacle, Refusal};
 use crate::{Error, Result};
@@ -68,7 +68,7 @@ impl Slot {
         is_timed: bool,
         model: &Model,
         view: &View,
-        record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+        record: impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Drawn> {
         self.begin(model, view);
         self.last = None;
@@ -158,7 +158,7 @@ impl Slot {
         gpu: &Gpu,
         is_timed: bool,
         view: &View,
-        record: &impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+        record: &impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Result<Drawn, Stop>> {
         let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
         let mut all = Drawn {
@@ -192,18 +192,18 @@ impl Band {
         gpu: &Gpu,
         is_timed: bool,
         capacities: &mut Capacities,
-        record: impl Fn(&Capacities) -> Result<Plan, Refusal>,
+        record: impl Fn(&Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Result<Drawn, Stop>> {
         let mut owed = Due::default();
         let mut tries = 1;
         loop {
-            let plan = match record(capacities) {
-                Ok(plan) => plan,
+            let recorded = match record(capacities) {
+                Ok(recorded) => recorded,
                 Err(refusal) => return Ok(Err(Stop::Refused(refusal))),
             };
-            capacities.pyramids |= plan.resource_named("pyramids").is_some();
+            capacities.pyramids |= recorded.plan.has_pyramids;
             // The last try does all that the frame takes, so that its times are those of the frame.
-            match self.program.load(gpu, plan) {
+            match self.program.load(gpu, recorded) {
                 Ok(due) => owed.add(due),
                 Err(Error::Limit(reason)) => return Ok(Err(Stop::TooLarge(reason))),
                 Err(e) => return Err(e),

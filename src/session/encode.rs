@@ -9,7 +9,7 @@
 use super::bands::{Band, Slot};
 use crate::gpu::{CommandEncoder, Compositor, Gpu, Target};
 use crate::passes::Model;
-use crate::plan::{Capacities, Plan};
+use crate::plan::{Capacities, Recorded};
 use crate::scene::View;
 use crate::strategies::{Obstacle, Refusal};
 use crate::{Error, Result};
@@ -54,7 +54,7 @@ impl Slot {
         encoder: &mut CommandEncoder,
         (model, view): (&Model, &View),
         target: &Target<'_>,
-        record: impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+        record: impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Encoded> {
         let is_still = (self.last.as_ref()).is_some_and(|l| l.model.is(model) && l.view == *view);
         let mut passes = 0;
@@ -91,18 +91,18 @@ impl Slot {
         &mut self,
         gpu: &Gpu,
         view: &View,
-        record: &impl Fn(&View, &Capacities) -> Result<Plan, Refusal>,
+        record: &impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Result<(), Refusal>> {
         let mut too_large: Option<String> = None;
         'cut: loop {
             let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
             for band in &mut self.bands {
-                let plan = match record(&band.view(view), capacities) {
-                    Ok(plan) => plan,
+                let recorded = match record(&band.view(view), capacities) {
+                    Ok(recorded) => recorded,
                     Err(refusal) => return Ok(Err(refusal)),
                 };
-                capacities.pyramids |= plan.resource_named("pyramids").is_some();
-                match band.program.load(gpu, plan) {
+                capacities.pyramids |= recorded.plan.has_pyramids;
+                match band.program.load(gpu, recorded) {
                     Ok(_) => {}
                     Err(Error::Limit(reason)) => {
                         let first = too_large.get_or_insert(reason).clone();

@@ -20,7 +20,7 @@ pub(crate) use row::{Answers, Caps};
 use std::fmt::Display;
 
 use crate::passes::{Input, Lanes, Model, Picture, SceneBuffers, Surfaces, gather};
-use crate::plan::{Capacities, Plan};
+use crate::plan::{Capacities, CpuWork, Plan, Recorded};
 use crate::scene::{HeightFilter, View};
 
 /// The plan of a frame by a method.
@@ -31,12 +31,26 @@ use crate::scene::{HeightFilter, View};
 /// # Errors
 ///
 /// What of the scene the method does not draw.
-pub fn record(
+pub fn plan(
     model: &Model,
     view: &View,
     method: impl Into<Method>,
     capacities: &Capacities,
 ) -> Result<Plan, Refusal> {
+    record(model, view, method, capacities).map(|recorded| recorded.plan)
+}
+
+/// The same with the work of the CPU that it took.
+///
+/// # Errors
+///
+/// As [`plan`].
+pub fn record(
+    model: &Model,
+    view: &View,
+    method: impl Into<Method>,
+    capacities: &Capacities,
+) -> Result<Recorded, Refusal> {
     let Method { strategy, means } = method.into();
     let rasteriser = means.rasteriser.unwrap_or_default();
     if rasteriser == Rasteriser::Compute && !strategy.can().compute {
@@ -57,13 +71,16 @@ pub fn record(
     };
     must_be_able(&input, strategy)?;
     let mut plan = Plan::default();
-    let picture = match input.relevance.lanes {
-        0 => record_uncut(&mut plan, &input)?,
+    let (picture, on_cpu) = match input.relevance.lanes {
+        0 => (record_uncut(&mut plan, &input)?, Vec::new()),
         _ => record_cut(&mut plan, &input, strategy)?,
     };
     plan.layers = Some(picture.layers);
     plan.picture = Some(picture.picture);
-    Ok(plan.without_unused())
+    Ok(Recorded {
+        plan: plan.without_unused(),
+        on_cpu,
+    })
 }
 
 /// The passes where no cut opens a part.
@@ -75,7 +92,11 @@ fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> 
 }
 
 /// The passes where a cut opens some part.
-fn record_cut(plan: &mut Plan, input: &Input<'_>, strategy: Strategy) -> Result<Picture, Refusal> {
+fn record_cut(
+    plan: &mut Plan,
+    input: &Input<'_>,
+    strategy: Strategy,
+) -> Result<(Picture, Vec<CpuWork>), Refusal> {
     let Strategy { surface, inside } = strategy;
     let Some(inside) = inside else {
         return match surface.row().caps {
@@ -84,7 +105,7 @@ fn record_cut(plan: &mut Plan, input: &Input<'_>, strategy: Strategy) -> Result<
         };
     };
     let steps = inside.steps();
-    match (surface.row().caps, inside.row().answers) {
+    let picture = match (surface.row().caps, inside.row().answers) {
         (Caps::Alone(_), _) => Err(unpaired(surface, "knows by itself what is inside")),
         (_, Answers::Rays(record)) => record(plan, input, surface, steps),
         (Caps::Rays(_), Answers::Points(images)) => {
@@ -98,7 +119,8 @@ fn record_cut(plan: &mut Plan, input: &Input<'_>, strategy: Strategy) -> Result<
             |plan, scene| tessellate(plan, scene, surface.steps(), true),
             |plan, scene| images(plan, scene, steps),
         ),
-    }
+    };
+    Ok((picture?, Vec::new()))
 }
 
 /// The refusal of a cap surface or an inside test that is asked for with another.

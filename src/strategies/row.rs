@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
 use crate::passes::{Crossings, Input, Picture, Refusal, SceneBuffers, Store, Volume};
-use crate::plan::Plan;
+use crate::plan::{CpuWork, Plan};
 
 /// A parameter that follows the name of a row, as in `grid:256`.
 #[derive(Clone, Copy, Debug)]
@@ -155,8 +155,8 @@ pub(super) type ListCrossings =
 pub(super) type Tessellate =
     fn(&mut Plan, &SceneBuffers<'_>, u32, bool) -> Result<Tessellation, Refusal>;
 
-/// Records the frame.
-pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<Picture, Refusal>;
+/// Records the frame; with the work of the CPU that it took, as in [`Recorded`](crate::plan::Recorded).
+pub(super) type RecordAlone = fn(&mut Plan, &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal>;
 
 /// An inside test.
 #[derive(Debug)]

@@ -61,7 +61,7 @@ fn recorded(scene: &Scene, name: &str, options: &Means) -> Result<Plan, String> 
         crossings: Some(31),
         ..Capacities::UNKNOWN
     };
-    let plan = strategies::record(
+    let plan = strategies::plan(
         &question.model,
         &question.view,
         Method::new(strategy(name), *options),

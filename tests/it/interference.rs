@@ -198,7 +198,7 @@ fn plan_of(scene: &Scene, name: &str, options: Means) -> Result<Plan, String> {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
     let strategy = strategy(name);
-    strategies::record(
+    strategies::plan(
         &model,
         &view,
         Method::new(strategy, options),

@@ -77,6 +77,6 @@ fn words(session: &Session, method: impl Into<Method>, buffer: &str) -> Vec<u32>
 }
 
 fn plan_with(question: &Question, strategy: &Strategy, capacities: &Capacities) -> Plan {
-    strategies::record(&question.model, &question.view, strategy, capacities)
+    strategies::plan(&question.model, &question.view, strategy, capacities)
         .unwrap_or_else(|e| panic!("{e}"))
 }

@@ -88,7 +88,7 @@ fn all_strategies() -> Vec<Strategy> {
 fn plan_at(scene: &Scene, strategy: &Strategy, size: [u32; 2]) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view(size);
-    strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+    strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

@@ -344,7 +344,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
     };
     let model = Model::of(&scene);
     let view = model.prepared.view([64, 64]);
-    let plan = strategies::record(&model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
+    let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let pass = plan
         .passes
@@ -388,7 +388,7 @@ fn constants_have_one_value_on_both_sides() {
             ..Scene::default()
         });
         let view = model.prepared.view([1, 1]);
-        let plan = strategies::record(&model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
+        let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
             .unwrap_or_else(|e| panic!("{e}"));
         plan.resource(plan.layers.expect("layers")).shape.bytes() as u32 / 4
     };

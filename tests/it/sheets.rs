@@ -68,7 +68,7 @@ fn roomy(question: &Question, name: &str) -> Plan {
 
 fn plan_with(question: &Question, name: &str, capacities: &Capacities) -> Plan {
     let strategy = strategy(name);
-    strategies::record(&question.model, &question.view, strategy, capacities)
+    strategies::plan(&question.model, &question.view, strategy, capacities)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

@@ -27,7 +27,7 @@ use crate::passes::{
     Crossings, Input, Inside, Lanes, NearestKept, Obstacle, Picture, Refusal, SceneBuffers,
     Sections, Store, counted, over_mesh, resolve,
 };
-use crate::plan::{Binding, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
+use crate::plan::{Binding, CpuWork, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
 use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
 use crate::strategies::surface;
 
@@ -55,11 +55,11 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `planar`.
-fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal> {
     near_plane_is_free(input)?;
     let capacity = surface::capacity(input);
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
-    let sections = Sections::slice(plan, input);
+    let (sections, on_cpu) = Sections::slice(plan, input);
     let is_doubtful = sections.as_ref().is_some_and(|s| !s.doubts.is_empty());
     let mask = match is_doubtful {
         true => scene.lanes.reduced_mask(plan, input),
@@ -79,13 +79,9 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
     if let Some(sections) = sections {
         draw(plan, &scene, &nearest, &sections, mask, &crossings);
     }
-    Ok(resolve(
-        plan,
-        &scene,
-        nearest,
-        Inside::mask(mask),
-        &crossings,
-    ))
+    let inside = Inside::mask(mask);
+    let picture = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok((picture, on_cpu))
 }
 
 fn draw(

@@ -142,7 +142,7 @@ fn the_papers_rule_draws_the_same_triangles() {
 fn plan_of(scene: &Scene, name: &str) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([128, 96]);
-    strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN)
+    strategies::plan(&model, &view, strategy(name), &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -276,7 +276,7 @@ fn a_camera_that_enters_an_uncut_solid_measures_nothing() {
     let plan = |eye: DVec3, name: &str| {
         let camera = scenes::looking(eye, DVec3::ZERO, 60.0);
         let view = model.prepared.view_of(&camera, [128, 96]);
-        let plan = strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN);
+        let plan = strategies::plan(&model, &view, strategy(name), &Capacities::UNKNOWN);
         (plan.unwrap_or_else(|e| panic!("{e}")), camera)
     };
     for name in ["adaptive:0.5+mask", "grid:16+mask", "raycast+mask"] {
@@ -320,7 +320,7 @@ fn too_many_triangles_are_told_and_then_have_room() {
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
     let gpu = Gpu::open(&software()).expect("an adapter");
-    let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+    let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let at = plan
         .bounded
@@ -364,7 +364,7 @@ fn a_relief_of_too_many_texels_is_refused_with_the_mend() {
         scene.cuts[0].surfaces[0].scale.x = scale;
         let model = Model::of(&scene);
         let view = model.prepared.view_of(&Camera::default(), [64, 64]);
-        strategies::record(
+        strategies::plan(
             &model,
             &view,
             strategy("adaptive:1+mask"),

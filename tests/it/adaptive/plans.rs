@@ -11,7 +11,7 @@ use super::{cut_ball, noise};
 fn plan() -> Plan {
     let model = Model::of(&cut_ball(noise([24, 24], 1), 0.8, 0.1, Wrap::Repeat));
     let view = model.prepared.view([64, 48]);
-    strategies::record(
+    strategies::plan(
         &model,
         &view,
         strategy("adaptive:1+mask"),

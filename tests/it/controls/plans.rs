@@ -3,7 +3,7 @@
 use cutaway::gpu::{ClockSet, Gpu, Program};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::Scene;
-use cutaway::strategies::{Strategy, record};
+use cutaway::strategies::{self, Strategy};
 
 use crate::common::{Question, scenes, session};
 
@@ -19,7 +19,7 @@ fn plan_of(question: &Question) -> Plan {
         crossings: Some(15),
         ..Capacities::UNKNOWN
     };
-    record(
+    strategies::plan(
         &question.model,
         &question.view,
         Strategy::RAYCAST_MASK,

@@ -20,7 +20,7 @@ fn cubes(folder: &Scratch, cuts: &str) -> Scene {
 fn plan_of(scene: &Scene, strategy: &Strategy) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([320, 200]);
-    strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+    strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

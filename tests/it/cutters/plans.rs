@@ -17,7 +17,7 @@ fn ball(at: DVec3) -> cutaway::scene::Cutter {
 fn plan(scene: &Scene, strategy: &Strategy) -> Result<Plan, strategies::Refusal> {
     let model = Model::of(scene);
     let view = model.prepared.view([64, 48]);
-    strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+    strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
 }
 
 fn passes(plan: &Plan) -> Vec<&str> {
@@ -118,7 +118,7 @@ fn what_moves_is_uploaded_and_what_does_not_is_not() {
     );
     let of = |model: &Model| {
         let view = model.prepared.view([64, 48]);
-        strategies::record(model, &view, strategy("raycast+mask"), &Capacities::UNKNOWN)
+        strategies::plan(model, &view, strategy("raycast+mask"), &Capacities::UNKNOWN)
             .expect("a plan")
     };
     let (before, after) = (of(&model), of(&moved));

@@ -125,7 +125,7 @@ fn case_34_no_crack_along_a_cameras_way() {
                 "frame {frame}: cracks, pixels in doubt"
             );
         }
-        let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+        let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
             .unwrap_or_else(|e| panic!("{e}"));
         let sheet = sheet.get_or_insert_with(|| Sheet::of(&session, &strategy, 0));
         sheet.domain = row_of(&plan, "domains", 0);

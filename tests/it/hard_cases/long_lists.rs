@@ -74,7 +74,7 @@ fn plan_for(question: &Question, crossings: u32) -> Plan {
         ..Capacities::UNKNOWN
     };
     let strategy = Strategy::RAYCAST_MASK;
-    strategies::record(&question.model, &question.view, strategy, &capacities)
+    strategies::plan(&question.model, &question.view, strategy, &capacities)
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -209,7 +209,7 @@ fn a_picture_with_no_room_for_long_lists_holds_them_shorter() {
             ..Capacities::UNKNOWN
         };
         let strategy = Strategy::RAYCAST_MASK;
-        strategies::record(&question.model, &view, strategy, &capacities)
+        strategies::plan(&question.model, &view, strategy, &capacities)
             .unwrap_or_else(|e| panic!("{e}"))
             .bounded[0]
             .capacity

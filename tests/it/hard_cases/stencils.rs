@@ -71,7 +71,7 @@ fn case_44_nonzero_leaves_whether_the_count_is_0() {
 
 fn plan_of(question: &Question, strategy: &Strategy) -> Plan {
     let (model, view) = (&question.model, &question.view);
-    strategies::record(model, view, strategy, &Capacities::UNKNOWN).expect("a plan")
+    strategies::plan(model, view, strategy, &Capacities::UNKNOWN).expect("a plan")
 }
 
 /// Decided wrong pixels of a plan.

@@ -134,7 +134,7 @@ fn what_no_binding_holds_is_refused_by_name() {
 fn what_the_compute_rasteriser_does_not_draw_is_refused_with_a_reason() {
     let question = Question::of(&ring(), SIZE);
     for name in ["raycast+vds:64", "grid:8+vds:64", "grid:8+ldi:64"] {
-        let refusal = strategies::record(
+        let refusal = strategies::plan(
             &question.model,
             &question.view,
             Method::new(strategy(name), Means::by(Rasteriser::Compute)),

@@ -14,7 +14,7 @@ fn two_sprites() -> (Scene, Model) {
 
 fn plan_of_model(model: &Model) -> Plan {
     let view = model.prepared.view(SIZE);
-    let plan = strategies::record(
+    let plan = strategies::plan(
         model,
         &view,
         strategy("grid:8+vds:64"),

@@ -257,7 +257,7 @@ fn a_flat_relief_is_planned_as_the_plane_it_is() {
 fn lanes(scene: &Scene, capacities: &Capacities) -> (u32, u32, u64, Vec<[u32; 2]>) {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
-    let plan = strategies::record(&model, &view, Strategy::RAYCAST_MASK, capacities)
+    let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, capacities)
         .unwrap_or_else(|e| panic!("{e}"));
     let constant = |name: &str| {
         let constants = &pass(&plan, "resolve").constants;

@@ -39,7 +39,7 @@ fn planned(scene: &Scene, walk: Option<ReliefWalk>) -> Plan {
         ..Means::default()
     };
     let strategy = Strategy::RAYCAST_MASK;
-    let plan = strategies::record(
+    let plan = strategies::plan(
         &model,
         &view,
         Method::new(strategy, options),

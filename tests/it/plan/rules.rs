@@ -51,7 +51,7 @@ fn every_plan_keeps_the_rules_up_to_4k() {
         for size in RESOLUTIONS {
             let view = model.prepared.view(size);
             for strategy in all_strategies() {
-                let plan = strategies::record(&model, &view, strategy, &Capacities::UNKNOWN)
+                let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
                     .unwrap_or_else(|e| panic!("{e}"));
                 let too_large = plan.resources.iter().find(|r| {
                     let is_storage = matches!(
@@ -105,7 +105,7 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
     let refused = |scene: &Scene, strategy: Strategy| {
         let model = Model::of(scene);
         let view = model.prepared.view(SIZE);
-        strategies::record(&model, &view, strategy, &Capacities::UNKNOWN).expect_err("a refusal")
+        strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN).expect_err("a refusal")
     };
     let refusal = |scene: &Scene, name: &str| refused(scene, strategy(name)).to_string();
     // No name means these, but values can.

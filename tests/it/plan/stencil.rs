@@ -28,7 +28,7 @@ fn depth_of(pass: &Pass) -> DepthTarget {
 fn refusal(scene: &Scene, name: &str) -> String {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
-    strategies::record(&model, &view, strategy(name), &Capacities::UNKNOWN)
+    strategies::plan(&model, &view, strategy(name), &Capacities::UNKNOWN)
         .expect_err(name)
         .reason
 }

@@ -4,7 +4,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Part, Scene};
-use cutaway::strategies::{Means, Method, Rasteriser, Strategy, record};
+use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
 use super::common::{Question, meshes, scenes, session};
@@ -30,7 +30,7 @@ fn plan(question: &Question, rasteriser: Rasteriser) -> Plan {
     let options = Means::by(rasteriser);
     let capacities = Capacities::UNKNOWN;
     let (model, view) = (&question.model, &question.view);
-    record(
+    strategies::plan(
         model,
         view,
         Method::new(Strategy::PLANAR, options),

@@ -1,7 +1,7 @@
 //! The plan: the least that planes ask for, told with its work on the CPU, within core WebGPU; and what is refused.
 
 use cutaway::passes::Model;
-use cutaway::plan::{Capacities, Clock, Limits, Plan, Work};
+use cutaway::plan::{Capacities, Clock, Limits, Plan, Recorded, Work};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
@@ -11,12 +11,16 @@ use super::common::{meshes, scenes};
 const SIZE: [u32; 2] = [320, 200];
 
 fn plan(scene: &Scene, rasteriser: Rasteriser) -> Result<Plan, String> {
+    recorded(scene, rasteriser).map(|recorded| recorded.plan)
+}
+
+fn recorded(scene: &Scene, rasteriser: Rasteriser) -> Result<Recorded, String> {
     let model = Model::of(scene);
     let view = model.prepared.view(SIZE);
     let options = Means::by(rasteriser);
     let none = Capacities::UNKNOWN;
-    let plan = strategies::record(&model, &view, Method::new(Strategy::PLANAR, options), &none);
-    plan.map_err(|refusal| refusal.reason)
+    let method = Method::new(Strategy::PLANAR, options);
+    strategies::record(&model, &view, method, &none).map_err(|refusal| refusal.reason)
 }
 
 fn passes(plan: &Plan) -> Vec<&str> {
@@ -56,7 +60,10 @@ fn cubes(count: usize, cuts: Vec<Cut>) -> Scene {
 #[test]
 fn one_plane_through_one_part_is_one_section() {
     let scene = cubes(1, vec![Cut::of("cut", vec![plane(0.1)])]);
-    let hardware = plan(&scene, Rasteriser::Hardware).expect("a plan");
+    let Recorded {
+        plan: hardware,
+        on_cpu,
+    } = recorded(&scene, Rasteriser::Hardware).expect("a plan");
     let expected = ["crossings", "solid", "sections", "resolve", "shade"];
     assert_eq!(passes(&hardware), expected, "passes");
     assert_eq!(sections(&hardware).len(), 1, "sections");
@@ -64,7 +71,7 @@ fn one_plane_through_one_part_is_one_section() {
     let expected = [("slicers", Clock::Solid), ("slice", Clock::Cut)];
     assert_eq!(works.collect::<Vec<_>>(), expected, "work");
     assert!(
-        hardware.on_cpu.iter().all(|w| w.took_ms.is_some()),
+        on_cpu.len() == 2 && on_cpu.iter().all(|w| w.took_ms.is_some()),
         "it was sliced"
     );
     hardware.check(&Limits::CORE).expect("core WebGPU");
@@ -108,11 +115,13 @@ fn what_no_plane_meets_has_no_section() {
     // A plane that meets the box and nothing of the solid: a mask that stays empty, nothing to draw.
     let corner = ClipSurface::plane(DVec3::splat(0.35), DVec3::NEG_ONE);
     let scene = scenes::scene("ball", meshes::shape("sphere?subdivisions=3"), vec![corner]);
-    let missed = plan(&scene, Rasteriser::Hardware).expect("a plan");
+    let Recorded {
+        plan: missed,
+        on_cpu,
+    } = recorded(&scene, Rasteriser::Hardware).expect("a plan");
     assert!(sections(&missed).is_empty(), "{:?}", passes(&missed));
     // It was looked for, which took its time.
-    let sliced = &missed.on_cpu[1];
-    assert!(sliced.took_ms.is_some() && sliced.makes.is_empty());
+    assert!(on_cpu[1].took_ms.is_some() && missed.on_cpu[1].makes.is_empty());
     assert!(
         missed.to_text().contains("0 sections, triangulated"),
         "{}",

@@ -28,7 +28,7 @@ fn recorded(
 ) -> Result<Plan, Refusal> {
     let model = Model::of(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
-    strategies::record(
+    strategies::plan(
         &model,
         &view,
         Method::new(*strategy, *options),

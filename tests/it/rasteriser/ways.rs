@@ -56,7 +56,7 @@ fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> 
         ..Capacities::UNKNOWN
     };
     let strategy = Strategy::RAYCAST_MASK;
-    let mut plan = strategies::record(model, view, Method::new(strategy, options), &capacities)
+    let mut plan = strategies::plan(model, view, Method::new(strategy, options), &capacities)
         .unwrap_or_else(|e| panic!("{e}"));
     change(&mut plan);
     let bits = lane_bits(&plan);

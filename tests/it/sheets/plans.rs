@@ -19,8 +19,7 @@ fn plan_by(scene: &Scene, strategy: &Strategy, rasteriser: Rasteriser) -> Plan {
     let model = Model::of(scene);
     let view = model.prepared.view([320, 200]);
     let method = Method::new(*strategy, Means::by(rasteriser));
-    strategies::record(&model, &view, method, &Capacities::UNKNOWN)
-        .unwrap_or_else(|e| panic!("{e}"))
+    strategies::plan(&model, &view, method, &Capacities::UNKNOWN).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn plan_of(scene: &Scene, name: &str) -> Plan {

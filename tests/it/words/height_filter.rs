@@ -66,7 +66,7 @@ fn plan(scene: &Scene) -> Plan {
         ..Means::default()
     };
     let strategy = "grid:8+vds:16".parse().unwrap_or_else(|e| panic!("{e}"));
-    strategies::record(
+    strategies::plan(
         &model,
         &view,
         Method::new(strategy, options),

@@ -81,7 +81,7 @@ fn plan(model: &Model, camera: &Camera, walk: ReliefWalk) -> Plan {
         relief_walk: Some(walk),
         ..Means::default()
     };
-    strategies::record(
+    strategies::plan(
         model,
         &view,
         Method::new(Strategy::RAYCAST_MASK, options),

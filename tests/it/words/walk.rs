@@ -58,7 +58,7 @@ fn faults(scene: &Scene, judge: &Prepared, camera: &Camera) -> (Vec<String>, usi
         crossings: Some(Capacities::MOST_CROSSINGS),
         ..Capacities::UNKNOWN
     };
-    let plan = strategies::record(&model, &view, Strategy::RAYCAST_MASK, &capacities)
+    let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &capacities)
         .unwrap_or_else(|e| panic!("{e}"));
     let mut program = Program::default();
     let run = |program: &mut Program| -> cutaway::Result<[Vec<u32>; 2]> {

@@ -16,7 +16,7 @@
 use crate::passes::{
     DrawPass, Input, Lanes, Obstacle, Picture, Refusal, SceneBuffers, Surfaces, gather,
 };
-use crate::plan::{Plan, Stencil, StencilStep, Vertices};
+use crate::plan::{CpuWork, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
 
@@ -44,7 +44,7 @@ pub static ROW: CapSurfaceRow = CapSurfaceRow {
 };
 
 /// Records the frame of `stencil`.
-fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>), Refusal> {
     near_plane_is_free(input)?;
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::with_stencil(plan, &scene);
@@ -52,7 +52,7 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
         draw_part(plan, &scene, &mut surfaces, *rank);
     }
     surfaces.draw_plain_parts(plan, &scene, false);
-    Ok(gather(plan, &scene, &surfaces))
+    Ok((gather(plan, &scene, &surfaces), Vec::new()))
 }
 
 /// Draws what the plane leaves of a part, by rank, and its cap.
