@@ -40,12 +40,14 @@ pub mod hard_cases;
 pub mod layers;
 #[cfg(feature = "io")]
 pub mod load;
+#[doc(hidden)]
 pub mod passes;
 pub mod plan;
 #[cfg(feature = "lab")]
 pub mod report;
 pub mod scene;
 pub mod session;
+#[doc(hidden)]
 pub mod shader;
 pub mod slice;
 pub mod strategies;

@@ -8,6 +8,7 @@
 mod check;
 mod cpu;
 mod due;
+#[doc(hidden)]
 pub mod pack;
 mod pass;
 mod resource;

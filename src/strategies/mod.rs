@@ -3,8 +3,8 @@
 //! A strategy never touches the GPU. Adding a cap surface or an inside test means a file under `surface/` or `inside/`, a folder of
 //! shaders and a line in the [`table`].
 
-pub mod inside;
-pub mod surface;
+pub(crate) mod inside;
+pub(crate) mod surface;
 pub mod table;
 
 mod method;
