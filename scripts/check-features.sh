@@ -11,6 +11,13 @@ for features in "" io lab; do
     $cargo clippy --quiet --lib --no-default-features --features "$features" -- -D warnings
 done
 
+# Items that the documentation of the library without features lists.
+most_items=250
+RUSTDOCFLAGS="-D warnings" $cargo doc --quiet --lib --no-deps --no-default-features
+items=$(grep -o '<li>' "${CARGO_TARGET_DIR:-target}/doc/cutaway/all.html" | wc -l)
+echo "library without features: $items public items, at most $most_items"
+[ "$items" -le "$most_items" ]
+
 count=$($cargo tree --edges normal --no-default-features --prefix none | sed 's/ (.*//' | sort -u | wc -l)
 count=$((count - 1))
 echo "library without features: $count crates beneath it, at most $most"

@@ -1,5 +1,45 @@
-//! `cutaway` cuts solid triangle meshes with planes and 2.5D relief clip-surfaces, draws the caps that make the cut look
-//! solid, and measures every way to do so against one exact reference.
+//! Cuts solid triangle meshes with planes and 2.5D relief clip-surfaces, draws the caps that make the cut look solid, and measures
+//! every way to do so against one exact reference.
+//!
+//! ```
+//! use cutaway::scene::relief::{Placement, Procedure};
+//! use cutaway::scene::section_surface;
+//! use cutaway::{Cut, Gpu, GpuOptions, Model, Scene, Session, Strategy};
+//!
+//! let mut scene = Scene { parts: cutaway::generate::shapes::shape("crank")?, ..Scene::default() };
+//! let bounds = scene.bounds();
+//! let waves = Procedure::named("waves").ok_or("no such relief")?.map();
+//! let surface = section_surface("-z=50%", &bounds)?.with_relief(waves, &Placement::default(), &bounds)?;
+//! scene.cuts.push(Cut::of("front half", vec![surface]));
+//!
+//! let model = Model::of(&scene);
+//! let view = model.prepared.view([640, 480]);
+//! let mut session = Session::new(Gpu::open(&GpuOptions::default())?);
+//! let drawn = session.draw(&model, &view, Strategy::RAYCAST_MASK)?;
+//! let rgba = session.picture(Strategy::RAYCAST_MASK)?;
+//! # assert_eq!(drawn.outcome, cutaway::Outcome::Complete);
+//! # assert_eq!(rgba.len(), 640 * 480 * 4);
+//! # assert!(session.layers(Strategy::RAYCAST_MASK)?.count(cutaway::layers::Kind::Cap) > 10_000);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # In order of need
+//!
+//! | | |
+//! |---|---|
+//! | [`scene`] | what is cut: [`Scene`] of [`Part`]s, [`Cut`]s by [`ClipSurface`]s and cutters, camera; [`scene::relief`] for heights |
+//! | [`Model`] | a scene packed for the device; [`Model::updated`] for the same at another time |
+//! | [`strategies`] | how it is drawn: a [`Method`](strategies::Method) such as `raycast+mask@compute`, the table of all, and what each refuses |
+//! | [`session`] | draws: a [`Session`] for pictures, or into the encoder and the attachments of a host ([`Session::encode`]) |
+//! | [`gpu`] | the device: [`Gpu::open`], or that of a host by [`Gpu::from_device`] |
+//! | [`layers`] | what each pixel shows: kind, part, clip-surface, depth, normal |
+//! | [`slice`](mod@slice) | sections as polygons, without a device |
+//! | [`plan`] | the passes of a frame as plain data: what runs, why, on which clock, in how many bytes |
+//!
+//! # Features
+//!
+//! None for the above. `io` loads meshes, images and scene files (`load`, `document`); `lab` adds the exact reference, comparisons,
+//! hard cases, experiments and reports (`exact`, `compare`, `experiment`); `cli`, on by default, is the command.
 //!
 //! # Map
 //!
@@ -10,7 +50,7 @@
 //!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
 //! ```
 //!
-//! A module imports only from modules to its left; only [`gpu`] names `wgpu`; [`exact`] shares nothing with the strategies
+//! A module imports only from modules to its left; only [`gpu`] names `wgpu`; `exact` shares nothing with the strategies
 //! but [`scene`] and the [`layers`]. A test holds this map against the source.
 
 #![cfg_attr(

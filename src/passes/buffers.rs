@@ -13,7 +13,7 @@ use crate::plan::{
 
 /// What passes bind of a scene.
 #[derive(Clone, Debug)]
-pub struct SceneBuffers<'a> {
+pub(crate) struct SceneBuffers<'a> {
     /// What they were made of.
     pub input: &'a Input<'a>,
     /// Where the words of parts are among those of a pixel.
@@ -48,7 +48,11 @@ pub struct SceneBuffers<'a> {
 
 impl<'a> SceneBuffers<'a> {
     /// Uploads the scene and places the parts that move and are drawn; the reason where one cannot be.
-    pub fn upload(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Result<Self, Refusal> {
+    pub(crate) fn upload(
+        plan: &mut Plan,
+        input: &'a Input<'a>,
+        lanes: Lanes,
+    ) -> Result<Self, Refusal> {
         let scene = Self::unposed(plan, input, lanes);
         pose_parts(plan, input, scene.vertices)?;
         Ok(scene)
@@ -112,12 +116,12 @@ impl<'a> SceneBuffers<'a> {
     }
 
     /// The mesh of all parts, for draws of the frame: vertices and indices.
-    pub fn mesh(&self) -> (Vertices, ResourceId) {
+    pub(crate) fn mesh(&self) -> (Vertices, ResourceId) {
         (Vertices::Mesh(self.vertices), self.indices)
     }
 
     /// The mesh of all parts, for draws on the clock of the solid.
-    pub fn solid_mesh(&self) -> (Vertices, ResourceId) {
+    pub(crate) fn solid_mesh(&self) -> (Vertices, ResourceId) {
         (Vertices::Mesh(self.vertices), self.solid_indices)
     }
 
@@ -134,7 +138,7 @@ impl<'a> SceneBuffers<'a> {
     }
 
     /// Indices and draw of a triangle that covers the picture.
-    pub fn full_screen(&self, instance: u32) -> (ResourceId, Vec<Draw>) {
+    pub(crate) fn full_screen(&self, instance: u32) -> (ResourceId, Vec<Draw>) {
         let draw = Draw {
             indices: 0..3,
             base_vertex: 0,

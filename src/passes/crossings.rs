@@ -4,7 +4,7 @@ use crate::plan::{Binding, ResourceId};
 
 /// The list of crossings.
 #[derive(Clone, Copy, Debug)]
-pub struct Crossings {
+pub(crate) struct Crossings {
     /// Count and starting sides, 8 bytes per pixel.
     pub heads: ResourceId,
     /// Depth-buffer values.
@@ -17,7 +17,7 @@ pub struct Crossings {
 
 impl Crossings {
     /// The bindings of `shaders/lib/crossings.wgsl`.
-    pub fn bindings(&self) -> [Binding; 3] {
+    pub(crate) fn bindings(&self) -> [Binding; 3] {
         [
             Binding::read("crossing_heads", self.heads),
             Binding::read("crossing_z", self.z),

@@ -17,7 +17,7 @@ use crate::shader::Shader;
 
 /// Lists of fragments, as resources.
 #[derive(Clone, Debug)]
-pub struct FragmentLists {
+pub(crate) struct FragmentLists {
     fragments: ResourceId,
     pool: Binding,
     layout: FragmentPool,
@@ -54,12 +54,12 @@ const OF_SHEETS: Kind = Kind {
 
 impl FragmentLists {
     /// What a fragment does while lists are counted.
-    pub fn counting(&self) -> Store {
+    pub(crate) fn counting(&self) -> Store {
         self.stored("lib/store/count.wgsl")
     }
 
     /// What a fragment does while lists are filled.
-    pub fn keeping(&self) -> Store {
+    pub(crate) fn keeping(&self) -> Store {
         self.stored("lib/store/keep.wgsl")
     }
 
@@ -71,7 +71,7 @@ impl FragmentLists {
     }
 
     /// The bindings of `shaders/lib/fragment_lists.wgsl` while fragments come.
-    pub fn updated(&self) -> [Binding; 2] {
+    pub(crate) fn updated(&self) -> [Binding; 2] {
         [
             Binding::update("fragments", self.fragments),
             self.pool.clone(),
@@ -79,7 +79,7 @@ impl FragmentLists {
     }
 
     /// The bindings of a pass that makes all lists empty.
-    pub fn emptied(&self) -> [Binding; 2] {
+    pub(crate) fn emptied(&self) -> [Binding; 2] {
         [
             Binding::write("fragments", self.fragments),
             self.pool.clone(),
@@ -87,7 +87,7 @@ impl FragmentLists {
     }
 
     /// The bindings of `shaders/lib/fragment_runs.wgsl`.
-    pub fn read(&self) -> [Binding; 2] {
+    pub(crate) fn read(&self) -> [Binding; 2] {
         [
             Binding::read("fragments", self.fragments),
             self.pool.clone(),
@@ -95,13 +95,13 @@ impl FragmentLists {
     }
 
     /// How many lists there are.
-    pub fn count(&self) -> u32 {
+    pub(crate) fn count(&self) -> u32 {
         self.layout.lists
     }
 
     /// So many lists, and as many fragments in them as the last frame needed: at first one for each list. The reason where
     /// there are more lists than words can count.
-    pub fn of_mesh(
+    pub(crate) fn of_mesh(
         plan: &mut Plan,
         input: &Input<'_>,
         lists: u64,
@@ -162,7 +162,7 @@ impl FragmentLists {
 
     /// The same lists for passes that count theirs from `first_list`.
     #[must_use]
-    pub fn starting_at(&self, plan: &mut Plan, first_list: u32) -> Self {
+    pub(crate) fn starting_at(&self, plan: &mut Plan, first_list: u32) -> Self {
         let layout = FragmentPool {
             first_list,
             ..self.layout
@@ -176,7 +176,7 @@ impl FragmentLists {
     }
 
     /// Lays the lists out once they are counted.
-    pub fn lay_out(&self, plan: &mut Plan, what: &str, need: ResourceId) {
+    pub(crate) fn lay_out(&self, plan: &mut Plan, what: &str, need: ResourceId) {
         Scan {
             name: self.kind.lists,
             what,
@@ -197,7 +197,7 @@ fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
 
 /// Has the fragments of the cut parts leave what an inside test wants, without drawing them; the reason where the compute
 /// rasteriser cannot. That takes the mesh to a screen of its own, whose queue of large triangles nobody else fills.
-pub fn leave_fragments(
+pub(crate) fn leave_fragments(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     name: &str,

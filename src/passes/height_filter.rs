@@ -39,7 +39,7 @@ impl SampledMaps {
 
 impl Input<'_> {
     /// Why the sampler of the GPU does not read the heights that are asked of it; `None` where it does, and where nothing is.
-    pub fn unfiltered(&self) -> Option<String> {
+    pub(crate) fn unfiltered(&self) -> Option<String> {
         let first = self.sampled()?;
         for (map, wrap) in self.maps() {
             if map.size != first.size {
@@ -59,7 +59,7 @@ impl Input<'_> {
     }
 
     /// The file that fills `cutaway::height_filter`.
-    pub fn height_filter_file(&self) -> &'static str {
+    pub(crate) fn height_filter_file(&self) -> &'static str {
         match self.sampled() {
             None => "lib/height_filter/exact.wgsl",
             Some(_) => "lib/height_filter/hardware.wgsl",

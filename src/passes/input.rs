@@ -6,7 +6,7 @@ use crate::scene::{Fill, HeightFilter, View};
 
 /// What a frame is recorded from.
 #[derive(Clone, Debug)]
-pub struct Input<'a> {
+pub(crate) struct Input<'a> {
     /// The scene.
     pub model: &'a Model,
     /// The view.
@@ -27,7 +27,7 @@ pub struct Input<'a> {
 
 impl<'a> Input<'a> {
     /// A scene in a view, with the means that any device has; the reason where the scene is too much.
-    pub fn new(
+    pub(crate) fn new(
         model: &'a Model,
         view: &'a View,
         capacities: &'a Capacities,
@@ -45,36 +45,36 @@ impl<'a> Input<'a> {
     }
 
     /// Pixels of the picture.
-    pub fn pixel_count(&self) -> u64 {
+    pub(crate) fn pixel_count(&self) -> u64 {
         pixels(self.view.size_px)
     }
 
     /// Whether some clip-surface that matters is a relief.
-    pub fn has_reliefs(&self) -> bool {
+    pub(crate) fn has_reliefs(&self) -> bool {
         let surfaces = &self.relevance.surfaces;
         surfaces.iter().any(|s| self.model.is_relief(*s))
     }
 
     /// Whether some clip-surface that matters is a cutter.
-    pub fn has_cutters(&self) -> bool {
+    pub(crate) fn has_cutters(&self) -> bool {
         let surfaces = &self.relevance.surfaces;
         surfaces.iter().any(|s| self.model.is_cutter(*s))
     }
 
     /// Whether some part that needs an inside test is filled nonzero.
-    pub fn has_nonzero(&self) -> bool {
+    pub(crate) fn has_nonzero(&self) -> bool {
         let parts = &self.model.prepared.parts;
         let mut ranks = self.relevance.cut_parts().iter();
         ranks.any(|r| parts[*r].fill == Fill::Nonzero)
     }
 
     /// Whether anything asks where solids overlap, and two are there that could.
-    pub fn shows_overlaps(&self) -> bool {
+    pub(crate) fn shows_overlaps(&self) -> bool {
         self.model.prepared.interference.is_some() && self.relevance.lanes > 1
     }
 
     /// The draws of some parts, by rank; the instance is the part's place in the table.
-    pub fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
+    pub(crate) fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
         ranks
             .iter()
             .map(|rank| {
@@ -92,11 +92,11 @@ impl<'a> Input<'a> {
 }
 
 /// `1 part`, `2 parts`.
-pub fn counted(count: usize, what: &str) -> String {
+pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Pixels of a picture.
-pub fn pixels(size: [u32; 2]) -> u64 {
+pub(crate) fn pixels(size: [u32; 2]) -> u64 {
     u64::from(size[0]) * u64::from(size[1])
 }

@@ -15,7 +15,7 @@ const COUNTS: u32 = 32;
 
 /// The lanes of all parts that need an inside test.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Lanes {
+pub(crate) struct Lanes {
     /// Bits of a lane of bits.
     pub bits: u32,
     /// First word and shift, in table order.
@@ -26,7 +26,7 @@ pub struct Lanes {
 
 impl Lanes {
     /// No lanes: of a strategy that keeps no words.
-    pub fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self {
             bits: 32,
             places: Vec::new(),
@@ -36,12 +36,12 @@ impl Lanes {
 
     /// Lanes wide enough for lists of so many crossings, all of bits. Up to 32 bits they are a power of two, beyond that whole words,
     /// so that none straddles a word.
-    pub fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
+    pub(crate) fn of_bits(input: &Input<'_>, crossings: u32) -> Self {
         Self::with_counts(input, crossings, 0)
     }
 
     /// The same, but that parts filled nonzero have so many words each.
-    pub fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
+    pub(crate) fn with_counts(input: &Input<'_>, crossings: u32, words_of_counts: u32) -> Self {
         let bits = crossings + 1;
         let bits = if bits > 32 {
             bits.next_multiple_of(32)
@@ -75,22 +75,22 @@ impl Lanes {
     }
 
     /// First word and shift of the part at a place of the table; zeros where it has no lane.
-    pub fn of_place(&self, place: usize) -> [u32; 2] {
+    pub(crate) fn of_place(&self, place: usize) -> [u32; 2] {
         self.places.get(place).copied().unwrap_or_default()
     }
 
     /// The width as a constant of shaders.
-    pub fn constant(&self) -> (&'static str, f64) {
+    pub(crate) fn constant(&self) -> (&'static str, f64) {
         ("lane_bits", f64::from(self.bits))
     }
 
     /// The mask that fragments write.
-    pub fn mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+    pub(crate) fn mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
         self.planes(plan, input, u64::from(self.words))
     }
 
     /// The mask that is made from what fragments left.
-    pub fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+    pub(crate) fn reduced_mask(&self, plan: &mut Plan, input: &Input<'_>) -> ResourceId {
         self.planes(plan, input, u64::from(self.words) + 1)
     }
 

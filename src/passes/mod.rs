@@ -1,11 +1,11 @@
 //! Building blocks that strategies share. A pass is a function from handles to handles: what it reads it is given, what it makes it
 //! returns, so that the frame of a strategy reads from top to bottom.
 //!
-//! - [`Input`] is what a frame is recorded from, [`SceneBuffers`] the scene on the device, with [`Lanes`] for the words of parts.
-//! - [`Crossings`] are the one list of depths per pixel; [`Sheets`] add those of surfaces made of triangles.
-//! - [`over_mesh`] goes over the mesh by either rasteriser and returns the nearest kept surfaces; a [`Store`] says what each fragment
-//!   leaves for the inside test, [`FragmentLists`] among others. A [`Volume`] answers for points.
-//! - [`resolve`] or [`gather`] makes the [`Picture`] that a frame ends with.
+//! - `Input` is what a frame is recorded from, `SceneBuffers` the scene on the device, with `Lanes` for the words of parts.
+//! - `Crossings` are the one list of depths per pixel; `Sheets` add those of surfaces made of triangles.
+//! - `over_mesh` goes over the mesh by either rasteriser and returns the nearest kept surfaces; a `Store` says what each fragment
+//!   leaves for the inside test, `FragmentLists` among others. A `Volume` answers for points.
+//! - `resolve` or `gather` makes the `Picture` that a frame ends with.
 
 mod buffers;
 mod crossings;
@@ -46,8 +46,8 @@ pub(crate) use input::{Input, counted, pixels};
 pub(crate) use kept::KeptContents;
 pub(crate) use lanes::Lanes;
 pub use model::{MeshRange, Model};
-pub use need::{NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_TRIANGLES};
 pub(crate) use need::{NEED_OF_CELLS, NEED_OF_SPRITES, need};
+pub use need::{NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_TRIANGLES};
 pub(crate) use picture::{Picture, gather, shading_of};
 pub(crate) use probe::Volume;
 pub use pyramid::ReliefWalk;

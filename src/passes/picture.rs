@@ -11,7 +11,7 @@ use crate::shader::Shader;
 
 /// What a frame ends with.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// Three words per pixel.
     pub layers: ResourceId,
     /// One RGBA8 word per pixel.
@@ -31,7 +31,7 @@ pub(super) fn picture(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
 }
 
 /// Turns what was drawn into layers, and these into a picture.
-pub fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfaces) -> Picture {
+pub(crate) fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfaces) -> Picture {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![scene.frame.clone()];
     bindings.extend(surfaces.bindings());
@@ -69,7 +69,7 @@ pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceI
 
 /// The plan that shades layers which come from elsewhere, as words: what the exact reference found. The reason where the scene is too
 /// much.
-pub fn shading_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
+pub(crate) fn shading_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
     let mut plan = Plan::default();

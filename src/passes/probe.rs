@@ -11,7 +11,7 @@ use crate::shader::Shader;
 
 /// An image of the volume of parts that says which points are inside.
 #[derive(Clone, Debug)]
-pub struct Volume {
+pub(crate) struct Volume {
     /// File that fills `cutaway::volume`.
     pub file: &'static str,
     /// What it binds.
@@ -20,7 +20,7 @@ pub struct Volume {
 
 impl Volume {
     /// Asks for the parts at some places of the table.
-    pub fn probe(
+    pub(crate) fn probe(
         &self,
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,

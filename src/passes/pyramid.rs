@@ -96,7 +96,7 @@ impl Input<'_> {
     }
 
     /// Whether the pyramids of the frame fit what core WebGPU offers.
-    pub fn pyramids_fit(&self) -> bool {
+    pub(crate) fn pyramids_fit(&self) -> bool {
         let limits = Limits::CORE;
         let (rows, nodes) = self.pyramid_rows();
         let longest = rows.iter().flat_map(|r| r.map_size).max().unwrap_or(0);
@@ -106,7 +106,7 @@ impl Input<'_> {
 }
 
 /// The pyramids of all reliefs that matter, with the passes that build them: what `shaders/lib/pyramid.wgsl` binds.
-pub fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
+pub(crate) fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2] {
     plan.has_pyramids = true;
     let (rows, nodes) = scene.input.pyramid_rows();
     let mut all = rows.clone();

@@ -18,7 +18,7 @@ const PAINTING_GROUPS: u32 = 1024;
 
 /// What the sweeps over the mesh leave.
 #[derive(Clone, Debug)]
-pub struct Swept {
+pub(crate) struct Swept {
     /// The nearest kept triangle of each pixel.
     nearest: ResourceId,
     /// The list of pixels that show something.

@@ -12,7 +12,7 @@ use crate::shader::Shader;
 
 /// How the inside test is answered.
 #[derive(Clone, Debug)]
-pub struct Inside {
+pub(crate) struct Inside {
     /// File that fills `cutaway::inside`.
     pub file: &'static str,
     /// What it binds.
@@ -21,7 +21,7 @@ pub struct Inside {
 
 impl Inside {
     /// The answers in the lanes of a mask, all of bits.
-    pub fn mask(mask: ResourceId) -> Self {
+    pub(crate) fn mask(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/mask.wgsl",
             bindings: vec![Binding::read("mask", mask)],
@@ -29,7 +29,7 @@ impl Inside {
     }
 
     /// The answers in the lanes of a mask, some of counts.
-    pub fn winding(mask: ResourceId) -> Self {
+    pub(crate) fn winding(mask: ResourceId) -> Self {
         Self {
             file: "lib/inside/winding.wgsl",
             ..Self::mask(mask)
@@ -38,7 +38,7 @@ impl Inside {
 }
 
 /// Records the passes that decide and shade.
-pub fn resolve(
+pub(crate) fn resolve(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     nearest: NearestKept,

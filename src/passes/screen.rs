@@ -27,7 +27,7 @@ pub const NO_LANE: u32 = u32::MAX;
 
 /// What is to be taken to a screen.
 #[derive(Clone, Debug)]
-pub struct ScreenOf<'a> {
+pub(crate) struct ScreenOf<'a> {
     /// What its passes and resources are named after; empty for the view of the frame.
     pub name: &'a str,
     /// The view.
@@ -48,7 +48,7 @@ pub struct ScreenOf<'a> {
 
 /// A mesh on a screen, ready to be swept.
 #[derive(Clone, Debug)]
-pub struct Screen {
+pub(crate) struct Screen {
     pub(super) name: String,
     pub(super) clock: Clock,
     pub(super) frame: Binding,
@@ -89,7 +89,7 @@ fn named(screen: &str, what: &str) -> String {
 
 impl Screen {
     /// Records the pass that takes parts to a screen; the reason where they are too many.
-    pub fn record(
+    pub(crate) fn record(
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
         of: ScreenOf<'_>,

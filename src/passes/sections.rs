@@ -20,7 +20,7 @@ use crate::scene::PreparedPart;
 use crate::slice::SlicePlane;
 
 /// The sections of a frame that have an inside, or may have one.
-pub struct Sections {
+pub(crate) struct Sections {
     /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh).
     pub vertices: ResourceId,
     /// Three to a triangle.
@@ -55,7 +55,7 @@ fn of_each_part<'a>(wanted: impl IntoIterator<Item = &'a Wanted>) -> Vec<&'a Wan
 impl Sections {
     /// The sections of the cut parts by the planes that cut them, none where all planes pass by; and the work for the steps that the
     /// plan has on the CPU for them. All clip-surfaces must be planes.
-    pub fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
+    pub(crate) fn slice(plan: &mut Plan, input: &Input<'_>) -> (Option<Self>, Vec<CpuWork>) {
         let wanted = wanted(input);
         let known: Vec<_> =
             (wanted.iter().map(|w| w.sliced.known(&w.plane, w.part.fill))).collect();

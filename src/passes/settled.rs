@@ -228,7 +228,7 @@ fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
 
 impl Input<'_> {
     /// Whether triangles that are drawn are settled by clip-surfaces that matter, or lie on each other.
-    pub fn settles(&self) -> bool {
+    pub(crate) fn settles(&self) -> bool {
         self.relevance.order.iter().any(|rank| {
             let mut groups = self.groups_of(*rank).iter();
             groups.any(|g| {
@@ -308,7 +308,7 @@ impl Input<'_> {
     }
 
     /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.
-    pub fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
+    pub(crate) fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
         let mut draws = self.draws_of(ranks);
         if self.settles() {
             let groups = self.settled_groups();
@@ -324,7 +324,7 @@ impl Input<'_> {
     }
 
     /// The draws of the groups of some parts, by rank; the instance is the number of the group.
-    pub fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
+    pub(crate) fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
         if !self.settles() {
             return Vec::new();
         }

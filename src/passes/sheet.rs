@@ -21,7 +21,7 @@ const FRAGMENTS_OF_SHEETS: &str = "fragments of sheets";
 
 /// Triangles of sheets, drawn in one pass.
 #[derive(Clone, Debug)]
-pub struct SheetDraw {
+pub(crate) struct SheetDraw {
     /// What its two passes are named after, unique among those of a frame.
     pub name: String,
     /// The shader, but for the file that fills `cutaway::sheet_store`.
@@ -40,7 +40,7 @@ pub struct SheetDraw {
 
 /// The sheets of a frame. Clip-surfaces are bits by their index in the table.
 #[derive(Clone, Debug)]
-pub struct Sheets {
+pub(crate) struct Sheets {
     /// What draws them.
     pub draws: Vec<SheetDraw>,
     /// Those whose triangles show their front to the kept side.
@@ -76,7 +76,7 @@ impl Default for Sheets {
 
 impl Sheets {
     /// Records the passes that insert the crossings with sheets into lists that hold all others.
-    pub fn merge(
+    pub(crate) fn merge(
         &self,
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,

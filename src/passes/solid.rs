@@ -11,7 +11,7 @@ use crate::shader::Shader;
 
 /// What the pass over the mesh leaves for an inside test.
 #[derive(Clone, Debug)]
-pub struct Store {
+pub(crate) struct Store {
     /// File that fills `cutaway::store`.
     pub file: &'static str,
     /// What it binds: what every fragment updates, and what says how.
@@ -20,7 +20,7 @@ pub struct Store {
 
 impl Store {
     /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
-    pub fn nothing(bindings: Vec<Binding>) -> Self {
+    pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
         Self {
             file: "lib/store/nothing.wgsl",
             bindings,
@@ -28,7 +28,7 @@ impl Store {
     }
 
     /// The bindings of the pass that makes every pixel ready for its first fragment.
-    pub fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
+    pub(crate) fn begun(&self) -> impl Iterator<Item = Binding> + '_ {
         self.bindings.iter().map(|b| Binding {
             access: match b.access {
                 Access::Read => Access::Read,
@@ -41,7 +41,7 @@ impl Store {
 
 /// The nearest kept surface of each pixel, by whichever rasteriser.
 #[derive(Debug)]
-pub enum NearestKept {
+pub(crate) enum NearestKept {
     /// By the GPU's own.
     Drawn(Surfaces),
     /// By the compute rasteriser.
@@ -49,7 +49,7 @@ pub enum NearestKept {
 }
 
 /// Records the pass over the mesh by either rasteriser; the reason where the compute rasteriser cannot.
-pub fn over_mesh(
+pub(crate) fn over_mesh(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,

@@ -14,7 +14,7 @@ const UNRANKED: f64 = 254.0;
 
 /// The nearest surface of each pixel while it is drawn: the first pass clears it.
 #[derive(Debug)]
-pub struct Surfaces {
+pub(crate) struct Surfaces {
     /// Two words per pixel.
     pub words: ResourceId,
     /// Reversed depth.
@@ -24,7 +24,7 @@ pub struct Surfaces {
 
 /// A draw of surfaces.
 #[derive(Clone, Debug)]
-pub struct DrawPass {
+pub(crate) struct DrawPass {
     /// Unique name.
     pub name: String,
     /// Why it is there.
@@ -45,12 +45,12 @@ pub struct DrawPass {
 
 impl Surfaces {
     /// Nothing drawn yet.
-    pub fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
+    pub(crate) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         Self::into_depth(plan, scene, scene.depth)
     }
 
     /// Nothing drawn yet, with a stencil beside the depth.
-    pub fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
+    pub(crate) fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let size = scene.input.view.size_px;
         let format = Format::Depth32FloatStencil8;
         let depth = Resource::texture("surface_depth", size, 1, format, Clock::Frame);
@@ -69,7 +69,7 @@ impl Surfaces {
     }
 
     /// What a pass reads that looks at them.
-    pub fn bindings(&self) -> [Binding; 2] {
+    pub(crate) fn bindings(&self) -> [Binding; 2] {
         [
             Binding::read("surface_words", self.words),
             Binding::read("surface_depth", self.depth),
@@ -77,12 +77,12 @@ impl Surfaces {
     }
 
     /// Records a pass that draws.
-    pub fn draw(&mut self, plan: &mut Plan, pass: DrawPass) {
+    pub(crate) fn draw(&mut self, plan: &mut Plan, pass: DrawPass) {
         self.draw_with(plan, pass, None);
     }
 
     /// As [`Self::draw`], with a stencil, which they must have been made with.
-    pub fn draw_with(&mut self, plan: &mut Plan, pass: DrawPass, stencil: Option<Stencil>) {
+    pub(crate) fn draw_with(&mut self, plan: &mut Plan, pass: DrawPass, stencil: Option<Stencil>) {
         let clear = !std::mem::replace(&mut self.is_cleared, true);
         let work = Work::Draw {
             color: Some(ColorTarget {
@@ -105,7 +105,12 @@ impl Surfaces {
     }
 
     /// Draws the parts that no cut reaches. `ranked` frames find such a surface's place among crossings later.
-    pub fn draw_plain_parts(&mut self, plan: &mut Plan, scene: &SceneBuffers<'_>, ranked: bool) {
+    pub(crate) fn draw_plain_parts(
+        &mut self,
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        ranked: bool,
+    ) {
         let input = scene.input;
         let ranks = input.relevance.plain_parts();
         if ranks.is_empty() && self.is_cleared {

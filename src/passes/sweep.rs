@@ -22,7 +22,7 @@ const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
 
 /// What a sweep does.
 #[derive(Clone, Debug)]
-pub struct Sweep<'a> {
+pub(crate) struct Sweep<'a> {
     /// What its passes are named after: "mark" makes "mark small" and "mark large".
     pub name: &'a str,
     /// Why it is there: what a sample does.
@@ -41,7 +41,7 @@ pub struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     /// A first sweep in which fragments do nothing but leave what an inside test wants.
-    pub fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
+    pub(crate) fn of_fragments(name: &'a str, reason: &'a str, store: &'a Store) -> Self {
         Self {
             name,
             reason,
@@ -54,7 +54,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Records the sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
-    pub fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
+    pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
             let mut shader = Shader::from(path).with(self.sample);
             if self.crossings.is_some() {
@@ -133,7 +133,7 @@ impl<'a> Sweep<'a> {
 }
 
 /// Workgroups for one invocation per item, folded into two dimensions where one is not enough.
-pub fn groups_along(items: u32) -> [u32; 3] {
+pub(crate) fn groups_along(items: u32) -> [u32; 3] {
     let groups = items.div_ceil(GROUP).max(1);
     let row = INVOCATIONS_PER_ROW / GROUP;
     [groups.min(row), groups.div_ceil(row), 1]

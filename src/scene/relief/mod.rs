@@ -1,7 +1,7 @@
 //! Where the heights of a relief come from: a procedure, an image, numbers, a blend of two others or a place between layers.
 //!
 //! A [`Relief`] says where heights come from; [`resolve`] turns named ones, which may blend each other, into offset maps;
-//! [`place_map`] puts a map on a section, so high and so wide as a [`Placement`] says.
+//! [`ClipSurface::with_relief`](super::ClipSurface::with_relief) puts a map on a section, so high and so wide as a [`Placement`] says.
 
 mod blend;
 mod heights;
@@ -16,8 +16,8 @@ use std::sync::Arc;
 
 pub use blend::BlendOp;
 pub use layers::between_layers;
-pub(crate) use place::parse_wrap;
-pub use place::{Placement, place_map};
+pub use place::Placement;
+pub(crate) use place::{parse_wrap, place_map};
 pub use procedures::{MAX_TEXELS, Procedure, ProcedureKind};
 
 use super::{OffsetMap, Wrap};

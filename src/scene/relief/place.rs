@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::error::did_you_mean;
+use crate::error::{Error, Result, did_you_mean};
 use crate::scene::section::Amount;
 use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap, range};
 
@@ -63,9 +63,29 @@ fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
     }
 }
 
+impl ClipSurface {
+    /// The same with a map on it, so high and so wide as a placement says; percent are of the diagonal of `bounds`, which is the box of
+    /// what is cut. Texels of images that have both a width and a height stay as square as they are.
+    ///
+    /// # Errors
+    ///
+    /// A placement without length, or one with which nothing can be computed beside a model of this size.
+    pub fn with_relief(
+        self,
+        map: impl Into<Arc<OffsetMap>>,
+        placement: &Placement,
+        bounds: &Bounds,
+    ) -> Result<Self> {
+        place_map(self, map.into(), placement, bounds).map_err(|what| {
+            let help = "choose an amplitude and a period of about a tenth of the model";
+            Error::input("relief", what, help)
+        })
+    }
+}
+
 /// Puts a map on a plane; what is wrong if the placement has no length. Texels of images that have both a width and a
 /// height stay as square as they are: `|V|` follows from the period, `|U|`.
-pub fn place_map(
+pub(crate) fn place_map(
     surface: ClipSurface,
     map: Arc<OffsetMap>,
     placement: &Placement,

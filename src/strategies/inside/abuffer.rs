@@ -25,7 +25,7 @@ use crate::strategies::surface;
 const FRAGMENTS_OF_PIXELS: &str = "fragments of the A-buffer";
 
 /// The row of the table.
-pub static ROW: InsideTestRow = InsideTestRow {
+pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: Facts {
         name: "abuffer",
         parameter: None,

@@ -21,7 +21,7 @@ use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRo
 use crate::strategies::surface;
 
 /// The row of the table.
-pub static ROW: InsideTestRow = InsideTestRow {
+pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: Facts {
         name: "kbuffer",
         parameter: Some(Parameter {

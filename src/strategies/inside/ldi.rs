@@ -30,7 +30,7 @@ use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter
 const FRAGMENTS_OF_TEXELS: &str = "fragments of the layered depth images";
 
 /// The row of the table.
-pub static ROW: InsideTestRow = InsideTestRow {
+pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: Facts {
         name: "ldi",
         parameter: Some(Parameter {

@@ -3,12 +3,12 @@
 //! Those of rays record the frame of a cap surface themselves. Those of points record images, which are asked about every crossing of
 //! the camera's rays here, or by the paper's rule ([`paper`](super::surface::paper)) about every fragment of a cap.
 
-pub mod abuffer;
-pub mod kbuffer;
-pub mod ldi;
-pub mod mask;
-pub mod stencil;
-pub mod vds;
+pub(crate) mod abuffer;
+pub(crate) mod kbuffer;
+pub(crate) mod ldi;
+pub(crate) mod mask;
+pub(crate) mod stencil;
+pub(crate) mod vds;
 
 use std::ops::Range;
 

@@ -27,7 +27,7 @@ use crate::scene::{Bounds, View};
 use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 
 /// The row of the table.
-pub static ROW: InsideTestRow = InsideTestRow {
+pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: Facts {
         name: "vds",
         parameter: Some(Parameter {
@@ -63,7 +63,7 @@ pub static ROW: InsideTestRow = InsideTestRow {
 };
 
 /// Layers beyond which a sprite is not built: a texture has no more.
-pub const MOST_LAYERS: u32 = 256;
+pub(crate) const MOST_LAYERS: u32 = 256;
 
 /// Records the sprite of a part, by rank.
 fn record(

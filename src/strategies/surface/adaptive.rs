@@ -32,7 +32,7 @@ use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts, Parameter};
 const STEPS_PER_PX: u32 = 1000;
 
 /// The row of the table.
-pub static ROW: CapSurfaceRow = CapSurfaceRow {
+pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: Facts {
         name: "adaptive",
         parameter: Some(Parameter {

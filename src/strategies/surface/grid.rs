@@ -16,7 +16,7 @@ use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
 use crate::scene::{Bounds, PreparedSurface};
 
 /// The row of the table.
-pub static ROW: CapSurfaceRow = CapSurfaceRow {
+pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: Facts {
         name: "grid",
         parameter: Some(Parameter {

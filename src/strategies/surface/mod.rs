@@ -3,24 +3,24 @@
 //! Most fill the one list of crossings per pixel ([`list`]), which every inside test that sees the camera's rays asks about. The
 //! tessellated ones are drawn by the paper's rule as well ([`paper::record`]), where an inside test answers for points instead.
 
-pub mod adaptive;
+pub(crate) mod adaptive;
 mod cutter;
-pub mod grid;
-pub mod paper;
-pub mod planar;
-pub mod raycast;
-pub mod tessellation;
+pub(crate) mod grid;
+pub(crate) mod paper;
+pub(crate) mod planar;
+pub(crate) mod raycast;
+pub(crate) mod tessellation;
 
 use super::row::{CapSurface, Caps};
 use super::unpaired;
 use crate::passes::{Crossings, Refusal, SceneBuffers, Store};
 use crate::plan::Plan;
 
-pub use raycast::capacity;
+pub(crate) use raycast::capacity;
 
 /// Records the passes that write the list of crossings, with room for so many in a pixel, and makes every pixel ready for its first
 /// fragment on the way; a refusal where a cap surface has none.
-pub fn list(
+pub(crate) fn list(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     surface: CapSurface,

@@ -19,7 +19,7 @@ use crate::shader::Shader;
 
 /// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the places of the parts
 /// that it answers for.
-pub fn record(
+pub(crate) fn record(
     plan: &mut Plan,
     input: &Input<'_>,
     tessellate: impl FnOnce(&mut Plan, &SceneBuffers<'_>) -> Result<Tessellation, Refusal>,

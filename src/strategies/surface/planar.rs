@@ -32,7 +32,7 @@ use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
 use crate::strategies::surface;
 
 /// The row of the table.
-pub static ROW: CapSurfaceRow = CapSurfaceRow {
+pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: Facts {
         name: "planar",
         parameter: None,

@@ -24,7 +24,7 @@ use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
 
 /// The row of the table.
-pub static ROW: CapSurfaceRow = CapSurfaceRow {
+pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: Facts {
         name: "raycast",
         parameter: None,
@@ -46,7 +46,7 @@ const FIRST_PER_RELIEF: u32 = 7;
 const MOST_BYTES: u64 = 2 << 30;
 
 /// How many crossings a pixel is given room for.
-pub fn capacity(input: &Input<'_>) -> u32 {
+pub(crate) fn capacity(input: &Input<'_>) -> u32 {
     let surfaces = &input.relevance.surfaces;
     let reliefs = surfaces
         .iter()

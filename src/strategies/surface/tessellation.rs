@@ -36,7 +36,7 @@ pub(super) fn rounding(input: &Input<'_>) -> f64 {
 
 /// Clip-surfaces as triangles.
 #[derive(Clone, Debug)]
-pub struct Tessellation {
+pub(crate) struct Tessellation {
     /// File that fills `cutaway::tessellation`, and what it needs.
     pub files: Vec<&'static str>,
     /// What it reads heights from.
@@ -55,7 +55,7 @@ pub struct Tessellation {
 
 /// The triangles of a clip-surface.
 #[derive(Clone, Debug)]
-pub struct Facets {
+pub(crate) struct Facets {
     /// Its index in the table.
     pub surface: u32,
     /// Index buffer.
@@ -68,7 +68,7 @@ pub struct Facets {
 
 /// Draws that one pass can hold.
 #[derive(Clone, Debug)]
-pub struct Batch {
+pub(crate) struct Batch {
     /// Override constants.
     pub constants: Vec<(&'static str, f64)>,
     /// Index buffer.
@@ -78,13 +78,13 @@ pub struct Batch {
 }
 
 /// The instance that is a clip-surface for the part at a place of the table.
-pub fn instance(place: u32, surface: u32) -> u32 {
+pub(crate) fn instance(place: u32, surface: u32) -> u32 {
     place * SURFACES_PER_PLACE + surface
 }
 
 impl Tessellation {
     /// The draws of some instances, one for each that has triangles.
-    pub fn batches(&self, instances: &[u32]) -> Vec<Batch> {
+    pub(crate) fn batches(&self, instances: &[u32]) -> Vec<Batch> {
         let mut batches: Vec<Batch> = Vec::new();
         for instance in instances {
             let surface = instance % SURFACES_PER_PLACE;
@@ -122,7 +122,7 @@ impl Tessellation {
     }
 
     /// What every use of the triangles binds.
-    pub fn bindings(&self, scene: &SceneBuffers<'_>) -> Vec<Binding> {
+    pub(crate) fn bindings(&self, scene: &SceneBuffers<'_>) -> Vec<Binding> {
         let mut bindings = vec![scene.frame.clone(), scene.cut_table.clone()];
         bindings.extend(self.heights.iter().cloned());
         bindings.extend(self.bindings.iter().cloned());
@@ -132,7 +132,7 @@ impl Tessellation {
 
 /// Records the passes that write the list of crossings: planes in closed form, for a sheet adds nothing to them, and reliefs by
 /// the sheets that `tessellate` makes. Without reliefs there is no sheet.
-pub fn list(
+pub(crate) fn list(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     capacity: u32,

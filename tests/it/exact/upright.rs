@@ -1,9 +1,7 @@
 //! An image on a section stands upright and is not mirrored, seen from the removed side.
 
-use std::sync::Arc;
-
 use cutaway::exact::evaluate;
-use cutaway::scene::relief::{Placement, place_map};
+use cutaway::scene::relief::Placement;
 use cutaway::scene::{
     Camera, Cut, OffsetMap, Part, Prepared, Projection, Scene, SectionSpec, Up, Viewpoint, Wrap,
 };
@@ -37,7 +35,7 @@ fn cube(section: &str, up: Up) -> Scene {
         wrap: Wrap::Clamp,
     };
     let normal = plane.frame().normal;
-    let placed = place_map(plane, Arc::new(letter()), &placement, &bounds);
+    let placed = plane.with_relief(letter(), &placement, &bounds);
     scene.cuts = vec![Cut::of("cut", vec![placed.expect("a relief")])];
     let is_level = normal.dot(up.axis()).abs() > 0.5;
     scene.camera = Camera {

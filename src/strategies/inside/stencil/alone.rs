@@ -21,7 +21,7 @@ use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
 
 /// The row of the table.
-pub static ROW: CapSurfaceRow = CapSurfaceRow {
+pub(crate) static ROW: CapSurfaceRow = CapSurfaceRow {
     facts: Facts {
         name: "stencil",
         parameter: None,

@@ -15,7 +15,7 @@
 //! Cannot: see more than 255 shells of a part filled nonzero, where the stencil runs over unseen; draw by the compute rasteriser.
 //! `stencil` by itself is [`alone`].
 
-pub mod alone;
+pub(crate) mod alone;
 
 use crate::passes::{
     Crossings, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
@@ -42,7 +42,7 @@ struct Mark {
 }
 
 /// The row of the table.
-pub static ROW: InsideTestRow = InsideTestRow {
+pub(crate) static ROW: InsideTestRow = InsideTestRow {
     facts: Facts {
         name: "stencil",
         parameter: None,
