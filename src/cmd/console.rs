@@ -106,7 +106,6 @@ impl Console {
         self.bar.set_message("");
     }
 
-    /// A frame is done.
     pub(super) fn frame_done(&self) {
         self.bar.inc(1);
     }

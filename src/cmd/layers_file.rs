@@ -23,7 +23,6 @@ use crate::{Error, Result};
 
 /// What layers are of.
 pub(super) struct About<'a> {
-    /// The scene.
     pub(super) scene: &'a Scene,
     /// The same in scene space.
     pub(super) prepared: &'a Prepared,

@@ -50,7 +50,6 @@ const INTERRUPTED: u8 = 130;
 /// How a command that ran to its end came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
-    /// Done.
     Done,
     /// Done, but a stated expectation failed; standard error says which.
     Failed,

@@ -17,7 +17,6 @@ use crate::{Error, Result};
 pub(super) enum Output {
     /// Standard output.
     Stdout,
-    /// A file.
     File(PathBuf),
 }
 

@@ -27,7 +27,6 @@ const PLACEMENT: [&str; 3] = ["amplitude", "period", "wrap"];
 /// A table in the making.
 pub(super) type Entries = Vec<(String, Value)>;
 
-/// A relief in words.
 pub(super) struct ReliefWords {
     /// What it may be called in a file.
     pub(super) name: String,

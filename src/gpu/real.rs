@@ -6,11 +6,8 @@ use crate::scene::Wrap;
 
 /// A resource on the device.
 pub(super) enum Real {
-    /// A buffer.
     Buffer(wgpu::Buffer),
-    /// A texture.
     Texture(wgpu::Texture),
-    /// A sampler.
     Sampler(wgpu::Sampler),
 }
 

@@ -9,7 +9,6 @@ use crate::scene::{Fill, HeightFilter, View};
 pub(crate) struct Input<'a> {
     /// The scene.
     pub model: &'a Model,
-    /// The view.
     pub view: &'a View,
     /// What of the cuts matters.
     pub relevance: Relevance,

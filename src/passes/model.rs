@@ -56,7 +56,6 @@ pub struct Model {
     pub heights: Contents,
     /// First texel of each clip-surface, or [`NO_RELIEF`] for planes and flat reliefs.
     pub first_texel: Vec<u32>,
-    /// The cutters.
     pub cutters: Cutters,
     /// The maps that `heights` holds.
     maps: Vec<PackedMap>,

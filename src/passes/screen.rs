@@ -30,7 +30,6 @@ pub const NO_LANE: u32 = u32::MAX;
 pub(crate) struct ScreenOf<'a> {
     /// What its passes and resources are named after; empty for the view of the frame.
     pub name: &'a str,
-    /// The view.
     pub view: &'a View,
     /// The view as the shaders read it, under the name `frame`; of the same size.
     pub frame: Binding,

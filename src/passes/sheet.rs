@@ -34,7 +34,6 @@ pub(crate) struct SheetDraw {
     pub vertices: Vertices,
     /// Index buffer.
     pub indices: ResourceId,
-    /// Draws.
     pub draws: Vec<Draw>,
 }
 

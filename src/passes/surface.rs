@@ -29,7 +29,6 @@ pub(crate) struct DrawPass {
     pub name: String,
     /// Why it is there.
     pub reason: String,
-    /// The shader.
     pub shader: Shader,
     /// Resources by name.
     pub bindings: Vec<Binding>,
@@ -39,7 +38,6 @@ pub(crate) struct DrawPass {
     pub vertices: Vertices,
     /// Index buffer.
     pub indices: ResourceId,
-    /// Draws.
     pub draws: Vec<Draw>,
 }
 

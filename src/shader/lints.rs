@@ -32,7 +32,6 @@ pub enum Rule {
 /// Where a shader breaks a rule.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The rule.
     pub rule: Rule,
     /// The function, the variable or the stage, as its author named it.
     pub place: String,

@@ -20,7 +20,6 @@ pub enum BindingKind {
     DepthTexture,
     /// A texture with layers to load from or to sample.
     TextureArray,
-    /// A sampler.
     Sampler,
 }
 
@@ -29,9 +28,7 @@ pub enum BindingKind {
 pub struct ShaderBinding {
     /// Name of the variable, without naga_oil's decoration.
     pub name: String,
-    /// `@group`.
     pub group: u32,
-    /// `@binding`.
     pub binding: u32,
     /// What it takes.
     pub kind: BindingKind,

@@ -233,7 +233,6 @@ impl<R: Row> Chosen<R> {
         Some(Self::new(row, steps))
     }
 
-    /// Its row.
     pub fn row(&self) -> &'static R {
         self.row
     }

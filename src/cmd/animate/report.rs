@@ -62,7 +62,6 @@ impl FrameReport {
         ran.map(Clock::name).collect()
     }
 
-    /// As JSON.
     pub(super) fn json(&self) -> Value {
         json!({
             "time_s": self.time_s,

@@ -34,7 +34,6 @@ pub(super) enum Task<'a> {
     Point(&'a SceneRun, &'a Point, bool),
     /// Hard cases.
     Cases(&'a AskedCases),
-    /// A search.
     Search(&'a AskedSearch),
 }
 

@@ -172,7 +172,6 @@ pub(super) struct Stock {
     images: Images,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
-    /// The files.
     pub(super) files: BTreeSet<PathBuf>,
 }
 

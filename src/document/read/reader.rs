@@ -155,7 +155,6 @@ impl<'a> Entry<'a> {
         }
     }
 
-    /// Text.
     pub(crate) fn text(&self) -> Result<&'a str> {
         match &self.node.value {
             Value::Text(s) => Ok(s),

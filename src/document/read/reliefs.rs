@@ -44,7 +44,6 @@ pub(crate) struct Images {
 }
 
 impl Images {
-    /// The files.
     pub(crate) fn files(&self) -> impl Iterator<Item = &PathBuf> {
         self.by_relief.values().flatten().map(|image| &image.path)
     }

@@ -11,7 +11,6 @@ use glam::{DVec3, Vec3};
 /// A ball is far from a point if its middle is farther than so many of its radii.
 const FAR: f64 = 3.0;
 
-/// Faces of a leaf.
 const LEAF_FACES: usize = 8;
 
 /// A ball around some faces.

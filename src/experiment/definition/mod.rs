@@ -24,7 +24,6 @@ use super::{RunSynopsis, Synopsis};
 use crate::document::reader::{Entry, Table, with_table};
 use crate::{Error, Result};
 
-/// Keys of the file.
 const FILE_KEYS: &[&str] = &["question", "analysis", "run", "chart"];
 
 /// An experiment.

@@ -7,7 +7,6 @@ use crate::scene::{Bounds, Mesh};
 /// A face with what goes with it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Face {
-    /// Its corners.
     pub(super) corners: [u32; 3],
     /// Normals for shading there, where the mesh has them.
     normals: Option<[Vec3; 3]>,

@@ -35,7 +35,6 @@ shared! {
         centre: [f32; 4],
         /// Along the axis.
         along: [f32; 4],
-        /// Across it.
         across: [f32; 4],
         /// [`TWIST`], [`BEND`], [`WAVE`] or [`INFLATE`].
         kind: u32,

@@ -16,7 +16,6 @@ shared! {
         depth_row: [f32; 4],
         /// Texels along a side.
         resolution: u32,
-        /// Layers.
         layers: u32,
         /// Word of the need buffer, or number of the image among those of all parts.
         slot: u32,

@@ -100,7 +100,6 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// All.
     pub(crate) const ALL: [Self; 3] = [Self::Plane, Self::Planes, Self::Relief];
 
     /// Of the scene of a point.

@@ -8,9 +8,7 @@ use crate::experiment::{Ending, Record, Samples, StrategyMeasurement};
 /// Least, median and greatest of some numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Spread {
-    /// Least.
     pub least: f64,
-    /// Median.
     pub median: f64,
     /// Greatest.
     pub most: f64,
@@ -33,7 +31,6 @@ impl Spread {
 /// A strategy over some points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Standing {
-    /// Its name.
     pub name: String,
     /// Points that it was asked to draw.
     pub asked: usize,

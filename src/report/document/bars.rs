@@ -20,7 +20,6 @@ pub(crate) struct Bars {
 /// A strategy.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bar {
-    /// Its name.
     pub name: String,
     /// For each clock its passes.
     pub segments: Vec<Vec<Segment>>,
@@ -29,7 +28,6 @@ pub(crate) struct Bar {
 /// A pass.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segment {
-    /// Its name.
     pub name: String,
     /// How long it takes.
     pub ms: f64,

@@ -48,7 +48,6 @@ pub(crate) struct Axis {
 /// Marks of one kind.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Series {
-    /// Its name.
     pub name: String,
     /// In the order in which they are joined.
     pub marks: Vec<Mark>,

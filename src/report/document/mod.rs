@@ -26,7 +26,6 @@ pub(super) use markdown::markdown;
 /// A report.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Document {
-    /// Its title.
     pub title: String,
     /// What it says, in order.
     pub blocks: Vec<Block>,
@@ -47,7 +46,6 @@ pub(super) enum Block {
     Notice(Tone, String),
     /// A command line to copy.
     Command(String),
-    /// A chart.
     Chart(Chart),
     /// Where time goes.
     Bars(Bars),

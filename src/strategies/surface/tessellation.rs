@@ -60,7 +60,6 @@ pub(crate) struct Facets {
     pub surface: u32,
     /// Index buffer.
     pub indices: ResourceId,
-    /// Range of it.
     pub range: Range<u32>,
     /// Where the device finds out how much of the range there is; none where it is all.
     pub arguments: Option<Arguments>,
@@ -73,7 +72,6 @@ pub(crate) struct Batch {
     pub constants: Vec<(&'static str, f64)>,
     /// Index buffer.
     pub indices: ResourceId,
-    /// Draws.
     pub draws: Vec<Draw>,
 }
 
