@@ -96,6 +96,7 @@ pub(crate) fn draw() -> Result<Vec<u8>, Box<dyn std::error::Error>> {
         sample_count: 1,
         origin_px: [0, 0],
         background: false,
+        caps_only: false,
     };
     for _ in 0..3 {
         let mut encoder = (host.device).create_command_encoder(&Default::default());

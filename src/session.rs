@@ -9,7 +9,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::gpu::{ClockSet, CommandEncoder, Gpu, Program, RunTimes, Target};
+use crate::gpu::{
+    BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Gpu, Program, RunTimes, Target,
+};
 use crate::layers::Layers;
 use crate::passes::{self, Model};
 use crate::plan::{Capacities, Clock, Plan};
@@ -158,20 +160,79 @@ impl Session {
         method: impl Into<Method>,
         target: &Target<'_>,
     ) -> Result<Encoded> {
-        target.must_hold(view.size_px)?;
+        let target = Destination::from(target);
+        self.encode_into(encoder, model, view, method.into(), Some(&target))
+    }
+
+    /// As [`Session::encode`], into attachments that the host's own lights read.
+    pub fn encode_g_buffer(
+        &mut self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        method: impl Into<Method>,
+        buffer: &GBuffer<'_>,
+    ) -> Result<Encoded> {
+        let target = Destination::from(buffer);
+        self.encode_into(encoder, model, view, method.into(), Some(&target))
+    }
+
+    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] says is removed,
+    /// and has the caps composed beside them by [`Session::encode`] with [`Target::caps_only`].
+    pub fn encode_passes(
+        &mut self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        method: impl Into<Method>,
+    ) -> Result<Encoded> {
+        self.encode_into(encoder, model, view, method.into(), None)
+    }
+
+    /// The bind group for shaders of a host with [`clip_wgsl`](crate::gpu::clip_wgsl), of the frame that was last encoded by a method: of
+    /// one that lists crossings. It is the same until a frame with passes is encoded.
+    ///
+    /// # Errors
+    ///
+    /// No such frame, or one so large that it is drawn in bands.
+    pub fn clip_group(&mut self, method: impl Into<Method>) -> Result<BindGroup> {
         let method = method.into();
+        let none = || Error::Plan(format!("{method} has encoded no frame to clip by"));
+        let slot = self.slots.get_mut(&Some(method)).ok_or_else(none)?;
+        slot.clip_group(&self.gpu)
+    }
+
+    fn encode_into(
+        &mut self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        method: Method,
+        target: Option<&Destination<'_>>,
+    ) -> Result<Encoded> {
+        if let Some(target) = target {
+            target.must_hold(view.size_px)?;
+        }
         let asked = self.asked(method);
         let slot = self.slots.entry(Some(method)).or_default();
         let gpu = &self.gpu;
-        let mut encoded = gpu.scoped(|| {
+        let encoded = gpu.scoped(|| {
             slot.encode(gpu, encoder, (model, view), target, |view, capacities| {
                 strategies::record(model, view, asked, capacities)
             })
-        })?;
-        if let Encoded::Refused(refusal) = &mut encoded {
-            self.name_what_works(refusal, model, view);
+        });
+        match encoded {
+            Ok(Encoded::Refused(mut refusal)) => {
+                self.name_what_works(&mut refusal, model, view);
+                Ok(Encoded::Refused(refusal))
+            }
+            Ok(drawn) => Ok(drawn),
+            // What failed on the device has not run: the next frame begins anew.
+            Err(error) => {
+                self.slots.remove(&Some(method));
+                Err(error)
+            }
         }
-        Ok(encoded)
     }
 
     /// Adds to the refusal of what the device lacks which strategies it would draw.

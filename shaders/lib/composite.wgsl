@@ -2,7 +2,7 @@
 
 #define_import_path cutaway::composite
 
-#import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
+#import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of}
 
 struct Composite {
     // Upper left corner of the frame in the target, in pixels.
@@ -16,7 +16,8 @@ struct Composite {
     is_linear: u32,
     // 1 where pixels that show no model are drawn too.
     has_background: u32,
-    padding: u32,
+    // 1 where nothing but caps is drawn.
+    caps_only: u32,
 }
 
 @group(0) @binding(0) var<uniform> composite: Composite;
@@ -33,12 +34,16 @@ fn is_background(pixel: u32) -> bool {
 }
 
 fn is_left_out(pixel: u32) -> bool {
-    return composite.has_background == 0u && is_background(pixel);
+    let kind = kind_of(layers[pixel * WORDS_PER_PIXEL]);
+    return (kind == BACKGROUND && composite.has_background == 0u) || (kind != CAP && composite.caps_only != 0u);
 }
 
-// The picture holds sRGB.
 fn color_of(pixel: u32) -> vec4<f32> {
-    let c = unpack4x8unorm(picture[pixel]);
+    return as_target_takes(unpack4x8unorm(picture[pixel]));
+}
+
+// A colour in sRGB, as the target takes it.
+fn as_target_takes(c: vec4<f32>) -> vec4<f32> {
     if composite.is_linear == 0u {
         return c;
     }

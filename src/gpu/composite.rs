@@ -1,6 +1,6 @@
 //! A frame in the attachments of a host: its colours where the model is, tested by the host's depth, and its depth beside them.
 //!
-//! One triangle over the frame reads picture and layers from the buffers that the passes wrote: nothing is copied, nothing read back. Of
+//! One triangle over the frame reads picture or base colours, and layers, from the buffers that the passes wrote: nothing is copied, nothing read back. Of
 //! a band it draws the band's rows. Costs a pass of 4 bytes of picture and 12 of layers a pixel.
 //!
 //! Cannot: show edges finer than pixels where the target has several samples; all samples of a pixel are alike.
@@ -10,43 +10,15 @@ use std::sync::Arc;
 use glam::DVec4;
 
 use super::Gpu;
+use super::target::{Destination, MOST_COLORS};
 use crate::plan::pack::Composite;
-use crate::scene::HostDepth;
 use crate::shader::{self, Shader};
 use crate::{Error, Result};
-
-/// Where a host wants a frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Target<'a> {
-    /// The colour attachment; what is there stays where the frame shows nothing.
-    pub color: &'a wgpu::TextureView,
-    /// Its format. Formats that are sRGB or floats get linear light, others sRGB as it is.
-    pub color_format: wgpu::TextureFormat,
-    /// The depth attachment that the frame is tested against and written to; without one the frame covers what is there.
-    pub depth: Option<TargetDepth<'a>>,
-    /// Samples of a pixel of the attachments.
-    pub sample_count: u32,
-    /// Upper left corner of the frame in the attachments, in pixels.
-    pub origin_px: [u32; 2],
-    /// Whether the sky is drawn where no model is seen.
-    pub background: bool,
-}
-
-/// The depth attachment of a host.
-#[derive(Clone, Copy, Debug)]
-pub struct TargetDepth<'a> {
-    /// The attachment.
-    pub view: &'a wgpu::TextureView,
-    /// Its format.
-    pub format: wgpu::TextureFormat,
-    /// What distances become in it.
-    pub convention: HostDepth,
-}
 
 /// What a pipeline is made for.
 #[derive(Clone, Copy, PartialEq)]
 struct Attachments {
-    color: wgpu::TextureFormat,
+    colors: [Option<wgpu::TextureFormat>; MOST_COLORS],
     /// Format, and whether what is nearer has the greater depth.
     depth: Option<(wgpu::TextureFormat, bool)>,
     sample_count: u32,
@@ -56,26 +28,6 @@ struct Attachments {
 #[derive(Default)]
 pub(super) struct Compositors {
     made: Vec<(Attachments, Arc<wgpu::RenderPipeline>)>,
-}
-
-impl Target<'_> {
-    /// Refuses a frame that reaches beyond the attachments.
-    pub(crate) fn must_hold(&self, size_px: [u32; 2]) -> Result<()> {
-        let have = self.color.texture().size();
-        let reach = [0, 1].map(|i| self.origin_px[i].saturating_add(size_px[i]));
-        if reach[0] <= have.width && reach[1] <= have.height {
-            return Ok(());
-        }
-        let ([width, height], [x, y]) = (size_px, self.origin_px);
-        Err(Error::input(
-            "the target of the host",
-            format!(
-                "a frame of {width} x {height} px at ({x}, {y}) does not fit into {} x {} px",
-                have.width, have.height
-            ),
-            "give attachments as large as the view",
-        ))
-    }
 }
 
 impl Compositors {
@@ -89,6 +41,14 @@ impl Compositors {
     }
 }
 
+/// What of a frame is put into attachments.
+pub(super) struct Composed<'a> {
+    pub(super) picture: &'a wgpu::Buffer,
+    pub(super) layers: &'a wgpu::Buffer,
+    pub(super) parts: &'a wgpu::Buffer,
+    pub(super) place_of_part: &'a wgpu::Buffer,
+}
+
 /// A frame, or a band of one, ready to be put into the attachments of a host.
 pub(crate) struct Compositor {
     attachments: Attachments,
@@ -99,12 +59,8 @@ pub(crate) struct Compositor {
 }
 
 impl Compositor {
-    /// Of the buffers of picture and layers.
-    pub(super) fn new(
-        gpu: &Gpu,
-        target: &Target<'_>,
-        [picture, layers]: [&wgpu::Buffer; 2],
-    ) -> Result<Self> {
+    /// Of the buffers of a frame.
+    pub(super) fn new(gpu: &Gpu, target: &Destination<'_>, frame: &Composed<'_>) -> Result<Self> {
         let attachments = attachments(target);
         let pipeline = gpu.compositors().get(gpu, attachments)?;
         let uniform = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -113,9 +69,16 @@ impl Compositor {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let bound = [&uniform, picture, layers];
-        let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
-            .zip(bound)
+        let read = match attachments.is_g_buffer() {
+            false => vec![(1, frame.picture), (2, frame.layers)],
+            true => vec![
+                (2, frame.layers),
+                (3, frame.parts),
+                (4, frame.place_of_part),
+            ],
+        };
+        let bound = [(0, &uniform)].into_iter().chain(read);
+        let entries: Vec<wgpu::BindGroupEntry<'_>> = bound
             .map(|(binding, buffer)| wgpu::BindGroupEntry {
                 binding,
                 resource: buffer.as_entire_binding(),
@@ -136,7 +99,7 @@ impl Compositor {
     }
 
     /// Whether it draws into attachments like these.
-    pub(crate) fn fits(&self, target: &Target<'_>) -> bool {
+    pub(crate) fn fits(&self, target: &Destination<'_>) -> bool {
         self.attachments == attachments(target)
     }
 
@@ -146,7 +109,7 @@ impl Compositor {
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        target: &Target<'_>,
+        target: &Destination<'_>,
         first_row: u32,
         size_px: [u32; 2],
         scale: f64,
@@ -162,14 +125,18 @@ impl Compositor {
             load: wgpu::LoadOp::Load,
             store: wgpu::StoreOp::Store,
         };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("composite"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: target.color,
+        let colors = target.colors.map(|attachment| {
+            attachment.map(|a| wgpu::RenderPassColorAttachment {
+                view: a.view,
                 depth_slice: None,
                 resolve_target: None,
                 ops: kept,
-            })],
+            })
+        });
+        let count = colors.iter().flatten().count();
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("composite"),
+            color_attachments: &colors[..count],
             depth_stencil_attachment: target.depth.as_ref().map(|depth| {
                 let has_stencil = depth.format.has_stencil_aspect();
                 wgpu::RenderPassDepthStencilAttachment {
@@ -198,30 +165,49 @@ impl Compositor {
     }
 }
 
-fn attachments(target: &Target<'_>) -> Attachments {
+impl Attachments {
+    fn is_g_buffer(&self) -> bool {
+        self.colors[1].is_some()
+    }
+
+    fn shader(&self) -> Shader {
+        Shader::from(match (self.is_g_buffer(), self.depth) {
+            (true, _) => "gpu/composite/g_buffer.wgsl",
+            (false, Some(_)) => "gpu/composite/depth.wgsl",
+            (false, None) => "gpu/composite/color.wgsl",
+        })
+    }
+}
+
+fn attachments(target: &Destination<'_>) -> Attachments {
     Attachments {
-        color: target.color_format,
+        colors: target.colors.map(|a| a.map(|a| a.format)),
         depth: (target.depth.as_ref()).map(|d| (d.format, d.convention.is_reversed())),
         sample_count: target.sample_count,
     }
 }
 
-fn composite(target: &Target<'_>, origin_px: [u32; 2], size_px: [u32; 2], scale: f64) -> Composite {
+fn composite(
+    target: &Destination<'_>,
+    origin_px: [u32; 2],
+    size_px: [u32; 2],
+    scale: f64,
+) -> Composite {
     let depth = target.depth.as_ref().map(|d| d.convention);
     let [a, b, c, d] = depth.map_or([0.0, 0.0, 0.0, 1.0], |d| d.coefficients);
     // Only their ratio matters: they are kept within what f32 holds.
     let coefficients = DVec4::new(a / scale, b, c / scale, d);
     let coefficients = coefficients / coefficients.abs().max_element();
-    let format = target.color_format;
-    let is_linear = format.is_srgb() || is_float(format);
+    let format = target.colors[0].map(|a| a.format);
+    let is_linear = format.is_some_and(|f| f.is_srgb() || is_float(f));
     Composite {
         origin_px,
         size_px,
         depth: coefficients.as_vec4().to_array(),
         far: depth.map_or(0.0, |d| d.far() as f32),
         is_linear: u32::from(is_linear),
-        has_background: u32::from(target.background),
-        padding: 0,
+        has_background: u32::from(target.has_background),
+        caps_only: u32::from(target.caps_only),
     }
 }
 
@@ -231,24 +217,19 @@ fn is_float(format: wgpu::TextureFormat) -> bool {
 }
 
 fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline> {
-    let features = attachments
-        .color
-        .guaranteed_format_features(gpu.device.features());
-    let usable = features.allowed_usages;
-    if !usable.contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
-        return Err(Error::input(
-            "the target of the host",
-            format!(
-                "{:?} is no format that can be drawn into",
-                attachments.color
-            ),
-            "give a colour attachment, for example Rgba8UnormSrgb",
-        ));
+    for format in attachments.colors.into_iter().flatten() {
+        let features = format.guaranteed_format_features(gpu.device.features());
+        if !(features.allowed_usages).contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
+            return Err(Error::input(
+                "the target of the host",
+                format!("{format:?} is no format that can be drawn into"),
+                "give colour attachments, for example of Rgba8UnormSrgb",
+            ));
+        }
     }
-    let shader = Shader::from(match attachments.depth {
-        Some(_) => "gpu/composite/depth.wgsl",
-        None => "gpu/composite/color.wgsl",
-    });
+    let shader = attachments.shader();
+    let colors = (attachments.colors).map(|format| format.map(wgpu::ColorTargetState::from));
+    let count = colors.iter().flatten().count();
     let composed = shader::compose(&shader)?;
     gpu.scoped(|| {
         let module = gpu.module(shader.path, composed);
@@ -285,7 +266,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
                     module: &module,
                     entry_point: Some("fragment"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    targets: &[Some(attachments.color.into())],
+                    targets: &colors[..count],
                 }),
                 multiview_mask: None,
                 cache: None,

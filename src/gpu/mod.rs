@@ -1,6 +1,7 @@
 //! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
 
 mod bind;
+mod clip;
 mod composite;
 mod device;
 mod draw;
@@ -9,19 +10,23 @@ mod program;
 mod readback;
 mod real;
 mod report;
+mod target;
 mod timing;
 mod viewport;
 mod words;
 
 pub use ::wgpu;
-pub use ::wgpu::CommandEncoder;
+pub use ::wgpu::{BindGroup, CommandEncoder};
+pub(crate) use clip::ClipTable;
+pub use clip::clip_wgsl;
 pub(crate) use composite::Compositor;
-pub use composite::{Target, TargetDepth};
 pub use device::{AdapterReport, Gpu, GpuOptions};
 #[doc(hidden)]
 pub use program::Program;
 pub(crate) use program::words_from_layers;
 pub(crate) use report::Report;
+pub(crate) use target::Destination;
+pub use target::{Attachment, GBuffer, Target, TargetDepth};
 pub use timing::{ClockSet, PassTime, RunTimes};
 #[doc(hidden)]
 pub use words::{POISON, run_words, run_words_with};

@@ -7,11 +7,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Gpu;
-use super::composite::{Compositor, Target};
+use super::composite::{Composed, Compositor};
 use super::device::is_shared;
 use super::draw::Step;
 use super::real::{Real, make};
 use super::report::Report;
+use super::target::Destination;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::unpack_normal;
@@ -249,11 +250,25 @@ impl Program {
     }
 
     /// What puts the picture into the attachments of a host.
-    pub(crate) fn compositor(&self, gpu: &Gpu, target: &Target<'_>) -> Result<Compositor> {
+    pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
+        let plan = self.plan();
         let none = || Error::Plan("the plan makes no picture".to_owned());
-        let picture = self.buffer(self.recorded.plan.picture.ok_or_else(none)?)?;
-        let layers = self.buffer(self.recorded.plan.layers.ok_or_else(none)?)?;
-        Compositor::new(gpu, target, [picture, layers])
+        let named = |name| self.buffer_named(name).ok_or_else(none);
+        let frame = Composed {
+            picture: self.buffer(plan.picture.ok_or_else(none)?)?,
+            layers: self.buffer(plan.layers.ok_or_else(none)?)?,
+            parts: named("parts")?,
+            place_of_part: named("rank_of_part")?,
+        };
+        Compositor::new(gpu, target, &frame)
+    }
+
+    /// The buffer of a resource, if the plan has one of this name.
+    pub(super) fn buffer_named(&self, name: &str) -> Option<&wgpu::Buffer> {
+        match &self.real.get(name)?.1 {
+            Real::Buffer(buffer) => Some(buffer),
+            Real::Texture(_) | Real::Sampler(_) => None,
+        }
     }
 
     /// How often its resources were made or bound anew: what holds on to them is to be made anew as well when it changes.

@@ -156,6 +156,19 @@ impl Relevance {
         }
     }
 
+    /// The same by index of the part in the scene, for who asks about parts that are not drawn too: all bits where a part is removed
+    /// altogether.
+    pub(crate) fn cuts_by_part(&self, prepared: &Prepared) -> Vec<u32> {
+        let mut cuts = vec![0; prepared.parts.len()];
+        for (rank, part) in prepared.parts.iter().enumerate() {
+            cuts[part.part] = match self.parts[rank] {
+                Treatment::Removed => u32::MAX,
+                _ => self.cuts_of(rank),
+            };
+        }
+        cuts
+    }
+
     /// Ranks of the parts that need an inside test, in table order.
     pub fn cut_parts(&self) -> &[usize] {
         &self.order[..self.lanes]

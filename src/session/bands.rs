@@ -7,7 +7,7 @@
 
 use super::encode::Last;
 use super::{Drawn, MOST_TRIES, Outcome};
-use crate::gpu::{ClockSet, Compositor, Gpu, Program, Report, RunTimes};
+use crate::gpu::{BindGroup, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
 use crate::scene::View;
@@ -49,6 +49,8 @@ pub(super) struct Slot {
     pub(super) refused: Option<String>,
     /// What was last encoded for a host, where it still stands.
     pub(super) last: Option<Last>,
+    /// What the shaders of a host bind of that.
+    pub(super) clip: Option<BindGroup>,
     pub(super) reports: Vec<Report>,
 }
 

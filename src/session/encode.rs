@@ -7,8 +7,8 @@
 //! Cannot: encode two frames of one method into the same submission, for both would be drawn with the uploads of the second.
 
 use super::bands::{Band, Slot};
-use crate::gpu::{CommandEncoder, Compositor, Gpu, Target};
-use crate::passes::Model;
+use crate::gpu::{BindGroup, ClipTable, CommandEncoder, Compositor, Destination, Gpu};
+use crate::passes::{Model, Relevance};
 use crate::plan::{Capacities, Recorded};
 use crate::scene::View;
 use crate::strategies::{Obstacle, Refusal};
@@ -47,19 +47,20 @@ pub(super) struct Last {
 }
 
 impl Slot {
-    /// Encodes a frame that `record` plans.
+    /// Encodes a frame that `record` plans, into attachments where there are some.
     pub(super) fn encode(
         &mut self,
         gpu: &Gpu,
         encoder: &mut CommandEncoder,
         (model, view): (&Model, &View),
-        target: &Target<'_>,
+        target: Option<&Destination<'_>>,
         record: impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Encoded> {
         let is_still = (self.last.as_ref()).is_some_and(|l| l.model.is(model) && l.view == *view);
         let mut passes = 0;
         if !is_still {
             self.last = None;
+            self.clip = None;
             self.begin(model, view);
             if let Err(refusal) = self.load_bands(gpu, view, &record)? {
                 self.refused = Some(refusal.reason.clone());
@@ -79,11 +80,46 @@ impl Slot {
                 view: *view,
             });
         }
-        let (width, scale) = (view.size_px[0], model.prepared.scale);
-        for band in &mut self.bands {
-            band.composite(gpu, encoder, target, width, scale)?;
+        if let Some(target) = target {
+            let (width, scale) = (view.size_px[0], model.prepared.scale);
+            for band in &mut self.bands {
+                band.composite(gpu, encoder, target, width, scale)?;
+            }
         }
         Ok(Encoded::Drawn { passes })
+    }
+
+    /// What the shaders of a host bind of the frame that was last encoded.
+    pub(super) fn clip_group(&mut self, gpu: &Gpu) -> Result<BindGroup> {
+        if let Some(group) = &self.clip {
+            return Ok(group.clone());
+        }
+        let none = || Error::Plan("no frame was encoded to clip by".to_owned());
+        let last = self.last.as_ref().ok_or_else(none)?;
+        let [band] = self.bands.as_slice() else {
+            return Err(Error::Limit(format!(
+                "the frame is drawn in {} bands, which have lists of their own: clip in a smaller picture",
+                self.bands.len()
+            )));
+        };
+        let prepared = &last.model.prepared;
+        let relevance =
+            Relevance::of(prepared, &last.view).map_err(|refusal| Error::Plan(refusal.reason))?;
+        let lists = band.program.plan().resource_named("crossing_heads");
+        if lists.is_none() && relevance.lanes > 0 {
+            return Err(Error::input(
+                "the method to clip by",
+                "it keeps no list of crossings",
+                "name one that does, for example raycast+mask",
+            ));
+        }
+        let table = ClipTable {
+            scene_from_world: prepared.scale as f32,
+            cuts_of_part: relevance.cuts_by_part(prepared),
+        };
+        let group = band.program.clip_group(gpu, &table)?;
+        self.clip = Some(group.clone());
+        Ok(group)
     }
 
     /// Loads the plans of all bands, cut into as many as fit.
@@ -149,7 +185,7 @@ impl Band {
         &mut self,
         gpu: &Gpu,
         encoder: &mut CommandEncoder,
-        target: &Target<'_>,
+        target: &Destination<'_>,
         width: u32,
         scale: f64,
     ) -> Result<()> {

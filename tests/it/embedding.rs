@@ -3,6 +3,8 @@
 use crate::common;
 
 mod allocations;
+mod clip;
 mod depth;
+mod g_buffer;
 mod guest;
 mod host;

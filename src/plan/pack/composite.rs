@@ -19,7 +19,7 @@ shared! {
         is_linear: u32,
         /// 1 where pixels that show no model are drawn too.
         has_background: u32,
-        /// Unused.
-        padding: u32,
+        /// 1 where nothing but caps is drawn.
+        caps_only: u32,
     }
 }

@@ -26,31 +26,32 @@ pub(crate) fn adapter() -> wgpu::Adapter {
     adapter.expect("tests that draw need a graphics adapter")
 }
 
+fn texture(device: &wgpu::Device, size_px: [u32; 2], format: wgpu::TextureFormat) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d {
+            width: size_px[0],
+            height: size_px[1],
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
 impl Host {
     /// A host whose colours are of a format.
     pub(crate) fn new(size_px: [u32; 2], format: wgpu::TextureFormat) -> Self {
         let adapter = adapter();
         let asked = adapter.request_device(&Gpu::descriptor(&adapter));
         let (device, queue) = pollster::block_on(asked).expect("a device");
-        let texture = |format| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: None,
-                size: wgpu::Extent3d {
-                    width: size_px[0],
-                    height: size_px[1],
-                    depth_or_array_layers: 1,
-                },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
-            })
-        };
         Self {
-            color: texture(format),
-            depth: texture(DEPTH),
+            color: texture(&device, size_px, format),
+            depth: texture(&device, size_px, DEPTH),
             info: adapter.get_info(),
             size_px,
             device,
@@ -62,6 +63,11 @@ impl Host {
     pub(crate) fn session(&self) -> Session {
         let (device, queue) = (self.device.clone(), self.queue.clone());
         Session::new(Gpu::from_device(&self.info, device, queue).expect("a device that will do"))
+    }
+
+    /// Another attachment of the same size.
+    pub(crate) fn attachment(&self, format: wgpu::TextureFormat) -> wgpu::Texture {
+        texture(&self.device, self.size_px, format)
     }
 
     pub(crate) fn views(&self) -> [wgpu::TextureView; 2] {
@@ -85,6 +91,7 @@ impl Host {
             sample_count: 1,
             origin_px: [0, 0],
             background: true,
+            caps_only: false,
         }
     }
 
@@ -131,9 +138,11 @@ impl Host {
         (color, bytemuck::pod_collect_to_vec(&depth))
     }
 
-    fn bytes_of(&self, texture: &wgpu::Texture) -> Vec<u8> {
+    /// The bytes of an attachment, row after row.
+    pub(crate) fn bytes_of(&self, texture: &wgpu::Texture) -> Vec<u8> {
         let [width, height] = self.size_px;
-        let row = (width * 4).next_multiple_of(256);
+        let texel = texture.format().block_copy_size(None).expect("texels");
+        let row = (width * texel).next_multiple_of(256);
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
             size: u64::from(row * height),
@@ -158,7 +167,7 @@ impl Host {
         self.wait();
         let mapped = staging.get_mapped_range(..).expect("a mapped buffer");
         let rows = mapped.chunks_exact(row as usize);
-        rows.flat_map(|r| &r[..width as usize * 4])
+        rows.flat_map(|r| &r[..(width * texel) as usize])
             .copied()
             .collect()
     }
