@@ -239,5 +239,5 @@ fn shortened(value: f64, decimals: usize) -> String {
 /// Text between tags and in quotes. What XML has no place for is left out.
 fn escape(text: &str) -> String {
     let told: String = text.chars().filter(|c| !c.is_control()).collect();
-    super::html::escape(&told)
+    super::document::escape(&told)
 }

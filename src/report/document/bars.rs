@@ -2,8 +2,8 @@
 //!
 //! Each clock has a scale of its own: building a structure once can take a thousand frames.
 
+use super::html::escape;
 use super::{Cell, Grid};
-use crate::report::html::escape;
 use crate::report::text::milliseconds;
 
 /// Bars under each other.

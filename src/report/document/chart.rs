@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 
 use super::axis::{Scale, number};
-use crate::report::html::escape;
+use super::html::escape;
 
 /// Size of the drawing.
 const SIZE: [f64; 2] = [720.0, 400.0];

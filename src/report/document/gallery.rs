@@ -1,6 +1,6 @@
 //! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
 
-use super::super::html::{base64, escape};
+use super::html::escape;
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +46,24 @@ impl Shot {
             Source::Beside => encoded(&self.link),
         }
     }
+}
+
+/// RFC 4648.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for group in bytes.chunks(3) {
+        let byte = |i: usize| group.get(i).copied().map_or(0, u32::from);
+        let word = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for i in 0..4 {
+            if i <= group.len() {
+                text.push(char::from(DIGITS[(word >> (18 - 6 * i) & 63) as usize]));
+            } else {
+                text.push('=');
+            }
+        }
+    }
+    text
 }
 
 /// A path as the address of a link.

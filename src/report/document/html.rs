@@ -4,7 +4,6 @@
 //! block; none are trusted.
 
 use super::{Block, Cell, Document, Grid, stretches};
-use crate::report::html::escape;
 
 const PAGE_STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
@@ -29,6 +28,13 @@ pub(crate) fn html(document: &Document) -> String {
          <header><h1>{title}</h1>\n<nav aria-label=\"sections\">\n{links}</nav></header>\n<main>\n{body}</main>\n\
          <script>\n{SCRIPT}</script>\n</body>\n</html>\n"
     )
+}
+
+pub(in crate::report) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
 
 /// Headings so far, with their anchors.
