@@ -1,6 +1,6 @@
 //! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
 
-use super::html::escape;
+use maud::{Markup, html};
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
@@ -82,37 +82,29 @@ pub(super) fn encoded(path: &str) -> String {
 
 impl Gallery {
     /// The pictures under each other; the script makes a slider of them.
-    pub(super) fn html(&self) -> String {
-        let shots: String = self.shots.iter().map(figure).collect();
-        let colors: String = (self.legend.iter())
-            .map(|(color, name)| {
-                format!(
-                    "<li><i style=\"background:{}\"></i>{}</li>\n",
-                    escape(color),
-                    escape(name)
-                )
-            })
-            .collect();
-        let legend = if self.legend.is_empty() {
-            String::new()
-        } else {
-            format!("<ul class=\"legend\" aria-label=\"colours of heat maps\">\n{colors}</ul>\n")
-        };
+    pub(super) fn html(&self) -> Markup {
         let [left, right] = self.opens_at;
-        format!(
-            "<div class=\"gallery\" role=\"group\" data-left=\"{left}\" data-right=\"{right}\" aria-label=\"{}\">\n{legend}<div class=\"shots\">\n{shots}</div>\n</div>\n",
-            escape(&self.label)
-        )
+        html! {
+            div.gallery role="group" data-left=(left) data-right=(right) aria-label=(self.label) {
+                @if !self.legend.is_empty() {
+                    ul.legend aria-label="colours of heat maps" {
+                        @for (color, name) in &self.legend {
+                            li { i style={ "background:" (color) } {} (name) }
+                        }
+                    }
+                }
+                div.shots {
+                    @for shot in &self.shots {
+                        figure {
+                            img loading="lazy" alt=(shot.name) src=(shot.url());
+                            figcaption { b { (shot.name) } " " (shot.caption) }
+                        }
+                        "\n"
+                    }
+                }
+            }
+        }
     }
-}
-
-fn figure(shot: &Shot) -> String {
-    let name = escape(&shot.name);
-    format!(
-        "<figure><img loading=\"lazy\" alt=\"{name}\" src=\"{}\"><figcaption><b>{name}</b> {}</figcaption></figure>\n",
-        shot.url(),
-        escape(&shot.caption)
-    )
 }
 
 #[cfg(test)]
@@ -137,7 +129,7 @@ mod tests {
             shots: vec![shot(Source::Inside(b"foo".to_vec())), shot(Source::Beside)],
             ..Gallery::default()
         };
-        let page = gallery.html();
+        let page = gallery.html().into_string();
         assert!(page.contains("data:image/png;base64,Zm9v"), "{page}");
         assert!(page.contains("src=\"x/exact.png\""), "{page}");
         assert!(!page.contains("<exact>"), "{page}");

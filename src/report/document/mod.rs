@@ -20,7 +20,7 @@ pub(in crate::report) use chart::word_of;
 pub(super) use chart::{Axis, Chart, Mark, Series};
 pub(super) use gallery::{Gallery, Shot, Source};
 pub(super) use grid::{Cell, Grid, Tone};
-pub(super) use html::{escape, html};
+pub(super) use html::html;
 pub(super) use markdown::markdown;
 
 /// A report.
