@@ -1,6 +1,8 @@
 //! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{Markup, html};
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
@@ -42,42 +44,25 @@ pub(crate) enum Source {
 impl Shot {
     fn url(&self) -> String {
         match &self.source {
-            Source::Inside(png) => format!("data:image/png;base64,{}", base64(png)),
+            Source::Inside(png) => {
+                format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
+            }
             Source::Beside => encoded(&self.link),
         }
     }
 }
 
-/// RFC 4648.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for group in bytes.chunks(3) {
-        let byte = |i: usize| group.get(i).copied().map_or(0, u32::from);
-        let word = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for i in 0..4 {
-            if i <= group.len() {
-                text.push(char::from(DIGITS[(word >> (18 - 6 * i) & 63) as usize]));
-            } else {
-                text.push('=');
-            }
-        }
-    }
-    text
-}
+/// Bytes that a path in an address has as they are.
+const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
+    .remove(b'/')
+    .remove(b'.')
+    .remove(b'-')
+    .remove(b'_')
+    .remove(b'~');
 
 /// A path as the address of a link.
 pub(super) fn encoded(path: &str) -> String {
-    let mut url = String::new();
-    for byte in path.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => {
-                url.push(char::from(byte));
-            }
-            _ => url.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    url
+    utf8_percent_encode(path, PLAIN).to_string()
 }
 
 impl Gallery {
