@@ -113,7 +113,7 @@ pub(super) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()>
 }
 
 /// Which device draws.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct AdapterArgs {
     /// Part of the adapter's name [default: the fastest]
     #[arg(long, value_name = "NAME", help_heading = "Device")]
@@ -153,12 +153,22 @@ pub(super) struct MeansArgs {
 }
 
 impl MeansArgs {
+    /// Where each goes in a document, which option says it, and what it says.
+    pub(super) fn values(&self) -> [(&'static str, &'static str, Option<String>); 2] {
+        let rasteriser = self.rasteriser.map(|r| r.to_string());
+        let filter = self.height_filter.map(|f| f.to_string());
+        [
+            ("strategy.rasteriser", "--rasteriser", rasteriser),
+            ("height_filter", "--height-filter", filter),
+        ]
+    }
+
     /// Puts them into a document.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
-        let rasteriser = self.rasteriser.map(|r| r.to_string().into());
-        say(document, "strategy.rasteriser", "--rasteriser", rasteriser)?;
-        let filter = self.height_filter.map(|f| f.to_string().into());
-        say(document, "height_filter", "--height-filter", filter)
+        let mut values = self.values().into_iter();
+        values.try_for_each(|(path, option, value)| {
+            say(document, path, option, value.map(Value::from))
+        })
     }
 }
 

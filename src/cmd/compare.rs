@@ -188,7 +188,7 @@ fn split_list(list: &str) -> Vec<&str> {
 }
 
 /// A file name for a strategy: `grid-256+vds-1024`.
-pub(super) fn file_stem(name: &impl ToString) -> String {
+fn file_stem(name: &impl ToString) -> String {
     name.to_string().replace([':', ',', '@'], "-")
 }
 
@@ -244,7 +244,7 @@ fn legend_picture() -> RgbaImage {
 }
 
 /// The classes with their colours, the gravest first.
-pub(super) fn legend_text() -> String {
+fn legend_text() -> String {
     legend()
         .iter()
         .map(|e| {

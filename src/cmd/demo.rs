@@ -1,46 +1,36 @@
 //! `demo`: the main job on data of our own. No download, nothing to prepare.
+//!
+//! It leaves an experiment in the folder, measures it and reports it, as `measure` and `report` do with those of others. Only the pictures
+//! are drawn once more, finer: those of a record have one sample in a pixel.
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use image::RgbaImage;
 
 use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs};
-use super::compare::{file_stem, legend_text};
 use super::console::{Console, ConsoleArgs};
-use super::edits::EditArgs;
-use super::judge::{self, judge};
+use super::measure::{self, MeasureArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture::{self, Backdrop, Style};
-use super::subject::Subject;
-use crate::Result;
-use crate::document::{Document, cut, part, section};
-use crate::experiment::{Judgement, Renderer, Shown};
-use crate::report::{self, Figure};
-use crate::session::Session;
+use super::report::{self, ReportArgs};
+use crate::experiment::{Record, Renderer, Shown, means};
+use crate::load::Assets;
+use crate::report::{Recorded, text};
+use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   cutaway demo
   cutaway demo --out /tmp/cutaway --resolution 1920,1080
 
-Open report.html in the folder: the tabs show every strategy and where it is wrong, in the same place.";
+Open report.html in the folder: its slider lays every strategy, and where that is wrong, over the exact picture.";
 
-/// The scene of the demo: a corner cut out of the crank along two ragged reliefs.
-fn scene(size_px: [u32; 2]) -> Result<Document> {
-    let mut document = Document::new();
-    document.add_part(part("shape:crank"))?;
-    document.add_cut(cut([
-        section("-z=50%").relief("fractal:amplitude=4%,period=45%,seed=7"),
-        section("x=60%").relief("fractal:amplitude=5%,period=30%,seed=4"),
-    ]))?;
-    document.set("camera.azimuth_deg", -26.0)?;
-    document.set("camera.elevation_deg", 20.0)?;
-    document.set("camera.zoom", 1.25)?;
-    document.set("resolution", size_px.map(i64::from).to_vec())?;
-    Ok(document)
-}
+/// The experiment: a corner cut out of the crank along two ragged reliefs.
+const EXPERIMENT: &str = include_str!("demo.toml");
+
+/// Its name, which that of its file is.
+const NAME: &str = "demo";
 
 /// Options of `demo`.
 #[derive(Args)]
@@ -72,139 +62,91 @@ pub(super) struct DemoArgs {
     console: ConsoleArgs,
 }
 
+impl DemoArgs {
+    /// The text of the experiment, with what the options set.
+    fn experiment(&self) -> String {
+        let set = self.means.values().map(|(path, _, value)| {
+            value.map_or_else(String::new, |value| format!("\"{path}\" = \"{value}\"\n"))
+        });
+        let (size, set) = (self.resolution, set.concat());
+        format!("{EXPERIMENT}\n[run.set]\nresolution = {size:?}\n{set}")
+    }
+}
+
 /// Runs `demo`.
 pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
-    checked_folder("--out", &args.out)?;
-    let renderers = Renderer::named("all")?;
-    let rounds = args.rounds as usize;
-    let steps = 2 + renderers.len() + judge::steps(renderers.len(), rounds);
-    let console = Console::new(args.console, steps);
-    console.step("opening");
-    let mut document = scene(args.resolution)?;
-    args.means.amend(&mut document)?;
-    let text = document.to_string();
-    let subject = Subject::open(document, None, &EditArgs::default(), &console)?;
-    let mut session = args.device.session(false)?;
-    let shown = Shown::of(&subject.scene);
-    let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
-
-    let mut pictures = Vec::new();
-    for renderer in std::iter::once(Renderer::EXACT).chain(renderers) {
-        console.step(format!("picture by {renderer}"));
-        pictures.extend(pictures_of(
-            &mut session,
-            &shown,
-            &subject,
-            &judgement,
-            renderer,
-        )?);
+    let out = &args.out;
+    checked_folder("--out", out)?;
+    if out.join("run.json").exists() && !out.join(NAME).is_dir() {
+        let help = "choose another folder with --out";
+        return Err(Error::file(out, "the folder holds another run", help));
     }
-    write(&args.out, &judgement, &pictures)?;
-    write_file(&args.out.join("scene.toml"), text.as_bytes())?;
-    drop(console);
-    say(&args.out, &judgement)?;
+    let experiment = out.join(NAME).with_extension("toml");
+    write_file(&experiment, args.experiment().as_bytes())?;
+    let measured = measure::run(&MeasureArgs {
+        experiments: vec![experiment],
+        out: out.clone(),
+        quick: false,
+        force: true,
+        prune: false,
+        dry_run: false,
+        only: None,
+        rounds: Some(args.rounds),
+        device: args.device.clone(),
+        console: args.console,
+    })?;
+    if measured != Verdict::Done {
+        return Ok(measured);
+    }
+    let recorded = Recorded::read(std::slice::from_ref(out))?;
+    let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
+    let demo = experiments.find(|e| e.synopsis.name == NAME);
+    let Some(record) = demo.and_then(|e| e.records.first()) else {
+        return Err(Error::file(out, "the record is gone", "run it again"));
+    };
+    smooth(record, args)?;
+    let scene = out.join("scene.toml");
+    write_file(
+        &scene,
+        record.scene.moved_to(&scene)?.to_string().as_bytes(),
+    )?;
+    report::run(&ReportArgs {
+        folders: vec![out.clone()],
+        out: None,
+        link: false,
+        console: args.console,
+    })?;
+    say(out, record)?;
     Ok(Verdict::Done)
 }
 
-/// A picture with what there is to say about it.
-struct Picture {
-    file: String,
-    title: String,
-    caption: String,
-    png: Vec<u8>,
-}
-
-/// The picture of a renderer and, for a strategy, its heat map. A strategy that refuses the scene has none.
-fn pictures_of(
-    session: &mut Session,
-    shown: &Shown,
-    subject: &Subject,
-    judgement: &Judgement,
-    renderer: Renderer,
-) -> Result<Vec<Picture>> {
+/// Draws the pictures of a record again, with four samples in a pixel.
+fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     let style = Style {
         supersample: 2,
         backdrop: Backdrop::Gradient,
     };
-    let view = subject.view(&shown.model.prepared);
-    if renderer == Renderer::EXACT {
-        let exact = picture::draw(session, shown, &view, renderer, style)?.image;
-        let caption =
-            "Evaluated from the definition for every pixel, on the CPU in double precision.";
-        return Ok(vec![picture("exact", "exact", caption, &exact)?]);
-    }
-    let frames = judgement
-        .frames
-        .iter()
-        .zip(&judgement.measurement.strategies);
-    let mut of_renderer = frames.filter(|(f, _)| f.renderer == renderer);
-    let (Some((frame, found)), name) = (of_renderer.next(), renderer.to_string()) else {
-        return Ok(Vec::new());
-    };
-    let (Some(heatmap), Some(comparison)) = (judgement.heatmap(frame), &found.comparison) else {
-        return Ok(Vec::new());
-    };
-    let stem = file_stem(&renderer);
-    let drawn = renderer.or(subject.means()?);
-    let drawn = picture::draw(session, shown, &view, drawn, style)?.image;
-    let wrong = comparison.decided_wrong_px;
-    let caption = match wrong {
-        0 => "No pixel is wrong where the exact reference is sure.".to_owned(),
-        _ => format!("{wrong} pixels are wrong where the exact reference is sure."),
-    };
-    let legend = legend_text().trim_end().replace('\n', ", ");
-    let where_wrong = format!("Where it differs from exact: {legend}.");
-    Ok(vec![
-        picture(&stem, &name, &caption, &drawn)?,
-        picture(
-            &format!("{stem}.heatmap"),
-            &format!("{name}: where it is wrong"),
-            &where_wrong,
-            &heatmap,
-        )?,
-    ])
-}
-
-fn picture(stem: &str, title: &str, caption: &str, image: &RgbaImage) -> Result<Picture> {
-    Ok(Picture {
-        file: format!("{stem}.png"),
-        title: title.to_owned(),
-        caption: caption.to_owned(),
-        png: picture::png(image)?,
-    })
-}
-
-fn write(folder: &Path, judgement: &Judgement, pictures: &[Picture]) -> Result<()> {
-    for picture in pictures {
-        write_file(&folder.join(&picture.file), &picture.png)?;
-    }
-    let figures: Vec<Figure<'_>> = pictures
-        .iter()
-        .map(|p| Figure {
-            title: &p.title,
-            file: &p.file,
-            caption: &p.caption,
-            png: &p.png,
-        })
-        .collect();
-    let title = "A crankshaft cut by a ragged relief";
-    let report = &judgement.measurement;
-    let pages = [
-        ("report.md", report::markdown(title, report, &figures)),
-        ("report.html", report::html(title, report, &figures)),
-        ("report.json", format!("{:#}\n", serde_json::json!(report))),
-    ];
-    for (name, text) in pages {
-        write_file(&folder.join(name), text.as_bytes())?;
+    let console = Console::new(args.console, record.pictures.len());
+    let timeline = record.scene.timeline(&mut Assets::default())?;
+    let shown = Shown::of(&timeline.scene()?);
+    let view = shown.model.prepared.view(timeline.settings().size_px());
+    let mut session = args.device.session(false)?;
+    for picture in &record.pictures {
+        console.step(format!("picture by {}", picture.drawer));
+        let renderer: Renderer = picture.drawer.parse()?;
+        let renderer = renderer.or(means(timeline.settings())?);
+        let drawn = picture::draw(&mut session, &shown, &view, renderer, style)?;
+        let file = args.out.join(NAME).join(&picture.file);
+        write_file(&file, &picture::png(&drawn.image)?)?;
     }
     Ok(())
 }
 
 /// The table, and where everything is.
-fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
+fn say(folder: &Path, record: &Record) -> Result<()> {
     let text = format!(
-        "{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} --camera-azimuth-angle=60 -o crank.png\n",
-        report::text(&judgement.measurement),
+        "\n{}\npictures, heat maps and the report are in {}\n  open {}\nanother view of the same scene:\n  cutaway render {} --camera-azimuth-angle=60 -o crank.png\n",
+        text(&record.measurement),
         folder.display(),
         folder.join("report.html").display(),
         folder.join("scene.toml").display()
@@ -215,13 +157,18 @@ fn say(folder: &Path, judgement: &Judgement) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::load::Assets;
+    use crate::experiment::Definition;
+    use crate::experiment::definition::Asked;
     use crate::scene::section_misses;
 
     #[test]
     fn the_scene_of_the_demo_is_cut() {
-        let document = scene([64, 48]).unwrap();
-        let scene = document.resolve(0.0, &mut Assets::default()).unwrap();
+        let definition = Definition::read(Path::new("demo.toml"), EXPERIMENT).unwrap();
+        let Asked::Scenes(run) = &definition.runs[0].full else {
+            panic!("it asks for no scene");
+        };
+        let scene = &run.points[0].scene;
+        let scene = scene.resolve(0.0, &mut Assets::default()).unwrap();
         let bounds = scene.bounds();
         assert_eq!(scene.cuts.len(), 1);
         for surface in &scene.cuts[0].surfaces {

@@ -25,15 +25,15 @@ strategy) and report.json (all records).";
 pub(super) struct ReportArgs {
     /// Folders of runs, as `cutaway measure --out DIR` writes them
     #[arg(required = true, value_name = "DIR")]
-    folders: Vec<PathBuf>,
+    pub(super) folders: Vec<PathBuf>,
     /// Folder for the report [default: the first folder]
     #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
     /// Leave the pictures in their files, and link to them
     #[arg(long)]
-    link: bool,
+    pub(super) link: bool,
     #[command(flatten)]
-    console: ConsoleArgs,
+    pub(super) console: ConsoleArgs,
 }
 
 /// The files of a report.

@@ -1,16 +1,12 @@
 //! What a measurement found, in the forms people read it in.
 //!
-//! [`text`] makes a table of a [`Measurement`](crate::experiment::Measurement) for a terminal, [`markdown`] one for a page, and
-//! [`html`] one file with the pictures in it, which opens from disk and asks no network.
-//!
-//! Of recorded runs [`pages`] makes a report: `recorded` reads them, `derived` works out what no record has, `sections` say it, and
-//! `document` writes it down as a page and as Markdown; `export` is for machines.
+//! [`text`] makes a table of a [`Measurement`](crate::experiment::Measurement) for a terminal. Of recorded runs [`pages`] makes a report:
+//! `recorded` reads them, `derived` works out what no record has, `sections` say it, and `document` writes it down as a page, which
+//! opens from disk and asks no network, and as Markdown; `export` is for machines.
 
 mod derived;
 mod document;
 mod export;
-mod html;
-mod markdown;
 mod pages;
 mod recorded;
 mod section;
@@ -19,8 +15,6 @@ mod svg;
 mod table;
 mod text;
 
-pub use html::{Figure, html};
-pub use markdown::markdown;
 pub use pages::{Pages, pages};
 pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
 pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};

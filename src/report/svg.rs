@@ -8,9 +8,9 @@
 //! A unit of the drawing is a unit of the model. With a physical [`Unit`] the drawing has the size of the model; without one it is fitted to
 //! [`LONGEST_PX`] pixels.
 
-use std::fmt::Write;
+use maud::{Markup, html};
 
-use super::section::{Curve, PlaneReport, SectionReport};
+use super::section::{Curve, PartReport, PlaneReport, SectionReport};
 
 /// Pixels along the longer side of a drawing of no physical size.
 const LONGEST_PX: f64 = 1000.0;
@@ -110,7 +110,6 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
     let corner = [first.min[0] - gap, gap - height - first.min[1]];
     let number = |value: f64| shortened(value, decimals);
 
-    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let [wide, high] = match unit {
         Some(unit) => [width, height].map(|v| format!("{}mm", number(v * unit.mm()))),
         None => {
@@ -118,88 +117,63 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
             [width, height].map(|v| shortened(v * per_unit, 3))
         }
     };
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        text,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"{} {} {} {}\">",
-        number(corner[0]),
-        number(corner[1]),
-        number(width),
-        number(height)
-    );
-    let _ = writeln!(text, "<title>{}</title>", escape(&report.scene));
-    let scale = match unit {
-        Some(unit) => format!(
-            "one unit is one unit of the model, drawn as 1 {}",
-            unit.name()
-        ),
-        None => "one unit is one unit of the model; the drawing has no physical size".to_owned(),
-    };
-    let _ = writeln!(
-        text,
-        "<desc>To scale: {scale}. Seen from the side that is removed.</desc>"
-    );
-    let _ = writeln!(text, "<style>{NON_SCALING}</style>");
-    let _ = writeln!(
-        text,
-        "<g stroke-width=\"{}\">",
-        number(width.max(height) / LONGEST_PX)
-    );
+    let seen = [corner[0], corner[1], width, height].map(number).join(" ");
     let mut left = first.min[0];
-    for (number_of, (plane, frame)) in report.sections.iter().zip(&frames).enumerate() {
+    let places = frames.iter().map(|frame| {
         let by = [left - frame.min[0], frame.min[1] - first.min[1]];
         left += frame.size()[0] + gap;
-        group(&mut text, number_of, plane, by, decimals);
-    }
-    text.push_str("</g>\n</svg>\n");
-    text
+        by
+    });
+    let drawing = html! {
+        svg xmlns="http://www.w3.org/2000/svg" width=(wide) height=(high) viewBox=(seen) {
+            title { (told(&report.scene)) }
+            desc {
+                "To scale: one unit is one unit of the model"
+                @match unit {
+                    Some(unit) => { ", drawn as 1 " (unit.name()) }
+                    None => { "; the drawing has no physical size" }
+                }
+                ". Seen from the side that is removed."
+            }
+            style { (NON_SCALING) }
+            g stroke-width=(number(width.max(height) / LONGEST_PX)) {
+                @for (index, (plane, by)) in report.sections.iter().zip(places).enumerate() {
+                    "\n" (group(index, plane, by.map(number), decimals))
+                }
+            }
+        }
+    };
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n",
+        drawing.into_string()
+    )
 }
 
-fn group(text: &mut String, index: usize, plane: &PlaneReport, by: [f64; 2], decimals: usize) {
-    let number = |value: f64| shortened(value, decimals);
-    let moved = if index == 0 {
-        String::new()
-    } else {
-        format!("translate({} {}) ", number(by[0]), number(by[1]))
+fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize) -> Markup {
+    let moved = (index > 0).then(|| format!("translate({x} {y}) "));
+    let rule = |part: &PartReport| match part.fill.as_str() {
+        "nonzero" => "nonzero",
+        _ => "evenodd",
     };
-    let _ = writeln!(
-        text,
-        "<g id=\"section-{}\" transform=\"{moved}scale(1 -1)\">",
-        index + 1
-    );
-    let name = escape(&plane.name());
-    let _ = writeln!(
-        text,
-        "<title>{name}: area {}, perimeter {}</title>",
-        plane.area, plane.perimeter
-    );
-    for part in &plane.parts {
-        let name = escape(&part.part);
-        if !part.loops.is_empty() {
-            let rule = if part.fill == "nonzero" {
-                "nonzero"
-            } else {
-                "evenodd"
-            };
-            let _ = writeln!(
-                text,
-                "<path d=\"{}\" fill=\"{}\" fill-rule=\"{rule}\" stroke=\"#222222\">\
-                 <title>{name}: area {}</title></path>",
-                outline(&part.loops, decimals, "Z"),
-                part.color,
-                part.area
-            );
-        }
-        if !part.open_chains.is_empty() {
-            let _ = writeln!(
-                text,
-                "<path d=\"{}\" class=\"open\" fill=\"none\" stroke=\"#cc0000\">\
-                 <title>{name}: open</title></path>",
-                outline(&part.open_chains, decimals, "")
-            );
+    html! {
+        g id={ "section-" (index + 1) } transform={ (moved.unwrap_or_default()) "scale(1 -1)" } {
+            title { (told(&plane.name())) ": area " (plane.area) ", perimeter " (plane.perimeter) }
+            @for part in &plane.parts {
+                @if !part.loops.is_empty() {
+                    "\n"
+                    path d=(outline(&part.loops, decimals, "Z")) fill=(part.color) fill-rule=(rule(part)) stroke="#222222" {
+                        title { (told(&part.part)) ": area " (part.area) }
+                    }
+                }
+                @if !part.open_chains.is_empty() {
+                    "\n"
+                    path.open d=(outline(&part.open_chains, decimals, "")) fill="none" stroke="#cc0000" {
+                        title { (told(&part.part)) ": open" }
+                    }
+                }
+            }
         }
     }
-    text.push_str("</g>\n");
 }
 
 /// Curves as the data of one path. Points that are written alike in a row are one.
@@ -236,8 +210,7 @@ fn shortened(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Text between tags and in quotes. What XML has no place for is left out.
-fn escape(text: &str) -> String {
-    let told: String = text.chars().filter(|c| !c.is_control()).collect();
-    super::html::escape(&told)
+/// Text without what XML has no place for.
+fn told(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect()
 }

@@ -1,6 +1,4 @@
-//! A table of texts, laid out for a terminal or as Markdown.
-
-use super::markdown::words;
+//! A table of texts, laid out for a terminal.
 
 /// Columns with a heading each; the first column is aligned left, the others right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -23,16 +21,6 @@ impl Table {
         let mut cells: Vec<String> = cells.into_iter().map(Into::into).collect();
         cells.resize(self.heading.len(), String::new());
         self.rows.push(cells);
-    }
-
-    /// The headings.
-    pub fn heading(&self) -> &[String] {
-        &self.heading
-    }
-
-    /// The rows.
-    pub fn rows(&self) -> &[Vec<String>] {
-        &self.rows
     }
 
     /// Aligned with spaces.
@@ -58,20 +46,6 @@ impl Table {
         self.rows.iter().for_each(|r| text.push_str(&line(r)));
         text
     }
-
-    /// As a table of GitHub's Markdown, in which cells hold no markup but code between backticks.
-    pub fn to_markdown(&self) -> String {
-        let line = |cells: &[String]| {
-            let cells: Vec<String> = cells.iter().map(|c| words(c).replace('|', "\\|")).collect();
-            format!("| {} |\n", cells.join(" | "))
-        };
-        let mut text = line(&self.heading);
-        text.push_str("|---|");
-        text.push_str(&"---:|".repeat(self.heading.len().saturating_sub(1)));
-        text.push('\n');
-        self.rows.iter().for_each(|r| text.push_str(&line(r)));
-        text
-    }
 }
 
 #[cfg(test)]
@@ -84,9 +58,5 @@ mod tests {
         table.row(["a|<b", "1"]);
         table.row(["longer"]);
         assert_eq!(table.to_text(), "name    µ\n---------\na|<b    1\nlonger\n");
-        assert_eq!(
-            table.to_markdown(),
-            "| name | µ |\n|---|---:|\n| a\\|&lt;b | 1 |\n| longer |  |\n"
-        );
     }
 }

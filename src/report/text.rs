@@ -37,7 +37,7 @@ pub fn text(report: &Measurement) -> String {
 }
 
 /// What each strategy gets wrong, in pixels, scene units and degrees.
-pub(super) fn errors(report: &Measurement) -> Table {
+fn errors(report: &Measurement) -> Table {
     let mut table = Table::new([
         "error",
         "decided wrong px",
@@ -77,7 +77,7 @@ pub(super) fn errors(report: &Measurement) -> Table {
 }
 
 /// What each strategy costs.
-pub(super) fn times(report: &Measurement) -> Table {
+fn times(report: &Measurement) -> Table {
     let mut table = Table::new([
         "time, median ms",
         "solid",
@@ -123,7 +123,7 @@ fn time_row(strategy: &StrategyMeasurement) -> Vec<String> {
 }
 
 /// A sentence for each strategy that did not draw all of the frame.
-pub(super) fn shortfalls(report: &Measurement) -> Vec<String> {
+fn shortfalls(report: &Measurement) -> Vec<String> {
     let short = report.strategies.iter().filter_map(|s| {
         let reason = s.reason.as_ref()?;
         Some(format!("{} {}: {reason}", s.name, s.outcome.name()))

@@ -731,13 +731,28 @@ fn the_demo_leaves_a_report_that_stands_alone() {
         .collect();
     assert!(pictures.len() >= 5, "{pictures:?}");
     for picture in pictures {
-        assert!(out.join(picture).is_file(), "{picture}");
+        let file = picture.replace("%2B", "+");
+        assert!(out.join(file).is_file(), "{picture}");
     }
+    folder.run("report out").exits(0);
+    let again = folder.run("measure out/demo.toml --dry-run").exits(0);
+    assert!(again.text().contains("demo, crank: "), "{}", again.text());
     let json = json_of(&out.join("report.json"));
+    let record = &json["folders"][0]["experiments"][0]["records"][0];
     assert_eq!(
-        json["strategies"][0]["decided_wrong_px"], 0,
+        record["measurement"]["strategies"][0]["decided_wrong_px"], 0,
         "raycast+mask is exact"
     );
+}
+
+#[test]
+fn the_demo_leaves_other_runs_alone() {
+    let folder = Scratch::new("demo-other");
+    fs::create_dir(folder.path("out")).unwrap();
+    folder.write("out/run.json", b"{}");
+    let ran = folder.run("demo --out out --resolution 96,50").exits(2);
+    assert!(ran.stderr.contains("another run"), "{}", ran.stderr);
+    assert!(!folder.path("out/demo.toml").exists(), "nothing is written");
 }
 
 #[test]

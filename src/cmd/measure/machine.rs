@@ -1,34 +1,32 @@
 //! Where a run is made: the machine, the commit of the program, and the time of day.
 //!
-//! What cannot be told is left out, never guessed. On Linux `/proc` is asked; elsewhere only what the standard library knows. The
-//! commit is asked of `git` in the folder that the program was built from, if that is still there and nothing in it has changed
-//! since: a program that was installed, or is older than its sources, has none.
+//! What cannot be told is left out, never guessed. The commit is asked of `git` in the folder that the program was built from, if that
+//! is still there and nothing in it has changed since: a program that was installed, or is older than its sources, has none.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
+
+use sysinfo::{CpuRefreshKind, MemoryRefreshKind, RefreshKind, System};
 
 use crate::experiment::Machine;
 
 /// The machine, as busy as it is now.
 pub(super) fn machine() -> Machine {
-    let read =
-        |file: &str| std::fs::read_to_string(Path::new("/proc").join(file)).unwrap_or_default();
-    let after = |text: &str, key: &str| {
-        let line = text.lines().find(|l| l.starts_with(key))?;
-        Some(line.split_once(':')?.1.trim().to_owned())
-    };
-    let memory = after(&read("meminfo"), "MemTotal");
-    let kib = memory.and_then(|m| m.split_whitespace().next()?.parse::<u64>().ok());
+    let facts = RefreshKind::nothing()
+        .with_cpu(CpuRefreshKind::nothing())
+        .with_memory(MemoryRefreshKind::nothing().with_ram());
+    let system = System::new_with_specifics(facts).ok();
+    let processor = system.as_ref().and_then(|s| s.cpus().first());
+    let processor = processor.map(|p| p.brand().trim().to_owned());
+    // Windows counts none, and 0 would say that it rests.
+    let load = System::load_average().ok().filter(|_| cfg!(unix));
     Machine {
         system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
-        processor: after(&read("cpuinfo"), "model name").unwrap_or_else(|| "unknown".to_owned()),
+        processor: (processor.filter(|p| !p.is_empty())).unwrap_or_else(|| "unknown".to_owned()),
         cores: std::thread::available_parallelism().map_or(1, usize::from),
-        memory: kib.map(|kib| kib * 1024),
-        load: read("loadavg")
-            .split(' ')
-            .next()
-            .and_then(|l| l.parse().ok()),
+        memory: system.map(|s| s.total_memory()).filter(|bytes| *bytes > 0),
+        load: load.map(|l| l.one),
     }
 }
 
@@ -82,49 +80,12 @@ fn changed(path: &Path) -> Option<SystemTime> {
 
 /// The time of day, UTC, by RFC 3339.
 pub(super) fn now() -> String {
-    let seconds = SystemTime::now().duration_since(UNIX_EPOCH);
-    rfc_3339(seconds.map_or(0, |d| d.as_secs()))
-}
-
-/// Seconds since 1970 as a date and a time.
-fn rfc_3339(seconds: u64) -> String {
-    let (days, of_day) = (seconds / 86_400, seconds % 86_400);
-    let is_leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
-    let (mut year, mut day) = (1970, days);
-    while day >= 365 + u64::from(is_leap(year)) {
-        day -= 365 + u64::from(is_leap(year));
-        year += 1;
-    }
-    let february = 28 + u64::from(is_leap(year));
-    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
-    let mut month = 0;
-    while day >= months[month] {
-        day -= months[month];
-        month += 1;
-    }
-    let (hour, minute, second) = (of_day / 3600, of_day / 60 % 60, of_day % 60);
-    format!(
-        "{year:04}-{:02}-{:02}T{hour:02}:{minute:02}:{second:02}Z",
-        month + 1,
-        day + 1
-    )
+    humantime::format_rfc3339_seconds(SystemTime::now()).to_string()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn dates_are_those_of_the_calendar() {
-        for (seconds, date) in [
-            (0, "1970-01-01T00:00:00Z"),
-            (951_782_400, "2000-02-29T00:00:00Z"),
-            (1_735_689_599, "2024-12-31T23:59:59Z"),
-            (4_107_542_400, "2100-03-01T00:00:00Z"),
-        ] {
-            assert_eq!(rfc_3339(seconds), date);
-        }
-    }
 
     #[test]
     fn a_machine_has_processors() {

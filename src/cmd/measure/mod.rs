@@ -46,32 +46,32 @@ Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130
 pub(super) struct MeasureArgs {
     /// Experiments (.toml)
     #[arg(required = true, value_name = "EXPERIMENT")]
-    experiments: Vec<PathBuf>,
+    pub(super) experiments: Vec<PathBuf>,
     /// Folder for the records and pictures
     #[arg(long, value_name = "DIR", default_value = "target/measure")]
-    out: PathBuf,
+    pub(super) out: PathBuf,
     /// Fewer pixels, values and rounds, as the experiments say
     #[arg(long)]
-    quick: bool,
+    pub(super) quick: bool,
     /// Measure again what has been measured
     #[arg(long)]
-    force: bool,
+    pub(super) force: bool,
     /// Remove records of points that the experiments no longer have
     #[arg(long)]
-    prune: bool,
+    pub(super) prune: bool,
     /// List what would be measured; needs no graphics adapter
     #[arg(long)]
-    dry_run: bool,
+    pub(super) dry_run: bool,
     /// Only the runs that are called so, and after a colon only the points, as in names of their files; * stands for anything
     #[arg(long, value_name = "RUN[:POINT]")]
-    only: Option<String>,
+    pub(super) only: Option<String>,
     /// Measured rounds, after one to warm up [default: as the experiments say]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    rounds: Option<u32>,
+    pub(super) rounds: Option<u32>,
     #[command(flatten)]
-    device: AdapterArgs,
+    pub(super) device: AdapterArgs,
     #[command(flatten)]
-    console: ConsoleArgs,
+    pub(super) console: ConsoleArgs,
 }
 
 /// Runs `measure`.

@@ -2,6 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig, PAD_INDIFFERENT};
+use base64::{Engine as _, alphabet};
+use percent_encoding::percent_decode_str;
+
 use crate::error::{Error, Result};
 use crate::load::input_file;
 
@@ -88,41 +92,17 @@ fn is_below(path: &Path, from: &Path) -> bool {
 
 /// `%20` and the like; anything else stays.
 pub(super) fn percent_decoded(text: &str) -> String {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let [first, more @ ..] = rest {
-        let hex = (*first == b'%')
-            .then(|| std::str::from_utf8(more.get(..2)?).ok())
-            .flatten()
-            .and_then(|hex| u8::from_str_radix(hex, 16).ok());
-        bytes.push(hex.unwrap_or(*first));
-        rest = if hex.is_some() { &more[2..] } else { more };
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
+    percent_decode_str(text).decode_utf8_lossy().into_owned()
 }
 
+/// Base64 of either alphabet, padded or not.
 fn from_base64(text: &str) -> Option<Vec<u8>> {
-    let text = text.trim_end_matches('=');
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let (mut held, mut bits) = (0_u32, 0);
-    for c in text.bytes() {
-        let six = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' | b'-' => 62,
-            b'/' | b'_' => 63,
-            _ => return None,
-        };
-        held = (held << 6) | u32::from(six);
-        bits += 6;
-        if bits >= 8 {
-            bits -= 8;
-            bytes.push((held >> bits) as u8);
-            held &= (1 << bits) - 1;
-        }
-    }
-    Some(bytes)
+    const LENIENT: GeneralPurposeConfig = PAD_INDIFFERENT.with_decode_allow_trailing_bits(true);
+    let alphabet = match text.contains(['-', '_']) {
+        true => &alphabet::URL_SAFE,
+        false => &alphabet::STANDARD,
+    };
+    GeneralPurpose::new(alphabet, LENIENT).decode(text).ok()
 }
 
 #[cfg(test)]
@@ -160,6 +140,8 @@ mod tests {
         assert_eq!(from_base64("TWFu").unwrap(), b"Man");
         assert_eq!(from_base64("TWE=").unwrap(), b"Ma");
         assert_eq!(from_base64("TQ==").unwrap(), b"M");
+        assert_eq!(from_base64("TQ").unwrap(), b"M");
+        assert_eq!(from_base64("-_8=").unwrap(), from_base64("+/8").unwrap());
         assert!(from_base64("T!").is_none());
         assert_eq!(percent_decoded("a%20b%zz%"), "a b%zz%");
     }

@@ -2,8 +2,9 @@
 //!
 //! Each clock has a scale of its own: building a structure once can take a thousand frames.
 
+use maud::{Markup, html};
+
 use super::{Cell, Grid};
-use crate::report::html::escape;
 use crate::report::text::milliseconds;
 
 /// Bars under each other.
@@ -47,54 +48,49 @@ impl Bars {
     }
 
     /// A table with a bar in each cell.
-    pub(super) fn html(&self) -> String {
-        let headings: String = (self.clocks.iter().enumerate())
-            .map(|(i, clock)| {
-                let longest = milliseconds(self.longest(i));
-                format!(
-                    "<th scope=\"col\">{} <small>full: {longest} ms</small></th>",
-                    escape(clock)
-                )
-            })
-            .collect();
-        let rows: String = self.bars.iter().map(|bar| self.row(bar)).collect();
-        format!(
-            "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"bars\">\n\
-             <thead><tr><th scope=\"col\">strategy</th>{headings}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
-            escape(&self.label)
-        )
+    pub(super) fn html(&self) -> Markup {
+        html! {
+            div.scroll tabindex="0" role="region" aria-label=(self.label) {
+                table.bars {
+                    thead {
+                        tr {
+                            th scope="col" { "strategy" }
+                            @for (i, clock) in self.clocks.iter().enumerate() {
+                                th scope="col" { (clock) " " small { "full: " (milliseconds(self.longest(i))) " ms" } }
+                            }
+                        }
+                    }
+                    tbody {
+                        @for bar in &self.bars { (self.row(bar)) "\n" }
+                    }
+                }
+            }
+        }
     }
 
-    fn row(&self, bar: &Bar) -> String {
-        let cells: String = (bar.segments.iter().enumerate())
-            .map(|(clock, segments)| {
-                let longest = self.longest(clock);
-                let sum = total(segments);
-                if sum <= 0.0 {
-                    return "<td class=\"faint\">nothing</td>".to_owned();
+    fn row(&self, bar: &Bar) -> Markup {
+        let width = |clock, ms| format!("width:{:.2}%", 100.0 * ms / self.longest(clock));
+        html! {
+            tr {
+                th scope="row" { (bar.name) }
+                @for (clock, segments) in bar.segments.iter().enumerate() {
+                    @let sum = total(segments);
+                    @if sum <= 0.0 {
+                        td.faint { "nothing" }
+                    } @else {
+                        td {
+                            div.bar {
+                                @for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.ms > 0.0) {
+                                    i class={ "s" (i % HUES) } style=(width(clock, s.ms))
+                                        title={ (s.name) ": " (milliseconds(s.ms)) " ms" } {}
+                                }
+                            }
+                            small { (milliseconds(sum)) " ms" }
+                        }
+                    }
                 }
-                let parts: String = (segments.iter().enumerate())
-                    .filter(|(_, s)| s.ms > 0.0)
-                    .map(|(i, s)| {
-                        format!(
-                            "<i class=\"s{}\" style=\"width:{:.2}%\" title=\"{}: {} ms\"></i>",
-                            i % HUES,
-                            100.0 * s.ms / longest,
-                            escape(&s.name),
-                            milliseconds(s.ms)
-                        )
-                    })
-                    .collect();
-                format!(
-                    "<td><div class=\"bar\">{parts}</div><small>{} ms</small></td>",
-                    milliseconds(sum)
-                )
-            })
-            .collect();
-        format!(
-            "<tr><th scope=\"row\">{}</th>{cells}</tr>\n",
-            escape(&bar.name)
-        )
+            }
+        }
     }
 
     /// The same as a table of words.
@@ -135,7 +131,7 @@ mod tests {
             clocks: vec!["frame".to_owned()],
             bars: vec![bar(&[1.0, 3.0]), bar(&[2.0]), bar(&[])],
         };
-        let page = bars.html();
+        let page = bars.html().into_string();
         for said in [
             "width:25.00%",
             "width:75.00%",

@@ -3,10 +3,9 @@
 //! Colours are classes of the page's style, so that they follow light and dark; a series has a colour and a shape, so that neither alone
 //! tells it apart. Each mark says what it is when it is pointed at, and in words for those who cannot see it.
 
-use std::fmt::Write as _;
+use maud::{Markup, html};
 
 use super::axis::{Scale, number};
-use crate::report::html::escape;
 
 /// Size of the drawing.
 const SIZE: [f64; 2] = [720.0, 400.0];
@@ -68,7 +67,7 @@ pub(crate) struct Mark {
 
 impl Chart {
     /// The drawing, without its title and legend.
-    pub(super) fn svg(&self) -> String {
+    pub(super) fn svg(&self) -> Markup {
         let marks = || self.series.iter().flat_map(|s| &s.marks);
         let [left, right, top, bottom] = FRAME;
         let scale = |i: usize, axis: &Axis, px: [f64; 2]| {
@@ -88,34 +87,26 @@ impl Chart {
             scale(0, &self.x, [left, right]),
             scale(1, &self.y, [bottom, top]),
         ];
-        let mut svg = format!(
-            "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n",
-            SIZE[0],
-            SIZE[1],
-            escape(&self.title)
-        );
-        self.draw_axes(&mut svg, &scales);
         let place = |at: [f64; 2]| [0, 1].map(|i| scales[i].place(at[i]));
-        if self.front.len() > 1 {
-            let points = polyline(self.front.iter().map(|p| place(*p)));
-            // Writing to a String cannot fail.
-            let _ = writeln!(svg, "<polyline class=\"front\" points=\"{points}\"/>");
-        }
-        for (index, series) in self.series.iter().enumerate() {
-            let _ = writeln!(svg, "<g class=\"c{}\">", index % COLORS);
-            if series.marks.len() > 1 {
-                let points = polyline(series.marks.iter().map(|m| place(m.at)));
-                let _ = writeln!(svg, "<polyline points=\"{points}\"/>");
+        html! {
+            svg viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } role="img" aria-label=(self.title) {
+                (self.axes(&scales))
+                @if self.front.len() > 1 {
+                    polyline.front points=(points(self.front.iter().map(|p| place(*p)))) {}
+                }
+                @for (index, series) in self.series.iter().enumerate() {
+                    g class={ "c" (index % COLORS) } {
+                        @if series.marks.len() > 1 {
+                            polyline points=(points(series.marks.iter().map(|m| place(m.at)))) {}
+                        }
+                        @for mark in &series.marks { (drawn(mark, index, &scales)) "\n" }
+                    }
+                }
             }
-            for mark in &series.marks {
-                draw_mark(&mut svg, mark, index, &scales);
-            }
-            svg.push_str("</g>\n");
         }
-        svg + "</svg>\n"
     }
 
-    fn draw_axes(&self, svg: &mut String, scales: &[Scale; 2]) {
+    fn axes(&self, scales: &[Scale; 2]) -> Markup {
         let [left, right, top, bottom] = FRAME;
         let ticks = |i: usize, axis: &Axis| -> Vec<(f64, String)> {
             if axis.categories.is_empty() {
@@ -124,103 +115,80 @@ impl Chart {
             let words = axis.categories.iter().enumerate();
             words.map(|(c, word)| (c as f64, word.clone())).collect()
         };
-        svg.push_str("<g class=\"axes\">\n");
-        for (value, word) in ticks(0, &self.x) {
-            let x = scales[0].place(value);
-            let _ = writeln!(
-                svg,
-                "<line class=\"grid\" x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"{top}\" y2=\"{bottom}\"/>\
-                 <text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                bottom + 18.0,
-                escape(&word)
-            );
-        }
-        for (value, word) in ticks(1, &self.y) {
-            let y = scales[1].place(value);
-            let _ = writeln!(
-                svg,
-                "<line class=\"grid\" x1=\"{left}\" x2=\"{right}\" y1=\"{y:.1}\" y2=\"{y:.1}\"/>\
-                 <text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-                left - 8.0,
-                y + 4.0,
-                escape(&word)
-            );
-        }
-        if let Some(y) = scales[1].zero_px {
-            let _ = writeln!(
-                svg,
-                "<line class=\"zero\" x1=\"{left}\" x2=\"{right}\" y1=\"{y}\" y2=\"{y}\"/>"
-            );
-        }
-        let _ = writeln!(
-            svg,
-            "<text class=\"label\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-            (left + right) * 0.5,
-            SIZE[1] - 14.0,
-            escape(&self.x.label)
-        );
         let middle = (top + bottom) * 0.5;
-        let _ = writeln!(
-            svg,
-            "<text class=\"label\" transform=\"translate(14 {middle}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n</g>",
-            escape(&self.y.label)
-        );
+        html! {
+            g.axes {
+                @for (value, word) in ticks(0, &self.x) {
+                    @let x = px(scales[0].place(value));
+                    line.grid x1=(x) x2=(x) y1=(top) y2=(bottom) {}
+                    text x=(x) y=(bottom + 18.0) text-anchor="middle" { (word) }
+                }
+                @for (value, word) in ticks(1, &self.y) {
+                    @let y = scales[1].place(value);
+                    line.grid x1=(left) x2=(right) y1=(px(y)) y2=(px(y)) {}
+                    text x=(left - 8.0) y=(px(y + 4.0)) text-anchor="end" { (word) }
+                }
+                @if let Some(y) = scales[1].zero_px {
+                    line.zero x1=(left) x2=(right) y1=(y) y2=(y) {}
+                }
+                text.label x=((left + right) * 0.5) y=(SIZE[1] - 14.0) text-anchor="middle" { (self.x.label) }
+                text.label transform={ "translate(14 " (middle) ") rotate(-90)" } text-anchor="middle" { (self.y.label) }
+            }
+        }
     }
 
     /// Names of the series with their marks.
-    pub(super) fn legend(&self) -> String {
-        let items = self.series.iter().enumerate().map(|(index, series)| {
-            format!(
-                "<li><svg viewBox=\"0 0 14 14\" class=\"c{}\" aria-hidden=\"true\">{}</svg>{}</li>\n",
-                index % COLORS,
-                shape([7.0, 7.0], index, false),
-                escape(&series.name)
-            )
-        });
-        format!(
-            "<ul class=\"legend\">\n{}</ul>\n",
-            items.collect::<String>()
-        )
+    pub(super) fn legend(&self) -> Markup {
+        html! {
+            ul.legend {
+                @for (index, series) in self.series.iter().enumerate() {
+                    li {
+                        svg viewBox="0 0 14 14" class={ "c" (index % COLORS) } aria-hidden="true" { (shape([7.0, 7.0], index, false)) }
+                        (series.name)
+                    }
+                }
+            }
+        }
     }
 }
 
-fn polyline(points: impl Iterator<Item = [f64; 2]>) -> String {
-    let words: Vec<String> = points.map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+/// A coordinate, to a tenth of a pixel.
+fn px(at: f64) -> String {
+    format!("{at:.1}")
+}
+
+fn points(all: impl Iterator<Item = [f64; 2]>) -> String {
+    let words: Vec<String> = all.map(|at| at.map(px).join(",")).collect();
     words.join(" ")
 }
 
-fn draw_mark(svg: &mut String, mark: &Mark, series: usize, scales: &[Scale; 2]) {
+fn drawn(mark: &Mark, series: usize, scales: &[Scale; 2]) -> Markup {
     let at = [0, 1].map(|i| scales[i].place(mark.at[i]));
-    let _ = writeln!(
-        svg,
-        "<g class=\"mark\" tabindex=\"0\"><title>{}</title>",
-        escape(&mark.title)
-    );
-    for i in [0, 1] {
-        if mark.spread[i] <= 0.0 {
-            continue;
-        }
-        let ends = [-1.0, 1.0].map(|side| {
+    let ends = |i: usize| {
+        [-1.0, 1.0].map(|side| {
             let mut end = at;
             end[i] = scales[i].place((mark.at[i] + side * mark.spread[i]).max(0.0));
-            end
-        });
-        let _ = writeln!(
-            svg,
-            "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>",
-            ends[0][0], ends[0][1], ends[1][0], ends[1][1]
-        );
+            end.map(px)
+        })
+    };
+    html! {
+        g.mark tabindex="0" {
+            title { (mark.title) }
+            @for i in [0, 1].into_iter().filter(|i| mark.spread[*i] > 0.0) {
+                @let [a, b] = ends(i);
+                line x1=(a[0]) y1=(a[1]) x2=(b[0]) y2=(b[1]) {}
+            }
+            (shape(at, series, mark.is_doubtful))
+        }
     }
-    svg.push_str(&shape(at, series, mark.is_doubtful));
-    svg.push_str("</g>\n");
 }
 
 /// The shape of a series: circle, square, diamond or triangle, another one after all colours are used.
-fn shape([x, y]: [f64; 2], series: usize, is_hollow: bool) -> String {
+fn shape([x, y]: [f64; 2], series: usize, is_hollow: bool) -> Markup {
     let r = RADIUS;
-    let class = if is_hollow { " class=\"hollow\"" } else { "" };
+    let class = is_hollow.then_some("hollow");
     let path = match (series / COLORS + series) % 4 {
-        0 => return format!("<circle{class} cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r}\"/>"),
+        0 => return html! { circle class=[class] cx=(px(x)) cy=(px(y)) r=(r) {} },
         1 => format!("M{:.1} {:.1}h{d}v{d}h-{d}z", x - r, y - r, d = 2.0 * r),
         2 => format!(
             "M{x:.1} {:.1}l{s} {s}l-{s} {s}l-{s} -{s}z",
@@ -235,7 +203,7 @@ fn shape([x, y]: [f64; 2], series: usize, is_hollow: bool) -> String {
             b = r * 2.4
         ),
     };
-    format!("<path{class} d=\"{path}\"/>")
+    html! { path class=[class] d=(path) {} }
 }
 
 /// Words of a value, for titles of marks.
@@ -281,7 +249,7 @@ mod tests {
 
     #[test]
     fn every_mark_is_drawn_with_its_title_and_spread() {
-        let svg = chart().svg();
+        let svg = chart().svg().into_string();
         assert_eq!(svg.matches("class=\"mark\"").count(), 4);
         assert_eq!(svg.matches("<title>").count(), 4);
         assert_eq!(svg.matches("class=\"front\"").count(), 1);
@@ -291,13 +259,13 @@ mod tests {
             svg.contains("&lt;2&gt;") && svg.contains("a &amp; b"),
             "{svg}"
         );
-        assert!(chart().legend().contains("&lt;two&gt;"));
+        assert!(chart().legend().into_string().contains("&lt;two&gt;"));
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }
 
     #[test]
     fn an_empty_chart_is_drawn() {
-        let svg = Chart::default().svg();
-        assert!(!svg.contains("NaN") && svg.ends_with("</svg>\n"), "{svg}");
+        let svg = Chart::default().svg().into_string();
+        assert!(!svg.contains("NaN") && svg.ends_with("</svg>"), "{svg}");
     }
 }

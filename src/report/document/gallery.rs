@@ -1,6 +1,8 @@
 //! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
 
-use super::super::html::{base64, escape};
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use maud::{Markup, html};
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
@@ -42,59 +44,52 @@ pub(crate) enum Source {
 impl Shot {
     fn url(&self) -> String {
         match &self.source {
-            Source::Inside(png) => format!("data:image/png;base64,{}", base64(png)),
+            Source::Inside(png) => {
+                format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png))
+            }
             Source::Beside => encoded(&self.link),
         }
     }
 }
 
+/// Bytes that a path in an address has as they are.
+const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
+    .remove(b'/')
+    .remove(b'.')
+    .remove(b'-')
+    .remove(b'_')
+    .remove(b'~');
+
 /// A path as the address of a link.
 pub(super) fn encoded(path: &str) -> String {
-    let mut url = String::new();
-    for byte in path.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => {
-                url.push(char::from(byte));
-            }
-            _ => url.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    url
+    utf8_percent_encode(path, PLAIN).to_string()
 }
 
 impl Gallery {
     /// The pictures under each other; the script makes a slider of them.
-    pub(super) fn html(&self) -> String {
-        let shots: String = self.shots.iter().map(figure).collect();
-        let colors: String = (self.legend.iter())
-            .map(|(color, name)| {
-                format!(
-                    "<li><i style=\"background:{}\"></i>{}</li>\n",
-                    escape(color),
-                    escape(name)
-                )
-            })
-            .collect();
-        let legend = if self.legend.is_empty() {
-            String::new()
-        } else {
-            format!("<ul class=\"legend\" aria-label=\"colours of heat maps\">\n{colors}</ul>\n")
-        };
+    pub(super) fn html(&self) -> Markup {
         let [left, right] = self.opens_at;
-        format!(
-            "<div class=\"gallery\" role=\"group\" data-left=\"{left}\" data-right=\"{right}\" aria-label=\"{}\">\n{legend}<div class=\"shots\">\n{shots}</div>\n</div>\n",
-            escape(&self.label)
-        )
+        html! {
+            div.gallery role="group" data-left=(left) data-right=(right) aria-label=(self.label) {
+                @if !self.legend.is_empty() {
+                    ul.legend aria-label="colours of heat maps" {
+                        @for (color, name) in &self.legend {
+                            li { i style={ "background:" (color) } {} (name) }
+                        }
+                    }
+                }
+                div.shots {
+                    @for shot in &self.shots {
+                        figure {
+                            img loading="lazy" alt=(shot.name) src=(shot.url());
+                            figcaption { b { (shot.name) } " " (shot.caption) }
+                        }
+                        "\n"
+                    }
+                }
+            }
+        }
     }
-}
-
-fn figure(shot: &Shot) -> String {
-    let name = escape(&shot.name);
-    format!(
-        "<figure><img loading=\"lazy\" alt=\"{name}\" src=\"{}\"><figcaption><b>{name}</b> {}</figcaption></figure>\n",
-        shot.url(),
-        escape(&shot.caption)
-    )
 }
 
 #[cfg(test)]
@@ -119,7 +114,7 @@ mod tests {
             shots: vec![shot(Source::Inside(b"foo".to_vec())), shot(Source::Beside)],
             ..Gallery::default()
         };
-        let page = gallery.html();
+        let page = gallery.html().into_string();
         assert!(page.contains("data:image/png;base64,Zm9v"), "{page}");
         assert!(page.contains("src=\"x/exact.png\""), "{page}");
         assert!(!page.contains("<exact>"), "{page}");

@@ -1,7 +1,5 @@
 //! A table whose cells have a tone, a longer story, and a value to sort by.
 
-use crate::report::Table;
-
 /// How grave something is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Tone {
@@ -101,14 +99,5 @@ impl Grid {
         let mut cells: Vec<Cell> = cells.into_iter().map(Into::into).collect();
         cells.resize(self.heading.len(), Cell::default());
         self.rows.push(cells);
-    }
-
-    /// The texts alone.
-    pub(super) fn to_table(&self) -> Table {
-        let words =
-            |cells: &[Cell]| -> Vec<String> { cells.iter().map(|c| c.text.clone()).collect() };
-        let mut table = Table::new(words(&self.heading));
-        self.rows.iter().for_each(|r| table.row(words(r)));
-        table
     }
 }

@@ -1,10 +1,11 @@
 //! A report as one HTML file: style, script and pictures are in it, and nothing is fetched.
 //!
-//! Everything is there without the script, which adds sorting, copying and the slider. All words are escaped here or by whoever draws a
-//! block; none are trusted.
+//! Everything is there without the script, which adds sorting, copying and the slider. The template escapes all words; what goes in as it
+//! is was made of words by a template, or tamed by [`super::prose`].
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::{Block, Cell, Document, Grid, stretches};
-use crate::report::html::escape;
 
 const PAGE_STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
@@ -15,20 +16,28 @@ const LONG_CELL: usize = 60;
 /// The report as a page.
 pub(crate) fn html(document: &Document) -> String {
     let mut anchors = Anchors::default();
-    let mut body = String::new();
-    for block in &document.blocks {
-        write(&mut body, block, &mut anchors);
-    }
-    let title = escape(&document.title);
-    let links: String = anchors.links();
-    format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n\
-         <title>{title}</title>\n<style>\n{PAGE_STYLE}</style>\n</head>\n<body>\n\
-         <header><h1>{title}</h1>\n<nav aria-label=\"sections\">\n{links}</nav></header>\n<main>\n{body}</main>\n\
-         <script>\n{SCRIPT}</script>\n</body>\n</html>\n"
-    )
+    let body = all(&document.blocks, &mut anchors);
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                link rel="icon" href="data:,";
+                title { (document.title) }
+                style { (PreEscaped(PAGE_STYLE)) }
+            }
+            body {
+                header {
+                    h1 { (document.title) }
+                    nav aria-label="sections" { (anchors.links()) }
+                }
+                main { (body) }
+                script { (PreEscaped(SCRIPT)) }
+            }
+        }
+    };
+    page.into_string()
 }
 
 /// Headings so far, with their anchors.
@@ -57,129 +66,111 @@ impl Anchors {
     }
 
     /// Links to the sections and to what is right below them.
-    fn links(&self) -> String {
-        let shown = self.0.iter().filter(|(level, ..)| *level <= 3);
-        shown
-            .map(|(level, id, text)| {
-                let class = if *level > 2 { " class=\"deep\"" } else { "" };
-                format!("<a{class} href=\"#{id}\">{}</a>\n", escape(text))
-            })
-            .collect()
+    fn links(&self) -> Markup {
+        html! {
+            @for (level, id, text) in self.0.iter().filter(|(level, ..)| *level <= 3) {
+                a class=[(*level > 2).then_some("deep")] href={ "#" (id) } { (text) } "\n"
+            }
+        }
     }
 }
 
-fn write(page: &mut String, block: &Block, anchors: &mut Anchors) {
+fn all(blocks: &[Block], anchors: &mut Anchors) -> Markup {
+    html! {
+        @for block in blocks { (one(block, anchors)) "\n" }
+    }
+}
+
+fn one(block: &Block, anchors: &mut Anchors) -> Markup {
     match block {
         Block::Heading(level, text) => {
-            let id = anchors.add(*level, text);
-            page.push_str(&format!(
-                "<h{level} id=\"{id}\">{}</h{level}>\n",
-                inline(text)
-            ));
+            let (id, text) = (anchors.add(*level, text), inline(text));
+            html! {
+                @match level {
+                    2 => { h2 id=(id) { (text) } }
+                    3 => { h3 id=(id) { (text) } }
+                    4 => { h4 id=(id) { (text) } }
+                    _ => { h5 id=(id) { (text) } }
+                }
+            }
         }
-        Block::Text(text) => page.push_str(&format!("<p>{}</p>\n", inline(text))),
-        Block::Prose(text) => {
-            let prose = super::prose::prose(text);
-            page.push_str(&format!("<div class=\"prose\">\n{prose}</div>\n"));
-        }
-        Block::Grid(table) => page.push_str(&grid(table)),
+        Block::Text(text) => html! { p { (inline(text)) } },
+        Block::Prose(text) => html! { div.prose { (PreEscaped(super::prose::prose(text))) } },
+        Block::Grid(table) => grid(table),
         Block::Notice(tone, text) => {
-            let (tone, text) = (tone.name(), inline(text));
-            page.push_str(&format!("<p class=\"notice {tone}\">{text}</p>\n"));
+            html! { p class={ "notice " (tone.name()) } { (inline(text)) } }
         }
-        Block::Command(text) => {
-            let text = escape(text);
-            page.push_str(&format!("<div class=\"command\"><pre>{text}</pre></div>\n"));
-        }
-        Block::Chart(chart) => {
-            let note = chart
-                .note
-                .as_ref()
-                .map(|n| format!("<p>{}</p>\n", inline(n)));
-            page.push_str(&format!(
-                "<figure class=\"chart\">\n<figcaption>{}</figcaption>\n\
-                 <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"chart\">\n{}</div>\n{}{}</figure>\n",
-                inline(&chart.title),
-                chart.svg(),
-                chart.legend(),
-                note.unwrap_or_default()
-            ));
-        }
-        Block::Bars(bars) => page.push_str(&bars.html()),
-        Block::Gallery(gallery) => page.push_str(&gallery.html()),
+        Block::Command(text) => html! { div.command { pre { (text) } } },
+        Block::Chart(chart) => html! {
+            figure.chart {
+                figcaption { (inline(&chart.title)) }
+                div.scroll tabindex="0" role="region" aria-label="chart" { (chart.svg()) }
+                (chart.legend())
+                @if let Some(note) = &chart.note { p { (inline(note)) } }
+            }
+        },
+        Block::Bars(bars) => bars.html(),
+        Block::Gallery(gallery) => gallery.html(),
         Block::Folded {
             summary,
             open,
             blocks,
-        } => {
-            let open = if *open { " open" } else { "" };
-            let summary = inline(summary);
-            page.push_str(&format!("<details{open}><summary>{summary}</summary>\n"));
-            for block in blocks {
-                write(page, block, anchors);
+        } => html! {
+            details open[*open] {
+                summary { (inline(summary)) }
+                (all(blocks, anchors))
             }
-            page.push_str("</details>\n");
+        },
+    }
+}
+
+/// Words with code between backticks.
+fn inline(text: &str) -> Markup {
+    html! {
+        @for (is_code, piece) in stretches(text) {
+            @if is_code { code { (piece) } } @else { (piece) }
         }
     }
 }
 
-/// Escaped words with code between backticks.
-fn inline(text: &str) -> String {
-    stretches(text)
-        .map(|(is_code, piece)| match is_code {
-            true => format!("<code>{}</code>", escape(piece)),
-            false => escape(piece),
-        })
-        .collect()
-}
-
-fn grid(grid: &Grid) -> String {
+fn grid(grid: &Grid) -> Markup {
     // A column of numbers is aligned as such, heading and gaps included.
     let is_number = |column: usize| grid.rows.iter().any(|row| row[column].key.is_some());
-    let headings: String = (grid.heading.iter().enumerate())
-        .map(|(column, cell)| {
-            let class = if is_number(column) {
-                " class=\"number\""
-            } else {
-                ""
-            };
-            format!(
-                "<th scope=\"col\"{class}{}>{}</th>",
-                title(cell),
-                inline(&cell.text)
-            )
-        })
-        .collect();
-    let rows: String = grid.rows.iter().map(|row| self::row(row)).collect();
-    format!(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"grid\">\n\
-         <thead><tr>{headings}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
-        escape(&grid.label)
-    )
+    html! {
+        div.scroll tabindex="0" role="region" aria-label=(grid.label) {
+            table.grid {
+                thead {
+                    tr {
+                        @for (column, cell) in grid.heading.iter().enumerate() {
+                            @let class = is_number(column).then_some("number");
+                            th scope="col" class=[class] title=[&cell.title] { (inline(&cell.text)) }
+                        }
+                    }
+                }
+                tbody {
+                    @for cells in &grid.rows { (row(cells)) "\n" }
+                }
+            }
+        }
+    }
 }
 
-fn title(cell: &Cell) -> String {
-    let title = cell.title.as_ref();
-    title.map_or_else(String::new, |t| format!(" title=\"{}\"", escape(t)))
-}
-
-fn row(cells: &[Cell]) -> String {
-    let cells = cells.iter().enumerate().map(|(i, cell)| {
-        let key = cell.key.filter(|k| k.is_finite());
-        let key = key.map_or_else(String::new, |k| format!(" data-key=\"{k}\""));
-        let words = match cell.key {
-            Some(_) => " number",
-            None if cell.text.chars().count() > LONG_CELL => " words",
-            None => "",
-        };
-        let tag = if i == 0 { "th scope=\"row\"" } else { "td" };
-        format!(
-            "<{tag} class=\"{}{words}\"{key}{}>{}</{}>",
-            cell.tone.name(),
-            title(cell),
-            inline(&cell.text),
-            if i == 0 { "th" } else { "td" }
-        )
-    });
-    format!("<tr>{}</tr>\n", cells.collect::<String>())
+fn row(cells: &[Cell]) -> Markup {
+    let class = |cell: &Cell| match cell.key {
+        Some(_) => format!("{} number", cell.tone.name()),
+        None if cell.text.chars().count() > LONG_CELL => format!("{} words", cell.tone.name()),
+        None => cell.tone.name().to_owned(),
+    };
+    html! {
+        tr {
+            @for (i, cell) in cells.iter().enumerate() {
+                @let key = cell.key.filter(|k| k.is_finite());
+                @if i == 0 {
+                    th scope="row" class=(class(cell)) data-key=[key] title=[&cell.title] { (inline(&cell.text)) }
+                } @else {
+                    td class=(class(cell)) data-key=[key] title=[&cell.title] { (inline(&cell.text)) }
+                }
+            }
+        }
+    }
 }

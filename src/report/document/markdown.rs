@@ -1,7 +1,6 @@
 //! A report as Markdown, as code forges show it.
 
-use super::{Block, Document, Gallery, gallery};
-use crate::report::markdown::words;
+use super::{Block, Cell, Document, Gallery, Grid, gallery, stretches};
 
 /// The report as text.
 pub(crate) fn markdown(document: &Document) -> String {
@@ -23,7 +22,7 @@ fn write(text: &mut String, blocks: &[Block]) {
                 let prose = super::prose::without_html(prose.trim());
                 text.push_str(&format!("{prose}\n"));
             }
-            Block::Grid(grid) => text.push_str(&grid.to_table().to_markdown()),
+            Block::Grid(grid) => text.push_str(&table(grid)),
             Block::Notice(tone, notice) => {
                 text.push_str(&format!("> **{}**: {}\n", mood(*tone), words(notice)));
             }
@@ -38,7 +37,7 @@ fn write(text: &mut String, blocks: &[Block]) {
                     words(note)
                 ));
             }
-            Block::Bars(bars) => text.push_str(&bars.grid().to_table().to_markdown()),
+            Block::Bars(bars) => text.push_str(&table(&bars.grid())),
             Block::Gallery(gallery) => pictures(text, gallery),
             Block::Folded {
                 summary, blocks, ..
@@ -48,6 +47,44 @@ fn write(text: &mut String, blocks: &[Block]) {
             }
         }
     }
+}
+
+/// Words in which nothing is markup but the code between backticks.
+fn words(text: &str) -> String {
+    stretches(text)
+        .map(|(is_code, piece)| match is_code {
+            true => format!("`{piece}`"),
+            false => escaped(piece),
+        })
+        .collect()
+}
+
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => escaped.push_str("&lt;"),
+            '&' => escaped.push_str("&amp;"),
+            '\\' | '*' | '[' | ']' | '`' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            '\n' => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// A table of GitHub's Markdown: the first column to the left, the others to the right.
+fn table(grid: &Grid) -> String {
+    let line = |cells: &[Cell]| {
+        let cells = cells.iter().map(|c| words(&c.text).replace('|', "\\|"));
+        format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
+    };
+    let others = "---:|".repeat(grid.heading.len().saturating_sub(1));
+    let rows: String = grid.rows.iter().map(|row| line(row)).collect();
+    format!("{}|---|{others}\n{rows}", line(&grid.heading))
 }
 
 fn mood(tone: super::Tone) -> &'static str {
@@ -80,6 +117,24 @@ fn pictures(text: &mut String, gallery: &Gallery) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_are_no_markup() {
+        assert_eq!(words("a <b> *c* `d<e`"), "a &lt;b> \\*c\\* `d<e`");
+        assert_eq!(words("one ` alone"), "one \\` alone");
+        assert_eq!(words("&lt; \\*"), "&amp;lt; \\\\\\*");
+    }
+
+    #[test]
+    fn columns_are_kept_apart() {
+        let mut grid = Grid::new("", ["name", "µ"]);
+        grid.row(["a|<b", "1"]);
+        grid.row(["longer"]);
+        assert_eq!(
+            table(&grid),
+            "| name | µ |\n|---|---:|\n| a\\|&lt;b | 1 |\n| longer |  |\n"
+        );
+    }
 
     #[test]
     fn commands_stay_in_their_fence() {

@@ -1,5 +1,6 @@
 //! Small glTF documents, put together as text with their numbers in a data URI.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use cutaway::load::{Loaded, load_mesh_file};
 use serde_json::{Value, json};
 
@@ -108,7 +109,7 @@ impl Document {
         let mut json = self.json.clone();
         let uri = format!(
             "data:application/octet-stream;base64,{}",
-            base64(&self.bytes)
+            BASE64_STANDARD.encode(&self.bytes)
         );
         json["buffers"] = json!([{"byteLength": self.bytes.len(), "uri": uri}]);
         json.to_string()
@@ -122,25 +123,6 @@ impl Document {
         let folder = Scratch::new("mesh");
         load_mesh_file(&folder.write("motion.gltf", self.text().as_bytes()))
     }
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for three in bytes.chunks(3) {
-        let mut word = [0; 3];
-        word[..three.len()].copy_from_slice(three);
-        let word = u32::from_be_bytes([0, word[0], word[1], word[2]]);
-        for k in 0..4 {
-            let digit = DIGITS[(word >> (18 - 6 * k)) as usize & 63];
-            text.push(if k <= three.len() {
-                char::from(digit)
-            } else {
-                '='
-            });
-        }
-    }
-    text
 }
 
 /// Corners of the unit cube and its triangles.
