@@ -1,8 +1,10 @@
 //! Where bytes come from: the disk, or the memory of a host that has no disk, such as a page of a browser.
 //!
-//! All that loaders and scene documents read they read whole, by path, through [`Files`]. Besides, only the files that numbered frames
-//! consist of are asked for by name. A host that has to fetch files first learns their names from
+//! All that loaders and scene documents read they read whole, by path, through [`Files`]. Besides they only ask whether there is a file of
+//! some name; no folder is listed. A host that has to fetch files first learns their names from
 //! [`Document::files`](crate::Document::files).
+//!
+//! Cost: one file in memory at a time for each thread that reads; what is in memory already is lent, not copied.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -27,8 +29,8 @@ pub trait Files: fmt::Debug + Send + Sync {
     /// Whether there is a file of this name.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Whether `path`, by its name in the folder of the file `from` or below, leads out of there all the same: by links, of which
-    /// there usually are none.
+    /// Whether `path`, by its name in the folder of the file `from` or below, leads out of there all the same, by links. A store without
+    /// links leaves this as it is.
     fn leads_out(&self, _path: &Path, _from: &Path) -> bool {
         false
     }
