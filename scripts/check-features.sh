@@ -24,8 +24,10 @@ echo "library without features: $count crates beneath it, at most $most"
 [ "$count" -le "$most" ]
 
 if rustup target add wasm32-unknown-unknown 2>/dev/null; then
-    echo "library for a browser"
-    $cargo check --quiet --lib --no-default-features --target wasm32-unknown-unknown
+    echo "library for a browser, without features and with io"
+    for features in "" io; do
+        $cargo check --quiet --lib --no-default-features --features "$features" --target wasm32-unknown-unknown
+    done
 else
     echo "NOT CHECKED: whether the library compiles for a browser (rustup has no target wasm32-unknown-unknown here)" >&2
 fi

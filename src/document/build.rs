@@ -24,6 +24,7 @@ use super::read;
 use super::spec::{self, Entries};
 use crate::error::{Error, Result};
 use crate::generate::defects::Defect;
+use crate::load::Assets;
 use crate::scene::{Bounds, ClipSurface, Up};
 
 pub(super) type Table = Vec<(Arc<str>, Node)>;
@@ -221,6 +222,15 @@ impl SurfaceDraft {
     ///
     /// Words that make no sense, or that make no surface beside such bounds.
     pub fn on(self, bounds: &Bounds) -> Result<ClipSurface> {
+        self.on_from(bounds, &mut Assets::default())
+    }
+
+    /// The clip-surface itself, with the images of a host.
+    ///
+    /// # Errors
+    ///
+    /// As of [`SurfaceDraft::on`].
+    pub fn on_from(self, bounds: &Bounds, assets: &mut Assets) -> Result<ClipSurface> {
         if let Some(fault) = self.fault {
             return Err(fault);
         }
@@ -234,7 +244,7 @@ impl SurfaceDraft {
             value: Value::Table(table),
             origin: self.origin,
         };
-        read::surface(&surface, &reliefs, bounds, Up::PlusY)
+        read::surface(&surface, &reliefs, (bounds, Up::PlusY), assets)
     }
 }
 

@@ -6,23 +6,23 @@ use std::path::{Path, PathBuf};
 use super::Document;
 use super::node::{Node, Place, Value};
 use crate::error::Result;
-use crate::load::companions;
 use crate::load::frames::Pattern;
+use crate::load::{Files, companions};
 
 impl Document {
     /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. Whether any is
-    /// there is not asked.
-    pub fn files(&self) -> Vec<PathBuf> {
+    /// there is not asked: where files are fetched one after another, it is asked for again until nothing is missing.
+    pub fn files(&self, store: &dyn Files) -> Vec<PathBuf> {
         let mut files = Vec::new();
         for Named { name, first, .. } in names(&self.root) {
             let path = self.folder().join(name);
             let pattern = Pattern::parse(name).map(|p| p.inside(self.folder()));
             let numbered = match pattern {
-                Ok(pattern) if !path.is_file() => pattern.files(first).ok(),
+                Ok(pattern) if !store.is_file(&path) => pattern.files(first, store).ok(),
                 _ => None,
             };
             for path in numbered.map_or_else(|| vec![path], |(files, _)| files) {
-                files.extend(companions(&path));
+                files.extend(companions(&path, store));
                 files.push(path);
             }
         }
@@ -150,6 +150,7 @@ fn folder(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::load::Disk;
 
     #[test]
     fn numbered_files_begin_where_the_document_says() {
@@ -161,7 +162,7 @@ mod tests {
         }
         let text = "part = [{ mesh = \"w_%d.stl\", first = 7 }]";
         let document = Document::parse(folder.join("scene.toml"), text).expect("a document");
-        assert_eq!(document.files(), frames);
+        assert_eq!(document.files(&Disk), frames);
         fs::remove_dir_all(&folder).expect("a folder");
     }
 

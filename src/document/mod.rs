@@ -51,7 +51,7 @@ pub use read::{Background, Interpolation, Key, Settings};
 pub use timeline::Timeline;
 
 use crate::error::{Error, Result};
-use crate::load::{Assets, input_file};
+use crate::load::{Assets, Disk, Files, input_file};
 use crate::scene::Scene;
 
 /// The tree of a scene.
@@ -85,14 +85,25 @@ impl Document {
         }
     }
 
-    /// Reads a file.
+    /// Reads a file from disk.
     ///
     /// # Errors
     ///
     /// A file that cannot be read or is no TOML, with its line.
     pub fn read(path: &Path) -> Result<Self> {
-        let text = String::from_utf8(input_file::read(path)?).map_err(|e| {
-            let what = format!("byte {} is not text in UTF-8", e.utf8_error().valid_up_to());
+        Self::read_from(path, &Disk)
+    }
+
+    /// Reads a file from where a host has it. What it names is read when it is opened: through
+    /// [`Assets::from_files`].
+    ///
+    /// # Errors
+    ///
+    /// As of [`Document::read`].
+    pub fn read_from(path: &Path, store: &dyn Files) -> Result<Self> {
+        let bytes = input_file::read(path, store)?;
+        let text = std::str::from_utf8(&bytes).map_err(|e| {
+            let what = format!("byte {} is not text in UTF-8", e.valid_up_to());
             Error::file(path, what, "save the scene file as TOML text in UTF-8")
         })?;
         // Editors on Windows put a byte order mark before the text.
@@ -181,9 +192,9 @@ impl Document {
     /// # Errors
     ///
     /// As of [`Document::timeline`].
-    pub fn check(&self) -> Result<()> {
+    pub fn check(&self, assets: &Assets) -> Result<()> {
         let root = read::root(self.path(), &self.root, None)?;
-        read::check(&root, self.folder())
+        read::check(&root, self.folder(), assets)
     }
 
     /// Opens all that it names, and checks all that it says, keys at their times and between them.

@@ -7,6 +7,7 @@
 use std::path::Path;
 
 use crate::document::Document;
+use crate::load::Disk;
 
 /// Hash by Fowler, Noll and Vo (FNV-1a, 64 bits): the same on all machines and with all compilers, and written in three lines.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +44,7 @@ impl Identity {
     /// Adds a document, with the files that it names.
     pub fn add_document(&mut self, document: &Document) {
         self.add(document.to_string());
-        for file in document.files() {
+        for file in document.files(&Disk) {
             self.add_file(&file);
         }
     }

@@ -1,7 +1,8 @@
 //! What documents name, read once and shared: meshes, built-in shapes, height maps.
 //!
-//! A file is read when it is first asked for and stays in memory; whoever asks again gets the same [`Arc`]s. A program that has a
-//! mesh already puts it in under the name that documents call it by. What changes on disk is not noticed: take new assets then.
+//! A file is read when it is first asked for, from disk or from the [`Files`] of a host, and what it holds stays in memory; whoever asks
+//! again gets the same [`Arc`]s. A program that has a mesh already puts it in under the name that documents call it by. Files that
+//! change are not noticed: take new assets then.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,21 +10,43 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::image::read_offset_map;
-use super::{Loaded, load_mesh_file};
+use super::image::read_offset_map_from;
+use super::{Disk, Files, Loaded, load_mesh_file_from};
 use crate::error::Result;
 use crate::generate::shapes::shape;
 use crate::scene::{OffsetMap, Part};
 
 /// Meshes, shapes and height maps by name.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Assets {
+    store: Arc<dyn Files>,
     meshes: BTreeMap<PathBuf, Loaded>,
     shapes: BTreeMap<String, Vec<Part>>,
     images: BTreeMap<PathBuf, Arc<OffsetMap>>,
 }
 
+impl Default for Assets {
+    fn default() -> Self {
+        Self::from_files(Arc::new(Disk))
+    }
+}
+
 impl Assets {
+    /// Assets whose files are not those of the disk.
+    pub fn from_files(store: Arc<dyn Files>) -> Self {
+        Self {
+            store,
+            meshes: BTreeMap::new(),
+            shapes: BTreeMap::new(),
+            images: BTreeMap::new(),
+        }
+    }
+
+    /// Where files are read from.
+    pub(crate) fn store(&self) -> &dyn Files {
+        &*self.store
+    }
+
     /// Puts parts in the place of a mesh file, under the path that a document comes to: its folder and the name that it says.
     pub fn insert_mesh(&mut self, path: impl Into<PathBuf>, mesh: impl Into<Loaded>) {
         self.meshes.insert(path.into(), mesh.into());
@@ -39,16 +62,16 @@ impl Assets {
         self.images.insert(path.into(), map.into());
     }
 
-    /// Whether there is a mesh of this name, in memory or on disk.
+    /// Whether there is a mesh of this name, put in or to be read.
     pub fn has_mesh(&self, path: &Path) -> bool {
-        self.meshes.contains_key(path) || path.is_file()
+        self.meshes.contains_key(path) || self.store.is_file(path)
     }
 
     /// What a mesh file holds.
     ///
     /// # Errors
     ///
-    /// As of [`load_mesh_file`].
+    /// As of [`load_mesh_file`](super::load_mesh_file).
     pub fn mesh(&mut self, path: &Path) -> Result<&Loaded> {
         self.read_meshes(&[path.to_owned()])?;
         Ok(&self.meshes[path])
@@ -58,12 +81,12 @@ impl Assets {
     ///
     /// # Errors
     ///
-    /// As of [`load_mesh_file`], of the first that cannot be read.
+    /// As of [`load_mesh_file`](super::load_mesh_file), of the first that cannot be read.
     pub fn read_meshes(&mut self, paths: &[PathBuf]) -> Result<()> {
         let missing = paths
             .par_iter()
             .filter(|path| !self.meshes.contains_key(*path));
-        let read = missing.map(|path| Ok((path.clone(), load_mesh_file(path)?)));
+        let read = missing.map(|path| Ok((path.clone(), load_mesh_file_from(path, &*self.store)?)));
         let read: Vec<_> = read.collect::<Result<_>>()?;
         self.meshes.extend(read);
         Ok(())
@@ -85,10 +108,10 @@ impl Assets {
     ///
     /// # Errors
     ///
-    /// As of [`read_offset_map`].
+    /// As of [`read_offset_map`](super::read_offset_map).
     pub fn image(&mut self, path: &Path) -> Result<&Arc<OffsetMap>> {
         if !self.images.contains_key(path) {
-            let map = read_offset_map(path)?;
+            let map = read_offset_map_from(path, &*self.store)?;
             self.images.insert(path.to_owned(), Arc::new(map));
         }
         Ok(&self.images[path])

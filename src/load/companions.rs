@@ -4,24 +4,24 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{format_and_stem, gltf, input_file, mtl};
+use super::{Files, format_and_stem, gltf, input_file, mtl};
 
 /// The files that a mesh file names, beside it. None if it cannot be read.
-pub fn companions(path: &Path) -> Vec<PathBuf> {
+pub fn companions(path: &Path, store: &dyn Files) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let format = format_and_stem(path).map(|(format, _)| format);
-    let names = match format.as_deref() {
-        Ok("gltf" | "glb") => gltf::named_buffers,
-        Ok("obj") => mtl::libraries,
-        _ => return Vec::new(),
-    };
-    let bytes = input_file::read_unpacked(path);
-    bytes.map_or_else(|_| Vec::new(), |bytes| names(folder, &bytes))
+    let bytes = || input_file::read_unpacked(path, store).unwrap_or_default();
+    match format.as_deref() {
+        Ok("gltf" | "glb") => gltf::named_buffers(folder, &bytes()),
+        Ok("obj") => mtl::libraries(folder, &bytes(), store),
+        _ => Vec::new(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::load::Disk;
     use std::fs;
 
     #[test]
@@ -45,7 +45,7 @@ mod tests {
             let path = folder.join(name);
             fs::write(&path, bytes).expect("a file");
             let expected: Vec<PathBuf> = expected.iter().map(|name| folder.join(name)).collect();
-            assert_eq!(companions(&path), expected, "{name}");
+            assert_eq!(companions(&path, &Disk), expected, "{name}");
         }
         fs::remove_dir_all(&folder).expect("a folder");
     }

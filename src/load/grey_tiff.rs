@@ -2,9 +2,7 @@
 //!
 //! Floats are heights as they are; whole numbers are divided by the greatest of their type, so that signed ones reach from -1 to 1.
 
-use std::fs::File;
-use std::io::BufReader;
-use std::path::Path;
+use std::io::Cursor;
 
 use tiff::ColorType;
 use tiff::decoder::{Decoder, DecodingResult};
@@ -15,9 +13,8 @@ use crate::scene::relief::MAX_TEXELS;
 pub(super) type Heights = ([u32; 2], Vec<f32>);
 
 /// The heights of a grey TIFF; none of one in colour, and the reason where it cannot be decoded.
-pub(super) fn read(path: &Path) -> Result<Option<Heights>, String> {
-    let file = File::open(path).map_err(|e| e.to_string())?;
-    let mut decoder = Decoder::new(BufReader::new(file)).map_err(|e| e.to_string())?;
+pub(super) fn read(bytes: &[u8]) -> Result<Option<Heights>, String> {
+    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
     let (width, height) = decoder.dimensions().map_err(|e| e.to_string())?;
     match decoder.colortype().map_err(|e| e.to_string())? {
         // One bit is packed, which `image` unpacks.

@@ -4,30 +4,46 @@
 //! sRGB curve of a PNG plays no part. Colour becomes luma (Rec. 709 weights), alpha is ignored. Float files (EXR, TIFF of
 //! 16, 32 or 64 bits) give their values as they are. The top row of the image is the row at `t = 0`, so `V` points down the picture.
 
+use std::io::Cursor;
 use std::path::Path;
 
+use exr::prelude::{ReadChannels, ReadLayers};
 use image::{DynamicImage, ImageFormat, ImageReader};
 
-use super::{grey_tiff, input_file};
+use super::{Disk, Files, grey_tiff, input_file};
 use crate::error::{Error, Result};
 use crate::scene::OffsetMap;
 use crate::scene::relief::MAX_TEXELS;
 
 const FORMATS: &str = "give a PNG, JPEG, TIFF, BMP, PNM, TGA or EXR file";
 
-/// Reads an image as heights.
+/// Reads an image from disk as heights.
 pub fn read_offset_map(path: &Path) -> Result<OffsetMap> {
-    input_file::check(path)?;
+    read_offset_map_from(path, &Disk)
+}
+
+/// Reads an image as heights, from where a host has it.
+///
+/// # Errors
+///
+/// As of [`read_offset_map`]: a file that is not there or is no image of heights.
+pub fn read_offset_map_from(path: &Path, store: &dyn Files) -> Result<OffsetMap> {
+    let bytes = input_file::read(path, store)?;
     let undecodable = |e: String| Error::file(path, format!("cannot be decoded: {e}"), FORMATS);
     let extension = path.extension().unwrap_or_default();
     let (size, texels) = if extension.eq_ignore_ascii_case("exr") {
-        read_exr(path)?
+        read_exr(path, &bytes)?
     } else {
-        let reader = ImageReader::open(path)
-            .and_then(ImageReader::with_guessed_format)
+        let mut reader = ImageReader::new(Cursor::new(&*bytes));
+        // Where the first bytes do not tell it.
+        if let Ok(by_name) = ImageFormat::from_path(path) {
+            reader.set_format(by_name);
+        }
+        let reader = reader
+            .with_guessed_format()
             .map_err(|e| undecodable(e.to_string()))?;
         let grey = match reader.format() {
-            Some(ImageFormat::Tiff) => grey_tiff::read(path).map_err(undecodable)?,
+            Some(ImageFormat::Tiff) => grey_tiff::read(&bytes).map_err(undecodable)?,
             _ => None,
         };
         match grey {
@@ -97,8 +113,14 @@ fn luma<T: Copy + Into<u64>>(samples: &[T], channels: usize, greatest: u64) -> V
 }
 
 /// The first layer's Y, else its R, else its only channel.
-fn read_exr(path: &Path) -> Result<([u32; 2], Vec<f32>)> {
-    let image = exr::image::read::read_first_flat_layer_from_file(path)
+fn read_exr(path: &Path, bytes: &[u8]) -> Result<([u32; 2], Vec<f32>)> {
+    let image = exr::image::read::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .from_buffered(Cursor::new(bytes))
         .map_err(|e| Error::file(path, format!("is no readable EXR: {e}"), FORMATS))?;
     let layer = image.layer_data;
     let channels = &layer.channel_data.list;

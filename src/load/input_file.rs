@@ -1,18 +1,15 @@
-//! How files are read: regular ones only, and no more of them than a machine can hold.
+//! How files are read: what cannot be is an error that names the file, and no more is unpacked than a machine can hold.
 //!
-//! A model comes from anywhere. A device or a pipe in its place would be read for ever, and a few kilobytes of gzip can unpack to any
-//! size, so both are looked at before and while they are read.
+//! A model comes from anywhere, and a few kilobytes of gzip can unpack to any size, so that is looked at while they are unpacked.
 
-use std::io::Read;
+use std::borrow::Cow;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 
+use super::files::{Disk, Files, MOST_BYTES};
 use crate::error::{Error, Result};
-
-/// Most bytes of a file, and of what a packed one holds: some 100 million triangles of binary STL fit, and what is made of them
-/// still fits into the memory of a workstation.
-const MOST_BYTES: u64 = 8 << 30;
 
 /// Most bytes of a packed file for each of its own. Of the real meshes at hand the best packs 1 to 23, a flat grid perhaps 1 to 100;
 /// what gzip can do at most, 1 to 1032, only files do that are made for it.
@@ -21,41 +18,22 @@ const MOST_RATIO: u64 = 250;
 /// Up to so many bytes the ratio does not count: little harm is in them, and tiny files of one repeated value are common in tests.
 const RATIO_COUNTS_FROM: u64 = 64 << 20;
 
-/// The length of a file that can be read; what is no regular file is refused by what it is.
-pub(crate) fn check(path: &Path) -> Result<u64> {
-    let metadata = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?;
-    if !metadata.is_file() {
-        let what = match kind(&metadata) {
-            "folder" => "cannot be read: it is a folder".to_owned(),
-            kind => format!("cannot be read: it is a {kind}, not a regular file"),
-        };
-        let help = "give the name of a file; save what comes through a pipe to one first";
-        return Err(Error::file(path, what, help));
-    }
-    if metadata.len() > MOST_BYTES {
-        let what = format!("it has {} bytes, more than {MOST_BYTES}", metadata.len());
-        return Err(Error::file(path, what, "split it into several files"));
-    }
-    Ok(metadata.len())
+/// Refuses what on disk is no regular file, or too long.
+pub(crate) fn check(path: &Path) -> Result<()> {
+    Disk::length(path).map_err(|e| unreadable(path, &e))?;
+    Ok(())
 }
 
-/// The bytes of a regular file.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    let length = check(path)?;
-    let file = std::fs::File::open(path).map_err(|e| unreadable(path, &e))?;
-    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-    // A file that grows meanwhile is read no further than its limit.
-    file.take(MOST_BYTES)
-        .read_to_end(&mut bytes)
-        .map_err(|e| unreadable(path, &e))?;
-    Ok(bytes)
+/// The bytes of a file.
+pub(crate) fn read<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
+    store.read(path).map_err(|e| unreadable(path, &e))
 }
 
-/// The bytes of a regular file, unpacked if they are gzipped, whatever the name says.
-pub(crate) fn read_unpacked(path: &Path) -> Result<Vec<u8>> {
-    let bytes = read(path)?;
+/// The bytes of a file, unpacked if they are gzipped, whatever the name says.
+pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow<'a, [u8]>> {
+    let bytes = read(path, store)?;
     if bytes.starts_with(&[0x1f, 0x8b]) {
-        unpacked(path, &bytes)
+        unpacked(path, &bytes).map(Cow::Owned)
     } else {
         Ok(bytes)
     }
@@ -86,38 +64,16 @@ fn unpacked(path: &Path, packed: &[u8]) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn unreadable(path: &Path, e: &std::io::Error) -> Error {
+fn unreadable(path: &Path, e: &io::Error) -> Error {
     let help = match e.kind() {
-        std::io::ErrorKind::NotFound => {
-            "check the path; in a scene file it is relative to that file"
+        ErrorKind::NotFound => "check the path; in a scene file it is relative to that file",
+        ErrorKind::PermissionDenied => "make the file readable",
+        ErrorKind::IsADirectory | ErrorKind::InvalidInput => {
+            "give the name of a file; save what comes through a pipe to one first"
         }
-        std::io::ErrorKind::PermissionDenied => "make the file readable",
+        ErrorKind::FileTooLarge => "split it into several files",
+        ErrorKind::Unsupported => "where there is no file system, give the files as bytes",
         _ => "check that it is a file that can be read",
     };
     Error::file(path, format!("cannot be read: {e}"), help)
-}
-
-#[cfg(unix)]
-fn kind(metadata: &std::fs::Metadata) -> &'static str {
-    use std::os::unix::fs::FileTypeExt;
-
-    let kind = metadata.file_type();
-    if kind.is_dir() {
-        "folder"
-    } else if kind.is_fifo() {
-        "pipe"
-    } else if kind.is_socket() {
-        "socket"
-    } else {
-        "device"
-    }
-}
-
-#[cfg(not(unix))]
-fn kind(metadata: &std::fs::Metadata) -> &'static str {
-    if metadata.is_dir() {
-        "folder"
-    } else {
-        "device"
-    }
 }

@@ -5,11 +5,13 @@
 //! refused, what is welded, what is left out, and which groups of triangles are one solid. Whatever the loader changed or
 //! could not use it says in [`Loaded::notes`].
 //!
-//! Only regular files are read, up to limits that `input_file` states, and a glTF file may name files of its own folder and below.
+//! Files are read from disk, or through [`Files`] from wherever a host has them. Of the disk only regular ones are read, up to limits that
+//! `files` and `input_file` state, and a glTF file may name files of its own folder and below.
 
 mod assets;
 mod companions;
 mod draft;
+mod files;
 pub mod frames;
 mod gltf;
 mod grey_tiff;
@@ -29,7 +31,8 @@ use glam::{DAffine3, Vec3};
 
 pub use assets::Assets;
 pub use companions::companions;
-pub use image::read_offset_map;
+pub use files::{Disk, Files, Memory};
+pub use image::{read_offset_map, read_offset_map_from};
 
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::{Driver, Edges, Material, Mesh, Part, range};
@@ -59,7 +62,7 @@ impl From<Vec<Part>> for Loaded {
 /// Extensions of the formats that are read.
 const KNOWN: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
 
-/// Loads a mesh file; its extension names the format.
+/// Loads a mesh file from disk; its extension names the format.
 ///
 /// ```no_run
 /// let loaded = cutaway::load::load_mesh_file("bracket.stl".as_ref())?;
@@ -69,31 +72,32 @@ const KNOWN: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
 /// # Ok::<(), cutaway::Error>(())
 /// ```
 pub fn load_mesh_file(path: &Path) -> Result<Loaded> {
-    load_mesh_file_with(path, &mut |_| ())
+    load_mesh_file_from(path, &Disk)
 }
 
-/// Like [`load_mesh_file`]; `stage` is told what begins: `"reading"`, `"parsing"`, `"welding"`.
-pub fn load_mesh_file_with(path: &Path, stage: &mut dyn FnMut(&'static str)) -> Result<Loaded> {
+/// Loads a mesh file, and the files that it names, from where a host has them.
+///
+/// # Errors
+///
+/// As of [`load_mesh_file`]: a file that is not there or is no mesh.
+pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     let (format, stem) = format_and_stem(path)?;
-    stage("reading");
-    let bytes = input_file::read_unpacked(path)?;
+    let bytes = input_file::read_unpacked(path, store)?;
     if bytes.is_empty() {
         let help = "export or download it again";
         return Err(Error::file(path, "the file is empty", help));
     }
-    stage("parsing");
     let mut notes = Vec::new();
     let mut files = vec![path.to_owned()];
     let placed = if format == "glb" || format == "gltf" {
-        gltf::read(path, &bytes, (&mut notes, &mut files), stage)?
+        gltf::read(path, &bytes, store, (&mut notes, &mut files))?
     } else {
         let draft = match format.as_str() {
-            "obj" => obj::read(path, &bytes, &mut notes, &mut files)?,
+            "obj" => obj::read(path, &bytes, store, &mut notes, &mut files)?,
             "stl" => stl::read(path, &bytes, &mut notes)?,
             _ => ply::read(path, &bytes, &mut notes)?,
         };
         drop(bytes);
-        stage("welding");
         let solids = draft.into_solids(path, &mut notes)?;
         solids.into_iter().map(Placed::of).collect()
     };

@@ -5,24 +5,24 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 
-use super::{input_file, without_mark};
+use super::{Files, input_file, without_mark};
 use crate::error::Error;
 
 /// The material libraries that an OBJ names, in its order.
-pub(super) fn libraries(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
+pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<PathBuf> {
     let text = String::from_utf8_lossy(without_mark(bytes));
     let words = text
         .lines()
         .filter_map(|l| l.trim().split_once(char::is_whitespace));
     let lines = words.filter(|(word, _)| *word == "mtllib");
     lines
-        .flat_map(|(_, rest)| named(folder, rest.trim()))
+        .flat_map(|(_, rest)| named(folder, rest.trim(), store))
         .collect()
 }
 
 /// The files of an `mtllib`, which takes one name with spaces or several without.
-fn named(folder: &Path, line: &str) -> Vec<PathBuf> {
-    let names: Vec<&str> = if folder.join(line).is_file() {
+fn named(folder: &Path, line: &str, store: &dyn Files) -> Vec<PathBuf> {
+    let names: Vec<&str> = if store.is_file(&folder.join(line)) {
         vec![line]
     } else {
         line.split_whitespace().collect()
@@ -36,14 +36,14 @@ fn named(folder: &Path, line: &str) -> Vec<PathBuf> {
 pub(super) fn read_all(
     obj: &Path,
     lines: &[String],
-    notes: &mut Vec<String>,
-    files: &mut Vec<PathBuf>,
+    store: &dyn Files,
+    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
 ) -> HashMap<String, Vec3> {
     let folder = obj.parent().unwrap_or(Path::new(""));
     let mut colors = HashMap::new();
     for line in lines {
-        for path in named(folder, line) {
-            match input_file::read(&path) {
+        for path in named(folder, line, store) {
+            match input_file::read(&path, store) {
                 Ok(bytes) => {
                     files.push(path);
                     let all = colors_of(&String::from_utf8_lossy(without_mark(&bytes)));

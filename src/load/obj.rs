@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 
-use super::{Draft, Group, mtl, without_mark};
+use super::{Draft, Files, Group, mtl, without_mark};
 use crate::error::{Error, Result};
 
 /// First words of lines without effect on the surface: texture and parameter coordinates, smoothing, points, lines, display.
@@ -79,6 +79,7 @@ struct Reader<'a> {
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
+    store: &dyn Files,
     notes: &mut Vec<String>,
     files: &mut Vec<PathBuf>,
 ) -> Result<Draft> {
@@ -113,7 +114,7 @@ pub(super) fn read(
             reader.line(number, &std::mem::take(&mut continued))?;
         }
     }
-    reader.finish(notes, files)
+    reader.finish(store, notes, files)
 }
 
 impl Reader<'_> {
@@ -302,7 +303,12 @@ impl Reader<'_> {
         notes
     }
 
-    fn finish(mut self, notes: &mut Vec<String>, files: &mut Vec<PathBuf>) -> Result<Draft> {
+    fn finish(
+        mut self,
+        store: &dyn Files,
+        notes: &mut Vec<String>,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<Draft> {
         let vertices = self.draft.mesh.positions.len();
         if let Some((index, line)) = self.ahead[0].filter(|a| a.0 >= vertices) {
             let index = index + 1;
@@ -319,7 +325,7 @@ impl Reader<'_> {
         } else if with_normals > 0 && self.no_normals.count == 0 {
             notes.push("the file gives normals to some faces only: they are not used".to_owned());
         }
-        let colors = mtl::read_all(self.path, &self.libraries, notes, files);
+        let colors = mtl::read_all(self.path, &self.libraries, store, (notes, files));
         for (label, group) in sorted(self.labels) {
             self.draft.groups[group as usize].color = colors.get(&label.material).copied();
         }
@@ -346,11 +352,13 @@ fn sorted(labels: HashMap<Label, u32>) -> Vec<(Label, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::load::Memory;
 
     fn parse(text: &str) -> Result<Draft> {
         read(
             Path::new("t.obj"),
             text.as_bytes(),
+            &Memory::default(),
             &mut Vec::new(),
             &mut Vec::new(),
         )
@@ -389,6 +397,7 @@ mod tests {
             let draft = read(
                 Path::new("t.obj"),
                 text.as_bytes(),
+                &Memory::default(),
                 &mut notes,
                 &mut Vec::new(),
             )

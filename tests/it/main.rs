@@ -17,6 +17,7 @@ mod exact;
 mod examples;
 mod experiments;
 mod face_cuts;
+mod files;
 mod hard_cases;
 mod height_filter;
 mod hostile_meshes;

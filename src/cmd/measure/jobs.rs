@@ -7,7 +7,6 @@ use super::MeasureArgs;
 use super::folder::Folder;
 use crate::cmd::judge::quoted;
 use crate::cmd::places::InputFiles;
-use crate::document::Document;
 use crate::error::did_you_mean;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
 use crate::experiment::run::file_stem;
@@ -15,6 +14,7 @@ use crate::experiment::sweep::Point;
 use crate::experiment::{Definition, Identity};
 use crate::gpu::AdapterReport;
 use crate::hard_cases::check_ids;
+use crate::load::{Assets, Disk};
 use crate::scene::glob_matches;
 use crate::{Error, Result};
 
@@ -160,7 +160,7 @@ pub(super) fn keep_inputs(
     for job in jobs {
         if let Task::Point(_, point, _) = job.task {
             let scenes = std::iter::once(&point.scene).chain(&point.truth);
-            scenes.for_each(|scene| files.add(scene.files()));
+            scenes.for_each(|scene| files.add(scene.files(&Disk)));
         }
     }
     for definition in definitions {
@@ -199,11 +199,12 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
         must_mean_a_job(only, &jobs)?;
         jobs.retain(|j| j.is_meant(only));
     }
+    let assets = Assets::default();
     for job in &jobs {
         let checked = match job.task {
             Task::Point(_, point, _) => {
                 let mut all = std::iter::once(&point.scene).chain(&point.truth);
-                all.try_for_each(Document::check)
+                all.try_for_each(|scene| scene.check(&assets))
             }
             Task::Cases(asked) => check_ids(&asked.cases),
             Task::Search(_) => Ok(()),

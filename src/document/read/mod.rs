@@ -213,7 +213,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
 }
 
 /// Checks what can be checked before anything is opened.
-pub(super) fn check(root: &Table<'_>, folder: &Path) -> Result<()> {
+pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
     settings::read(root)?;
     keys::read(root)?;
@@ -231,7 +231,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path) -> Result<()> {
             (Some(shape), _) => {
                 shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;
             }
-            (None, Some(mesh)) => must_be_there(&mesh, folder)?,
+            (None, Some(mesh)) => must_be_there(&mesh, folder, assets)?,
             (None, None) => {}
         }
     }
@@ -241,7 +241,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path) -> Result<()> {
             Some(shape) if shape.text()?.starts_with("shape:") => {
                 shapes::check(shape.text()?).map_err(|e| shape.place(e))?;
             }
-            Some(mesh) => must_be_there(&mesh, folder)?,
+            Some(mesh) => must_be_there(&mesh, folder, assets)?,
             None => {}
         }
     }
@@ -277,9 +277,9 @@ fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
     all.try_for_each(|(key, e)| must_be_known(&e, &below(if is_named { "*" } else { key })))
 }
 
-fn must_be_there(entry: &Entry<'_>, folder: &Path) -> Result<()> {
+fn must_be_there(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     let path = folder.join(entry.text()?);
-    if path.exists() || Pattern::is_in(entry.text()?) {
+    if assets.has_mesh(&path) || Pattern::is_in(entry.text()?) {
         return Ok(());
     }
     Err(stock::missing(entry, &path))
@@ -362,15 +362,15 @@ pub(super) fn defect(defect: &Node) -> Result<Defect> {
 pub(super) fn surface(
     surface: &Node,
     reliefs: &Node,
-    bounds: &Bounds,
-    up: Up,
+    (bounds, up): (&Bounds, Up),
+    assets: &mut Assets,
 ) -> Result<ClipSurface> {
     let table = Node::new(super::Value::Table(vec![(
         "relief".into(),
         reliefs.clone(),
     )]));
     let root = root(Path::new(""), &table, None)?;
-    let images = reliefs::open(&root, Path::new(""), &mut Assets::default())?;
+    let images = reliefs::open(&root, Path::new(""), assets)?;
     let maps = match root.get("relief") {
         Some(entry) => reliefs::read(&entry, &images, &mut Resolved::default())?,
         None => reliefs::Maps::new(),

@@ -114,7 +114,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
             }
             // Layers are named one way or the other, which is said where they are read.
             (None, Some(images)) if table.get("of").is_none() => {
-                let paths = listed(&images, table.get("first"), folder)?;
+                let paths = listed(&images, table.get("first"), folder, assets)?;
                 (images, paths)
             }
             (None, _) => continue,
@@ -261,9 +261,15 @@ fn layers(table: &Table<'_>, images: &[Image]) -> Result<Relief> {
 }
 
 /// The images of a pattern, counted up from `first`, or from 0 or 1.
-fn listed(entry: &Entry<'_>, first: Option<Entry<'_>>, folder: &Path) -> Result<Vec<PathBuf>> {
+fn listed(
+    entry: &Entry<'_>,
+    first: Option<Entry<'_>>,
+    folder: &Path,
+    assets: &Assets,
+) -> Result<Vec<PathBuf>> {
     let first = first.map(|f| f.whole::<u32>()).transpose()?;
-    let found = Pattern::parse(entry.text()?).and_then(|p| p.inside(folder).files(first));
+    let pattern = Pattern::parse(entry.text()?);
+    let found = pattern.and_then(|p| p.inside(folder).files(first, assets.store()));
     match found.map_err(|e| entry.place(e))? {
         (files, None) => Ok(files),
         (_, Some(gap)) => Err(entry.fault(gap, "add the missing image, or number the others anew")),

@@ -44,7 +44,7 @@ impl Sequence {
         first: Option<u32>,
         assets: &mut Assets,
     ) -> Result<Self> {
-        let (files, gap) = pattern.files(first)?;
+        let (files, gap) = pattern.files(first, assets.store())?;
         assets.read_meshes(&files)?;
         let opened: Vec<(Vec<Part>, Vec<String>)> = files
             .iter()

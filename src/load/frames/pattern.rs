@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
+use crate::load::Files;
 
 const EXAMPLE: &str = "write one %04d where the number belongs, as in `frames/walk_%04d.ply`; %% stands for a percent sign";
 
@@ -108,8 +109,12 @@ impl Pattern {
     }
 
     /// The files from a first number up until one is missing, and what to say if there are more behind the gap.
-    pub(crate) fn files(&self, first: Option<u32>) -> Result<(Vec<PathBuf>, Option<String>)> {
-        let is_there = |number: &u32| self.file(*number).is_file();
+    pub(crate) fn files(
+        &self,
+        first: Option<u32>,
+        store: &dyn Files,
+    ) -> Result<(Vec<PathBuf>, Option<String>)> {
+        let is_there = |number: &u32| store.is_file(&self.file(*number));
         let start = match first {
             Some(first) => is_there(&first).then_some(first),
             None => [0, 1].into_iter().find(is_there),

@@ -10,7 +10,7 @@ use gltf::json::{Animation, Root};
 use gltf::{Document, Glb};
 use serde_json::Value;
 
-use super::super::without_mark;
+use super::super::{Files, without_mark};
 use super::{DAMAGED, uri};
 use crate::error::{Error, Result};
 
@@ -27,8 +27,8 @@ pub(super) struct Opened {
 pub(super) fn open(
     path: &Path,
     bytes: &[u8],
-    notes: &mut Vec<String>,
-    files: &mut Vec<PathBuf>,
+    store: &dyn Files,
+    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
 ) -> Result<Opened> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     check_glb(bytes).map_err(wrong)?;
@@ -37,7 +37,7 @@ pub(super) fn open(
     check_attributes(&root).map_err(wrong)?;
     let animations = std::mem::take(&mut root.animations);
     let document = Document::from_json(root).map_err(broken)?;
-    let buffers = buffers(path, &document, blob, files)?;
+    let buffers = buffers(path, &document, blob, store, files)?;
     Ok(Opened {
         document,
         buffers,
@@ -150,6 +150,7 @@ fn buffers(
     path: &Path,
     document: &Document,
     blob: Option<Vec<u8>>,
+    store: &dyn Files,
     files: &mut Vec<PathBuf>,
 ) -> Result<Vec<Vec<u8>>> {
     let mut blob = blob;
@@ -158,7 +159,7 @@ fn buffers(
         .map(|buffer| {
             let bytes = match buffer.source() {
                 gltf::buffer::Source::Bin => blob.take().unwrap_or_default(),
-                gltf::buffer::Source::Uri(at) => uri::read(path, at, files)?,
+                gltf::buffer::Source::Uri(at) => uri::read(path, at, store, files)?,
             };
             if bytes.len() < buffer.length() {
                 let what = format!(

@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use gltf::Node;
 
-use super::{Placed, Solid};
+use super::{Files, Placed, Solid};
 use crate::error::{Error, Result};
 use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
 
@@ -37,12 +37,11 @@ const DAMAGED: &str =
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
+    store: &dyn Files,
     (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
-    stage: &mut dyn FnMut(&'static str),
 ) -> Result<Vec<Placed>> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
-    let opened = document::open(path, bytes, notes, files)?;
-    stage("welding");
+    let opened = document::open(path, bytes, store, (notes, files))?;
     let Opened {
         document, buffers, ..
     } = &opened;

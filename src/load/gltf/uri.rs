@@ -7,13 +7,18 @@ use base64::{Engine as _, alphabet};
 use percent_encoding::percent_decode_str;
 
 use crate::error::{Error, Result};
-use crate::load::input_file;
+use crate::load::{Files, input_file};
 
 const BESIDE: &str =
     "keep the .bin file in the folder of the model or below, and name it relative to the model";
 
 /// Reads a URI relative to the file `from`; a file that was read is added to `files`.
-pub(super) fn read(from: &Path, uri: &str, files: &mut Vec<PathBuf>) -> Result<Vec<u8>> {
+pub(super) fn read(
+    from: &Path,
+    uri: &str,
+    store: &dyn Files,
+    files: &mut Vec<PathBuf>,
+) -> Result<Vec<u8>> {
     if let Some(data) = uri.strip_prefix("data:") {
         let bytes = data
             .split_once(',')
@@ -34,11 +39,11 @@ pub(super) fn read(from: &Path, uri: &str, files: &mut Vec<PathBuf>) -> Result<V
     }
     let folder = from.parent().unwrap_or(Path::new(""));
     let path = folder.join(&name);
-    if path.exists() && !is_below(&path, from) {
+    if store.leads_out(&path, from) {
         let what = format!("its buffer {name:?} is a link that leads out of the folder");
         return Err(Error::file(from, what, BESIDE));
     }
-    let bytes = input_file::read(&path).map_err(|e| {
+    let bytes = input_file::read(&path, store).map_err(|e| {
         let why = match e {
             Error::File { what, .. } => what,
             other => other.to_string(),
@@ -46,7 +51,7 @@ pub(super) fn read(from: &Path, uri: &str, files: &mut Vec<PathBuf>) -> Result<V
         Error::file(from, format!("its buffer {name:?} {why}"), BESIDE)
     })?;
     files.push(path);
-    Ok(bytes)
+    Ok(bytes.into_owned())
 }
 
 /// Why a name is not that of a file of the same folder or below, if it is not: a file from elsewhere must not choose what is read.
@@ -74,20 +79,6 @@ fn leads_away(name: &str) -> Option<&'static str> {
         }
     }
     None
-}
-
-/// Whether a file that exists is in the folder of `from` or below, links followed; of a `from` that is a link either folder counts.
-fn is_below(path: &Path, from: &Path) -> bool {
-    let folder = match from.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let own = folder.canonicalize().ok();
-    let of_target = from.canonicalize().ok();
-    let of_target = of_target.as_deref().and_then(Path::parent);
-    let mut folders = own.iter().map(PathBuf::as_path).chain(of_target);
-    path.canonicalize()
-        .is_ok_and(|path| folders.any(|folder| path.starts_with(folder)))
 }
 
 /// `%20` and the like; anything else stays.

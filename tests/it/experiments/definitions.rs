@@ -7,6 +7,7 @@ use cutaway::experiment::Moves;
 use cutaway::experiment::definition::{Asked, Wanted};
 use cutaway::experiment::sweep::Point;
 use cutaway::experiment::{Definition, Parameter, Synopsis};
+use cutaway::load::Assets;
 
 use super::{read, scenes};
 
@@ -305,7 +306,9 @@ fn what_makes_no_sense_is_refused_by_name() {
         // What only the readers of scenes know is checked before anything is measured.
         let checked = read(&good.replacen(from, to, 1)).and_then(|definition| {
             let run = scenes(&definition, false);
-            run.points.iter().try_for_each(|p| p.scene.check())
+            run.points
+                .iter()
+                .try_for_each(|p| p.scene.check(&Assets::default()))
         });
         let message = checked.expect_err(&format!("{from} -> {to}")).to_string();
         assert!(message.contains(told), "{to}: {message}");
