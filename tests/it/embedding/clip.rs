@@ -70,7 +70,7 @@ fn camera() -> Camera {
     let aspect = f64::from(SIZE_PX[0]) / f64::from(SIZE_PX[1]);
     Camera {
         world_from_view: view_from_world.inverse(),
-        clip_from_view: perspective_infinite_reverse(0.9, aspect, 0.1),
+        clip_from_view: perspective_infinite_reverse(0.35, aspect, 0.1),
     }
 }
 
