@@ -5,7 +5,7 @@
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
-use cutaway::scene::{Cut, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Strategy;
 use glam::{DAffine3, DQuat};
@@ -24,7 +24,7 @@ pub(crate) fn frames() -> cutaway::Result<Vec<(u32, usize)>> {
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let plane = section_surface("-z=50%", &bounds)?;
+    let plane = ClipSurface::parse("-z=50%", &bounds)?;
     scene.cuts.push(Cut::of("front half", vec![plane]));
     // Room for all of the turn: the camera is to stand still.
     scene.stage = Some(cutaway::scene::Bounds::of([

@@ -5,7 +5,7 @@
 use cutaway::exact::evaluate;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::passes::Model;
-use cutaway::scene::{Cut, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
 
@@ -22,7 +22,7 @@ pub(crate) fn errors() -> cutaway::Result<Vec<(String, usize, usize)>> {
         parts: cutaway::generate::shapes::shape("crank")?,
         ..Scene::default()
     };
-    let plane = section_surface("-z=50%", &scene.bounds())?;
+    let plane = ClipSurface::parse("-z=50%", &scene.bounds())?;
     scene.cuts.push(Cut::of("front half", vec![plane]));
     scene.camera = scene.camera.facing(&scene.cuts);
 

@@ -5,7 +5,7 @@
 
 use cutaway::gpu::{Gpu, Target, TargetDepth, wgpu};
 use cutaway::passes::Model;
-use cutaway::scene::{Cut, HostDepth, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, HostDepth, Scene};
 use cutaway::session::{Encoded, Session};
 use cutaway::strategies::Strategy;
 use glam::dcamera::rh::proj::directx::perspective_infinite_reverse;
@@ -43,7 +43,7 @@ fn scene() -> cutaway::Result<Scene> {
         parts: cutaway::generate::shapes::shape("crank")?,
         ..Scene::default()
     };
-    let plane = section_surface("-z=50%", &scene.bounds())?;
+    let plane = ClipSurface::parse("-z=50%", &scene.bounds())?;
     scene.cuts.push(Cut::of("front half", vec![plane]));
     Ok(scene)
 }

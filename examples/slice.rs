@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use cutaway::generate::shapes::shape;
-use cutaway::scene::{Fill, section_surface};
+use cutaway::scene::{ClipSurface, Fill};
 use cutaway::slice::{SlicePlane, Slicer};
 
 fn main() -> cutaway::Result<()> {
@@ -24,7 +24,7 @@ pub(crate) fn slices() -> cutaway::Result<Vec<(u32, f64, usize)>> {
     let slicer = Slicer::of(positions, &gear.mesh.triangles);
     let mut found = Vec::new();
     for percent in [10, 50, 90] {
-        let surface = section_surface(&format!("z={percent}%"), &bounds)?;
+        let surface = ClipSurface::parse(&format!("z={percent}%"), &bounds)?;
         let section = slicer.section_by(&SlicePlane::from(&surface), Fill::EvenOdd);
         assert!(section.is_whole(), "{:?}", section.defects);
         found.push((percent, section.area(), section.loops.len()));

@@ -3,13 +3,13 @@
 //!
 //! ```
 //! use cutaway::scene::relief::{Placement, Procedure};
-//! use cutaway::scene::section_surface;
+//! use cutaway::scene::ClipSurface;
 //! use cutaway::{Cut, Gpu, GpuOptions, Model, Scene, Session, Strategy};
 //!
 //! let mut scene = Scene { parts: cutaway::generate::shapes::shape("crank")?, ..Scene::default() };
 //! let bounds = scene.bounds();
 //! let waves = Procedure::named("waves").ok_or("no such relief")?.map();
-//! let surface = section_surface("-z=50%", &bounds)?.with_relief(waves, &Placement::default(), &bounds)?;
+//! let surface = ClipSurface::parse("-z=50%", &bounds)?.with_relief(waves, &Placement::default(), &bounds)?;
 //! scene.cuts.push(Cut::of("front half", vec![surface]));
 //!
 //! let model = Model::of(&scene);

@@ -6,12 +6,12 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, depth_at, listed, rank_of, surface_at, word_at}
+#import cutaway::crossings::{crossing_heads, depth_at, listed, passed_at, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
 #import cutaway::lanes::Lanes
-#import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNRANKED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
+#import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
@@ -34,7 +34,7 @@ const NONE: u32 = 0xffffffffu;
 
 struct Cap {
     found: bool,
-    rank: u32,
+    place: u32,
     crossing: u32,
     // Other parts come free inside there too.
     overlap: bool,
@@ -47,14 +47,14 @@ fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
     var cap = Cap(false, 0u, 0u, false);
     for (var i = 0u; i < limit; i++) {
         let after = sides ^ (1u << surface_at(i, pixel));
-        for (var rank = 0u; rank < lanes.count; rank++) {
-            let enters = is_removed(sides, parts[rank].cuts) && !is_removed(after, parts[rank].cuts);
-            if enters && is_inside(lanes, rank, pixel, i) {
+        for (var place = 0u; place < lanes.count; place++) {
+            let enters = is_removed(sides, parts[place].cuts) && !is_removed(after, parts[place].cuts);
+            if enters && is_inside(lanes, place, pixel, i) {
                 if cap.found {
                     cap.overlap = true;
                     return cap;
                 }
-                cap = Cap(true, rank, i, false);
+                cap = Cap(true, place, i, false);
                 if !lanes.overlaps {
                     return cap;
                 }
@@ -79,8 +79,8 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
         limit = clip_surface_of(word);
-        if limit == UNRANKED {
-            limit = rank_of(drawn.z, pixel).behind;
+        if limit == UNCOUNTED {
+            limit = passed_at(drawn.z, pixel).behind;
         }
         word &= 0xffff00ffu;
     }
@@ -90,19 +90,19 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     if cap.found {
         let surface = surface_at(cap.crossing, pixel);
         depth = depth_at(cap.crossing, pixel);
-        word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.rank].part) | select(0u, OVERLAP, cap.overlap);
+        word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.place].part) | select(0u, OVERLAP, cap.overlap);
         wanted = word_at(cap.crossing, pixel);
     }
 
     var odd = false;
     var near_caps = 0u;
-    for (var rank = lanes.count; rank > 0u; rank--) {
-        if starts_inside(lanes, rank - 1u, pixel) {
+    for (var place = lanes.count; place > 0u; place--) {
+        if starts_inside(lanes, place - 1u, pixel) {
             odd = true;
-            if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[rank - 1u].cuts) {
+            if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[place - 1u].cuts) {
                 depth = frame.near;
                 near_caps++;
-                word = layer_word(CAP, NEAR_PLANE, parts[rank - 1u].part) | select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
+                word = layer_word(CAP, NEAR_PLANE, parts[place - 1u].part) | select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
                 normal = pack_normal(-frame.forward.xyz);
                 wanted = NONE;
             }

@@ -13,7 +13,7 @@ const UNRELIABLE: u32 = 8u;
 const OVERLAP: u32 = 16u;
 const NEAR_PLANE: u32 = 0xffu;
 // In the place of a clip-surface: drawn by a pass that knows no list of crossings, or behind more of them than there are numbers.
-const UNRANKED: u32 = 0xfeu;
+const UNCOUNTED: u32 = 0xfeu;
 const WORDS_PER_PIXEL: u32 = 3u;
 
 fn layer_word(kind: u32, clip_surface: u32, part: u32) -> u32 {

@@ -30,10 +30,10 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, gaze: vec3<f32>, is_cap: bool) -> vec
     return base * (ambient + diffuse) + gloss;
 }
 
-// Colour of a pixel with a surface or a cap: the first two words of its layer, and the rank of its part.
-fn color_of(at: vec2<u32>, word: u32, normal: u32, rank: u32) -> u32 {
+// Colour of a pixel with a surface or a cap: the first two words of its layer, and the place of its part in the table.
+fn color_of(at: vec2<u32>, word: u32, normal: u32, place: u32) -> u32 {
     let is_cap = kind_of(word) == CAP;
-    let own = linear_from_srgb(select(parts[rank].color.rgb, parts[rank].cap_color.rgb, is_cap));
+    let own = linear_from_srgb(select(parts[place].color.rgb, parts[place].cap_color.rgb, is_cap));
     let base = cap_base(own, word, at);
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let color = srgb_from_linear(lit(base, unpack_normal(normal), gaze, is_cap));

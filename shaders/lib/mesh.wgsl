@@ -8,8 +8,8 @@
 struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: u32,
-    // Rank of the part.
-    @builtin(instance_index) rank: u32,
+    // Of a draw of parts the place in their table, of one of settled triangles the number of the group.
+    @builtin(instance_index) instance: u32,
 }
 
 // One transform for every pass: the same input gives the same bits, and neighbours share their edges.

@@ -9,7 +9,7 @@ struct Corner {
     @builtin(position) @invariant position: vec4<f32>,
     @location(0) normal: vec3<f32>,
     // Place of the part.
-    @location(1) @interpolate(flat) rank: u32,
+    @location(1) @interpolate(flat) instance: u32,
 }
 
 // The words of a surface whose depth is not what rasterising found.
@@ -19,7 +19,7 @@ struct SurfaceAt {
 }
 
 fn corner_of(v: Vertex) -> Corner {
-    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.rank);
+    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.instance);
 }
 
 // The words of a surface of a part of the scene. `place` stands where the clip-surface of a cap would.

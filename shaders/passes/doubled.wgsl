@@ -20,6 +20,6 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     if passes_exits && is_passed(front) {
         discard;
     }
-    let part = parts[settled.groups[corner.rank].place].part;
-    return SurfaceAt(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.rank, front));
+    let part = parts[settled.groups[corner.instance].place].part;
+    return SurfaceAt(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.instance, front));
 }

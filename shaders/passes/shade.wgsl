@@ -7,8 +7,8 @@
 #import cutaway::light::color_of
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-// Rank of each part of the scene.
-@group(1) @binding(1) var<storage, read> rank_of_part: array<u32>;
+// Place of each part of the scene in the table.
+@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 
 @compute @workgroup_size(16, 16)
@@ -23,5 +23,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         picture[pixel] = background(id.y);
         return;
     }
-    picture[pixel] = color_of(id.xy, word, layers[at + 1u], rank_of_part[part_of(word)]);
+    picture[pixel] = color_of(id.xy, word, layers[at + 1u], place_of_part[part_of(word)]);
 }

@@ -2,12 +2,12 @@
 // wants of it (the open module `store`), and survives if the side it lies on is kept. Which crossings are in front of the nearest
 // survivor is written instead of compared again later, so the decisions of this pass are the only ones.
 
-#import cutaway::crossings::rank_of
+#import cutaway::crossings::passed_at
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::exits::is_passed
 #import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
-#import cutaway::layers::UNRANKED
+#import cutaway::layers::UNCOUNTED
 #import cutaway::mesh::Vertex
 #import cutaway::store::store
 #import cutaway::surface::{Corner, corner_of, surface_words}
@@ -22,13 +22,13 @@ fn vertex(v: Vertex) -> Corner {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let rank = rank_of(corner.position.z, pixel);
-    let part = parts[corner.rank];
+    let passed = passed_at(corner.position.z, pixel);
+    let part = parts[corner.instance];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
-    store(Fragment(pixel, lane, corner.rank, corner.position.z, rank.behind, front));
-    if is_removed(rank.sides, part.cuts) || is_passed(front) {
+    store(Fragment(pixel, lane, corner.instance, corner.position.z, passed.behind, front));
+    if is_removed(passed.sides, part.cuts) || is_passed(front) {
         discard;
     }
     // A place that does not fit its bits is looked for again by who decides.
-    return surface_words(corner, min(rank.behind, UNRANKED), part.part, front);
+    return surface_words(corner, min(passed.behind, UNCOUNTED), part.part, front);
 }

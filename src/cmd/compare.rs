@@ -15,7 +15,7 @@ use super::places::paths_of;
 use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::compare::legend;
-use crate::experiment::{Judgement, Measurement, Renderer, Shown};
+use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime};
 use crate::layers::Layer;
 use crate::report;
 use crate::session::Session;
@@ -102,7 +102,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(written.chain(paths_of(&json_file)), &args.scene.edits)?;
     let mut session = args.device.session(false)?;
-    let shown = Shown::of(&subject.scene);
+    let shown = SceneAtTime::of(&subject.scene);
     let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
     if let Some(folder) = &args.heatmaps {
@@ -209,7 +209,7 @@ fn files_of(folder: &Path, renderers: &[Renderer]) -> Vec<PathBuf> {
 fn write_pictures(
     folder: &Path,
     session: &mut Session,
-    shown: &Shown,
+    shown: &SceneAtTime,
     subject: &Subject,
     judgement: &Judgement,
 ) -> Result<()> {
@@ -298,12 +298,12 @@ mod tests {
         assert!(check_memory([1024, 768], 40).is_ok(), "a usual comparison");
         assert!(check_memory([8192, 8192], 1).is_ok(), "a large one");
         let refused = check_memory([16_384, 16_384], 12).unwrap_err().to_string();
-        for told in [
+        for described in [
             "--resolution 16384,16384",
             "13 frames",
             "fewer --strategies",
         ] {
-            assert!(refused.contains(told), "{refused}");
+            assert!(refused.contains(described), "{refused}");
         }
     }
 

@@ -14,7 +14,7 @@ use super::measure::{self, MeasureArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture::{self, Backdrop, Style};
 use super::report::{self, ReportArgs};
-use crate::experiment::{Record, Renderer, Shown, means};
+use crate::experiment::{Record, Renderer, SceneAtTime, means};
 use crate::load::Assets;
 use crate::report::{Recorded, text};
 use crate::{Error, Result};
@@ -128,7 +128,7 @@ fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     };
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
-    let shown = Shown::of(&timeline.scene()?);
+    let shown = SceneAtTime::of(&timeline.scene()?);
     let view = shown.model.prepared.view(timeline.settings().size_px());
     let mut session = args.device.session(false)?;
     for picture in &record.pictures {
@@ -159,7 +159,6 @@ mod tests {
     use super::*;
     use crate::experiment::Definition;
     use crate::experiment::definition::Asked;
-    use crate::scene::section_misses;
 
     #[test]
     fn the_scene_of_the_demo_is_cut() {
@@ -173,7 +172,7 @@ mod tests {
         assert_eq!(scene.cuts.len(), 1);
         for surface in &scene.cuts[0].surfaces {
             assert!(surface.relief.is_some(), "the cut is ragged");
-            assert!(!section_misses(surface, &bounds), "it meets the crank");
+            assert!(!surface.misses(&bounds), "it meets the crank");
         }
     }
 }

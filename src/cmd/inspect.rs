@@ -12,7 +12,7 @@ use super::places::paths_of;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
-use crate::scene::told::round;
+use crate::scene::numbers::round;
 use crate::scene::{Clip, Part, Topology};
 use crate::{Error, Result};
 
@@ -78,14 +78,14 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     }
     if json != Some(Output::Stdout) {
         let mut text = to_text(&parts, &facts, &total);
-        text.extend(clips.iter().enumerate().map(told));
+        text.extend(clips.iter().enumerate().map(describe));
         write_stdout(text.as_bytes())?;
     }
     Ok(Verdict::Done)
 }
 
 /// A clip, as `--clip` takes it.
-fn told((number, clip): (usize, &Clip)) -> String {
+fn describe((number, clip): (usize, &Clip)) -> String {
     let length = round(clip.duration_s);
     format!("clip {number}: {}, {length} s\n", clip.name)
 }

@@ -4,7 +4,7 @@ use super::console::Console;
 use super::subject::Subject;
 use crate::Result;
 use crate::experiment::{
-    Judgement, Question, Renderer, Shown, error_steps, errors, times, timing_steps,
+    Judgement, Question, Renderer, SceneAtTime, error_steps, errors, times, timing_steps,
 };
 use crate::session::Session;
 
@@ -16,7 +16,7 @@ pub(super) fn steps(renderers: usize, rounds: usize) -> usize {
 /// Judges strategies on a scene: error, then time.
 pub(super) fn judge(
     session: &mut Session,
-    shown: &Shown,
+    shown: &SceneAtTime,
     subject: &Subject,
     renderers: &[Renderer],
     rounds: usize,

@@ -10,7 +10,7 @@ use glam::{DVec2, Vec3};
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
-use crate::experiment::{Renderer, Shown};
+use crate::experiment::{Renderer, SceneAtTime};
 use crate::layers::{Kind, Layers};
 use crate::scene::View;
 use crate::session::{Drawn, Outcome, Session};
@@ -48,7 +48,7 @@ pub(super) struct Picture {
 /// Draws a picture.
 pub(super) fn draw(
     session: &mut Session,
-    shown: &Shown,
+    shown: &SceneAtTime,
     view: &View,
     renderer: Renderer,
     style: Style,

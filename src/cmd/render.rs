@@ -18,7 +18,7 @@ use super::picture;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::TimeArgs;
-use crate::experiment::{PerClock, Renderer, Shown, Stopwatch};
+use crate::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch};
 use crate::layers::{Kind, Layers};
 use crate::passes::Model;
 use crate::plan::Clock;
@@ -99,7 +99,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         session.gpu().report().name,
         session.gpu().report().driver
     ));
-    let shown = Shown::of(&subject.scene);
+    let shown = SceneAtTime::of(&subject.scene);
     let view = subject.view(&shown.model.prepared);
 
     console.step(renderer.to_string());
@@ -216,7 +216,7 @@ struct Facts {
 impl Facts {
     fn of(
         session: &mut Session,
-        shown: &Shown,
+        shown: &SceneAtTime,
         view: &View,
         renderer: Renderer,
         outputs: &Outputs,

@@ -25,7 +25,7 @@ use super::sections::SectionArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
-use crate::scene::told::round;
+use crate::scene::numbers::round;
 use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
@@ -313,7 +313,7 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for plane in &report.sections {
         for part in &plane.parts {
-            let told = format!(
+            let described = format!(
                 "{} by {}: {}",
                 part.part,
                 plane.name(),
@@ -321,10 +321,10 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
             );
             if !part.closed {
                 let help = part.help.unwrap_or("move the section");
-                console.failed(format!("{told}\n  help: {help}"));
+                console.failed(format!("{described}\n  help: {help}"));
                 verdict = Verdict::Failed;
             } else if !part.defects.is_empty() {
-                console.note(told);
+                console.note(described);
             }
         }
     }

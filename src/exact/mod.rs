@@ -15,13 +15,13 @@
 //! crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
 
 mod ambiguity;
-mod bench;
 mod blocks;
 mod clip;
 mod cutter;
 mod outline;
 mod quadratic;
 mod raster;
+mod ray_scratch;
 mod relief;
 mod screen;
 mod settle;
@@ -34,11 +34,11 @@ use glam::DVec2;
 use rayon::prelude::*;
 
 use self::ambiguity::{Case, Openness};
-use self::bench::Bench;
 use self::clip::{Clip, Ray};
 use self::cutter::Cutters;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
+use self::ray_scratch::RayScratch;
 use self::settle::SettledFaces;
 use self::walk::{Cause, Sight, walk};
 use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
@@ -205,7 +205,7 @@ impl<'a> Lines<'a> {
             self.outlines[*rank as usize][*index as usize].brush(self.view, rows, &mut brushes);
         }
         let (brushes, brush_starts) = raster::sort_by_pixel(&brushes, pixels, |b| b.pixel);
-        let mut bench = Bench::of(self.prepared);
+        let mut bench = RayScratch::of(self.prepared);
         for pixel in 0..pixels {
             let crossings = &crossings[starts[pixel]..starts[pixel + 1]];
             let brushes = &brushes[brush_starts[pixel]..brush_starts[pixel + 1]];
@@ -220,7 +220,13 @@ impl<'a> Lines<'a> {
         }
     }
 
-    fn pixel(&self, at: DVec2, found: &[Crossing], brushes: &[Brush], bench: &mut Bench) -> Answer {
+    fn pixel(
+        &self,
+        at: DVec2,
+        found: &[Crossing],
+        brushes: &[Brush],
+        bench: &mut RayScratch,
+    ) -> Answer {
         let (prepared, view) = (self.prepared, self.view);
         let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
         let (brushes, cutter_brushes) = brushes.split_at(self.cutters.split(brushes, |b| b.rank));
@@ -308,7 +314,7 @@ impl<'a> Lines<'a> {
         ray: &Ray,
         range: [f64; 2],
         of_cutters: &[Crossing],
-        bench: &mut Bench,
+        bench: &mut RayScratch,
     ) -> bool {
         let mut odd = false;
         for rank in &bench.ranks {
@@ -349,7 +355,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Fills in what is seen.
-    fn show(&self, ray: &Ray, sight: &Sight, bench: &Bench, layer: &mut Layer) {
+    fn show(&self, ray: &Ray, sight: &Sight, bench: &RayScratch, layer: &mut Layer) {
         layer.part = self.prepared.parts[sight.rank as usize].part as u16;
         layer.depth = sight.depth;
         layer.overlap = sight.overlap;

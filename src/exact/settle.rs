@@ -12,9 +12,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::bench::Bench;
 use super::clip::{Ray, Root};
 use super::raster::Crossing;
+use super::ray_scratch::RayScratch;
 use super::{Lines, ambiguity, cutter};
 use crate::scene::{Prepared, PreparedPart, Settled, Side, lies_in};
 
@@ -62,7 +62,7 @@ impl SettledFaces {
 
 impl Lines<'_> {
     /// Puts crossings on the side of each clip-surface that their triangles are known to lie on.
-    pub(super) fn settle(&self, at: DVec2, ray: &Ray, bench: &mut Bench) {
+    pub(super) fn settle(&self, at: DVec2, ray: &Ray, bench: &mut RayScratch) {
         for (index, crossing) in bench.crossings.iter_mut().enumerate() {
             let rank = usize::from(crossing.rank);
             for (settled, rim) in self.settled[rank].by(crossing.triangle) {

@@ -73,18 +73,18 @@ fn expectation(claim: &Claim, what: String) -> Expectation {
 
 /// How a frame ended.
 fn ending(claim: &Claim, strategy: &StrategyMeasurement) -> Reached {
-    let told = strategy.reason.as_deref().unwrap_or_default();
+    let described = strategy.reason.as_deref().unwrap_or_default();
     let says_so = claim
         .reason
         .as_ref()
-        .is_none_or(|words| told.contains(words));
+        .is_none_or(|words| described.contains(words));
     let mut what = claim.outcome.name().to_owned();
     if let Some(words) = &claim.reason {
         what.push_str(&format!(", because of `{words}`"));
     }
     let mut found = strategy.outcome.name().to_owned();
-    if !told.is_empty() {
-        found.push_str(&format!(": {told}"));
+    if !described.is_empty() {
+        found.push_str(&format!(": {described}"));
     }
     Reached {
         strategy: strategy.name.clone(),
@@ -104,7 +104,7 @@ fn bounds(claim: &Claim, index: usize, found: &Findings<'_>) -> Vec<Reached> {
         Some(Reached {
             strategy: found.measurement.strategies[index].name.clone(),
             expected: expectation(claim, format!("{name} {}", words(bound))),
-            found: told(name, number),
+            found: describe(name, number),
             holds: number.is_some_and(|n| bound.holds(n)),
         })
     };
@@ -117,7 +117,7 @@ fn number(found: &Findings<'_>, index: usize, name: &str) -> Option<f64> {
     figure(found.measurement, index, more, name)
 }
 
-fn told(name: &str, number: Option<f64>) -> String {
+fn describe(name: &str, number: Option<f64>) -> String {
     number.map_or_else(|| format!("no {name}"), |n| format!("{name} {n}"))
 }
 
@@ -154,18 +154,18 @@ fn falls(
             let falls = before
                 .zip(after)
                 .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
-            let told = if is_flat {
+            let described = if is_flat {
                 let axis = &axis.name;
                 format!("{name} 0 at every value of {axis}: there is nothing to fall")
             } else {
-                format!("{}, then {}", told(name, before), told(name, after))
+                format!("{}, then {}", describe(name, before), describe(name, after))
             };
             let [from, to] = [pair[0].0, pair[1].0].map(|v| &axis.values[v].is);
             let what = format!("{name} falls along {} from {from} to {to}", axis.name);
             all.push(Reached {
                 strategy: found.measurement.strategies[pair[1].1].name.clone(),
                 expected: expectation(claim, what),
-                found: told,
+                found: described,
                 holds: falls && !is_flat,
             });
         }
@@ -180,12 +180,12 @@ type Chain = (usize, Vec<(String, String)>);
 fn chains(point: &Point, axis: &Axis, meant: &[usize]) -> BTreeMap<Chain, Vec<(usize, usize)>> {
     let mut chains: BTreeMap<Chain, Vec<(usize, usize)>> = BTreeMap::new();
     for index in meant {
-        for (template, maker) in &point.trials[*index].makers {
-            let own = maker.parameters.get(&axis.name);
+        for (template, member) in &point.trials[*index].families {
+            let own = member.parameters.get(&axis.name);
             let Some(value) = axis.values.iter().position(|v| Some(&v.is) == own) else {
                 continue;
             };
-            let others = maker
+            let others = member
                 .parameters
                 .iter()
                 .filter(|(key, _)| **key != axis.name);

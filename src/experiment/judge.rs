@@ -13,7 +13,7 @@ use image::RgbaImage;
 use super::measurement::{
     Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
 };
-use super::{Evaluator, Renderer, Samples, Shown, Stopwatch};
+use super::{Evaluator, Renderer, Samples, SceneAtTime, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
 use crate::exact::{Exact, evaluate};
 use crate::gpu::{ClockSet, PassTime as TimeOfPass, RunTimes};
@@ -30,11 +30,11 @@ pub struct Question<'a> {
     /// Name of the scene.
     pub name: String,
     /// The scene.
-    pub shown: &'a Shown,
+    pub shown: &'a SceneAtTime,
     /// The view of it.
     pub view: View,
     /// Of another scene, whose exact image is the truth: that of a whole mesh for a broken one. `None` asks the scene itself.
-    pub truth: Option<&'a Shown>,
+    pub truth: Option<&'a SceneAtTime>,
     /// The command line that asks it again.
     pub command: String,
     /// By which means those draw that say no others.
@@ -124,7 +124,7 @@ pub fn errors(
     let mut found = Vec::with_capacity(renderers.len());
     for renderer in renderers {
         step(renderer.to_string());
-        let (frame, strategy) = drawn(session, question, renderer, &exact)?;
+        let (frame, strategy) = draw_by(session, question, renderer, &exact)?;
         frames.push(frame);
         found.push(strategy);
     }
@@ -186,7 +186,7 @@ pub fn times(
     Ok(true)
 }
 
-fn drawn(
+fn draw_by(
     session: &mut Session,
     question: &Question<'_>,
     renderer: &Renderer,

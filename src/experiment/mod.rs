@@ -16,7 +16,7 @@ mod record;
 mod renderer;
 pub mod run;
 mod samples;
-mod shown;
+mod scene_at_time;
 mod stopwatch;
 pub mod sweep;
 mod synopsis;
@@ -30,13 +30,13 @@ pub use measurement::{
 };
 pub use parameter::{Parameter, Parameters};
 pub use record::{
-    Bound, CaseRecord, CaseRecords, Expectation, Machine, Maker, Picture, Reached, Record, Run,
-    Sitting, Warning,
+    Bound, CaseRecord, CaseRecords, Expectation, FamilyMember, Invocation, Machine, Picture,
+    Reached, Record, Run, Warning,
 };
 pub use renderer::{Evaluation, Evaluator, Renderer};
 pub use run::Watcher;
 pub use samples::Samples;
-pub use shown::{Shown, means};
+pub use scene_at_time::{SceneAtTime, means};
 pub(crate) use stopwatch::Stopwatch;
 pub use synopsis::{ChartSynopsis, RunSynopsis, Synopsis};
 

@@ -39,7 +39,8 @@ pub struct Record {
     pub measurement: Measurement,
     /// What made each strategy, in the order of the measurement: at least one, and more where several texts of the experiment come to
     /// the same.
-    pub makers: Vec<Vec<Maker>>,
+    #[serde(rename = "makers")]
+    pub families: Vec<Vec<FamilyMember>>,
     /// More figures of each strategy than one frame has, by name, in the order of the measurement.
     pub figures: Vec<BTreeMap<String, f64>>,
     /// What was expected, and what was reached.
@@ -50,7 +51,8 @@ pub struct Record {
     pub pictures: Vec<Picture>,
     /// The command that measured it; none in records that are older than this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sitting: Option<Sitting>,
+    #[serde(rename = "sitting")]
+    pub invocation: Option<Invocation>,
 }
 
 /// A document as the text of its file.
@@ -94,7 +96,7 @@ mod as_text_if_any {
 
 /// What made a strategy of an experiment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Maker {
+pub struct FamilyMember {
     /// What the experiment calls it: `grid:256+vds:{texels}`; its name, where nothing in that is swept.
     pub family: String,
     /// The values that took the places of the placeholders.
@@ -108,7 +110,7 @@ impl Record {
 
 /// One command that measured points: a run may take several.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Sitting {
+pub struct Invocation {
     /// When it began: RFC 3339, UTC.
     pub began: String,
     /// Processes that wanted to run before it began, in the mean over the last minute, where it is known.
@@ -314,7 +316,7 @@ pub struct Run {
     pub commit: Option<String>,
     /// When it began: RFC 3339, UTC.
     pub began: String,
-    /// Seconds of measuring, over all sittings.
+    /// Seconds of measuring, over all invocations.
     pub took_s: f64,
     /// Whether fewer pixels, values and rounds were asked for.
     pub is_quick: bool,

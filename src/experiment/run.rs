@@ -15,7 +15,7 @@ use super::drift::flicker;
 use super::expect::{Findings, reached};
 use super::judge::{Judgement, Question, error_steps, errors, times, timing_steps};
 use super::sweep::Point;
-use super::{Machine, Picture, Reached, Record, Renderer, Shown, Sitting, Warning, means};
+use super::{Invocation, Machine, Picture, Reached, Record, Renderer, SceneAtTime, Warning, means};
 use crate::document::{Document, Timeline};
 use crate::load::Assets;
 use crate::scene::{Remark, doubts};
@@ -57,7 +57,7 @@ pub struct Assignment<'a> {
     /// Where it is measured.
     pub machine: &'a Machine,
     /// By which command.
-    pub sitting: &'a Sitting,
+    pub invocation: &'a Invocation,
 }
 
 impl SceneRun {
@@ -107,7 +107,7 @@ fn measure_with(
     watcher.step(format!("opening {}", point.scene.name()));
     let mut assets = Assets::default();
     let mut said: Vec<Remark> = Vec::new();
-    let mut open = |document: &Document| -> Result<(Timeline, Shown)> {
+    let mut open = |document: &Document| -> Result<(Timeline, SceneAtTime)> {
         let timeline = document.timeline(&mut assets)?;
         let scene = timeline.scene()?;
         let notes = timeline.notes().iter().map(Remark::note);
@@ -117,7 +117,7 @@ fn measure_with(
                 said.push(remark);
             }
         }
-        Ok((timeline, Shown::of(&scene)))
+        Ok((timeline, SceneAtTime::of(&scene)))
     };
     let (timeline, shown) = open(&point.scene)?;
     let truth = point.truth.as_ref().map(&mut open).transpose()?;
@@ -188,14 +188,19 @@ fn measure_with(
         truth: (point.truth.as_ref())
             .map(|truth| truth.moved_to(Path::new("scene.toml")))
             .transpose()?,
-        makers: (point.trials.iter())
-            .map(|e| e.makers.iter().map(|(_, maker)| maker.clone()).collect())
+        families: (point.trials.iter())
+            .map(|e| {
+                e.families
+                    .iter()
+                    .map(|(_, member)| member.clone())
+                    .collect()
+            })
             .collect(),
         figures,
         expectations,
         warnings,
         pictures,
-        sitting: Some(assignment.sitting.clone()),
+        invocation: Some(assignment.invocation.clone()),
         measurement,
     };
     Ok(Some(Measured {
@@ -205,7 +210,7 @@ fn measure_with(
 }
 
 /// Pixels of two scenes show the same place only if both are placed and scaled alike.
-fn must_be_framed_alike(shown: &Shown, truth: Option<&Shown>) -> Result<()> {
+fn must_be_framed_alike(shown: &SceneAtTime, truth: Option<&SceneAtTime>) -> Result<()> {
     let Some(truth) = truth else {
         return Ok(());
     };

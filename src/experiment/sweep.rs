@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Maker, Parameter, Parameters, Renderer};
+use super::{FamilyMember, Parameter, Parameters, Renderer};
 use crate::document::{Document, Node};
 use crate::error::did_you_mean;
 use crate::{Error, Result};
@@ -140,15 +140,15 @@ pub struct Trial {
     /// Who is asked.
     pub renderer: Renderer,
     /// What made it: each text of the strategies, with values, that comes to this renderer.
-    pub makers: Vec<(usize, Maker)>,
+    pub families: Vec<(usize, FamilyMember)>,
 }
 
 impl Trial {
     /// Whether something holds for what made it.
     pub fn is_made_by(&self, holds: impl Fn(&Parameters) -> bool) -> bool {
-        self.makers
+        self.families
             .iter()
-            .any(|(_, maker)| holds(&maker.parameters))
+            .any(|(_, member)| holds(&member.parameters))
     }
 }
 
@@ -317,7 +317,7 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
             let name = parameters.iter().fold(text.clone(), fill);
             for renderer in Renderer::named(&name)? {
                 let name = renderer.to_string();
-                let maker = Maker {
+                let member = FamilyMember {
                     family: match own.is_empty() {
                         false => text.clone(),
                         true => name.clone(),
@@ -327,11 +327,11 @@ fn trials(texts: &[String], axes: &[&Axis]) -> Result<Vec<Trial>> {
                 let place = *places.entry(name).or_insert_with(|| {
                     trials.push(Trial {
                         renderer,
-                        makers: Vec::new(),
+                        families: Vec::new(),
                     });
                     trials.len() - 1
                 });
-                trials[place].makers.push((template, maker));
+                trials[place].families.push((template, member));
             }
         }
     }

@@ -258,7 +258,7 @@ impl Program {
             picture: self.buffer(plan.picture.ok_or_else(none)?)?,
             layers: self.buffer(plan.layers.ok_or_else(none)?)?,
             parts: named("parts")?,
-            place_of_part: named("rank_of_part")?,
+            place_of_part: named("place_of_part")?,
         };
         Compositor::new(gpu, target, &frame)
     }

@@ -35,7 +35,7 @@ pub(super) fn fault(question: &Question, judged: &Judged, resolution: u32) -> Op
         (nearest > allowed).then(|| {
             format!(
                 "{nearest:.5} from any mesh, at most {allowed:.5}: {}",
-                judged.told(pixel)
+                judged.describe(pixel)
             )
         })
     })

@@ -144,7 +144,7 @@ fn mismarked_fault(judged: &Judged) -> Option<String> {
 /// Nothing wrong is to go unmarked.
 pub(super) fn unmarked_fault(judged: &Judged) -> Option<String> {
     let first = judged.first_unmarked_wrong()?;
-    Some(format!("wrong and not marked: {}", judged.told(first)))
+    Some(format!("wrong and not marked: {}", judged.describe(first)))
 }
 
 fn share_fault(question: &Question, judged: &Judged, most: f64) -> Option<String> {
@@ -269,8 +269,8 @@ impl Tally {
     }
 
     /// In words.
-    pub fn told(&self, expected: &Expected) -> String {
-        let mut told = match self.refused == self.pictures {
+    pub fn describe(&self, expected: &Expected) -> String {
+        let mut described = match self.refused == self.pictures {
             true => "refused".to_owned(),
             false => format!(
                 "{} decided wrong in {} pictures",
@@ -279,15 +279,15 @@ impl Tally {
             ),
         };
         if self.refused > 0 && self.refused < self.pictures {
-            told += &format!(", {} refused", self.refused);
+            described += &format!(", {} refused", self.refused);
         }
         if self.overflowed > 0 {
-            told += &format!(", {} overflowed", self.overflowed);
+            described += &format!(", {} overflowed", self.overflowed);
         }
         let faults = self.faults_of(expected);
         if let Some(first) = faults.first() {
-            told += &format!("; {} not as expected, the first: {first}", faults.len());
+            described += &format!("; {} not as expected, the first: {first}", faults.len());
         }
-        told
+        described
     }
 }

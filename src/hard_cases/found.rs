@@ -162,15 +162,15 @@ fn reached(
         // Nothing of these scenes is asked for again.
         session.forget();
     }
-    let told = |(method, tally): (Method, Tally)| {
+    let describe = |(method, tally): (Method, Tally)| {
         let expected = case.expected(&method);
         Reached {
             strategy: method.to_string(),
             expected: expected.to_string(),
             why: expected.why().filter(|_| tally.is_short_of_exact()),
-            found: tally.told(&expected),
+            found: tally.describe(&expected),
             holds: tally.faults_of(&expected).is_empty(),
         }
     };
-    Ok(Some(tallies.into_iter().map(told).collect()))
+    Ok(Some(tallies.into_iter().map(describe).collect()))
 }

@@ -98,19 +98,19 @@ impl Judged {
             (c.crack_px, "crack"),
             (c.odd_parity_px, "odd"),
         ];
-        let mut told: Vec<String> = faults
+        let mut described: Vec<String> = faults
             .iter()
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!("{count} {what}"))
             .collect();
         if self.outcome != Outcome::Complete {
-            told.push(format!("outcome {:?}", self.outcome));
+            described.push(format!("outcome {:?}", self.outcome));
         }
-        if told.is_empty() {
+        if described.is_empty() {
             return None;
         }
-        told.extend(self.first_decided_wrong().map(|i| self.told(i)));
-        Some(told.join(", "))
+        described.extend(self.first_decided_wrong().map(|i| self.describe(i)));
+        Some(described.join(", "))
     }
 
     /// Numbers of the decided pixels that are wrong.
@@ -144,7 +144,7 @@ impl Judged {
     }
 
     /// A pixel in words.
-    pub fn told(&self, pixel: usize) -> String {
+    pub fn describe(&self, pixel: usize) -> String {
         let width = self.layers.size_px[0] as usize;
         format!(
             "pixel ({}, {}): exact {}, found {}",

@@ -8,7 +8,6 @@ use super::meshes;
 use crate::document;
 use crate::scene::{
     Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, Scene, Viewpoint, Wrap,
-    section_surface,
 };
 
 /// A scene of one mesh and one cut, seen from the usual place.
@@ -39,7 +38,7 @@ pub fn sectioned(shape: &str, sections: &[&str]) -> Scene {
     let bounds = made.bounds();
     let surfaces = sections
         .iter()
-        .map(|s| section_surface(s, &bounds).unwrap_or_else(|e| panic!("{s}: {e}")))
+        .map(|s| ClipSurface::parse(s, &bounds).unwrap_or_else(|e| panic!("{s}: {e}")))
         .collect();
     made.cuts = vec![Cut::of("cut", surfaces)];
     made

@@ -248,7 +248,7 @@ pub fn overlapping(_: u32) -> Vec<Scene> {
     ["-z=0.05", "-0.2,-1,-0.3@0,0.1,0"]
         .map(|section| {
             let mut scene = scenes::scene(section, both.clone(), Vec::new());
-            let plane = crate::scene::section_surface(section, &scene.bounds()).expect(section);
+            let plane = ClipSurface::parse(section, &scene.bounds()).expect(section);
             scene.cuts = vec![crate::scene::Cut::of("cut", vec![plane])];
             scene
         })

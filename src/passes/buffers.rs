@@ -82,7 +82,7 @@ impl<'a> SceneBuffers<'a> {
         let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
         let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
         let places = places_of_parts(input);
-        let place_of_part = upload("rank_of_part", Role::Storage, Clock::Cut, places);
+        let place_of_part = upload("place_of_part", Role::Storage, Clock::Cut, places);
         let settled = input
             .settles()
             .then(|| upload("settled", Role::Uniform, Clock::Cut, input.settled_table()));

@@ -13,7 +13,7 @@ use super::KeptContents;
 use super::cutters::Cutters;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
-use super::pose::{Moving, Standing};
+use super::pose::{Moving, PackedPose};
 use super::settled::SettledParts;
 use super::sliced::Sliced;
 use crate::plan::Contents;
@@ -131,7 +131,7 @@ impl Model {
             let rest = packed.rest.clone()?;
             let of = &scene.parts[part.part];
             Some(Moving {
-                standing: Standing::of(of, &rest, &space, room.first_vertex),
+                packed_pose: PackedPose::of(of, &rest, &space, room.first_vertex),
                 rest,
             })
         });

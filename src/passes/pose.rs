@@ -29,12 +29,12 @@ use crate::shader::Shader;
 #[derive(Clone, Debug)]
 pub struct Moving {
     pub(super) rest: Arc<Rest>,
-    pub(super) standing: Standing,
+    pub(super) packed_pose: PackedPose,
 }
 
 /// How a part stands, packed.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Standing {
+pub(super) struct PackedPose {
     pose: Contents,
     weights: Option<Contents>,
     joints: Option<Contents>,
@@ -44,7 +44,7 @@ pub(super) struct Standing {
     refusal: Option<String>,
 }
 
-impl Standing {
+impl PackedPose {
     /// Multiplies out the pose and the placement of a part.
     pub(super) fn of(part: &Part, rest: &Rest, space: &SceneSpace, first_vertex: u32) -> Self {
         let pose = &part.pose;
@@ -91,7 +91,7 @@ impl Standing {
             format!("`{name}` has {count} deformers; the pose pass applies {MOST_DEFORMERS}")
         });
         let mirrors = part.world_from_part.matrix3.determinant() < 0.0;
-        let standing = pack::Pose {
+        let packed_pose = pack::Pose {
             scene_from_rest: rows(placement),
             first_vertex,
             vertex_count: rest.vertex_count,
@@ -103,7 +103,7 @@ impl Standing {
             padding: 0,
         };
         Self {
-            pose: Contents::of(&[standing]),
+            pose: Contents::of(&[packed_pose]),
             inflates: rest.outward.is_some() && table.iter().any(|d| d.kind == pack::INFLATE),
             weights: (!weights.is_empty()).then(|| Contents::of(&weights)),
             joints,
@@ -178,7 +178,7 @@ pub(super) fn pose_parts(
         let Some(moving) = &input.model.moving[*rank] else {
             continue;
         };
-        if let Some(reason) = &moving.standing.refusal {
+        if let Some(reason) = &moving.packed_pose.refusal {
             return Err(Refusal::amount(reason.clone()));
         }
         pose_part(plan, input, *rank, moving, vertices);
@@ -193,7 +193,7 @@ fn pose_part(
     moving: &Moving,
     vertices: ResourceId,
 ) {
-    let Moving { rest, standing } = moving;
+    let Moving { rest, packed_pose } = moving;
     let part = &input.model.prepared.parts[rank];
     let number = part.part;
     let range = &input.model.ranges[rank];
@@ -207,14 +207,14 @@ fn pose_part(
         Binding::read(kind, plan.add_resource(resource))
     };
     let mut bindings = vec![
-        own("pose", Role::Uniform, &standing.pose),
+        own("pose", Role::Uniform, &packed_pose.pose),
         own("rest", Role::Storage, &rest.vertices),
         Binding::write("posed", vertices).within(bytes),
     ];
     let mut shader = Shader::from("passes/pose.wgsl");
     let mut how = Vec::new();
     let mut per_position = false;
-    shader = match (&rest.displacements, &standing.weights) {
+    shader = match (&rest.displacements, &packed_pose.weights) {
         (Some(displacements), Some(weights)) => {
             per_position = true;
             how.push("morph targets");
@@ -224,7 +224,7 @@ fn pose_part(
         }
         _ => shader.with("lib/morph/none.wgsl"),
     };
-    shader = match (&rest.pulls, &standing.joints) {
+    shader = match (&rest.pulls, &packed_pose.joints) {
         (Some(pulls), Some(joints)) => {
             per_position = true;
             how.push("its skin");
@@ -234,12 +234,12 @@ fn pose_part(
         }
         _ => shader.with("lib/skin/none.wgsl"),
     };
-    shader = match (&standing.deformers, &rest.outward) {
+    shader = match (&packed_pose.deformers, &rest.outward) {
         (None, _) => shader.with("lib/deform/none.wgsl"),
         (Some(deformers), outward) => {
             how.push("deformers");
             bindings.push(own("deformers", Role::Uniform, deformers));
-            match outward.as_ref().filter(|_| standing.inflates) {
+            match outward.as_ref().filter(|_| packed_pose.inflates) {
                 Some(outward) => {
                     per_position = true;
                     bindings.push(own("outward", Role::Storage, outward));

@@ -73,7 +73,7 @@ pub(super) fn rasterise(
     } else {
         let marking = Sweep {
             reason: "each sample marks the crossings it is behind, and raises the depth of its pixel where it is kept",
-            sample: "lib/sample/ranked.wgsl",
+            sample: "lib/sample/raised.wgsl",
             ..marking
         };
         marking.record(plan, scene, &screen);

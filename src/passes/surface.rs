@@ -9,8 +9,8 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// The place value of parts drawn where no list of crossings is known; `UNRANKED` in `shaders/lib/layers.wgsl`.
-const UNRANKED: f64 = 254.0;
+/// The place value of parts drawn where no list of crossings is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
+const UNCOUNTED: f64 = 254.0;
 
 /// The nearest surface of each pixel while it is drawn: the first pass clears it.
 #[derive(Debug)]
@@ -102,12 +102,12 @@ impl Surfaces {
         plan.add_pass(drawn.with_constants(pass.constants));
     }
 
-    /// Draws the parts that no cut reaches. `ranked` frames find such a surface's place among crossings later.
+    /// Draws the parts that no cut reaches. Frames with `lists` of crossings find its place among them later.
     pub(crate) fn draw_plain_parts(
         &mut self,
         plan: &mut Plan,
         scene: &SceneBuffers<'_>,
-        ranked: bool,
+        lists: bool,
     ) {
         let input = scene.input;
         let ranks = input.relevance.plain_parts();
@@ -127,8 +127,8 @@ impl Surfaces {
             )
         };
         let mut constants = Vec::new();
-        if ranked {
-            constants.push(("place", UNRANKED));
+        if lists {
+            constants.push(("place", UNCOUNTED));
         }
         if !input.view.near_cap {
             constants.push(("passes_exits", 1.0));

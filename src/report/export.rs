@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::derived::{Row, Situation, Standing, has_other_truth, ranked, rows, standings};
+use super::derived::{Row, Situation, StrategyTotals, has_other_truth, ranked, rows, standings};
 use super::recorded::{Experiment, Folder, PeerRecord, Recorded};
 use crate::experiment::{CaseRecords, Record, Run, Synopsis};
 
@@ -27,7 +27,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
     let parameters: BTreeSet<&String> = of_all()
         .flat_map(|r| {
             r.record.parameters.keys().chain(
-                r.record.makers[r.index]
+                r.record.families[r.index]
                     .iter()
                     .flat_map(|m| m.parameters.keys()),
             )
@@ -85,7 +85,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
                 .to_owned(),
         ];
         let values = parameters.iter().map(|p| {
-            let mut own = row.record.makers[row.index].iter();
+            let mut own = row.record.families[row.index].iter();
             let own = own.find_map(|m| m.parameters.get(*p));
             let value = own.or(row.parameter(p));
             value.map_or_else(String::new, ToString::to_string)
@@ -209,17 +209,17 @@ fn derived<'a>(folder: &Folder, record: &'a Record) -> DerivedPoint<'a> {
 }
 
 fn standings_of(folder: &Folder, records: &[&Record]) -> Vec<DerivedStanding> {
-    let bench = |r: &Record| (r.measurement.adapter.name.clone(), r.is_quick);
-    let benches: BTreeSet<(String, bool)> = records.iter().map(|r| bench(r)).collect();
-    let on = |of: &(String, bool)| -> Vec<Standing> {
+    let setup = |r: &Record| (r.measurement.adapter.name.clone(), r.is_quick);
+    let setups: BTreeSet<(String, bool)> = records.iter().map(|r| setup(r)).collect();
+    let on = |of: &(String, bool)| -> Vec<StrategyTotals> {
         let of_it = records
             .iter()
-            .filter(|r| bench(r) == *of && !has_other_truth(r));
+            .filter(|r| setup(r) == *of && !has_other_truth(r));
         standings(&of_it.copied().collect::<Vec<_>>())
     };
-    let all = benches
+    let all = setups
         .iter()
-        .flat_map(|bench| on(bench).into_iter().map(move |s| (bench, s)));
+        .flat_map(|setup| on(setup).into_iter().map(move |s| (setup, s)));
     all.map(|((adapter, is_quick), s)| DerivedStanding {
         folder: folder.path.display().to_string(),
         is_quick: *is_quick,
@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn cells_are_no_formulas_and_numbers_stay() {
-        for (cell, told) in [
+        for (cell, described) in [
             ("=1+1", "'=1+1"),
             ("+x", "'+x"),
             ("-z=50%", "'-z=50%"),
@@ -252,7 +252,7 @@ mod tests {
             ("-2e-3", "-2e-3"),
             ("a=b", "a=b"),
         ] {
-            assert_eq!(inert(cell.to_owned()), told);
+            assert_eq!(inert(cell.to_owned()), described);
         }
     }
 }

@@ -4,21 +4,21 @@
 //! `recorded` reads them, `derived` works out what no record has, `sections` say it, and `document` writes it down as a page, which
 //! opens from disk and asks no network, and as Markdown; `export` is for machines.
 
+mod chapters;
 mod derived;
 mod document;
 mod export;
 mod pages;
 mod recorded;
 mod section;
-mod sections;
 mod svg;
 mod table;
 mod text;
 
+pub use chapters::PictureOptions;
 pub use pages::{Pages, pages};
 pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
 pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};
-pub use sections::PictureOptions;
 pub use svg::{Unit, svg};
 pub use table::Table;
 pub use text::text;

@@ -1,9 +1,9 @@
 //! The report of recorded runs in all its forms.
 
+use super::chapters::{PictureOptions, document};
 use super::document::{html, markdown};
 use super::export::{csv, json};
 use super::recorded::Recorded;
-use super::sections::{PictureOptions, document};
 
 /// The forms of a report, each the text of a file.
 #[derive(Clone, Debug)]

@@ -318,15 +318,18 @@ mod tests {
             f(&mut surface);
             surface.defect()
         };
-        for (told, defect) in [
+        for (described, defect) in [
             ("origin", change(|s| s.origin.y = f64::NAN)),
             ("scale", change(|s| s.scale.z = f64::INFINITY)),
             ("u is too", change(|s| s.u = DVec3::ZERO)),
             ("v is too", change(|s| s.v *= 1e160)),
             ("orthogonal", change(|s| s.v += s.u * 1e-3)),
         ] {
-            let defect = defect.expect(told);
-            assert!(defect.contains(told), "{defect} does not speak of {told}");
+            let defect = defect.expect(described);
+            assert!(
+                defect.contains(described),
+                "{defect} does not speak of {described}"
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
 
-use super::told::bounds_told;
-use super::{Cut, Cutter, Fill, Part, Scene, Topology, section_misses};
+use super::numbers::describe_bounds;
+use super::{Cut, Cutter, Fill, Part, Scene, Topology};
 
 /// What is said of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
             "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
              the bounds, or a percentage of them such as z=50%",
             cut.name,
-            bounds_told(&bounds)
+            describe_bounds(&bounds)
         )));
     }
     let cuts = scene.cuts.iter().filter(|c| c.enabled);
@@ -55,7 +55,7 @@ pub(crate) fn misses(scene: &Scene) -> impl Iterator<Item = (&Cut, bool)> {
     let bounds = scene.bounds();
     let cuts = (scene.cuts.iter()).filter(|c| c.enabled && !c.surfaces.is_empty());
     cuts.filter_map(move |cut| {
-        let missing = cut.surfaces.iter().filter(|s| section_misses(s, &bounds));
+        let missing = cut.surfaces.iter().filter(|s| s.misses(&bounds));
         let stays: Vec<bool> = missing
             .map(|s| s.kept_height(bounds.centre()) > 0.0)
             .collect();
@@ -68,7 +68,7 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
     let (bounds, own) = (scene.bounds(), cutter.bounds_in_world());
     let is_apart = (own.min.cmpgt(bounds.max) | bounds.min.cmpgt(own.max)).any();
     is_apart.then(|| {
-        let (name, own, of_model) = (cutter.name(), bounds_told(&own), bounds_told(&bounds));
+        let (name, own, of_model) = (cutter.name(), describe_bounds(&own), describe_bounds(&bounds));
         Remark::warning(format!(
             "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
              `scale` and `rotate_deg` place it"
@@ -100,6 +100,6 @@ pub(crate) fn empty_picture(scene: &Scene) -> Remark {
     Remark::warning(format!(
         "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
          other side (--flip), move the section, or leave the camera options out",
-        bounds_told(&scene.bounds())
+        describe_bounds(&scene.bounds())
     ))
 }

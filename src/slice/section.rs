@@ -184,8 +184,8 @@ mod tests {
             (SectionDefect::Plane, false),
         ] {
             assert!(defect.loses_cap(), "{defect}");
-            let told = defect.help().contains("close the mesh");
-            assert_eq!(told, closes, "{defect}");
+            let described = defect.help().contains("close the mesh");
+            assert_eq!(described, closes, "{defect}");
         }
     }
 

@@ -35,8 +35,11 @@ fn faults(scene: &Scene) -> Vec<String> {
             let method = name.parse::<Method>().expect("a strategy");
             let judged: Judged = question.answer(method);
             if judged.comparison.decided_wrong_px > 0 {
-                let told = judged.fault_of_exact().unwrap_or_default();
-                all.push(format!("{} at {azimuth}: {method}: {told}", scene.name));
+                let described = judged.fault_of_exact().unwrap_or_default();
+                all.push(format!(
+                    "{} at {azimuth}: {method}: {described}",
+                    scene.name
+                ));
             }
         }
     }

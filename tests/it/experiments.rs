@@ -9,8 +9,8 @@ mod curated;
 mod definitions;
 mod drifts;
 mod expectations;
+mod invocations;
 mod order;
-mod sittings;
 
 use std::path::Path;
 

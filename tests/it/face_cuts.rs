@@ -13,7 +13,7 @@ use common::scenes::{looking, of_parts, sectioned};
 use cutaway::hard_cases::Judged;
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
-use cutaway::scene::{Camera, ClipSurface, Mesh, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Mesh, Scene};
 use cutaway::slice::{SlicePlane, Slicer};
 use cutaway::strategies::{Method, Obstacle};
 use glam::DVec3;
@@ -47,8 +47,8 @@ fn faults(question: &Question, what: &str) -> Vec<String> {
         let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.obstacle == Obstacle::NearPlane);
         let wrong = judged.comparison.decided_wrong_px;
         (wrong > 0 && !is_refused).then(|| {
-            let told = judged.fault_of_exact().unwrap_or_default();
-            format!("{what}: {method}: {told}")
+            let described = judged.fault_of_exact().unwrap_or_default();
+            format!("{what}: {method}: {described}")
         })
     };
     methods.iter().filter_map(fault).collect()
@@ -219,7 +219,7 @@ fn a_cut_leaves_nothing_without_thickness() {
         let scene = sectioned("cube", &[section]);
         let [surface, cap] = shown(&scene);
         assert_eq!((surface > 0, cap), (is_shown, 0), "{section}");
-        let cut = section_surface(section, &scene.bounds()).expect("a section");
+        let cut = ClipSurface::parse(section, &scene.bounds()).expect("a section");
         let mesh = &scene.parts[0].mesh;
         let slicer = Slicer::of(mesh.positions.clone(), &mesh.triangles);
         let area = slicer.section(&SlicePlane::from(&cut)).area();

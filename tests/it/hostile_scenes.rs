@@ -7,7 +7,7 @@ use std::fs;
 use cutaway::document::{Document, Timeline, section};
 use cutaway::error::{Error, Result};
 use cutaway::load::{Assets, read_offset_map};
-use cutaway::scene::{Bounds, Mesh, Part, section_surface};
+use cutaway::scene::{Bounds, ClipSurface, Mesh, Part};
 use glam::DVec3;
 
 use crate::common::command;
@@ -75,7 +75,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
     for Table { scene, slips } in tables() {
         load(&folder, &scene).expect("the negative control");
         for slip in &slips {
-            let [intact, broken, told @ ..] = slip.as_slice() else {
+            let [intact, broken, described @ ..] = slip.as_slice() else {
                 panic!("{slip:?} is no slip");
             };
             assert!(scene.contains(intact), "{intact} is not in the scene");
@@ -88,7 +88,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
                 }
             };
             let message = error.to_string();
-            for word in told.iter().map(String::as_str).chain(["help:"]) {
+            for word in described.iter().map(String::as_str).chain(["help:"]) {
                 if !message.contains(word) {
                     missed.push(format!("`{broken}` does not tell `{word}`:\n{message}"));
                 }
@@ -140,9 +140,9 @@ fn the_place_is_that_of_the_slip_or_of_what_a_key_moves() {
         else {
             panic!("{error} has no place");
         };
-        let told = text.lines().nth(line - 1).unwrap_or_default();
-        let told: String = told.chars().skip(column - 1).collect();
-        assert!(told.starts_with(at), "{line}:{column}: {told}");
+        let described = text.lines().nth(line - 1).unwrap_or_default();
+        let described: String = described.chars().skip(column - 1).collect();
+        assert!(described.starts_with(at), "{line}:{column}: {described}");
     }
 }
 
@@ -200,10 +200,10 @@ fn unit_box() -> Bounds {
 #[test]
 fn sections_that_make_no_sense_are_refused() {
     assert!(
-        section_surface("z=10", &unit_box()).is_ok(),
+        ClipSurface::parse("z=10", &unit_box()).is_ok(),
         "the negative control"
     );
-    for (text, told) in [
+    for (text, described) in [
         ("", "not a number"),
         ("z", "not a number"),
         ("z=", "not a number"),
@@ -227,12 +227,12 @@ fn sections_that_make_no_sense_are_refused() {
         ("1e-300,0,0,1e99", "too far"),
         ("0,nan,1,2", "finite"),
     ] {
-        let message = section_surface(text, &unit_box())
+        let message = ClipSurface::parse(text, &unit_box())
             .expect_err(text)
             .to_string();
         let culprit = format!("section `{text}`");
-        for word in [&*culprit, told, "help:", "z=10"] {
-            if word == "z=10" && told == "too far" {
+        for word in [&*culprit, described, "help:", "z=10"] {
+            if word == "z=10" && described == "too far" {
                 continue;
             }
             assert!(
@@ -250,7 +250,7 @@ fn reliefs_that_make_no_sense_are_refused() {
         apply("fractal:seed=3,size=8x4", unit_box()).is_ok(),
         "the negative control"
     );
-    for (text, told) in [
+    for (text, described) in [
         ("", "use one of"),
         ("fractl", "did you mean `fractal`?"),
         ("fractal:7", "fractal"),
@@ -278,7 +278,7 @@ fn reliefs_that_make_no_sense_are_refused() {
     ] {
         let message = apply(text, unit_box()).expect_err(text).to_string();
         assert!(
-            message.contains(told) && message.contains("help:"),
+            message.contains(described) && message.contains("help:"),
             "`{text}`:\n{message}"
         );
     }

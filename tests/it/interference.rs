@@ -6,7 +6,7 @@ use common::{Question, meshes, scenes, session, strategy};
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
-use cutaway::scene::{Camera, Cut, Part, Role, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Part, Role, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3, Vec3};
@@ -33,7 +33,7 @@ fn balls(offsets: &[f64]) -> Scene {
         ball
     });
     let mut scene = scenes::of_parts("balls", parts.collect(), Vec::new());
-    let plane = section_surface("-0.1,-0.2,-1@0,0,0.03", &scene.bounds()).expect("a section");
+    let plane = ClipSurface::parse("-0.1,-0.2,-1@0,0,0.03", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::of("cut", vec![plane])];
     scene
 }
@@ -72,7 +72,7 @@ fn overlapping() -> Vec<(&'static str, Scene)> {
     };
     let mut several = balls(&[-0.2, 0.2]);
     let bounds = several.bounds();
-    let side = section_surface("1,0.1,0.2@-0.1,0,0", &bounds).expect("a section");
+    let side = ClipSurface::parse("1,0.1,0.2@-0.1,0,0", &bounds).expect("a section");
     several.cuts.push(Cut::of("side", vec![side]));
     vec![
         ("two balls", balls(&[-0.2, 0.2])),
@@ -150,7 +150,7 @@ fn what_no_cut_opens_does_not_overlap() {
 fn the_overlap_is_the_lens_of_the_balls() {
     // Seen from above, two balls of radius 1/2 at x = -0.2 and 0.2 share a lens of the cut plane.
     let mut scene = balls(&[-0.2, 0.2]);
-    let plane = section_surface("-z=0", &scene.bounds()).expect("a section");
+    let plane = ClipSurface::parse("-z=0", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::of("cut", vec![plane])];
     scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 1.2);
     let exact = Question::of(&scene, [240, 240]).exact;
@@ -244,10 +244,10 @@ fn asked_of(rasteriser: Rasteriser) {
     }
     // Who draws the caps of each part by themselves cannot tell, and says so.
     for name in ["stencil", "grid:8+vds:64"] {
-        let told = plan_of(&asking(&two), name, means).expect_err(name);
+        let described = plan_of(&asking(&two), name, means).expect_err(name);
         assert!(
-            told.contains("does not tell where solids overlap"),
-            "{told}"
+            described.contains("does not tell where solids overlap"),
+            "{described}"
         );
         assert!(plan_of(&two, name, means).is_ok(), "{name}: nobody asked");
     }

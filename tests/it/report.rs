@@ -160,13 +160,13 @@ fn what_was_missed_is_loud() {
         .expectations
         .push(reached("grid:256+vds:1024", false));
     let loud = report_of(&folder, &records);
-    let told = "Expectation missed by grid:256+vds:1024. Expected: 0 decided wrong px. Found: what was found.";
+    let described = "Expectation missed by grid:256+vds:1024. Expected: 0 decided wrong px. Found: what was found.";
     assert!(loud.html.contains("1 of 5 expectations were missed"));
     assert!(
         loud.html
-            .contains(&format!("<p class=\"notice bad\">{told}"))
+            .contains(&format!("<p class=\"notice bad\">{described}"))
     );
-    assert!(loud.markdown.contains(&format!("> **Wrong**: {told}")));
+    assert!(loud.markdown.contains(&format!("> **Wrong**: {described}")));
     // A point with something missed is open from the start, although it is not the first.
     assert!(
         loud.html
@@ -355,21 +355,30 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
             Some(text) => fs::write(&file, text).unwrap(),
             None => fs::remove_file(&file).unwrap(),
         }
-        let told = folder.run("report run --out out").exits(2).stderr;
+        let described = folder.run("report run --out out").exits(2).stderr;
         for word in [path, said, "help: "] {
-            assert!(told.contains(word), "{path}: {word} is missing from {told}");
+            assert!(
+                described.contains(word),
+                "{path}: {word} is missing from {described}"
+            );
         }
     }
     let mut uneven = records();
     uneven[0].figures.pop();
     write(&folder.path("run"), &uneven, None);
-    let told = folder.run("report run").exits(2).stderr;
+    let described = folder.run("report run").exits(2).stderr;
     assert!(
-        told.contains("`figures` has 3 entries for 4 strategies"),
-        "{told}"
+        described.contains("`figures` has 3 entries for 4 strategies"),
+        "{described}"
     );
-    let told = folder.run("report nowhere").exits(2).stderr;
-    assert!(told.contains("nowhere: there is no such folder"), "{told}");
-    let told = folder.run("report run/run.json").exits(2).stderr;
-    assert!(told.contains("it is a file, not a folder"), "{told}");
+    let described = folder.run("report nowhere").exits(2).stderr;
+    assert!(
+        described.contains("nowhere: there is no such folder"),
+        "{described}"
+    );
+    let described = folder.run("report run/run.json").exits(2).stderr;
+    assert!(
+        described.contains("it is a file, not a folder"),
+        "{described}"
+    );
 }

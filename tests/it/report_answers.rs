@@ -5,7 +5,7 @@
 
 use std::fs;
 
-use cutaway::experiment::{Maker, Parameter, Record, Samples};
+use cutaway::experiment::{FamilyMember, Parameter, Record, Samples};
 use cutaway::report::{PictureOptions, Recorded, pages};
 use serde_json::{Value, json};
 
@@ -16,7 +16,7 @@ use command::Scratch;
 use fixture::{NAME, drawn, record, records, refused, scene, write};
 
 /// The report of some points as Markdown, where the run says more of itself.
-fn told(folder: &Scratch, records: &[Record], of_run: &Value) -> String {
+fn describe(folder: &Scratch, records: &[Record], of_run: &Value) -> String {
     write(&folder.path("run"), records, None);
     let file = folder.path(&format!("run/{NAME}/experiment.json"));
     let mut definition: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
@@ -48,9 +48,9 @@ fn each_input_has_an_answer() {
         compute.time_ms.solid = Samples::of(vec![40.0; 3]);
         record.measurement.strategies[3] = compute;
     }
-    let silent = told(&folder, &all, &json!({}));
+    let silent = describe(&folder, &all, &json!({}));
     assert!(!silent.contains("What should I use for what I have?"));
-    let view = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    let view = describe(&folder, &all, &json!({ "input": "sawn wood" }));
     assert_eq!(
         rows(&view, "sawn wood"),
         [
@@ -63,7 +63,7 @@ fn each_input_has_an_answer() {
         "it is the first table"
     );
     // The mesh moves: what stands on its clock is paid too.
-    let mesh = told(
+    let mesh = describe(
         &folder,
         &all,
         &json!({ "input": "sawn wood", "moves": "mesh" }),
@@ -80,7 +80,7 @@ fn each_input_has_an_answer() {
         .as_mut()
         .unwrap()
         .decided_wrong_px = 1;
-    let wrong = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    let wrong = describe(&folder, &all, &json!({ "input": "sawn wood" }));
     assert!(rows(&wrong, "sawn wood")[0].contains("| raycast+mask | ×4.00 |  |"));
 }
 
@@ -105,13 +105,13 @@ fn broken_meshes_are_told_apart() {
     }
     whole.scene = scene(Some("holes:amount=5%"));
     all.push(whole);
-    let control = told(&folder, &all, &json!({}));
+    let control = describe(&folder, &all, &json!({}));
     let exact = |page: &str| rows(page, "raycast+mask")[0].to_owned();
     assert!(exact(&control).starts_with("| raycast+mask | 3 | 3 | 2 | 4 |"));
     assert!(!control.contains("Which strategies cope with broken meshes"));
 
     all[2].truth = Some(scene(None));
-    let page = told(&folder, &all, &json!({}));
+    let page = describe(&folder, &all, &json!({}));
     assert!(exact(&page).starts_with("| raycast+mask | 2 | 2 | 2 | 0 |"));
     assert!(page.contains("1 point judged by the exact image of another scene"));
     let broken = rows(&page, "crank");
@@ -125,7 +125,7 @@ fn broken_meshes_are_told_apart() {
     );
     // As an input: nothing is exact. What `render` takes is named, what marks nearly everything is not, and `winding` comes with its command.
     let alone = Scratch::new("answers-broken-alone");
-    let input = told(&alone, &all[2..], &json!({ "input": "what was scanned" }));
+    let input = describe(&alone, &all[2..], &json!({ "input": "what was scanned" }));
     let row = rows(&input, "what was scanned")[0].to_owned();
     assert!(
         row.contains(
@@ -136,7 +136,7 @@ fn broken_meshes_are_told_apart() {
     );
     // With nothing broken there is nothing to cope with.
     all[2].scene = scene(Some("holes:amount=0%"));
-    let unbroken = told(&folder, &all, &json!({}));
+    let unbroken = describe(&folder, &all, &json!({}));
     assert!(rows(&unbroken, "crank").is_empty());
 }
 
@@ -158,7 +158,7 @@ fn in_turns() -> Vec<Record> {
 #[test]
 fn all_tables_have_one_ranking_and_the_ratio_of_what_they_name() {
     let folder = Scratch::new("answers-ranking");
-    let page = told(&folder, &in_turns(), &json!({ "input": "sawn wood" }));
+    let page = describe(&folder, &in_turns(), &json!({ "input": "sawn wood" }));
     // The median of the stencil is 2.5; that of whichever is faster at each point would be 1.5.
     let best = "| raycast+mask --rasteriser compute | ×2.00 | stencil (one plane, eye outside the cut) ×2.50, a draw |";
     for start in [
@@ -173,7 +173,7 @@ fn all_tables_have_one_ranking_and_the_ratio_of_what_they_name() {
     // Faster at three points of four is no draw.
     let mut all = in_turns();
     all[1] = record("2", all[2].measurement.strategies.clone());
-    let page = told(&folder, &all, &json!({ "input": "sawn wood" }));
+    let page = describe(&folder, &all, &json!({ "input": "sawn wood" }));
     assert!(rows(&page, "sawn wood")[0].contains("eye outside the cut) ×4.00 |"));
 }
 
@@ -182,7 +182,7 @@ fn the_papers_path_is_told_where_it_is_swept() {
     let folder = Scratch::new("answers-paper");
     let swept = |names: [&str; 2]| {
         let all = vec![drawn(names[0], 3, 2.0), drawn(names[1], 9, 5.0)];
-        told(&folder, &[record("2%", all)], &json!({}))
+        describe(&folder, &[record("2%", all)], &json!({}))
     };
     let none = swept(["grid:64+mask", "raycast+vds:512"]);
     assert!(none.contains("was not timed on any point"), "the control");
@@ -223,15 +223,15 @@ fn long_reasons_are_short_and_whole() {
 fn series_are_called_as_the_experiment_calls_them() {
     let folder = Scratch::new("answers-families");
     let mut all = records();
-    let maker = |family: &str, parameter: &str, value: i64| Maker {
+    let member = |family: &str, parameter: &str, value: i64| FamilyMember {
         family: family.to_owned(),
         parameters: [(parameter.to_owned(), Parameter::Whole(value))].into(),
     };
     for record in &mut all {
         record.measurement.strategies[1].name = "grid:256+vds:256".to_owned();
-        record.makers[1] = vec![
-            maker("grid:256+vds:{texels}", "texels", 256),
-            maker("grid:{cells}+vds:256", "cells", 256),
+        record.families[1] = vec![
+            member("grid:256+vds:{texels}", "texels", 256),
+            member("grid:{cells}+vds:256", "cells", 256),
         ];
     }
     write(&folder.path("run"), &all, None);
@@ -240,8 +240,11 @@ fn series_are_called_as_the_experiment_calls_them() {
     for family in ["grid:256+vds:{texels}", "grid:{cells}+vds:256"] {
         assert!(page.contains(family), "{family} has no series");
     }
-    all[0].makers[1].clear();
+    all[0].families[1].clear();
     write(&folder.path("run"), &all, None);
-    let told = folder.run("report run").exits(2).stderr;
-    assert!(told.contains("`makers` has 3 entries for 4"), "{told}");
+    let described = folder.run("report run").exits(2).stderr;
+    assert!(
+        described.contains("`families` has 3 entries for 4"),
+        "{described}"
+    );
 }

@@ -74,8 +74,10 @@ fn what_is_recommended_can_be_drawn() {
 #[test]
 fn all_commands_are_there_and_missing_pictures_are_said_once() {
     let page = &PAGES.markdown;
-    let sittings = page.lines().filter(|l| l.contains("| `cutaway measure "));
-    let points: Vec<&str> = sittings.map(|l| l.split(" | ").nth(3).unwrap()).collect();
+    let invocations = page.lines().filter(|l| l.contains("| `cutaway measure "));
+    let points: Vec<&str> = invocations
+        .map(|l| l.split(" | ").nth(3).unwrap())
+        .collect();
     assert_eq!(points, ["109", "7", "0"], "of three commands");
     assert!(page.contains("01-paper.toml experiments/curated/02-accuracy.toml"));
     assert!(page.contains("| took, all commands together | 1263 s |"));

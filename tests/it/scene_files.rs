@@ -7,7 +7,7 @@ use cutaway::document::{Background, Settings, Timeline, section};
 use cutaway::error::Result;
 use cutaway::load::{Assets, Loaded, read_offset_map};
 use cutaway::scene::relief::{Procedure, ProcedureKind};
-use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap, section_misses};
+use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap};
 use glam::{DVec3, Vec3};
 
 use crate::common::command;
@@ -219,8 +219,8 @@ values = [[0, 0, -1], [0, 0, 1]]
         "values of the key"
     );
     let notes = file.notes().join("\n");
-    for told in ["crank was welded", "steel"] {
-        assert!(notes.contains(told), "no note of {told}: {notes}");
+    for described in ["crank was welded", "steel"] {
+        assert!(notes.contains(described), "no note of {described}: {notes}");
     }
 }
 
@@ -259,7 +259,7 @@ fn a_section_with_a_relief_cuts_what_the_section_cuts() {
     let bounds = solid("s").bounds_in_world();
     for name in Procedure::NAMES {
         let relief = section("z=50%").relief(name).on(&bounds).expect(name);
-        assert!(!section_misses(&relief, &bounds), "{name} misses");
+        assert!(!relief.misses(&bounds), "{name} misses");
         for (z, kept) in [(0.0, false), (1.0, true)] {
             let height = relief.kept_height(DVec3::new(0.1, 0.2, z));
             assert_eq!(height > 0.0, kept, "{name}: height {height} at z = {z}");

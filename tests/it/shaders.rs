@@ -397,7 +397,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MAX_SURFACES", MAX_SURFACES as u32),
         ("WORDS_PER_PIXEL", words_per_pixel),
         (
-            "UNRANKED",
+            "UNCOUNTED",
             override_of_a_plan("passes/surface.wgsl", "place") as u32,
         ),
         ("NEAR_PLANE", u32::from(NEAR_PLANE)),

@@ -1,6 +1,6 @@
 // What the shaders of a host ask: whether a point of a part is kept. Given to them as text, and therefore without an entry point.
 
-#import cutaway::crossings::rank_of
+#import cutaway::crossings::passed_at
 #import cutaway::cuts::is_removed
 #import cutaway::frame::{buffer_from_depth, frame, pixel_index}
 
@@ -21,5 +21,5 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     if any(pixel >= frame.size_px) {
         return true;
     }
-    return !is_removed(rank_of(depth, pixel_index(pixel)).sides, clip.cuts_of_part[part]);
+    return !is_removed(passed_at(depth, pixel_index(pixel)).sides, clip.cuts_of_part[part]);
 }

@@ -6,14 +6,14 @@
 #define_import_path cutaway::sample
 
 #import cutaway::nearest_wide::keep
-#import cutaway::ranking::rank_and_store
+#import cutaway::passing::pass_and_store
 #import cutaway::settling::settle
 #import cutaway::sweep::Sample
 
 // No later sweep is to see the triangle.
 fn take(found: Sample) -> bool {
     let sample = settle(found);
-    if rank_and_store(sample) {
+    if pass_and_store(sample) {
         keep(sample);
     }
     return false;

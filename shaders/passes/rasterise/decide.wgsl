@@ -7,7 +7,7 @@
 #import cutaway::decision::{Drawn, decide, write}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::lanes::Lanes
-#import cutaway::layers::{BACKGROUND, SURFACE, UNRANKED, UNRELIABLE, kind_of, layer_word}
+#import cutaway::layers::{BACKGROUND, SURFACE, UNCOUNTED, UNRELIABLE, kind_of, layer_word}
 
 // Code of the triangle, and its depth-buffer value as bits.
 @group(1) @binding(5) var<storage, read> nearest: array<vec2<u32>>;
@@ -30,7 +30,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         var drawn = Drawn(BACKGROUND, 0u, bitcast<f32>(found.y));
         if found.y != 0u {
             // A depth that no triangle claims is a fault of the rasteriser.
-            drawn.word = select(layer_word(SURFACE, UNRANKED, 0u), UNRELIABLE, found.x == 0u);
+            drawn.word = select(layer_word(SURFACE, UNCOUNTED, 0u), UNRELIABLE, found.x == 0u);
             drawn.normal = found.x;
         }
         let decision = decide(id.xy, Lanes(lane_bits, lane_count, near_inside, overlaps), drawn);

@@ -13,8 +13,8 @@
 #import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
 
 @group(1) @binding(0) var<storage, read_write> layers: array<u32>;
-// Rank of each part of the scene.
-@group(1) @binding(1) var<storage, read> rank_of_part: array<u32>;
+// Place of each part of the scene in the table.
+@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 // How many pixels there are, then their numbers.
 @group(1) @binding(6) var<storage, read> painted: array<u32>;
@@ -79,7 +79,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             }
             layers[first] = word;
             layers[first + 1u] = normal;
-            picture[pixel] = color_of(at, word, normal, rank_of_part[part_of(word)]);
+            picture[pixel] = color_of(at, word, normal, place_of_part[part_of(word)]);
         }
     }
 }

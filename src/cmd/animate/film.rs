@@ -13,9 +13,9 @@ use super::target::Target;
 use super::times::Times;
 use super::turntable::turned;
 use crate::Result;
-use crate::experiment::{Renderer, Shown, Stopwatch};
+use crate::experiment::{Renderer, SceneAtTime, Stopwatch};
 use crate::scene::Camera;
-use crate::scene::told::round;
+use crate::scene::numbers::round;
 use crate::session::{Outcome, Session};
 
 /// All that frames are drawn from.
@@ -25,7 +25,7 @@ pub(super) struct Film<'a> {
     pub(super) times: Times,
     pub(super) renderer: Renderer,
     /// The scene at the time of the last frame.
-    pub(super) shown: Shown,
+    pub(super) shown: SceneAtTime,
     pub(super) camera: Camera,
 }
 

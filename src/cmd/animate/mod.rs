@@ -30,7 +30,7 @@ use super::output::Output;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::ClipArgs;
-use crate::experiment::{Identity, Renderer, Shown};
+use crate::experiment::{Identity, Renderer, SceneAtTime};
 use crate::load::frames::USUAL_FPS;
 use crate::session::Outcome;
 use crate::{Error, Result};
@@ -169,7 +169,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         subject: &subject,
         times,
         renderer,
-        shown: Shown::of(&subject.scene),
+        shown: SceneAtTime::of(&subject.scene),
         camera: subject.scene.camera,
     };
     let mut frames = Vec::with_capacity(times.count as usize);
@@ -272,7 +272,7 @@ fn times(
     if (fps - asked).abs() > 1e-9 * asked {
         console.note(format!(
             "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
-            crate::scene::told::round(fps)
+            crate::scene::numbers::round(fps)
         ));
     }
     args.times.times(fps, moving_s)
@@ -312,7 +312,7 @@ fn verdict(frames: &[FrameReport], renderer: Renderer, console: &Console) -> Ver
     console.failed(format!(
         "{renderer} did not draw all of {} frames, the first at {} s: {}",
         incomplete.len(),
-        crate::scene::told::round(first.time_s),
+        crate::scene::numbers::round(first.time_s),
         first.outcome.reason().unwrap_or_default()
     ));
     Verdict::Failed

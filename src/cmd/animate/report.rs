@@ -94,7 +94,7 @@ mod tests {
     use super::*;
     use crate::gpu::RunTimes;
 
-    fn drawn(outcome: Outcome, clocks_ms: [Option<f64>; 3]) -> Drawn {
+    fn frame_that(outcome: Outcome, clocks_ms: [Option<f64>; 3]) -> Drawn {
         let mut clocks = ClockSet::NONE;
         for clock in Clock::ALL {
             if clocks_ms[clock as usize].is_some() {
@@ -116,8 +116,8 @@ mod tests {
     fn samples_become_one_frame() {
         let full = Outcome::Overflowed("full".into());
         let frames = [
-            drawn(Outcome::Complete, [Some(8.0), None, Some(1.0)]),
-            drawn(full, [None, None, Some(3.0)]),
+            frame_that(Outcome::Complete, [Some(8.0), None, Some(1.0)]),
+            frame_that(full, [None, None, Some(3.0)]),
         ];
         let report = FrameReport::of(0.5, &frames, 20.0);
         let json = report.json();

@@ -134,7 +134,7 @@ impl Job<'_> {
                     identity.add_document(truth);
                 }
                 for trial in &point.trials {
-                    identity.add(format!("{} {:?}", trial.renderer, trial.makers));
+                    identity.add(format!("{} {:?}", trial.renderer, trial.families));
                 }
                 let rounds = self.rounds(args);
                 identity.add(format!("{:?} {keeps_pictures} {rounds}", point.parameters));

@@ -23,7 +23,9 @@ use super::output::write_stdout;
 use crate::Result;
 use crate::experiment::expect::judge_again;
 use crate::experiment::run::{Assignment, measure};
-use crate::experiment::{CaseRecords, Machine, Reached, Record, Run, Sitting, Stopwatch, Watcher};
+use crate::experiment::{
+    CaseRecords, Invocation, Machine, Reached, Record, Run, Stopwatch, Watcher,
+};
 use crate::gpu::Gpu;
 use crate::scene::Remark;
 use crate::session::Session;
@@ -91,7 +93,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
     let console = Console::new(args.console, steps);
     console.show_what_is_left();
     let mut work = Work {
-        sitting: Sitting {
+        invocation: Invocation {
             began: machine::now(),
             load: machine.load,
             command: command_line(),
@@ -156,9 +158,9 @@ fn described(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) 
     }
 }
 
-/// One sitting of a run.
+/// One invocation of a run.
 struct Work<'a> {
-    sitting: Sitting,
+    invocation: Invocation,
     args: &'a MeasureArgs,
     folder: Folder,
     run: Run,
@@ -284,7 +286,7 @@ impl Work<'_> {
             identity,
             command: job.command(self.args),
             machine: &self.machine,
-            sitting: &self.sitting,
+            invocation: &self.invocation,
         };
         self.console.detail(job.place());
         let watching = Watching::of(job, &self.console, &self.interrupt);
@@ -343,7 +345,7 @@ struct Watching<'a> {
     place: String,
     console: &'a Console,
     interrupt: &'a Interrupt,
-    told: Cell<usize>,
+    described: Cell<usize>,
 }
 
 impl<'a> Watching<'a> {
@@ -352,7 +354,7 @@ impl<'a> Watching<'a> {
             place: job.place(),
             console,
             interrupt,
-            told: Cell::new(0),
+            described: Cell::new(0),
         }
     }
 
@@ -360,7 +362,7 @@ impl<'a> Watching<'a> {
     fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
         // The last round that was told of is not complete.
-        let complete = self.told.get().saturating_sub(before + 1);
+        let complete = self.described.get().saturating_sub(before + 1);
         format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }
 }
@@ -373,7 +375,7 @@ impl Watcher for Watching<'_> {
     }
 
     fn step(&self, what: String) {
-        self.told.set(self.told.get() + 1);
+        self.described.set(self.described.get() + 1);
         self.console.step(format!("{}: {what}", self.place));
     }
 

@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::report::Face;
-use crate::scene::told::round;
+use crate::scene::numbers::round;
 use crate::scene::{ClipSurface, Part, Scene};
 use crate::slice::{HalfPlane, SlicePlane, Trim};
 use crate::{Error, Result};

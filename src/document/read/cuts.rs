@@ -17,7 +17,7 @@ use crate::document::Keys;
 use crate::error::{Result, did_you_mean};
 use crate::scene::relief::{Placement, parse_wrap, place_map};
 use crate::scene::{
-    Amount, Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, SectionSpec, Up, Wrap, glob_matches,
+    Amount, Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, PlaneSpec, Up, Wrap, glob_matches,
     range,
 };
 
@@ -50,7 +50,7 @@ pub(super) struct Context<'a> {
 pub(super) fn read(
     entry: &Entry<'_>,
     index: usize,
-    cutter: Option<&cutters::Held>,
+    cutter: Option<&cutters::CutterSource>,
     context: &Context<'_>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Cut>> {
@@ -200,7 +200,7 @@ pub(super) fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSu
     let surface = if open.get("section").is_some() {
         let table = entry.table(SECTION)?;
         let section = table.need("section", "\"z=50%\"")?;
-        let spec = SectionSpec::parse(section.text()?);
+        let spec = PlaneSpec::parse(section.text()?);
         let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
         on_plane(surface.map_err(|e| section.place(e))?, &table, context)?
     } else if open.get("normal").is_some() {
@@ -210,7 +210,7 @@ pub(super) fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSu
             Some(origin) => DVec3::from(origin.vector()?),
             None => context.bounds.centre(),
         };
-        let spec = SectionSpec::through(point, DVec3::from(normal.vector()?));
+        let spec = PlaneSpec::through(point, DVec3::from(normal.vector()?));
         let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
         on_plane(surface.map_err(|e| normal.place(e))?, &table, context)?
     } else {

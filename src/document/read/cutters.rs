@@ -21,14 +21,17 @@ pub(super) const PLACES: &[&str] = &[
 
 /// A cutter as its file has it.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+pub(super) struct CutterSource {
     cutter: Cutter,
     /// Bounds where its file puts it.
     rest: Bounds,
 }
 
 /// Opens the cutters of a file, one for each cut that has one.
-pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<Option<Held>>> {
+pub(super) fn open(
+    entries: &[Entry<'_>],
+    opening: &mut Opening<'_>,
+) -> Result<Vec<Option<CutterSource>>> {
     entries
         .iter()
         .map(|entry| {
@@ -38,7 +41,7 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
         .collect()
 }
 
-fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Held> {
+fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource> {
     let text = entry.text()?;
     let solids = if text.starts_with("shape:") {
         opening.shape(entry, text)?
@@ -46,7 +49,7 @@ fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Held> {
         opening.mesh(entry, text)?
     };
     let cutter = Cutter::of_parts(text, &solids).map_err(|e| entry.place(e))?;
-    Ok(Held {
+    Ok(CutterSource {
         rest: cutter.bounds_in_world(),
         cutter,
     })
@@ -55,7 +58,7 @@ fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Held> {
 /// The cutter of a cut where it is at the time of the text, if it has one; `model` are the bounds of what it cuts.
 pub(super) fn read(
     table: &Table<'_>,
-    held: Option<&Held>,
+    held: Option<&CutterSource>,
     model: &Bounds,
 ) -> Result<Option<Cutter>> {
     let Some(held) = held else {

@@ -147,8 +147,8 @@ pub(super) use keys::{Keyed, Moment};
 use reader::{Entry, Source, Table};
 pub(super) use reliefs::{Images, Resolved};
 pub use settings::{Background, Settings};
-pub(super) use stock::Held;
 use stock::Opening;
+pub(super) use stock::PartSource;
 
 use super::node::Node;
 use super::paths::{Keys, keys_below};
@@ -166,9 +166,9 @@ static KEYS: Keys = Keys::below("");
 #[derive(Debug)]
 pub(super) struct Stock {
     /// Of each part.
-    pub(super) parts: Vec<Held>,
+    pub(super) parts: Vec<PartSource>,
     /// Of each cut.
-    cutters: Vec<Option<cutters::Held>>,
+    cutters: Vec<Option<cutters::CutterSource>>,
     images: Images,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
@@ -332,7 +332,7 @@ pub(super) fn scene(
         Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
         None => reliefs::Maps::new(),
     };
-    let names: Vec<&str> = (stock.parts.iter().flat_map(Held::names))
+    let names: Vec<&str> = (stock.parts.iter().flat_map(PartSource::names))
         .map(String::as_str)
         .collect();
     let context = cuts::Context {

@@ -5,7 +5,7 @@ use glam::{DAffine3, DMat3, DVec3, Vec3};
 use super::deform;
 use super::reader::{Entry, Table};
 use super::settings::color;
-use super::stock::Held;
+use super::stock::PartSource;
 use crate::document::Keys;
 use crate::error::{Result, did_you_mean};
 use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
@@ -32,7 +32,7 @@ const HATCHES: &[&str] = &[
 /// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
 pub(super) fn read(
     entry: &Entry<'_>,
-    held: &Held,
+    held: &PartSource,
     time_s: f64,
     outwards: &Outwards,
     notes: &mut Vec<String>,

@@ -35,7 +35,7 @@ impl Solids {
 
 /// What one entry `[[part]]` is made of.
 #[derive(Clone, Debug)]
-pub(crate) struct Held {
+pub(crate) struct PartSource {
     /// One, or one for each frame.
     frames: Vec<Solids>,
     sequence: Option<Sequence>,
@@ -47,7 +47,7 @@ pub(crate) struct Held {
     pub(super) share_a_space: bool,
 }
 
-impl Held {
+impl PartSource {
     fn of(frames: Vec<Solids>, sequence: Option<Sequence>) -> Self {
         let parts = || frames.iter().flat_map(|f| &f.parts);
         let share_a_space = parts().all(|p| p.world_from_part == DAffine3::IDENTITY);
@@ -133,7 +133,7 @@ impl Held {
 }
 
 /// Opens what the parts of a document name.
-pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<Held>> {
+pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
     let mut stock = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     for entry in entries {
@@ -171,7 +171,7 @@ pub(super) struct Opening<'a> {
 }
 
 impl Opening<'_> {
-    fn entry(&mut self, table: &Table<'_>) -> Result<Held> {
+    fn entry(&mut self, table: &Table<'_>) -> Result<PartSource> {
         let (origin, text, is_mesh) = match (table.get("mesh"), table.get("shape")) {
             (Some(mesh), None) => (mesh.clone(), mesh.text()?.to_owned(), true),
             (None, Some(shape)) => (shape.clone(), spec_of(&shape)?, false),
@@ -203,7 +203,7 @@ impl Opening<'_> {
         }
         let mut parts = chosen(table, parts)?;
         defects::apply(table, &mut parts, &mut self.notes)?;
-        Ok(Held::of(vec![Solids::of(parts)], None))
+        Ok(PartSource::of(vec![Solids::of(parts)], None))
     }
 
     /// The solids of a mesh file.
@@ -227,7 +227,7 @@ impl Opening<'_> {
         Ok(parts.to_vec())
     }
 
-    fn frames(&mut self, origin: &Entry<'_>, table: &Table<'_>) -> Result<Held> {
+    fn frames(&mut self, origin: &Entry<'_>, table: &Table<'_>) -> Result<PartSource> {
         let pattern = Pattern::parse(origin.text()?).map_err(|e| origin.place(e))?;
         let pattern = pattern.inside(self.folder);
         let first = table.get("first").map(|f| f.whole::<u32>()).transpose()?;
@@ -249,7 +249,7 @@ impl Opening<'_> {
                 Ok(Solids::of(parts))
             })
             .collect::<Result<_>>()?;
-        Ok(Held::of(frames, Some(sequence)))
+        Ok(PartSource::of(frames, Some(sequence)))
     }
 }
 

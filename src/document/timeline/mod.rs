@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::read::reader::Table;
-use super::read::{self, Held, Key, Keyed, Moment, Resolved, Seen, Settings, Stock};
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
 use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
@@ -279,7 +279,7 @@ impl Timeline {
     }
 
     fn sequences(&self) -> impl Iterator<Item = &Sequence> {
-        self.stock.parts.iter().filter_map(Held::sequence)
+        self.stock.parts.iter().filter_map(PartSource::sequence)
     }
 }
 

@@ -23,9 +23,9 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use self::tree::Tree;
-use super::bench::Bench;
 use super::clip::Ray;
 use super::raster::{self, BAND_ROWS, Crossing};
+use super::ray_scratch::RayScratch;
 use super::walk::{Cause, Event, Sight, pass_clips};
 use super::{Lines, Outlining};
 use crate::layers::{Layer, Layers};
@@ -82,7 +82,7 @@ impl Windings {
         let rows = [first_row, first_row + pixels.len() as u32 / width];
         let (crossings, starts) =
             raster::crossings_of_band(lines.view, &lines.parts, lines.triangles.items(band), rows);
-        let mut bench = Bench::of(lines.prepared);
+        let mut bench = RayScratch::of(lines.prepared);
         for (pixel, layer) in pixels.iter_mut().enumerate() {
             let at = DVec2::new(
                 f64::from(pixel as u32 % width) + 0.5,
@@ -99,7 +99,7 @@ impl Windings {
         lines: &Lines<'_>,
         at: DVec2,
         found: &[Crossing],
-        bench: &mut Bench,
+        bench: &mut RayScratch,
         layer: &mut Layer,
     ) {
         let (prepared, view) = (lines.prepared, lines.view);
@@ -165,9 +165,9 @@ impl Ask<'_> {
     }
 
     /// What is seen first: as [`super::walk::walk`], but that numbers are asked for, not counted.
-    fn walk(&mut self, lines: &Lines<'_>, bench: &mut Bench) -> Option<Sight> {
+    fn walk(&mut self, lines: &Lines<'_>, bench: &mut RayScratch) -> Option<Sight> {
         let (prepared, view) = (lines.prepared, lines.view);
-        let Bench {
+        let RayScratch {
             ranks,
             events,
             state,

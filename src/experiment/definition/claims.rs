@@ -158,9 +158,9 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
             .flat_map(|a| &a.values)
             .find(|v| Some(&v.is) == is.as_ref());
         let Some(held) = held else {
-            let told = is.map_or_else(String::new, |is| is.to_string());
+            let described = is.map_or_else(String::new, |is| is.to_string());
             let help = "name a value that [run.sweep] has, written as it is there";
-            return Err(value.fault(format_args!("it is never `{told}`"), help));
+            return Err(value.fault(format_args!("it is never `{described}`"), help));
         };
         conditions.insert(key.to_owned(), held.is.clone());
     }
@@ -221,8 +221,8 @@ fn has_a_step(point: &Point, claim: &Claim, axis: &str) -> bool {
     let meant = (point.trials.iter())
         .filter(|e| claim.means(&e.renderer.to_string(), &point.parameters, e));
     let mut seen: BTreeMap<usize, &Parameter> = BTreeMap::new();
-    for (template, maker) in meant.flat_map(|e| &e.makers) {
-        if let Some(value) = maker.parameters.get(axis)
+    for (template, member) in meant.flat_map(|e| &e.families) {
+        if let Some(value) = member.parameters.get(axis)
             && *seen.entry(*template).or_insert(value) != value
         {
             return true;

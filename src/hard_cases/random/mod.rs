@@ -30,7 +30,7 @@ pub struct Finding {
     /// Number of the scene in the search.
     pub scene: u64,
     /// What is wrong with the simplest scene that was reached.
-    pub told: String,
+    pub described: String,
     /// That scene.
     pub recipe: Recipe,
 }
@@ -87,10 +87,10 @@ pub fn search(
             }
             let judged = question.answer(session, method)?;
             *drawn += usize::from(judged.outcome == Outcome::Complete);
-            let Some(told) = fault(&question, &judged, method) else {
+            let Some(described) = fault(&question, &judged, method) else {
                 continue;
             };
-            let (recipe, told) = shrunk(recipe.clone(), told, &mut |recipe| {
+            let (recipe, described) = shrunk(recipe.clone(), described, &mut |recipe| {
                 // Without a fault nothing is simpler: the search ends where it stands.
                 if !goes_on() {
                     return Ok(None);
@@ -102,7 +102,7 @@ pub fn search(
             searched.findings.push(Finding {
                 strategy,
                 scene,
-                told,
+                described,
                 recipe,
             });
         }
@@ -131,16 +131,16 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
 /// The simplest recipe that can be reached without mending the fault, and its fault.
 pub fn shrunk(
     mut recipe: Recipe,
-    mut told: String,
+    mut described: String,
     fault: &mut dyn FnMut(&Recipe) -> Result<Option<String>>,
 ) -> Result<(Recipe, String)> {
     'again: loop {
         for simpler in recipe.simpler() {
             if let Some(fault) = fault(&simpler)? {
-                (recipe, told) = (simpler, fault);
+                (recipe, described) = (simpler, fault);
                 continue 'again;
             }
         }
-        return Ok((recipe, told));
+        return Ok((recipe, described));
     }
 }

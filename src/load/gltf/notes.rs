@@ -11,12 +11,12 @@ pub(super) fn grouped(said: Vec<(String, String)>) -> Vec<String> {
             None => groups.push((of, format!("{label}: {note}"), 0)),
         }
     }
-    let told = groups.into_iter().map(|(_, note, others)| match others {
+    let described = groups.into_iter().map(|(_, note, others)| match others {
         0 => note,
         1 => format!("{note} (and another node likewise)"),
         others => format!("{note} (and {others} more nodes likewise)"),
     });
-    told.collect()
+    described.collect()
 }
 
 #[cfg(test)]

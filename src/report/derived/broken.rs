@@ -4,8 +4,8 @@
 //! comes, as a share of the cap there should be, and how much of what is wrong it marks as unreliable. A mark is a cost too: a pixel that
 //! is marked is of no use either, wrong or not. A strategy that loses [`TOO_MUCH`] in this way is not one to use.
 
-use super::standing::names;
-use super::{Spread, Standing};
+use super::totals::names;
+use super::{Spread, StrategyTotals};
 use crate::Comparison;
 use crate::document::Node;
 use crate::experiment::{Parameter, Record};
@@ -36,7 +36,7 @@ pub(crate) fn has_defect(record: &Record) -> bool {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Harm {
     /// Points asked and drawn, and what a frame costs.
-    pub standing: Standing,
+    pub standing: StrategyTotals,
     /// Pixels that are wrong over those of the exact cap.
     pub wrong: Option<Spread>,
     /// Pixels that are wrong and not marked.
@@ -100,7 +100,7 @@ fn harm(name: &str, records: &[&Record]) -> Harm {
     };
     let unmarked_px = drawn.iter().map(|(c, _)| c.unmarked_wrong_px as f64);
     Harm {
-        standing: Standing::of(name, records.iter().copied()),
+        standing: StrategyTotals::of(name, records.iter().copied()),
         wrong: share(|c| c.decided_wrong_px),
         unmarked_px: Spread::of(unmarked_px.collect()),
         unmarked: share(|c| c.unmarked_wrong_px),
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
     use crate::document::{Document, part};
     use crate::experiment::{Ending, example};
-    use crate::report::derived::standing::tests::record_of;
+    use crate::report::derived::totals::tests::record_of;
 
     fn broken(wrong: [usize; 2], amount: &str) -> Record {
         let mut measurement = example();
@@ -143,7 +143,7 @@ mod tests {
     fn the_least_wrong_comes_first() {
         let [a, b] = [broken([10, 4], "1%"), broken([2, 6], "5%")];
         let harms = harms(&[&a, &b, &b]);
-        let told: Vec<(&str, f64, f64)> = (harms.iter())
+        let described: Vec<(&str, f64, f64)> = (harms.iter())
             .map(|h| {
                 (
                     h.standing.name.as_str(),
@@ -152,7 +152,7 @@ mod tests {
                 )
             })
             .collect();
-        assert_eq!(told, [("parity", 0.01, 0.05), ("winding", 0.03, 0.03)]);
+        assert_eq!(described, [("parity", 0.01, 0.05), ("winding", 0.03, 0.03)]);
         assert_eq!(harms[1].unmarked_px.unwrap().most, 3.0);
         assert_eq!(harms[1].unmarked.unwrap().most, 0.015);
     }

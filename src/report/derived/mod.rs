@@ -8,28 +8,28 @@
 //! | which strategies are exact wherever they drew, and which of them is the cheapest | [`ranked`] |
 //! | how a strategy is asked for, and what it is limited to | [`usage`] |
 //! | how wrong broken meshes are drawn, and how much of that is marked | [`Harm`] |
-//! | which commands measured a run | [`sittings`] |
+//! | which commands measured a run | [`invocations`] |
 //! | which strategies are the paper's path | [`papers`] |
-//! | how often a strategy is exact, refused, overflowed | [`Standing`] |
+//! | how often a strategy is exact, refused, overflowed | [`StrategyTotals`] |
 
 mod broken;
 mod front;
+mod invocations;
 mod order;
 mod paper;
 mod ranking;
 mod row;
-mod sitting;
 mod situation;
-mod standing;
+mod totals;
 mod usage;
 
 pub(super) use broken::{Harm, TOO_MUCH, harms, has_defect, has_other_truth};
 pub(super) use front::{Offer, Price, front, steps};
+pub(super) use invocations::invocations;
 pub(super) use order::natural;
 pub(super) use paper::papers;
 pub(super) use ranking::{BETWEEN_RUNS, Ranked, ranked};
-pub(super) use row::{Row, rows, rows_by_maker};
-pub(super) use sitting::sittings;
+pub(super) use row::{Row, rows, rows_by_family};
 pub(super) use situation::{Kind, Situation, is_exact};
-pub(super) use standing::{Spread, Standing, standings};
+pub(super) use totals::{Spread, StrategyTotals, standings};
 pub(super) use usage::{Usage, usage};

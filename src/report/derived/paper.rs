@@ -23,7 +23,7 @@ pub(crate) fn papers(record: &Record) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::experiment::example;
-    use crate::report::derived::standing::tests::record_of;
+    use crate::report::derived::totals::tests::record_of;
 
     fn of(names: &[&str]) -> Vec<usize> {
         let mut measurement = example();

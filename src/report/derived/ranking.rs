@@ -8,8 +8,8 @@
 //! A strategy that is not the first is a draw with it unless the first is faster at more than half of the points where both are exact:
 //! faster by more than both median absolute deviations together, and by more than [`BETWEEN_RUNS`].
 
-use super::standing::names;
-use super::{Situation, Spread, Standing, Usage, usage};
+use super::totals::names;
+use super::{Situation, Spread, StrategyTotals, Usage, usage};
 use crate::experiment::{Record, Samples};
 
 /// By how much ratios of two runs of the same experiments differed on one machine, where the deviation within each run was a
@@ -61,7 +61,7 @@ type Ratios = Vec<Option<Samples>>;
 
 fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranked, Ratios)> {
     let usage = usage(name)?;
-    let standing = Standing::of(name, records.iter().copied());
+    let standing = StrategyTotals::of(name, records.iter().copied());
     if !standing.is_exact() {
         return None;
     }
@@ -104,7 +104,7 @@ fn is_faster(one: &Ratios, other: &Ratios) -> bool {
 mod tests {
     use super::*;
     use crate::experiment::{PerClock, example};
-    use crate::report::derived::standing::tests::record_of;
+    use crate::report::derived::totals::tests::record_of;
 
     /// A strategy with its times on solid and frame, and its wrong pixels.
     type Asked<'a> = (&'a str, f64, f64, usize);

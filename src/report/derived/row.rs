@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::Situation;
 use crate::experiment::figures::figures;
-use crate::experiment::{Maker, Parameter, Record, StrategyMeasurement};
+use crate::experiment::{FamilyMember, Parameter, Record, StrategyMeasurement};
 
 /// A strategy at a point.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub(crate) struct Row<'a> {
     /// Which of its strategies.
     pub index: usize,
     /// What made it.
-    pub maker: &'a Maker,
+    pub member: &'a FamilyMember,
     /// Figures by name.
     pub figures: BTreeMap<String, f64>,
 }
@@ -25,19 +25,19 @@ pub(crate) struct Row<'a> {
 /// All strategies of a point.
 pub(crate) fn rows(record: &Record) -> Vec<Row<'_>> {
     (0..record.measurement.strategies.len())
-        .map(|index| Row::of(record, index, &record.makers[index][0]))
+        .map(|index| Row::of(record, index, &record.families[index][0]))
         .collect()
 }
 
 /// All strategies of a point, each as often as something of the experiment made it.
-pub(crate) fn rows_by_maker(record: &Record) -> Vec<Row<'_>> {
-    (record.makers.iter().enumerate())
-        .flat_map(|(index, makers)| makers.iter().map(move |m| Row::of(record, index, m)))
+pub(crate) fn rows_by_family(record: &Record) -> Vec<Row<'_>> {
+    (record.families.iter().enumerate())
+        .flat_map(|(index, families)| families.iter().map(move |m| Row::of(record, index, m)))
         .collect()
 }
 
 impl<'a> Row<'a> {
-    fn of(record: &'a Record, index: usize, maker: &'a Maker) -> Self {
+    fn of(record: &'a Record, index: usize, member: &'a FamilyMember) -> Self {
         let measurement = &record.measurement;
         let mut figures = figures(measurement, index, &record.figures[index]);
         let found = &measurement.strategies[index];
@@ -50,7 +50,7 @@ impl<'a> Row<'a> {
         Self {
             record,
             index,
-            maker,
+            member,
             figures,
         }
     }
@@ -62,7 +62,7 @@ impl<'a> Row<'a> {
 
     /// A parameter of the scene or of the strategy.
     pub(crate) fn parameter(&self, name: &str) -> Option<&'a Parameter> {
-        let of_strategy = self.maker.parameters.get(name);
+        let of_strategy = self.member.parameters.get(name);
         of_strategy.or_else(|| self.record.parameters.get(name))
     }
 }
@@ -71,22 +71,22 @@ impl<'a> Row<'a> {
 mod tests {
     use super::*;
     use crate::experiment::example;
-    use crate::report::derived::standing::tests::record_of;
+    use crate::report::derived::totals::tests::record_of;
 
     #[test]
     fn a_strategy_is_as_often_there_as_it_was_made() {
         let mut record = record_of(example());
-        let maker = |family: &str, name: &str, value: i64| Maker {
+        let member = |family: &str, name: &str, value: i64| FamilyMember {
             family: family.to_owned(),
             parameters: BTreeMap::from([(name.to_owned(), Parameter::Whole(value))]),
         };
-        record.makers[0] = vec![
-            maker("grid:{cells}+vds:1024", "cells", 256),
-            maker("grid:256+vds:{texels}", "texels", 1024),
+        record.families[0] = vec![
+            member("grid:{cells}+vds:1024", "cells", 256),
+            member("grid:256+vds:{texels}", "texels", 1024),
         ];
         assert_eq!(rows(&record).len(), 2);
-        let all = rows_by_maker(&record);
-        let told: Vec<_> = all.iter().map(|r| r.parameter("texels")).collect();
-        assert_eq!(told, [None, Some(&Parameter::Whole(1024)), None]);
+        let all = rows_by_family(&record);
+        let described: Vec<_> = all.iter().map(|r| r.parameter("texels")).collect();
+        assert_eq!(described, [None, Some(&Parameter::Whole(1024)), None]);
     }
 }

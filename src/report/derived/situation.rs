@@ -33,7 +33,7 @@ impl Situation {
     pub(crate) const ALL: [Self; 3] = [Self::View, Self::Cut, Self::Mesh];
 
     /// In words.
-    pub(crate) fn told(self) -> &'static str {
+    pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::View => "only the view moves",
             Self::Cut => "the cut moves",
@@ -130,7 +130,7 @@ impl Kind {
     }
 
     /// In words.
-    pub(crate) fn told(self) -> &'static str {
+    pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::Relief => "reliefs",
             Self::Plane => "one plane",
@@ -150,7 +150,7 @@ mod tests {
         let mut measurement = example();
         let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::of(vec![ms]));
         measurement.strategies[0].time_ms = PerClock { solid, cut, frame };
-        super::super::standing::tests::record_of(measurement)
+        super::super::totals::tests::record_of(measurement)
     }
 
     #[test]

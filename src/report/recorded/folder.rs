@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::{MISSING, PeerRecord, read_json, read_numbered};
-use crate::experiment::{CaseRecords, Record, Run, Sitting, Synopsis};
-use crate::report::derived::{natural, sittings};
+use crate::experiment::{CaseRecords, Invocation, Record, Run, Synopsis};
+use crate::report::derived::{invocations, natural};
 use crate::{Error, Result};
 
 /// A folder of a run.
@@ -84,8 +84,8 @@ impl Folder {
     }
 
     /// The commands that measured it, the earliest first, each with the number of its points.
-    pub(in crate::report) fn sittings(&self) -> Vec<(Sitting, usize)> {
-        sittings(&self.run, self.experiments.iter().flat_map(|e| &e.records))
+    pub(in crate::report) fn invocations(&self) -> Vec<(Invocation, usize)> {
+        invocations(&self.run, self.experiments.iter().flat_map(|e| &e.records))
     }
 
     /// The folder of an experiment's pictures.
@@ -164,7 +164,7 @@ fn is_at_one(file: &Path, record: &Record) -> Result<()> {
     for (what, count) in [
         (
             "makers",
-            record.makers.iter().filter(|m| !m.is_empty()).count(),
+            record.families.iter().filter(|m| !m.is_empty()).count(),
         ),
         ("figures", record.figures.len()),
     ] {

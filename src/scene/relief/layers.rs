@@ -99,12 +99,12 @@ mod tests {
     #[test]
     fn what_is_no_stack_is_told() {
         let odd = Arc::new(OffsetMap::new([4, 1], vec![0.0; 4]).expect("finite heights"));
-        let told = |layers: &[Arc<OffsetMap>]| {
+        let describe = |layers: &[Arc<OffsetMap>]| {
             let none = between_layers(layers, 0.0, Wrap::Repeat);
             none.expect_err("no stack")
         };
-        assert!(told(&[]).contains("no layer"));
-        let what = told(&[layer([0.0; 4]), odd]);
+        assert!(describe(&[]).contains("no layer"));
+        let what = describe(&[layer([0.0; 4]), odd]);
         assert!(what.contains("2 x 2") && what.contains("4 x 1"), "{what}");
         for far in [1e300, -1e300] {
             between_layers(&stack(), far, Wrap::Mirror).expect("no address is too far");

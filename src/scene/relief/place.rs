@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::section::Amount;
+use crate::scene::plane_spec::Amount;
 use crate::scene::{Bounds, ClipSurface, OffsetMap, Wrap, range};
 
 /// How a map stands on a section.

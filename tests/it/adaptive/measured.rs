@@ -59,7 +59,7 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     let range = high - low;
     let mut faults = Vec::new();
     let mut looked = 0;
-    let mut told = |place: String, found: f32, least: f64, most: f64| {
+    let mut look_at = |place: String, found: f32, least: f64, most: f64| {
         looked += 1;
         let found = f64::from(found);
         if found < least - 1e-6 * range || found > most + 1e-6 * range {
@@ -92,7 +92,7 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
     for y in 0..height {
         for x in 0..width {
             let right = cell(x, y);
-            told(
+            look_at(
                 format!("cell {x}, {y}"),
                 sheet.errors[sheet.cell_at([x, y])],
                 right,
@@ -166,7 +166,7 @@ fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<Stri
                         [l.max(n), m.max(o)]
                     });
                 bounds[at(x, y)] = [least, most];
-                told(
+                look_at(
                     format!("{} {x}, {y}", if squares { "square" } else { "edge" }),
                     sheet.errors[sheet.vertex_at([x, y])],
                     least,

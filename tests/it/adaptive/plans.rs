@@ -100,7 +100,7 @@ fn wrong_arguments_are_refused() {
             d.arguments = d.arguments.map(|a| Arguments { offset, ..a });
         }
     };
-    for (told, refused) in [
+    for (described, refused) in [
         ("no arguments at byte 4", refusal(&at(4))),
         ("no arguments at byte 2", refusal(&at(2))),
         (
@@ -122,7 +122,10 @@ fn wrong_arguments_are_refused() {
             refusal(&|_, vertices, plan| *vertices = Vertices::Mesh(id_of(plan, "vertices"))),
         ),
     ] {
-        assert!(refused.contains(told), "`{refused}` does not say `{told}`");
+        assert!(
+            refused.contains(described),
+            "`{refused}` does not say `{described}`"
+        );
     }
 }
 

@@ -4,7 +4,7 @@
 //! boundaries, as many as its sprite and its grid are coarse.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, Cut, Fill, Part, Role, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Fill, Part, Role, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Obstacle, Strategy};
 use glam::DAffine3;
@@ -66,8 +66,8 @@ const CUTS: [(&str, Cutting); 8] = [
     }),
 ];
 
-fn section(scene: &Scene, text: &str) -> cutaway::scene::ClipSurface {
-    section_surface(text, &scene.bounds()).expect(text)
+fn section(scene: &Scene, text: &str) -> ClipSurface {
+    ClipSurface::parse(text, &scene.bounds()).expect(text)
 }
 
 /// Adds a ball that shares space with the rest, and an oblique cut.

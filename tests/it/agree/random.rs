@@ -32,7 +32,7 @@ fn nothing_found(searched: &Searched) {
     let findings = searched.findings.iter().map(|f| {
         format!(
             "{}, scene {}: {}\n{:?}",
-            f.strategy, f.scene, f.told, f.recipe
+            f.strategy, f.scene, f.described, f.recipe
         )
     });
     let findings: Vec<String> = findings.collect();
@@ -84,20 +84,22 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
     let fault = |recipe: &_| {
         let recipe: &cutaway::hard_cases::random::Recipe = recipe;
         let judged = Question::of(&recipe.scene(), PICTURE_PX).answer(&mut session(), &coarse)?;
-        Ok(judged.first_decided_wrong().map(|pixel| judged.told(pixel)))
+        Ok(judged
+            .first_decided_wrong()
+            .map(|pixel| judged.describe(pixel)))
     };
-    let (first, told) = (0..SCENES)
+    let (first, described) = (0..SCENES)
         .map(|scene| recipe(SEED, scene))
         .filter(|r| r.solids.len() == 2 && r.cuts.concat().len() > 2)
         .find_map(|r| {
-            let told: cutaway::Result<_> = fault(&r);
-            told.expect("a frame").map(|told| (r, told))
+            let described: cutaway::Result<_> = fault(&r);
+            described.expect("a frame").map(|described| (r, described))
         })
         .expect("a coarse sprite is wrong somewhere");
-    let (simple, told) = shrunk(first, told, &mut |r| fault(r)).expect("frames");
+    let (simple, described) = shrunk(first, described, &mut |r| fault(r)).expect("frames");
     assert!(
         fault(&simple).expect("a frame").is_some(),
-        "the fault was mended on the way: {told}"
+        "the fault was mended on the way: {described}"
     );
     assert_eq!(
         (simple.solids.len(), simple.cuts.concat().len()),

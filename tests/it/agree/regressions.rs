@@ -6,7 +6,7 @@ use cutaway::exact::evaluate;
 
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
-use cutaway::scene::{Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};
 use glam::{DVec2, DVec3};
@@ -200,7 +200,7 @@ fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
         parts: load_mesh_file(&file).expect("a mesh").parts,
         ..Scene::default()
     };
-    let plane = section_surface("z=0.0", &scene.bounds()).expect("a section");
+    let plane = ClipSurface::parse("z=0.0", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::of("lid", vec![plane])];
     scene.camera.viewpoint = Viewpoint::Orbit {
         azimuth_deg: 215.0,

@@ -33,10 +33,10 @@ fn judged(question: &Question, gpu: &Gpu, plan: Plan) -> (usize, usize) {
     let mut program = Program::default();
     program.load(gpu, plan).expect("a plan that loads");
     program.run(gpu, ClockSet::ALL).expect("a frame");
-    told(question, gpu, &program)
+    describe(question, gpu, &program)
 }
 
-fn told(question: &Question, gpu: &Gpu, program: &Program) -> (usize, usize) {
+fn describe(question: &Question, gpu: &Gpu, program: &Program) -> (usize, usize) {
     let layers = program.layers(gpu, question.view.size_px).expect("layers");
     let comparison = question.compare(&layers);
     (comparison.decided_wrong_px, comparison.odd_parity_px)
@@ -107,7 +107,11 @@ fn a_mask_that_is_not_cleared_is_found_out() {
         .load(gpu, plan_of(&question))
         .expect("a plan that loads");
     program.run(gpu, ClockSet::ALL).expect("a frame");
-    assert_eq!(told(&question, gpu, &program), (0, 0), "the first frame");
+    assert_eq!(
+        describe(&question, gpu, &program),
+        (0, 0),
+        "the first frame"
+    );
     // A pass that gets to the first tile alone: the lists are those of the first frame, but the mask is not cleared. The second
     // frame takes all fragments out again, and no cap is left.
     let mut plan = plan_of(&question);
@@ -116,7 +120,7 @@ fn a_mask_that_is_not_cleared_is_found_out() {
     program.load(gpu, plan).expect("a plan that loads");
     program.run(gpu, ClockSet::ALL).expect("a frame");
     assert!(
-        told(&question, gpu, &program).0 > 200,
+        describe(&question, gpu, &program).0 > 200,
         "no cap is left, and nobody noticed"
     );
     // Without the pass at all the plan does not even load.

@@ -1,7 +1,7 @@
 //! Every inside test that reads the one list, by both rasterisers, against exact.
 
 use cutaway::layers::{Kind, Layers};
-use cutaway::scene::{Camera, Cut, Part, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Part, Scene};
 use cutaway::session::Outcome;
 use glam::{DAffine3, DQuat, DVec3};
 
@@ -78,7 +78,7 @@ fn centre(parts: &[Part]) -> (DVec3, f64) {
 #[test]
 fn shapes_bite_into_a_crank() {
     let (at, size) = centre(&crank());
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for (spec, share) in [
         ("sphere?subdivisions=3", 0.32),
         ("knot?segments=160&sides=12", 0.3),
@@ -95,13 +95,13 @@ fn shapes_bite_into_a_crank() {
             }
             let mut scene = bitten(spec, crank(), vec![bite]);
             scene.camera = cameras::orbit(35.0, 40.0, orthographic);
-            told.extend(faults(
+            described.extend(faults(
                 &format!("{spec}, parallel {orthographic}, flipped {flip}"),
                 &scene,
             ));
         }
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 /// Shells, one in the other, and a ball that bites into them.
@@ -120,28 +120,28 @@ fn shells() -> Scene {
 
 #[test]
 fn several_parts_are_cut_as_their_filters_say() {
-    let mut told = faults("all", &shells());
+    let mut described = faults("all", &shells());
     let names: Vec<String> = shells().parts.iter().map(|p| p.name.clone()).collect();
     // What is spared hides what is cut inside of it: the outermost may be cut alone instead.
     for name in &names[..names.len() - 1] {
         let mut scene = shells();
         scene.cuts[0].except = vec![name.clone()];
-        told.extend(faults(&format!("but {name}"), &scene));
+        described.extend(faults(&format!("but {name}"), &scene));
     }
     let mut scene = shells();
     scene.cuts[0].applies_to = vec![names[names.len() - 1].clone()];
-    told.extend(faults("the outermost alone", &scene));
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    described.extend(faults("the outermost alone", &scene));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 #[test]
 fn cutters_go_with_planes_reliefs_and_each_other() {
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for orthographic in [false, true] {
         let mut scene = shells();
         scene.camera = cameras::orbit(25.0, 30.0, orthographic);
         let bounds = scene.bounds();
-        let plane = section_surface("-1,0.2,0.1@55%,50%,50%", &bounds).expect("a section");
+        let plane = ClipSurface::parse("-1,0.2,0.1@55%,50%,50%", &bounds).expect("a section");
         let rough = cameras::relief(&scene, "-z=60%", "fractal:size=32,amplitude=6%");
         let ball = scene.cuts[0].volume.clone().expect("the ball");
         let (at, size) = centre(&scene.parts);
@@ -152,28 +152,28 @@ fn cutters_go_with_planes_reliefs_and_each_other() {
         );
 
         scene.cuts[0].surfaces = vec![plane.clone()];
-        told.extend(faults("ball and plane", &scene));
+        described.extend(faults("ball and plane", &scene));
         scene.cuts[0].surfaces = vec![rough.clone()];
-        told.extend(faults("ball and relief", &scene));
+        described.extend(faults("ball and relief", &scene));
         scene.cuts[0].surfaces = vec![rough.clone(), plane.clone()];
-        told.extend(faults("ball, relief and plane", &scene));
+        described.extend(faults("ball, relief and plane", &scene));
         scene.cuts = vec![Cut::by(ball.clone()), Cut::of("rough", vec![rough.clone()])];
-        told.extend(faults("ball or relief", &scene));
+        described.extend(faults("ball or relief", &scene));
         scene.cuts = vec![Cut::by(ball.clone()), Cut::by(knot.clone())];
-        told.extend(faults("ball or knot", &scene));
+        described.extend(faults("ball or knot", &scene));
         scene.cuts = vec![
             Cut::by(ball.flipped()),
             Cut::by(knot),
             Cut::of("plane", vec![plane]),
         ];
-        told.extend(faults("outside of ball, or knot, or plane", &scene));
+        described.extend(faults("outside of ball, or knot, or plane", &scene));
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 #[test]
 fn a_box_cuts_as_exactly_as_its_planes_however_it_is_turned() {
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for turn in 0..4 {
         let turn = f64::from(turn);
         let by = DQuat::from_euler(glam::EulerRot::XYZ, 0.3 * turn, 0.2 * turn, 0.5 * turn);
@@ -187,9 +187,9 @@ fn a_box_cuts_as_exactly_as_its_planes_however_it_is_turned() {
             vec![cutter(mesh)],
         );
         scene.camera = cameras::orbit(40.0, 30.0, turn > 1.5);
-        told.extend(faults(&format!("turn {turn}"), &scene));
+        described.extend(faults(&format!("turn {turn}"), &scene));
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 /// A cube with a face in the plane of a cutter's, which is divided otherwise.
@@ -202,7 +202,7 @@ fn shared_face(min: DVec3, max: DVec3) -> Scene {
 
 #[test]
 fn a_shared_face_leaves_nothing_without_thickness() {
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for (min, max) in [
         (DVec3::splat(-0.5), DVec3::splat(0.5)),
         (DVec3::new(-0.25, -0.25, 0.5), DVec3::new(0.25, 0.25, 0.75)),
@@ -217,11 +217,11 @@ fn a_shared_face_leaves_nothing_without_thickness() {
             assert_eq!(caps > 0, is_pocket, "{caps} pixels of caps: {min}");
             for of in EXACT {
                 let judged = question.answer(strategy(of));
-                told.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
+                described.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
             }
             for of in BY_COMPUTE {
                 let judged = judged_by_compute(&question, of);
-                told.extend(
+                described.extend(
                     judged
                         .fault_of_exact()
                         .map(|f| format!("{of} by compute, {min}: {f}")),
@@ -229,7 +229,7 @@ fn a_shared_face_leaves_nothing_without_thickness() {
             }
         }
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 #[test]
@@ -240,7 +240,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         block(DVec3::splat(-0.5), DVec3::splat(0.5)),
         vec![void],
     );
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for (from, to, near) in [
         (DVec3::ZERO, DVec3::X, 0.01),
         (DVec3::new(0.1, 0.1, 0.1), DVec3::new(-1.0, 0.3, 0.2), 0.2),
@@ -257,7 +257,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         );
         for of in EXACT {
             let judged = question.answer(strategy(of));
-            told.extend(
+            described.extend(
                 judged
                     .fault_of_exact()
                     .map(|f| format!("{of} from {from}: {f}")),
@@ -265,19 +265,19 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         }
         for of in BY_COMPUTE {
             let judged = judged_by_compute(&question, of);
-            told.extend(
+            described.extend(
                 judged
                     .fault_of_exact()
                     .map(|f| format!("{of} by compute, {from}: {f}")),
             );
         }
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 #[test]
 fn a_cutter_may_reach_far_beyond_the_parts() {
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for orthographic in [false, true] {
         // All of it but a little is before the near plane, beyond the far plane and beside the picture.
         let wedge = block(DVec3::new(0.1, 0.05, -40.0), DVec3::new(30.0, 20.0, 50.0));
@@ -285,9 +285,9 @@ fn a_cutter_may_reach_far_beyond_the_parts() {
         let mesh = moved(&wedge, turn);
         let mut scene = solid("far", shape("sphere?subdivisions=4"), vec![cutter(mesh)]);
         scene.camera = cameras::orbit(50.0, 35.0, orthographic);
-        told.extend(faults(&format!("parallel {orthographic}"), &scene));
+        described.extend(faults(&format!("parallel {orthographic}"), &scene));
     }
-    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(described.is_empty(), "{}", described.join("\n"));
 }
 
 fn layers_of(question: &Question, name: &str) -> Layers {

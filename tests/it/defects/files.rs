@@ -29,8 +29,8 @@ fn the_option_breaks_what_is_inspected_and_says_so() {
             "no face",
         ),
     ] {
-        let told = folder.run(words).exits(2).stderr;
-        assert!(told.contains(said), "{told}");
+        let described = folder.run(words).exits(2).stderr;
+        assert!(described.contains(said), "{described}");
     }
 }
 
@@ -79,8 +79,11 @@ fn scene_files_break_parts_once_and_refuse_what_they_do_not_know() {
         ("[{ kind = \"holes\", seed = 1 }]", key, "broken once"),
     ] {
         file(defects, more);
-        let told = folder.run("inspect scene.toml").exits(2).stderr;
-        assert!(told.contains(said), "{told}");
-        assert!(told.contains("scene.toml:"), "the place is missing: {told}");
+        let described = folder.run("inspect scene.toml").exits(2).stderr;
+        assert!(described.contains(said), "{described}");
+        assert!(
+            described.contains("scene.toml:"),
+            "the place is missing: {described}"
+        );
     }
 }

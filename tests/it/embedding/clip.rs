@@ -4,7 +4,7 @@ use bytemuck::cast_slice;
 use cutaway::gpu::{clip_wgsl, wgpu};
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Model;
-use cutaway::scene::{Cut, HostDepth, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, HostDepth, Scene};
 use cutaway::session::{Encoded, Session};
 use cutaway::strategies::Strategy;
 use glam::dcamera::rh::proj::directx::perspective_infinite_reverse;
@@ -43,7 +43,7 @@ struct Corner {
 fn scene() -> Scene {
     let mut scene = scenes::of_parts("crank", meshes::parts("crank"), Vec::new());
     let bounds = scene.bounds();
-    let plane = section_surface("-z=50%", &bounds).expect("a section");
+    let plane = ClipSurface::parse("-z=50%", &bounds).expect("a section");
     let rough = scenes::relief(&scene, "x=60%", "waves:amplitude=4%");
     let mut ball = meshes::parts("sphere?subdivisions=3").remove(0);
     ball.name = "ball".to_owned();
@@ -88,8 +88,8 @@ fn draw_surfaces(
         clip_from_view,
     } = camera();
     let clip_from_world = (clip_from_view * world_from_view.inverse()).as_mat4();
-    let told = clip_wgsl(1).expect("text");
-    let text = format!("const IS_CLIPPED = {is_clipped};\n{told}\n{HOST_WGSL}");
+    let described = clip_wgsl(1).expect("text");
+    let text = format!("const IS_CLIPPED = {is_clipped};\n{described}\n{HOST_WGSL}");
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("host"),
         source: wgpu::ShaderSource::Wgsl(text.into()),

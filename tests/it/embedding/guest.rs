@@ -4,7 +4,7 @@ use cutaway::Gpu;
 use cutaway::gpu::wgpu;
 use cutaway::passes::Model;
 use cutaway::plan::Limits;
-use cutaway::scene::{Cut, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Encoded, Outcome, Session};
 use cutaway::strategies::{Method, Obstacle};
 
@@ -16,7 +16,7 @@ const PLAIN: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 fn crank() -> Scene {
     let mut scene = scenes::of_parts("crank", meshes::parts("crank"), Vec::new());
-    let plane = section_surface("-z=50%", &scene.bounds()).expect("a section");
+    let plane = ClipSurface::parse("-z=50%", &scene.bounds()).expect("a section");
     let rough = scenes::relief(&scene, "x=60%", "waves:amplitude=4%");
     scene.cuts = vec![
         Cut::of("plane", vec![plane]),
@@ -199,12 +199,12 @@ fn a_device_with_less_than_core_is_refused_by_name() {
     let (device, queue) = pollster::block_on(asked).expect("a device");
     let refused = Gpu::from_device(&adapter.get_info(), device, queue);
     let message = refused.err().expect("too little").to_string();
-    for told in [
+    for described in [
         "max_storage_buffers_per_shader_stage",
         "8 are needed, 4",
         "help:",
     ] {
-        assert!(message.contains(told), "{message}");
+        assert!(message.contains(described), "{message}");
     }
 }
 
@@ -226,8 +226,8 @@ fn what_the_device_lacks_is_refused_with_what_works() {
         panic!("{:?}", drawn.outcome);
     };
     assert_eq!(refusal.obstacle, Obstacle::Limit, "{refusal}");
-    for told in ["depth32float-stencil8", "raycast+mask", "planar"] {
-        assert!(refusal.reason.contains(told), "{refusal}");
+    for described in ["depth32float-stencil8", "raycast+mask", "planar"] {
+        assert!(refusal.reason.contains(described), "{refusal}");
     }
     assert!(!refusal.reason.contains("raycast+stencil"), "{refusal}");
 }

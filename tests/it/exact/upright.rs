@@ -3,7 +3,7 @@
 use cutaway::exact::evaluate;
 use cutaway::scene::relief::Placement;
 use cutaway::scene::{
-    Camera, Cut, OffsetMap, Part, Prepared, Projection, Scene, SectionSpec, Up, Viewpoint, Wrap,
+    Camera, Cut, OffsetMap, Part, PlaneSpec, Prepared, Projection, Scene, Up, Viewpoint, Wrap,
 };
 use glam::{DVec2, DVec3};
 
@@ -27,7 +27,7 @@ fn cube(section: &str, up: Up) -> Scene {
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let plane = SectionSpec::parse(section).and_then(|s| s.surface(&bounds, up));
+    let plane = PlaneSpec::parse(section).and_then(|s| s.surface(&bounds, up));
     let plane = plane.expect(section);
     let placement = Placement {
         amplitude: cutaway::scene::Amount::Units(0.2),

@@ -37,9 +37,12 @@ fn every_file_is_an_experiment() {
     planted.write("02-lost.tml", &good);
     planted.write("03-note.md", "of no use");
     planted.write("04-key.toml", good.replace("analysis", "analisis"));
-    let told = strays(&planted.path(""));
-    assert_eq!(told.len(), 3, "{told:?}");
-    assert!(told[2].contains("did you mean `analysis`"), "{told:?}");
+    let described = strays(&planted.path(""));
+    assert_eq!(described.len(), 3, "{described:?}");
+    assert!(
+        described[2].contains("did you mean `analysis`"),
+        "{described:?}"
+    );
 }
 
 #[test]
@@ -58,7 +61,7 @@ fn all_words_are_understood() {
     let good = std::fs::read_to_string(folder().join("01-paper.toml")).unwrap();
     scratch.write("01-planted.toml", good.replace("section = ", "sektion = "));
     let ran = run(&[scratch.path("01-planted.toml")], "").exits(2);
-    for told in ["01-planted.toml", "run `crank`", "did you mean `section`"] {
-        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    for described in ["01-planted.toml", "run `crank`", "did you mean `section`"] {
+        assert!(ran.stderr.contains(described), "{}", ran.stderr);
     }
 }

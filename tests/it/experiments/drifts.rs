@@ -2,7 +2,7 @@
 
 use cutaway::Exact;
 use cutaway::exact::evaluate;
-use cutaway::experiment::Shown;
+use cutaway::experiment::SceneAtTime;
 use cutaway::experiment::drift::Flicker;
 use cutaway::layers::{Kind, Layers};
 
@@ -10,7 +10,7 @@ use super::common::scenes::sectioned;
 
 /// Exact of anything, with other layers in its place.
 fn exact(layers: &Layers) -> Exact {
-    let shown = Shown::of(&sectioned("cube", &["-z=50%"]));
+    let shown = SceneAtTime::of(&sectioned("cube", &["-z=50%"]));
     let view = shown.model.prepared.view(layers.size_px);
     let mut exact = evaluate(shown.truth().unwrap(), &view);
     exact.layers = layers.clone();

@@ -4,21 +4,21 @@ use std::cell::RefCell;
 
 use cutaway::Result;
 use cutaway::experiment::run::{Assignment, Measured, measure};
-use cutaway::experiment::{Machine, Reached, Sitting, Warning, Watcher};
+use cutaway::experiment::{Invocation, Machine, Reached, Warning, Watcher};
 use cutaway::scene::Remark;
 
 use super::{common, read, scenes};
 
 /// Writes down what it is told, and says stop after so many steps.
 struct Writes {
-    told: RefCell<Vec<String>>,
+    described: RefCell<Vec<String>>,
     remarks: RefCell<Vec<Remark>>,
     stops_after: usize,
 }
 
 impl Watcher for Writes {
     fn step(&self, what: String) {
-        self.told.borrow_mut().push(what);
+        self.described.borrow_mut().push(what);
     }
 
     fn opened(&self, remark: &Remark) {
@@ -26,12 +26,12 @@ impl Watcher for Writes {
     }
 
     fn reached(&self, reached: &Reached) {
-        let told = format!("{} holds: {}", reached.strategy, reached.holds);
-        self.told.borrow_mut().push(told);
+        let described = format!("{} holds: {}", reached.strategy, reached.holds);
+        self.described.borrow_mut().push(described);
     }
 
     fn goes_on(&self) -> bool {
-        self.told.borrow().len() < self.stops_after
+        self.described.borrow().len() < self.stops_after
     }
 }
 
@@ -49,7 +49,7 @@ fn measured(
     );
     let run = scenes(&read(&text).unwrap(), false);
     let watcher = Writes {
-        told: RefCell::default(),
+        described: RefCell::default(),
         remarks: RefCell::default(),
         stops_after,
     };
@@ -64,7 +64,7 @@ fn measured(
         identity: "me".to_owned(),
         command: "cutaway".to_owned(),
         machine: &Machine::default(),
-        sitting: &Sitting::default(),
+        invocation: &Invocation::default(),
     };
     let measured = measure(&mut common::session(), &assignment, &watcher);
     let texts: Vec<String> = (watcher.remarks.borrow().iter())
@@ -74,15 +74,15 @@ fn measured(
     once.dedup();
     assert_eq!(texts, once, "scene and truth say the same but once");
     assert!(!texts.is_empty(), "a warning has words");
-    (measured, watcher.told.into_inner())
+    (measured, watcher.described.into_inner())
 }
 
 #[test]
 fn expectations_are_told_before_any_time_is_taken() {
-    let (found, told) = measured("cube", "", "", usize::MAX);
+    let (found, described) = measured("cube", "", "", usize::MAX);
     let found = found.unwrap().unwrap();
     assert_eq!(
-        told[1..],
+        described[1..],
         [
             "exact",
             "raycast+mask",
@@ -118,9 +118,9 @@ fn expectations_are_told_before_any_time_is_taken() {
 #[test]
 fn whoever_says_stop_is_heard_between_rounds() {
     // After the seventh word, the first round.
-    let (found, told) = measured("cube", "", "", 7);
+    let (found, described) = measured("cube", "", "", 7);
     assert!(found.unwrap().is_none(), "what is not complete is not kept");
-    assert_eq!(told.last().unwrap(), "round 1 of 2");
+    assert_eq!(described.last().unwrap(), "round 1 of 2");
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn case_23_a_ramp_is_a_tilted_plane() {
         if ramp.exact.undecided[i] || flat.exact.undecided[i] {
             continue;
         }
-        assert_eq!(class_of(a), class_of(b), "{}", ramp.told(i));
+        assert_eq!(class_of(a), class_of(b), "{}", ramp.describe(i));
         if a.kind == Kind::Cap {
             caps += 1;
             assert!(

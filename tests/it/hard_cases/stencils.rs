@@ -4,7 +4,7 @@ use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::Kind;
 use cutaway::plan::StencilStep;
 use cutaway::plan::{Capacities, DepthCompare, Plan, Work};
-use cutaway::scene::{Cut, Fill, Part, Scene, section_surface};
+use cutaway::scene::{ClipSurface, Cut, Fill, Part, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
@@ -209,7 +209,7 @@ fn the_classic_keeps_parts_and_rules_apart() {
         part("turned", &meshes::turned(&ball), 1.2, Fill::Nonzero),
     ];
     let mut scene = scenes::of_parts("balls", parts, Vec::new());
-    let plane = section_surface("-0.1,-0.3,-1@50%,50%,50%", &scene.bounds()).expect("a section");
+    let plane = ClipSurface::parse("-0.1,-0.3,-1@50%,50%,50%", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::of("cut", vec![plane])];
     let question = Question::of(&scene, [192, 128]);
     for strategy in [

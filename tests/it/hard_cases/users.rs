@@ -22,7 +22,7 @@ fn case_21_t_junctions_leak_no_more_than_their_slivers() {
     for scene in users::t_junctions(256) {
         let question = Question::of(&scene, [256; 2]);
         let judged = question.answer(&mut session(), &mask).expect("a frame");
-        let unmarked = judged.first_unmarked_wrong().map(|i| judged.told(i));
+        let unmarked = judged.first_unmarked_wrong().map(|i| judged.describe(i));
         assert_eq!(unmarked, None, "{}", scene.name);
         marked.push(judged.comparison.odd_parity_px);
     }

@@ -117,8 +117,8 @@ fn case_18_winding_is_the_index_of_the_profile() {
                     continue;
                 }
                 let winding = index(&profile, at);
-                let told = format!("{name}, {fill}: pixel ({x}, {y}), winding {winding}");
-                assert_eq!(layer.kind == Kind::Cap, fill.holds(winding), "{told}");
+                let described = format!("{name}, {fill}: pixel ({x}, {y}), winding {winding}");
+                assert_eq!(layer.kind == Kind::Cap, fill.holds(winding), "{described}");
                 inside += usize::from(winding != 0);
                 twice += usize::from(winding.abs() == 2);
             }
@@ -252,7 +252,7 @@ fn random(n: &mut Numbers) -> Scene {
     let surface = if n.once_in(2) {
         scenes::relief(&scene, &section, "fractal:size=32,amplitude=8%")
     } else {
-        cutaway::scene::section_surface(&section, &scene.bounds()).expect("a section")
+        ClipSurface::parse(&section, &scene.bounds()).expect("a section")
     };
     scene.cuts = vec![Cut::of("cut", vec![surface])];
     if !n.once_in(4) {

@@ -164,11 +164,11 @@ fn many_open_parts_are_one_note() {
     let [note] = loaded.notes.as_slice() else {
         panic!("one note, not {:?}", loaded.notes);
     };
-    for told in [
+    for described in [
         "many.obj: 19 parts, 11 open (worst: part7, 4 open edges)",
         "inspect",
     ] {
-        assert!(note.contains(told), "{note}");
+        assert!(note.contains(described), "{note}");
     }
     // The control: of one part it is said where.
     let open = stl();

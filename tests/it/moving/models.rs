@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use cutaway::load::load_mesh_file;
 use cutaway::passes::Model;
-use cutaway::scene::{Scene, Topology, section_surface};
+use cutaway::scene::{ClipSurface, Scene, Topology};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::common::Question;
@@ -43,7 +43,7 @@ fn animated_models_are_posed_and_cut_exactly() {
                     ..Scene::default()
                 };
                 scene.stage = Some(scene.bounds());
-                let section = section_surface("-0.3,-0.25,-1@50%,50%,50%", &scene.bounds());
+                let section = ClipSurface::parse("-0.3,-0.25,-1@50%,50%,50%", &scene.bounds());
                 let surface = section.expect("a section");
                 scene.cuts = vec![cutaway::Cut::of("middle", vec![surface])];
                 let next = model

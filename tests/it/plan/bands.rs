@@ -1,6 +1,6 @@
 //! A picture that is too large for a limit is drawn in bands, and shows the same.
 
-use cutaway::experiment::{Question, Renderer, Shown, errors, times};
+use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
 use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
@@ -175,7 +175,7 @@ fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
 #[test]
 fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
     let scene = cut_scene();
-    let shown = Shown::of(&scene);
+    let shown = SceneAtTime::of(&scene);
     let view = shown.model.prepared.view(SIZE_PX);
     let mut whole = session(Limits::CORE.storage_binding_bytes);
     let layers = cutaway::exact::evaluate(&shown.model.truth(&scene), &view).layers;

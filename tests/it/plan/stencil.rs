@@ -138,7 +138,7 @@ fn the_classic_refuses_what_is_beyond_one_plane() {
         },
         ..Camera::default()
     };
-    for (scene, told) in [
+    for (scene, described) in [
         (cut_cubes(1, reliefs(0.1, 1)), "has a relief"),
         (cut_cubes(1, planes(0.1, 2)), "2 clip-surfaces"),
         (
@@ -148,7 +148,7 @@ fn the_classic_refuses_what_is_beyond_one_plane() {
         (inside, "the near plane meets `cube 0`"),
     ] {
         let reason = refusal(&scene, "stencil");
-        assert!(reason.contains(told), "{reason}");
+        assert!(reason.contains(described), "{reason}");
     }
     // The control: a flat relief is a plane, and a second clip-surface that meets nothing is none.
     let mut flat = planes(0.1, 1);
@@ -178,13 +178,13 @@ fn a_device_without_such_a_texture_refuses_by_name() {
         (Strategy::STENCIL, "surface_depth"),
     ] {
         let plan = plan_of(&scene, &strategy);
-        let told = plan
+        let described = plan
             .check(&Limits::CORE)
             .expect_err("core WebGPU")
             .to_string();
         assert!(
-            told.contains(texture) && told.contains("depth32float-stencil8"),
-            "{told}"
+            described.contains(texture) && described.contains("depth32float-stencil8"),
+            "{described}"
         );
         plan.check(&WITH_STENCIL).unwrap_or_else(|e| panic!("{e}"));
     }
@@ -207,13 +207,13 @@ fn what_a_stencil_reads_and_writes_is_told() {
     );
     // Without the pass that lays the depth down the plan is no plan.
     plan.passes.retain(|p| p.name != "lay 0");
-    let told = plan
+    let described = plan
         .check(&WITH_STENCIL)
         .expect_err("nothing is laid down")
         .to_string();
     assert!(
-        told.contains("reads stencil before anything wrote it"),
-        "{told}"
+        described.contains("reads stencil before anything wrote it"),
+        "{described}"
     );
 }
 
@@ -239,7 +239,7 @@ per frame: 4 passes, 1.8 MiB
     writes  layers
   shade  [compute 20 x 13 x 1 groups]
     why     lit shading turns layers into a picture
-    reads   frame, parts, layers, rank_of_part
+    reads   frame, parts, layers, place_of_part
     writes  picture
 ");
 }

@@ -1,7 +1,7 @@
 //! Pixels: what exact, `raycast+mask` and `stencil` show, outside of what is undecided.
 
 use cutaway::layers::Kind;
-use cutaway::scene::{Camera, ClipSurface, Cut, Fill, Mesh, Part, Role, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Fill, Mesh, Part, Role, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
@@ -12,7 +12,7 @@ use super::decided_differing;
 const SIZE: [u32; 2] = [160, 120];
 
 fn section(scene: &Scene, text: &str) -> ClipSurface {
-    section_surface(text, &scene.bounds()).expect(text)
+    ClipSurface::parse(text, &scene.bounds()).expect(text)
 }
 
 /// Cuts of one name each.
@@ -134,8 +134,8 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
             }
         }
     }
-    let told = faults.join("\n");
-    assert!(faults.is_empty(), "{} faults:\n{told}", faults.len());
+    let described = faults.join("\n");
+    assert!(faults.is_empty(), "{} faults:\n{described}", faults.len());
     assert_eq!(asked, 11 * 8 * 2, "scenes");
     assert!(caps > asked * 200, "{caps} cap pixels ask too little");
 }

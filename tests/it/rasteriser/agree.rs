@@ -2,7 +2,7 @@
 
 use cutaway::layers::Layer;
 use cutaway::plan::Plan;
-use cutaway::scene::{Camera, Cut, Scene, section_surface};
+use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
@@ -44,8 +44,8 @@ const CUTS: [(&str, Cutting); 3] = [
     }),
 ];
 
-fn section(scene: &Scene, text: &str) -> cutaway::scene::ClipSurface {
-    section_surface(text, &scene.bounds()).unwrap_or_else(|e| panic!("{text}: {e}"))
+fn section(scene: &Scene, text: &str) -> ClipSurface {
+    ClipSurface::parse(text, &scene.bounds()).unwrap_or_else(|e| panic!("{text}: {e}"))
 }
 
 fn scene_of(shape: &str, cutting: Cutting) -> Scene {
@@ -120,32 +120,32 @@ pub(crate) fn scenes_and_cameras() -> impl Iterator<Item = (String, Scene, Camer
                 let scene = scene_of(shape, cutting);
                 let orthographic = (i + shape.len()) % 2 == 0;
                 let camera = scenes::orbit(30.0, 25.0, orthographic);
-                let told = format!("{shape}, {name}, orthographic: {orthographic}");
-                (told, scene, camera)
+                let described = format!("{shape}, {name}, orthographic: {orthographic}");
+                (described, scene, camera)
             })
     })
 }
 
 fn questions() -> impl Iterator<Item = (String, Question)> {
     scenes_and_cameras()
-        .map(|(told, scene, camera)| (told, Question::through(&scene, &camera, SIZE)))
+        .map(|(described, scene, camera)| (described, Question::through(&scene, &camera, SIZE)))
 }
 
 #[test]
 fn frames_are_exact_and_those_of_the_hardware() {
     let mut faults = Vec::new();
     let (mut compared, mut open_bits) = (0, 0);
-    for (told, question) in questions() {
+    for (described, question) in questions() {
         let (hardware, hardware_mask) = answer(&question, Means::default());
         let (compute, compute_mask) = answer(&question, COMPUTE);
-        assert_eq!(compute.outcome, Outcome::Complete, "{told}");
+        assert_eq!(compute.outcome, Outcome::Complete, "{described}");
         if let Some(fault) = compute.fault_of_exact() {
-            faults.push(format!("{told}: {fault}"));
+            faults.push(format!("{described}: {fault}"));
         }
         assert_eq!(
             hardware_mask.words.len(),
             compute_mask.words.len(),
-            "{told}: lanes"
+            "{described}: lanes"
         );
         let pixels = compute.layers.pixels.len();
         for (i, (a, b)) in (hardware_mask.words.iter().zip(&compute_mask.words)).enumerate() {
@@ -153,7 +153,10 @@ fn frames_are_exact_and_those_of_the_hardware() {
             let decided = !question.exact.undecided[i % pixels];
             open_bits += usize::from(a != b && decided);
             if decided && (a ^ b) & compute_mask.totals() != 0 {
-                faults.push(format!("{told}: totals of pixel {} differ", i % pixels));
+                faults.push(format!(
+                    "{described}: totals of pixel {} differ",
+                    i % pixels
+                ));
             }
         }
         for (i, (a, b)) in hardware
@@ -168,13 +171,16 @@ fn frames_are_exact_and_those_of_the_hardware() {
             }
             if class_of(a) != class_of(b) || a.back_face != b.back_face {
                 faults.push(format!(
-                    "{told}: {} by hardware {}",
-                    compute.told(i),
-                    hardware.told(i)
+                    "{described}: {} by hardware {}",
+                    compute.describe(i),
+                    hardware.describe(i)
                 ));
             }
             if a.depth.is_finite() && (a.depth - b.depth).abs() > depth_bound(&question, a) {
-                faults.push(format!("{told}: pixel {i} at {} and {}", a.depth, b.depth));
+                faults.push(format!(
+                    "{described}: pixel {i} at {} and {}",
+                    a.depth, b.depth
+                ));
             }
         }
     }

@@ -32,7 +32,7 @@ impl Frame {
     }
 
     /// What two frames do not share, in words.
-    fn told(&self, other: &Self) -> String {
+    fn describe(&self, other: &Self) -> String {
         let differ = |a: &[u32], b: &[u32]| a.iter().zip(b).filter(|(a, b)| a != b).count();
         format!(
             "{} words of masks, {} of layers, {} pixels of pictures differ",
@@ -114,14 +114,14 @@ fn one_sweep_is_as_good_as_two() {
         return;
     }
     let mut noticed = 0;
-    for (told, scene, camera) in agree::scenes_and_cameras() {
+    for (described, scene, camera) in agree::scenes_and_cameras() {
         let model = Model::of(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let two = frame(&model, &view, false, as_recorded);
         let one = frame(&model, &view, true, as_recorded);
-        assert!(one == two, "{told}: {}", one.told(&two));
+        assert!(one == two, "{described}: {}", one.describe(&two));
         // What is in front of a crossing has the parity of what is behind it, since all of it is even.
-        assert_eq!(one.odd_words(), 0, "{told}: odd totals");
+        assert_eq!(one.odd_words(), 0, "{described}: odd totals");
         noticed += usize::from(frame(&model, &view, false, claiming_little) != two);
     }
     assert!(
@@ -132,17 +132,24 @@ fn one_sweep_is_as_good_as_two() {
 
 #[test]
 fn a_workgroup_covers_what_an_invocation_covers() {
-    for (told, scene, camera) in agree::scenes_and_cameras().step_by(4) {
+    for (described, scene, camera) in agree::scenes_and_cameras().step_by(4) {
         let model = Model::of(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let by_size = frame(&model, &view, false, as_recorded);
         let by_groups = frame(&model, &view, false, small(0.0));
-        assert!(by_groups == by_size, "{told}: {}", by_groups.told(&by_size));
+        assert!(
+            by_groups == by_size,
+            "{described}: {}",
+            by_groups.describe(&by_size)
+        );
         let lost = frame(&model, &view, false, |plan| {
             small(0.0)(plan);
             without("mark large")(plan);
         });
-        assert!(lost.mask != by_size.mask, "{told}: no triangle was queued");
+        assert!(
+            lost.mask != by_size.mask,
+            "{described}: no triangle was queued"
+        );
     }
 }
 
@@ -178,7 +185,7 @@ fn two_triangles_of_8192_px_cover_what_many_small_ones_do() {
     };
     let whole = of([1, 1]);
     let pieces = of([250, 25]);
-    assert!(whole.mask == pieces.mask, "{}", whole.told(&pieces));
+    assert!(whole.mask == pieces.mask, "{}", whole.describe(&pieces));
     let covered = whole.odd_words();
     assert_eq!(covered, 8000 * 400, "samples of a rectangle of that size");
     // The control: a rectangle that ends one pixel earlier.
@@ -218,7 +225,7 @@ fn the_order_of_triangles_does_not_matter() {
         assert!(
             shuffled.mask == first.mask,
             "{turn}: {}",
-            shuffled.told(&first)
+            shuffled.describe(&first)
         );
         // Vertices are welded and normals summed in another order: only what normals say may differ, in its last bits.
         let kinds_and_depths = |f: &Frame| -> Vec<[u32; 2]> {
@@ -229,7 +236,7 @@ fn the_order_of_triangles_does_not_matter() {
         assert!(
             kinds_and_depths(&shuffled) == kinds_and_depths(&first),
             "{turn}: {}",
-            shuffled.told(&first)
+            shuffled.describe(&first)
         );
     }
     // The control: a mesh without its first triangle, whichever that has become.

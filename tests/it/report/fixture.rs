@@ -7,9 +7,9 @@ use std::path::Path;
 use cutaway::Comparison;
 use cutaway::document::{Document, cut, part, section};
 use cutaway::experiment::{
-    CaseRecord, CaseRecords, Ending, Expectation, Machine, Maker, Measurement, Parameter, PassTime,
-    PerClock, Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement, Timing,
-    Warning,
+    CaseRecord, CaseRecords, Ending, Expectation, FamilyMember, Machine, Measurement, Parameter,
+    PassTime, PerClock, Picture, Reached, Record, Reference, Run, Samples, StrategyMeasurement,
+    Timing, Warning,
 };
 use cutaway::gpu::AdapterReport;
 use cutaway::plan::Clock;
@@ -103,13 +103,13 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
             draw_only_ms: Samples::of(vec![2.0, 2.0, 2.0]),
             strategies,
         },
-        makers: vec![vec![Maker::default()]; count],
+        families: vec![vec![FamilyMember::default()]; count],
         figures: vec![BTreeMap::new(); count],
         expectations: vec![reached("raycast+mask", true)],
         warnings: vec![Warning::SoftwareAdapter {
             adapter: "one".to_owned(),
         }],
-        sitting: None,
+        invocation: None,
         pictures: vec![Picture {
             drawer: "exact".to_owned(),
             file: "exact.png".to_owned(),
@@ -153,10 +153,10 @@ pub(crate) fn records() -> Vec<Record> {
                 refused("planar", "a <script>alert(1)</script> | relief"),
             ],
         );
-        record.makers[2][0]
+        record.families[2][0]
             .parameters
             .insert("cells".to_owned(), Parameter::Whole(64));
-        record.makers[2][0].family = "grid:{cells}+vds:1024".to_owned();
+        record.families[2][0].family = "grid:{cells}+vds:1024".to_owned();
         record.figures[0].insert("flicker_px".to_owned(), 7.0);
         record
     };

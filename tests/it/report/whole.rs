@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use cutaway::experiment::{Picture, Sitting, Warning};
+use cutaway::experiment::{Invocation, Picture, Warning};
 use cutaway::report::PictureOptions;
 
 use super::command::Scratch;
@@ -27,13 +27,13 @@ fn points_that_are_not_there_are_said_aloud() {
     });
     let whole = report(&[&folder.path("run")], PictureOptions::MOST_BYTES);
     assert!(!whole.markdown.contains(" missing in "), "the control");
-    for (file, told) in [
+    for (file, described) in [
         ("crank.2", "1 of 2 points of 01-fixture is missing in "),
         ("crank.10", "2 of 2 points of 01-fixture are missing in "),
     ] {
         fs::remove_file(folder.path(&format!("run/{NAME}/{file}.json"))).unwrap();
         let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
-        assert_eq!(page.matches(told).count(), 2, "{page}");
+        assert_eq!(page.matches(described).count(), 2, "{page}");
         let command = "```sh\ncutaway measure 01-fixture.toml --out here\n```";
         assert_eq!(page.matches(command).count(), 3, "{page}");
         assert!(page.contains(file), "{page}");
@@ -46,7 +46,7 @@ fn areas_that_disagree_count_as_missed() {
     let folder = Scratch::new("report-peers");
     write(&folder.path("run"), &records(), None);
     let file = folder.path("run/peers/planar.json");
-    for (holds, told) in [
+    for (holds, described) in [
         (true, "All 3 expectations were reached"),
         (false, "1 of 3 expectations were missed"),
     ] {
@@ -55,7 +55,7 @@ fn areas_that_disagree_count_as_missed() {
                 "bound_is": "1e-6 of the area", "holds": holds }]);
         });
         let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
-        assert!(page.contains(told), "{page}");
+        assert!(page.contains(described), "{page}");
         assert_eq!(page.contains("2.500000 (missed)"), !holds, "{page}");
         assert_eq!(page.contains("torus, x: the area of vtk is off by"), !holds);
     }
@@ -125,11 +125,11 @@ fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
 
 #[test]
 fn all_commands_that_measured_are_named() {
-    let folder = Scratch::new("report-sittings");
+    let folder = Scratch::new("report-invocations");
     let command = |files: &str| format!("cutaway measure {files} --out here");
     let mut records = records();
     for (record, began, files) in [(0, "T22", "second.toml"), (1, "T21", "first.toml")] {
-        records[record].sitting = Some(Sitting {
+        records[record].invocation = Some(Invocation {
             began: format!("2026-01-02{began}:00:00Z"),
             load: Some(0.25),
             command: command(files),
@@ -156,7 +156,7 @@ fn all_commands_that_measured_are_named() {
     }
     assert!(page.contains("| took, all commands together | 7 s |"));
     // Older records name no command: all are of that of `run.json`.
-    records.iter_mut().for_each(|r| r.sitting = None);
+    records.iter_mut().for_each(|r| r.invocation = None);
     let page = report_of(&folder, &records).markdown;
     let only = row("2026-01-02T03:04:05Z", "", 2, "01-fixture.toml");
     assert!(page.contains(&only), "{page}");
@@ -245,7 +245,7 @@ fn a_chart_says_which_points_it_shows() {
     ] {
         let chart = page.split("<figure class=\"chart\">");
         let chart = chart.into_iter().find(|c| c.contains(title)).unwrap();
-        let said = format!("Shown: run <code>crank</code>; {shown}.</p>");
+        let said = format!("SceneAtTime: run <code>crank</code>; {shown}.</p>");
         assert!(chart.contains(&said), "{said} is missing from {chart}");
     }
 }

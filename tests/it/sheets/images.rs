@@ -88,7 +88,7 @@ fn a_fine_grid_of_a_smooth_relief_is_nearly_exact() {
 }
 
 /// A fault is seen in back faces, marks, or many wrong pixels; what a frame says of itself.
-fn told(question: &Question, plan: cutaway::plan::Plan) -> [usize; 3] {
+fn describe(question: &Question, plan: cutaway::plan::Plan) -> [usize; 3] {
     let (layers, _) = run(plan, SIZE, &[]);
     let marks = layers.pixels.iter().filter(|p| p.unreliable).count();
     let wrong = question.compare(&layers).decided_wrong_px;
@@ -98,12 +98,12 @@ fn told(question: &Question, plan: cutaway::plan::Plan) -> [usize; 3] {
 #[test]
 fn a_step_left_out_is_seen() {
     let question = Question::of(&ring(), SIZE);
-    let [back, marks, wrong] = told(&question, roomy(&question, "grid:64+mask"));
+    let [back, marks, wrong] = describe(&question, roomy(&question, "grid:64+mask"));
     assert_eq!([back, marks], [0, 0], "the plan as it is");
     let planted = |change: &dyn Fn(&mut cutaway::plan::Plan)| {
         let mut plan = roomy(&question, "grid:64+mask");
         change(&mut plan);
-        told(&question, plan)
+        describe(&question, plan)
     };
     let pass = |plan: &mut cutaway::plan::Plan, name: &str| {
         let found = plan.passes.iter().position(|p| p.name == name);
@@ -144,13 +144,13 @@ fn a_step_left_out_is_seen() {
 fn facings_say_the_same_as_heights() {
     let question = Question::of(&ring(), SIZE);
     let by_height = roomy(&question, "grid:64+mask");
-    let [_, _, wrong] = told(&question, by_height.clone());
+    let [_, _, wrong] = describe(&question, by_height.clone());
     let mut by_facing = by_height;
     let merge = by_facing.passes.iter().position(|p| p.name == "merge");
     let constants = &mut by_facing.passes[merge.expect("a merge")].constants;
     let beside = constants.iter_mut().find(|c| c.0 == "beside");
     beside.expect("a tolerance").1 = 100.0;
-    let faced = told(&question, by_facing.clone());
+    let faced = describe(&question, by_facing.clone());
     assert!(faced[2] <= wrong + 2, "{faced:?}, by height {wrong} wrong");
     // The control: each triangle turned round.
     let grid = by_facing.resource_named("grid indices").expect("indices");
@@ -161,7 +161,7 @@ fn facings_say_the_same_as_heights() {
         triangle.swap(1, 2);
     }
     resource.contents = Some(cutaway::plan::Contents::of(&indices));
-    let turned = told(&question, by_facing);
+    let turned = describe(&question, by_facing);
     assert!(
         turned[2] > 300 + wrong,
         "turned: {turned:?}, {wrong} before"

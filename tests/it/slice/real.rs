@@ -53,9 +53,9 @@ fn areas_of_closed_meshes_are_what_their_loops_enclose() {
                 let plane = plane(origin, normal);
                 for rule in [Fill::EvenOdd, Fill::Nonzero] {
                     let section = slicer.section_by(&plane, rule);
-                    let told = format!("{name} at {share} of {normal} {rule:?}");
-                    assert!(section.is_whole(), "{told}: {:?}", section.defects);
-                    assert_eq!(fault(&section, rule), None, "{told}");
+                    let described = format!("{name} at {share} of {normal} {rule:?}");
+                    assert!(section.is_whole(), "{described}: {:?}", section.defects);
+                    assert_eq!(fault(&section, rule), None, "{described}");
                     if rule == Fill::EvenOdd {
                         let [p, n] = [plane.origin, plane.frame.normal];
                         println!(

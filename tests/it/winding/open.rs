@@ -109,11 +109,12 @@ fn every_defect_leaves_nearly_the_cap_of_the_whole() {
                 share(differing(&whole, &wound)),
                 share(differing(&whole, &counted)),
             );
-            let told =
+            let described =
                 format!("{shape} {defect}: {by_winding:.4} by winding, {by_parity:.4} by parity");
-            println!("{told}");
+            println!("{described}");
             faults.extend(
-                (by_winding > most || beats_parity && by_winding > by_parity / 2.0).then_some(told),
+                (by_winding > most || beats_parity && by_winding > by_parity / 2.0)
+                    .then_some(described),
             );
         }
     }

@@ -1,7 +1,7 @@
 //! Winding numbers beside the strategies: in the JSON as any of them, and the whole mesh as the truth about a broken one.
 
 use cutaway::document::parse_defect;
-use cutaway::experiment::{Question, Renderer, Shown, errors, times};
+use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
 use cutaway::generate::defects::break_parts;
 use cutaway::scene::Scene;
 use cutaway::strategies::Means;
@@ -34,15 +34,15 @@ fn winding_is_listed_as_any_other() {
     for file in ["wrong/winding.png", "wrong/winding.heatmap.png"] {
         assert!(folder.path(file).is_file(), "{file}");
     }
-    let told = folder
+    let described = folder
         .run("compare shape:cube --strategies windings")
         .exits(2);
-    assert!(!told.stderr.is_empty());
+    assert!(!described.stderr.is_empty());
 }
 
 /// Wrong pixels of renderers, marked and unmarked, by the truth of another scene.
 fn judged(scene: &Scene, truth: Option<&Scene>, renderers: &[&str]) -> Vec<[usize; 2]> {
-    let (shown, truth) = (Shown::of(scene), truth.map(Shown::of));
+    let (shown, truth) = (SceneAtTime::of(scene), truth.map(SceneAtTime::of));
     let question = Question {
         name: "sphere".to_owned(),
         shown: &shown,
@@ -88,7 +88,7 @@ fn a_broken_mesh_is_judged_by_the_whole_one() {
 fn a_truth_in_another_frame_is_refused() {
     let whole = scenes::sectioned("sphere?subdivisions=2", &["-z=50%"]);
     let larger = scenes::sectioned("sphere?subdivisions=2&radius=3", &["-z=50%"]);
-    let (shown, truth) = (Shown::of(&whole), Shown::of(&larger));
+    let (shown, truth) = (SceneAtTime::of(&whole), SceneAtTime::of(&larger));
     let question = Question {
         name: "small".to_owned(),
         shown: &shown,
@@ -97,10 +97,10 @@ fn a_truth_in_another_frame_is_refused() {
         means: Means::default(),
         command: String::new(),
     };
-    let told = errors(&mut session(), &question, &[], &mut |_| ());
-    let told = told.err().unwrap().to_string();
+    let described = errors(&mut session(), &question, &[], &mut |_| ());
+    let described = described.err().unwrap().to_string();
     assert!(
-        told.contains("another box") && told.contains("help"),
-        "{told}"
+        described.contains("another box") && described.contains("help"),
+        "{described}"
     );
 }

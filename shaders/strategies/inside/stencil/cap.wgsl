@@ -8,7 +8,7 @@
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
-    @location(0) @interpolate(flat) rank: u32,
+    @location(0) @interpolate(flat) instance: u32,
 }
 
 struct Cap {
@@ -17,14 +17,14 @@ struct Cap {
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) rank: u32) -> Corner {
-    return Corner(corner_of_screen(index), rank);
+fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: u32) -> Corner {
+    return Corner(corner_of_screen(index), instance);
 }
 
 @fragment
 fn fragment(corner: Corner) -> Cap {
     let plane = lone_plane_at(corner.position.xy);
-    let word = layer_word(CAP, cut_table.surfaces[0].surface, parts[corner.rank].part);
+    let word = layer_word(CAP, cut_table.surfaces[0].surface, parts[corner.instance].part);
     let normal = pack_normal(-cut_table.surfaces[0].normal.xyz);
     return Cap(vec2<u32>(word, normal), select(0.0, plane.z, plane.begins_removed));
 }

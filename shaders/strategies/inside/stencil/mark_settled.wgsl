@@ -12,7 +12,7 @@ struct Corner {
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(drawn_position(v.position), v.rank);
+    return Corner(drawn_position(v.position), v.instance);
 }
 
 @fragment

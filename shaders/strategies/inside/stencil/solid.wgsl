@@ -16,5 +16,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if !is_kept(lone_plane_at(corner.position.xy), corner.position.z) {
         discard;
     }
-    return surface_words(corner, 0u, parts[corner.rank].part, front);
+    return surface_words(corner, 0u, parts[corner.instance].part, front);
 }

@@ -13,9 +13,9 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
-    let group = settled.groups[corner.rank];
+    let group = settled.groups[corner.instance];
     let plane = lone_plane_at(corner.position.xy);
-    var z = of_doubled(corner.position.z, corner.rank, front);
+    var z = of_doubled(corner.position.z, corner.instance, front);
     var is_removed = !is_kept(plane, z);
     if group.surfaces != 0u {
         is_removed = group.removed != 0u;

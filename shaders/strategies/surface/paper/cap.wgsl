@@ -16,7 +16,7 @@ override first_instance: u32 = 0u;
 struct Corner {
     @builtin(position) position: vec4<f32>,
     @location(0) point: vec3<f32>,
-    // Rank of the part and number of the clip-surface.
+    // Place of the part and number of the clip-surface.
     @location(1) @interpolate(flat) what: vec2<u32>,
 }
 

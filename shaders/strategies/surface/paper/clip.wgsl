@@ -10,17 +10,17 @@ struct Corner {
     @builtin(position) @invariant position: vec4<f32>,
     @location(0) normal: vec3<f32>,
     @location(1) point: vec3<f32>,
-    @location(2) @interpolate(flat) rank: u32,
+    @location(2) @interpolate(flat) instance: u32,
 }
 
 @vertex
 fn vertex(v: Vertex) -> Corner {
-    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.position, v.rank);
+    return Corner(drawn_position(v.position), unpack_normal(v.normal), v.position, v.instance);
 }
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
-    let part = parts[corner.rank];
+    let part = parts[corner.instance];
     if is_removed(sides_of(corner.point), part.cuts) || is_passed(front) {
         discard;
     }

@@ -8,7 +8,7 @@ use super::walk::{Cause, Event, State, by_depth};
 use crate::scene::Prepared;
 
 /// What one ray is worked out on; reused from ray to ray.
-pub(super) struct Bench {
+pub(super) struct RayScratch {
     pub(super) crossings: Vec<Crossing>,
     /// With one cutter.
     pub(super) of_cutter: Vec<Crossing>,
@@ -28,7 +28,7 @@ pub(super) struct Bench {
     pub(super) end: State,
 }
 
-impl Bench {
+impl RayScratch {
     pub(super) fn of(prepared: &Prepared) -> Self {
         Self {
             crossings: Vec::new(),

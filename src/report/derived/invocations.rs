@@ -1,30 +1,30 @@
 //! The commands that measured a run: each record names its own, and `run.json` the last.
 
-use crate::experiment::{Record, Run, Sitting};
+use crate::experiment::{Invocation, Record, Run};
 
-/// The sittings of a run, the earliest first, each with the number of points whose record is of it.
+/// The invocations of a run, the earliest first, each with the number of points whose record is of it.
 ///
 /// The command that `run.json` names may have kept every point that it asked for. It is last then, and has the points whose records name
 /// no command, as those of older versions do not.
-pub(crate) fn sittings<'a>(
+pub(crate) fn invocations<'a>(
     run: &Run,
     records: impl IntoIterator<Item = &'a Record>,
-) -> Vec<(Sitting, usize)> {
-    let mut found: Vec<(Sitting, usize)> = Vec::new();
+) -> Vec<(Invocation, usize)> {
+    let mut found: Vec<(Invocation, usize)> = Vec::new();
     let mut unnamed = 0;
     for record in records {
-        let Some(sitting) = &record.sitting else {
+        let Some(invocation) = &record.invocation else {
             unnamed += 1;
             continue;
         };
-        match found.iter_mut().find(|(s, _)| s == sitting) {
+        match found.iter_mut().find(|(s, _)| s == invocation) {
             Some((_, points)) => *points += 1,
-            None => found.push((sitting.clone(), 1)),
+            None => found.push((invocation.clone(), 1)),
         }
     }
     found.sort_by(|(a, _), (b, _)| a.began.cmp(&b.began));
     if !found.iter().any(|(s, _)| s.command == run.command) {
-        let last = Sitting {
+        let last = Invocation {
             began: match found.is_empty() {
                 true => run.began.clone(),
                 false => String::new(),

@@ -56,7 +56,7 @@ pub(super) fn notices(
 }
 
 /// Where and by which commands each folder was measured.
-pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     vec![
         Block::Grid(facts(recorded)),
         Block::Text(
@@ -72,16 +72,16 @@ fn commands(recorded: &Recorded) -> Grid {
     let heading = ["folder", "began", "load before", "points", "command"];
     let mut grid = Grid::new("the commands that measured", heading);
     for folder in &recorded.folders {
-        for (sitting, points) in folder.sittings() {
-            let load = sitting
+        for (invocation, points) in folder.invocations() {
+            let load = invocation
                 .load
                 .map_or_else(Cell::default, |l| Cell::number(format!("{l:.2}"), l));
             grid.row([
                 Cell::from(folder.path.display().to_string()),
-                Cell::from(sitting.began),
+                Cell::from(invocation.began),
                 load,
                 Cell::number(points.to_string(), points as f64),
-                Cell::from(format!("`{}`", sitting.command)),
+                Cell::from(format!("`{}`", invocation.command)),
             ]);
         }
     }
@@ -141,8 +141,8 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
         folder.path.display(),
         lacking.join(", ")
     );
-    let commands = folder.sittings().into_iter();
-    let commands = commands.map(|(sitting, _)| Block::Command(sitting.command));
+    let commands = folder.invocations().into_iter();
+    let commands = commands.map(|(invocation, _)| Block::Command(invocation.command));
     std::iter::once(Block::Notice(Tone::Bad, text))
         .chain(commands)
         .collect()

@@ -6,7 +6,7 @@ use super::figures::timed;
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, Recorded};
 
-pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     let mut blocks = Vec::new();
     for folder in &recorded.folders {
         for record in &folder.peers {
@@ -28,7 +28,7 @@ pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
                     c.mesh,
                     c.cut,
                     c.tool,
-                    told(c)
+                    describe(c)
                 );
                 Block::Notice(Tone::Bad, text)
             }));
@@ -91,7 +91,7 @@ fn table(record: &PeerRecord) -> Grid {
             match checks.iter().find(|c| !c.holds) {
                 Some(missed) => Cell {
                     text: format!("{} (missed)", cell.text),
-                    ..cell.toned(Tone::Bad).titled(told(missed))
+                    ..cell.toned(Tone::Bad).titled(describe(missed))
                 },
                 None if checks.is_empty() => cell,
                 None => cell.toned(Tone::Good),
@@ -124,7 +124,7 @@ fn table(record: &PeerRecord) -> Grid {
 }
 
 /// How far an area is off.
-fn told(check: &PeerCheck) -> String {
+fn describe(check: &PeerCheck) -> String {
     let PeerCheck {
         off,
         bound,

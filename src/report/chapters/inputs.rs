@@ -2,7 +2,7 @@
 
 use super::best;
 use super::figures::{counts, percent, ranged};
-use super::point::{Bench, Point, Points};
+use super::point::{Point, Points, Setup};
 use crate::experiment::{Record, StrategyMeasurement};
 use crate::report::derived::{
     BETWEEN_RUNS, Situation, Spread, TOO_MUCH, has_defect, has_other_truth, papers,
@@ -36,9 +36,9 @@ struct Input<'a> {
     records: Vec<&'a Record>,
 }
 
-/// The table of a bench and its explanation; nothing where no run stands for anything.
-pub(super) fn blocks(points: &Points<'_>, bench: &Bench<'_>) -> Vec<Block> {
-    let on_it = points.on(bench);
+/// The table of a setup and its explanation; nothing where no run stands for anything.
+pub(super) fn blocks(points: &Points<'_>, setup: &Setup<'_>) -> Vec<Block> {
+    let on_it = points.on(setup);
     let inputs = inputs(&on_it);
     if inputs.is_empty() {
         return Vec::new();
@@ -64,18 +64,18 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
         }
         let situation = Situation::from(run.moves);
         let is_it = |i: &&mut Input<'_>| i.name == name && i.situation == situation;
-        let told = format!("{}: {}", point.experiment.synopsis.name, run.name);
+        let described = format!("{}: {}", point.experiment.synopsis.name, run.name);
         match inputs.iter_mut().find(is_it) {
             Some(input) => {
                 input.records.push(point.record);
-                if !input.runs.contains(&told) {
-                    input.runs.push(told);
+                if !input.runs.contains(&described) {
+                    input.runs.push(described);
                 }
             }
             None => inputs.push(Input {
                 name,
                 situation,
-                runs: vec![told],
+                runs: vec![described],
                 records: vec![point.record],
             }),
         }
@@ -87,7 +87,7 @@ fn row(input: &Input<'_>) -> Vec<Cell> {
     let records = &input.records;
     let mut cells = vec![
         Cell::from(input.name).titled(input.runs.join("; ")),
-        Cell::from(input.situation.told()),
+        Cell::from(input.situation.describe()),
         Cell::number(records.len().to_string(), records.len() as f64),
     ];
     cells.extend(best::cells(records, input.situation));

@@ -168,14 +168,17 @@ fn another_expectation_is_held_against_what_was_measured() {
     let record = || json(&folder, "out/01-cube/cube.2_.json");
     assert_eq!(counts(&measure("decided_wrong_px = 0", 0)), [2, 0]);
     let first = record();
-    let sitting = &first["sitting"];
+    let invocation = &first["sitting"];
     assert!(
-        sitting["began"].as_str().unwrap().ends_with('Z'),
-        "{sitting}"
+        invocation["began"].as_str().unwrap().ends_with('Z'),
+        "{invocation}"
     );
     assert!(
-        sitting["command"].as_str().unwrap().contains("--out out"),
-        "{sitting}"
+        invocation["command"]
+            .as_str()
+            .unwrap()
+            .contains("--out out"),
+        "{invocation}"
     );
     let ran = measure("decided_wrong_px = 3", 1);
     assert_eq!(counts(&ran), [0, 2]);
@@ -276,13 +279,13 @@ fn a_dry_run_lists_what_would_be_measured_and_leaves_nothing() {
     let ran = folder
         .run("measure 01-cube.toml --dry-run --out out")
         .exits(0);
-    for told in [
+    for described in [
         "amplitude = 2%",
         "amplitude = 5%",
         "grid:8+vds:64",
         "cutaway measure 01-cube.toml --only=cube:2_",
     ] {
-        assert!(ran.text().contains(told), "{}", ran.text());
+        assert!(ran.text().contains(described), "{}", ran.text());
     }
     assert_eq!(folder.files(), ["01-cube.toml"]);
 }
@@ -303,7 +306,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
         folder.path("other/01-cube.toml"),
     )
     .unwrap();
-    for (line, told) in [
+    for (line, described) in [
         ("measure nowhere.toml", "nowhere.toml"),
         ("measure 03-spong.toml --dry-run", "did you mean `sponge`"),
         ("measure 01-cube.toml --only cub", "did you mean `cube`"),
@@ -326,7 +329,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
         ),
     ] {
         let ran = folder.run(line).exits(2);
-        assert!(ran.stderr.contains(told), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
         assert!(!folder.path("out").exists(), "{line}");
     }
 }
@@ -419,14 +422,14 @@ fn a_point_is_asked_for_by_the_name_of_its_files() {
         [0, 3],
         "of the last alone"
     );
-    for (only, told) in [
+    for (only, described) in [
         ("cube:7_", "no point of the run"),
         ("cubs:5_", "did you mean `cube`"),
     ] {
         let ran = folder
             .run(&format!("measure 01-cube.toml --only={only}"))
             .exits(2);
-        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+        assert!(ran.stderr.contains(described), "{}", ran.stderr);
     }
 }
 
@@ -444,15 +447,15 @@ fn an_interrupt_says_what_is_lost() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let mut told = BufReader::new(child.stderr.take().unwrap()).lines();
+    let mut described = BufReader::new(child.stderr.take().unwrap()).lines();
     assert!(
-        told.any(|l| l.unwrap().ends_with("round 3 of 10000")),
+        described.any(|l| l.unwrap().ends_with("round 3 of 10000")),
         "it got there"
     );
     let pid = child.id().to_string();
     let killed = Command::new("kill").args(["-INT", &pid]).status();
     assert!(killed.unwrap().success());
-    told.for_each(|l| drop(l.unwrap()));
+    described.for_each(|l| drop(l.unwrap()));
     let ran = Ran::of(line, child.wait_with_output().unwrap()).exits(130);
     let lost =
         (ran.text().lines()).find_map(|l| l.strip_prefix("lost: 01-cube, cube, amplitude = 2%: "));

@@ -67,12 +67,12 @@ enum Plane {
 
 /// A section as the user wrote it; percentages wait for the bounds.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SectionSpec {
+pub struct PlaneSpec {
     text: String,
     plane: Plane,
 }
 
-impl SectionSpec {
+impl PlaneSpec {
     /// Reads a spec.
     pub fn parse(text: &str) -> Result<Self> {
         parse_plane(text.trim())
@@ -141,28 +141,35 @@ impl SectionSpec {
     }
 }
 
-/// The clip-surface of a section spec where +Y is up: [`SectionSpec::parse`] and [`SectionSpec::surface`] in one.
-pub fn section_surface(text: &str, bounds: &Bounds) -> Result<ClipSurface> {
-    SectionSpec::parse(text)?.surface(bounds, Up::PlusY)
-}
+impl ClipSurface {
+    /// The plane of a spec, as `--section` takes it, where +Y is up: [`PlaneSpec::parse`] and [`PlaneSpec::surface`] in one. Percent are
+    /// of `bounds`, which is the box of what is cut.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the text, or that it asks for percent of an empty box.
+    pub fn parse(text: &str, bounds: &Bounds) -> Result<Self> {
+        PlaneSpec::parse(text)?.surface(bounds, Up::PlusY)
+    }
 
-/// Whether a clip-surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes
-/// everything in it. A surface that only touches the box does not miss it.
-pub fn section_misses(surface: &ClipSurface, bounds: &Bounds) -> bool {
-    if bounds.is_empty() {
-        return true;
+    /// Whether the surface, with all the heights its relief can have, passes by a box: then it cuts nothing or removes
+    /// everything in it. One that only touches the box does not miss it.
+    pub fn misses(&self, bounds: &Bounds) -> bool {
+        if bounds.is_empty() {
+            return true;
+        }
+        let normal = self.frame().normal;
+        let [mut least, mut most] = [f64::INFINITY, f64::NEG_INFINITY];
+        for corner in bounds.corners() {
+            let height = (corner - self.origin).dot(normal);
+            least = least.min(height);
+            most = most.max(height);
+        }
+        let slab = self.relief.as_ref().map_or([0.0; 2], |map| {
+            map.range().map(|h| f64::from(h) * self.scale.z)
+        });
+        least + slab[0].min(slab[1]) > 0.0 || most + slab[0].max(slab[1]) < 0.0
     }
-    let normal = surface.frame().normal;
-    let [mut least, mut most] = [f64::INFINITY, f64::NEG_INFINITY];
-    for corner in bounds.corners() {
-        let height = (corner - surface.origin).dot(normal);
-        least = least.min(height);
-        most = most.max(height);
-    }
-    let slab = surface.relief.as_ref().map_or([0.0; 2], |map| {
-        map.range().map(|h| f64::from(h) * surface.scale.z)
-    });
-    least + slab[0].min(slab[1]) > 0.0 || most + slab[0].max(slab[1]) < 0.0
 }
 
 fn parse_plane(text: &str) -> Result<Plane, String> {
@@ -257,7 +264,7 @@ mod tests {
     }
 
     fn surface(text: &str) -> ClipSurface {
-        section_surface(text, &bounds()).expect(text)
+        ClipSurface::parse(text, &bounds()).expect(text)
     }
 
     #[test]
@@ -314,7 +321,7 @@ mod tests {
             ("-z=12.001", true),
             ("1,1,1,-100", true),
         ] {
-            assert_eq!(section_misses(&surface(text), &bounds()), misses, "{text}");
+            assert_eq!(surface(text).misses(&bounds()), misses, "{text}");
         }
     }
 
@@ -326,18 +333,18 @@ mod tests {
             let mut s = surface("z=1");
             s.relief = Some(std::sync::Arc::new(map.clone()));
             s.scale.z = height;
-            assert_eq!(section_misses(&s, &bounds()), misses, "height {height}");
+            assert_eq!(s.misses(&bounds()), misses, "height {height}");
         }
     }
 
     #[test]
     fn percentages_without_bounds_are_refused() {
         assert!(
-            section_surface("z=50%", &Bounds::EMPTY).is_err(),
+            ClipSurface::parse("z=50%", &Bounds::EMPTY).is_err(),
             "percent of nothing"
         );
         assert!(
-            section_surface("z=50", &Bounds::EMPTY).is_ok(),
+            ClipSurface::parse("z=50", &Bounds::EMPTY).is_ok(),
             "no bounds are needed"
         );
     }

@@ -38,13 +38,13 @@ impl Point<'_> {
 
 /// What figures must share to be compared: the folder of a run, the adapter, and whether it was measured with `--quick`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bench<'a> {
+pub(super) struct Setup<'a> {
     folder: &'a Folder,
     adapter: &'a AdapterReport,
     is_quick: bool,
 }
 
-impl Bench<'_> {
+impl Setup<'_> {
     fn has(&self, point: &Point<'_>) -> bool {
         std::ptr::eq(self.folder, point.folder)
             && *self.adapter == point.record.measurement.adapter
@@ -56,7 +56,7 @@ impl Bench<'_> {
 #[derive(Clone, Debug)]
 pub(super) struct Points<'a> {
     pub(super) all: Vec<Point<'a>>,
-    benches: Vec<Bench<'a>>,
+    setups: Vec<Setup<'a>>,
     /// Warnings that every point of a folder has.
     common: Vec<(&'a Folder, Vec<Warning>)>,
 }
@@ -64,7 +64,7 @@ pub(super) struct Points<'a> {
 impl<'a> Points<'a> {
     pub(super) fn of(recorded: &'a Recorded) -> Self {
         let mut all = Vec::new();
-        let mut benches: Vec<Bench<'_>> = Vec::new();
+        let mut setups: Vec<Setup<'_>> = Vec::new();
         let mut common = Vec::new();
         for folder in &recorded.folders {
             let start = all.len();
@@ -78,8 +78,8 @@ impl<'a> Points<'a> {
             common.push((folder, common_warnings(&all[start..])));
         }
         for point in &all {
-            if !benches.iter().any(|b| b.has(point)) {
-                benches.push(Bench {
+            if !setups.iter().any(|b| b.has(point)) {
+                setups.push(Setup {
                     folder: point.folder,
                     adapter: &point.record.measurement.adapter,
                     is_quick: point.record.is_quick,
@@ -88,46 +88,46 @@ impl<'a> Points<'a> {
         }
         Self {
             all,
-            benches,
+            setups,
             common,
         }
     }
 
     /// Where points were measured, in the order of the folders.
-    pub(super) fn benches(&self) -> impl Iterator<Item = &Bench<'a>> {
-        self.benches.iter()
+    pub(super) fn setups(&self) -> impl Iterator<Item = &Setup<'a>> {
+        self.setups.iter()
     }
 
-    /// Points of a bench.
-    pub(super) fn on(&self, bench: &Bench<'_>) -> Vec<Point<'a>> {
+    /// Points of a setup.
+    pub(super) fn on(&self, setup: &Setup<'_>) -> Vec<Point<'a>> {
         let all = self.all.iter();
-        all.filter(|p| bench.has(p)).copied().collect()
+        all.filter(|p| setup.has(p)).copied().collect()
     }
 
-    /// A name for a bench that no other has: its folder where there are several, its adapter, and whether it was quick where only some
+    /// A name for a setup that no other has: its folder where there are several, its adapter, and whether it was quick where only some
     /// were.
-    pub(super) fn label(&self, bench: &Bench<'_>) -> String {
-        let differ = |is_same: &dyn Fn(&Bench<'_>) -> bool| !self.benches.iter().all(is_same);
-        let adapter = bench.adapter;
-        let is_namesake = |b: &Bench<'_>| b.adapter.name == adapter.name && b.adapter != adapter;
+    pub(super) fn label(&self, setup: &Setup<'_>) -> String {
+        let differ = |is_same: &dyn Fn(&Setup<'_>) -> bool| !self.setups.iter().all(is_same);
+        let adapter = setup.adapter;
+        let is_namesake = |b: &Setup<'_>| b.adapter.name == adapter.name && b.adapter != adapter;
         let mut words = Vec::new();
-        if differ(&|b| std::ptr::eq(b.folder, bench.folder)) {
-            words.push(bench.folder.path.display().to_string());
+        if differ(&|b| std::ptr::eq(b.folder, setup.folder)) {
+            words.push(setup.folder.path.display().to_string());
         }
-        words.push(match self.benches.iter().any(is_namesake) {
+        words.push(match self.setups.iter().any(is_namesake) {
             false => adapter.name.clone(),
             true => format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
         });
-        if differ(&|b| b.is_quick == bench.is_quick) {
-            words.push(if bench.is_quick { "quick" } else { "in full" }.to_owned());
+        if differ(&|b| b.is_quick == setup.is_quick) {
+            words.push(if setup.is_quick { "quick" } else { "in full" }.to_owned());
         }
         words.join(", ")
     }
 
-    /// The name of a point's bench after a separator, where there are several.
+    /// The name of a point's setup after a separator, where there are several.
     pub(super) fn on_whom(&self, point: &Point<'_>) -> String {
-        match self.benches.iter().find(|b| b.has(point)) {
-            Some(bench) if self.benches.len() > 1 => format!(" · {}", self.label(bench)),
+        match self.setups.iter().find(|b| b.has(point)) {
+            Some(setup) if self.setups.len() > 1 => format!(" · {}", self.label(setup)),
             _ => String::new(),
         }
     }

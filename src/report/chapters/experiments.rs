@@ -7,7 +7,7 @@ use crate::experiment::{Record, Warning};
 use crate::report::document::{Block, Tone};
 use crate::report::recorded::Recorded;
 
-pub(super) fn section(
+pub(super) fn chapter(
     recorded: &Recorded,
     points: &Points<'_>,
     pictures: &pictures::Chosen,

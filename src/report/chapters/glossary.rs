@@ -61,7 +61,7 @@ const WORDS: [[&str; 2]; 13] = [
 ];
 
 /// The table; nothing where nothing was measured.
-pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     let mut experiments = recorded.folders.iter().flat_map(|f| &f.experiments);
     if experiments.all(|e| e.records.is_empty()) {
         return Vec::new();

@@ -15,7 +15,7 @@ const BIAS: &str = "\
 - The shapes are few and most are our own. Real meshes enter only where an experiment names their files.
 ";
 
-pub(super) fn section(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
     let mut blocks = vec![Block::Prose(BIAS.to_owned())];
     let [shown, left_out] = pictures.counts();
     if shown + left_out > 0 {
@@ -29,8 +29,8 @@ pub(super) fn section(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
             "`{}` was measured by",
             folder.path.display()
         )));
-        let commands = folder.sittings().into_iter();
-        blocks.extend(commands.map(|(sitting, _)| Block::Command(sitting.command)));
+        let commands = folder.invocations().into_iter();
+        blocks.extend(commands.map(|(invocation, _)| Block::Command(invocation.command)));
         let mut limits = Grid::new(
             "limits",
             ["limit of the device that plans are made for", "value"],

@@ -20,7 +20,7 @@ pub(crate) fn round(value: f64) -> String {
 }
 
 /// Bounds, axis by axis.
-pub(super) fn bounds_told(bounds: &Bounds) -> String {
+pub(super) fn describe_bounds(bounds: &Bounds) -> String {
     let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
     let axis = |i: usize| {
         format!(

@@ -6,7 +6,7 @@
 #define_import_path cutaway::sample
 
 #import cutaway::nearest::{claim, nearest_bits, raise}
-#import cutaway::ranking::{is_kept, rank_and_store}
+#import cutaway::passing::{is_kept, pass_and_store}
 #import cutaway::settling::settle
 #import cutaway::sweep::{Sample, sweep}
 
@@ -14,7 +14,7 @@
 fn take(found: Sample) -> bool {
     let sample = settle(found);
     if sweep.again == 0u {
-        return rank_and_store(sample) && raise(sample);
+        return pass_and_store(sample) && raise(sample);
     }
     if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
         claim(sample);

@@ -30,17 +30,17 @@ pub(super) fn document(recorded: &Recorded, options: &PictureOptions) -> Documen
     let pictures = pictures::Chosen::of(&points, options);
     let mut blocks = head::notices(recorded, &points, &pictures);
     for (heading, section) in [
-        ("What should I use?", answers::section(&points)),
-        ("Strategies by scenes", matrix::section(&points)),
+        ("What should I use?", answers::chapter(&points)),
+        ("Strategies by scenes", matrix::chapter(&points)),
         (
             "Experiments",
-            experiments::section(recorded, &points, &pictures),
+            experiments::chapter(recorded, &points, &pictures),
         ),
-        ("Hard cases", cases::section(recorded)),
-        ("Outside baselines", outside::section(recorded)),
-        ("What the words mean", glossary::section(recorded)),
-        ("What was run", head::section(recorded)),
-        ("How it was made", made::section(recorded, &pictures)),
+        ("Hard cases", cases::chapter(recorded)),
+        ("Outside baselines", outside::chapter(recorded)),
+        ("What the words mean", glossary::chapter(recorded)),
+        ("What was run", head::chapter(recorded)),
+        ("How it was made", made::chapter(recorded, &pictures)),
     ] {
         if !section.is_empty() {
             blocks.push(Block::Heading(2, heading.to_owned()));

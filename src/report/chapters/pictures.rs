@@ -288,8 +288,8 @@ mod tests {
 
     #[test]
     fn links_go_up_and_down() {
-        let told = |from: &str, to: &str| relative(Path::new(from), Path::new(to));
-        assert_eq!(told("/no/a/b", "/no/a/c/d.png"), "../c/d.png");
-        assert_eq!(told("/no/a", "/no/a/c/d.png"), "c/d.png");
+        let describe = |from: &str, to: &str| relative(Path::new(from), Path::new(to));
+        assert_eq!(describe("/no/a/b", "/no/a/c/d.png"), "../c/d.png");
+        assert_eq!(describe("/no/a", "/no/a/c/d.png"), "c/d.png");
     }
 }

@@ -1,13 +1,13 @@
 //! The charts that an experiment asks for.
 //!
-//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a bench. Marks of
+//! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a setup. Marks of
 //! one strategy under a sweep of its parameter are one series, in the order of the parameter.
 
 use super::figures::{label, times};
 use super::point::{Point, Points};
 use crate::experiment::ChartSynopsis;
 use crate::experiment::{Ending, Parameter};
-use crate::report::derived::{Offer, Price, Row, front, natural, rows_by_maker, steps};
+use crate::report::derived::{Offer, Price, Row, front, natural, rows_by_family, steps};
 use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
 
 /// All charts of a definition, from the points of its experiment.
@@ -35,7 +35,7 @@ pub(super) fn blocks(
         let before = blocks.len();
         for (facet, of_facet) in &facets {
             let facet = if facets.len() > 1 { facet.as_str() } else { "" };
-            blocks.extend(drawn(asked, facet, of_facet));
+            blocks.extend(draw_chart(asked, facet, of_facet));
         }
         if blocks.len() == before {
             let text = format!(
@@ -55,10 +55,10 @@ struct Placed<'a> {
     series: String,
 }
 
-fn drawn(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
     let rows: Vec<Row<'_>> = points
         .iter()
-        .flat_map(|p| rows_by_maker(p.record))
+        .flat_map(|p| rows_by_family(p.record))
         .collect();
     let categories = categories(asked, &rows);
     let mut placed: Vec<Placed<'_>> = Vec::new();
@@ -133,8 +133,8 @@ fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
     });
     let shown = shown.collect::<Vec<_>>().join("; ");
     match asked.note.as_deref().map(|n| n.trim_end_matches('.')) {
-        None => format!("Shown: {shown}."),
-        Some(note) => format!("{note}. Shown: {shown}."),
+        None => format!("SceneAtTime: {shown}."),
+        Some(note) => format!("{note}. SceneAtTime: {shown}."),
     }
 }
 
@@ -239,14 +239,14 @@ fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
 
 /// What a series calls its strategy.
 fn who(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
-    let own = &row.maker.parameters;
+    let own = &row.member.parameters;
     let runs_along = own.contains_key(&asked.x);
     let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;
     let others = own.iter().filter(|(name, _)| **name != asked.x);
     match (runs_along, is_figure) {
-        (false, true) => row.maker.family.clone(),
+        (false, true) => row.member.family.clone(),
         (false, false) => row.found().name.clone(),
-        (true, _) => others.fold(row.maker.family.clone(), |family, (name, value)| {
+        (true, _) => others.fold(row.member.family.clone(), |family, (name, value)| {
             family.replace(&format!("{{{name}}}"), &value.to_string())
         }),
     }
@@ -274,7 +274,7 @@ fn series(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> Vec<Series> {
 
 /// By the strategy's own parameters where x is a figure, else along x.
 fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::Ordering {
-    let values = |p: &Placed<'_>| p.row.maker.parameters.clone();
+    let values = |p: &Placed<'_>| p.row.member.parameters.clone();
     let along_x = a.at[0].total_cmp(&b.at[0]);
     if a.row.parameter(&asked.x).is_some() {
         return along_x;
@@ -288,7 +288,7 @@ fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::
 
 fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
     let row = &placed.row;
-    let told = |figure: &str, value: f64| {
+    let describe = |figure: &str, value: f64| {
         let word = row
             .parameter(figure)
             .map_or_else(|| word_of(value), ToString::to_string);
@@ -301,8 +301,8 @@ fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
     let is_doubtful = found.outcome != Ending::Complete;
     let mut title = vec![
         found.name.clone(),
-        told(&asked.x, placed.at[0]),
-        told(&asked.y, placed.at[1]),
+        describe(&asked.x, placed.at[0]),
+        describe(&asked.y, placed.at[1]),
     ];
     title.extend(is_doubtful.then(|| found.outcome.name().to_owned()));
     Mark {

@@ -3,10 +3,10 @@
 use super::figures::{times, tone_of};
 use super::point::{Point, Points};
 use crate::experiment::Record;
-use crate::report::derived::{Standing, standings};
+use crate::report::derived::{StrategyTotals, standings};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
-pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
+pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
     if points.all.is_empty() {
         return Vec::new();
     }
@@ -15,11 +15,11 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
          ratio of the frame time to draw only; `!` marks a bounded buffer that overflowed at some point. Point at a cell for the rest."
             .to_owned(),
     )];
-    for bench in points.benches() {
-        if points.benches().count() > 1 {
-            blocks.push(Block::Heading(5, points.label(bench)));
+    for setup in points.setups() {
+        if points.setups().count() > 1 {
+            blocks.push(Block::Heading(5, points.label(setup)));
         }
-        blocks.push(Block::Grid(matrix(&points.on(bench))));
+        blocks.push(Block::Grid(matrix(&points.on(setup))));
     }
     blocks
 }
@@ -43,14 +43,14 @@ fn matrix(points: &[Point<'_>]) -> Grid {
         let cells = columns.iter().map(|(experiment, run)| {
             let of_run = records.iter().copied();
             let of_run = of_run.filter(|r| r.experiment == *experiment && r.run == *run);
-            cell(&Standing::of(&standing.name, of_run))
+            cell(&StrategyTotals::of(&standing.name, of_run))
         });
         grid.row(std::iter::once(Cell::from(standing.name.as_str())).chain(cells));
     }
     grid
 }
 
-fn cell(standing: &Standing) -> Cell {
+fn cell(standing: &StrategyTotals) -> Cell {
     if standing.asked == 0 {
         return Cell::default();
     }
@@ -65,22 +65,22 @@ fn cell(standing: &Standing) -> Cell {
     };
     let ratio = standing.ratio.map(|r| format!(" {}", times(r.median)));
     let mark = if standing.overflowed > 0 { " !" } else { "" };
-    let mut told = vec![format!(
+    let mut described = vec![format!(
         "exact at {} of {} points",
         standing.exact, standing.asked
     )];
     if let Some(r) = standing.ratio {
-        told.push(format!(
+        described.push(format!(
             "ratio from {} to {}",
             times(r.least),
             times(r.most)
         ));
     }
     if standing.overflowed > 0 {
-        told.push(format!("overflowed at {}", standing.overflowed));
+        described.push(format!("overflowed at {}", standing.overflowed));
     }
     if standing.refused() > 0 {
-        told.push(format!(
+        described.push(format!(
             "refused at {}: {}",
             standing.refused(),
             reasons.join("; ")
@@ -92,5 +92,7 @@ fn cell(standing: &Standing) -> Cell {
     };
     let text = format!("{wrong}{}{mark}", ratio.unwrap_or_default());
     let key = standing.worst_px as f64 + standing.ratio.map_or(0.0, |r| r.median * 1e-6);
-    Cell::number(text, key).toned(tone).titled(told.join("; "))
+    Cell::number(text, key)
+        .toned(tone)
+        .titled(described.join("; "))
 }

@@ -1,8 +1,8 @@
-// What both kinds of sweeps that rank samples do first. After the list of crossings only the sample's own depth counts.
+// What both kinds of sweeps that count the crossings before a sample do first. After the list of crossings only the sample's own depth counts.
 
-#define_import_path cutaway::ranking
+#define_import_path cutaway::passing
 
-#import cutaway::crossings::rank_of
+#import cutaway::crossings::passed_at
 #import cutaway::cuts::is_removed
 #import cutaway::exits::is_passed
 #import cutaway::lanes::{Fragment, Lane}
@@ -11,17 +11,17 @@
 
 // Whether a sample lies on a side that its part keeps.
 fn is_kept(sample: Sample) -> bool {
-    let sides = rank_of(sample.z, sample.pixel).sides;
+    let sides = passed_at(sample.z, sample.pixel).sides;
     return !is_removed(sides, drawn_parts.parts[sample.row].cuts) && !is_passed(sample.front);
 }
 
 // Ranks a sample in its pixel's list, leaves to the inside test what that wants of it, and says whether it is kept.
-fn rank_and_store(sample: Sample) -> bool {
+fn pass_and_store(sample: Sample) -> bool {
     let part = drawn_parts.parts[sample.row];
-    let rank = rank_of(sample.z, sample.pixel);
+    let passed = passed_at(sample.z, sample.pixel);
     if part.place != NO_LANE {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
-        store(Fragment(sample.pixel, lane, part.place, sample.z, rank.behind, sample.front));
+        store(Fragment(sample.pixel, lane, part.place, sample.z, passed.behind, sample.front));
     }
-    return !is_removed(rank.sides, part.cuts) && !is_passed(sample.front);
+    return !is_removed(passed.sides, part.cuts) && !is_passed(sample.front);
 }

@@ -1,25 +1,25 @@
 //! What should I use: the short answers, all of them worked out from the records.
 
 use super::figures::{ranged, times};
-use super::point::{Bench, Point, Points};
+use super::point::{Point, Points, Setup};
 use super::{best, broken, counted, figures, inputs};
 use crate::experiment::Record;
 use crate::report::derived::{
-    Kind, Situation, Spread, Standing, has_other_truth, is_exact, papers, standings,
+    Kind, Situation, Spread, StrategyTotals, has_other_truth, is_exact, papers, standings,
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::strategies::Strategy;
 
-pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
+pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
     if points.all.is_empty() {
         return Vec::new();
     }
     let mut blocks = Vec::new();
-    for bench in points.benches() {
-        let answers = inputs::blocks(points, bench);
+    for setup in points.setups() {
+        let answers = inputs::blocks(points, setup);
         if !answers.is_empty() {
             blocks.push(heading("What should I use for what I have?"));
-            blocks.extend(whose(points, bench));
+            blocks.extend(whose(points, setup));
             blocks.extend(answers);
         }
     }
@@ -39,18 +39,18 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
             counted(others, "point")
         )));
     }
-    for bench in points.benches() {
-        let on_it = sound(points.on(bench));
+    for setup in points.setups() {
+        let on_it = sound(points.on(setup));
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
-        blocks.extend(whose(points, bench));
+        blocks.extend(whose(points, setup));
         blocks.push(Block::Grid(exactness(&standings(&records))));
     }
     blocks.push(heading(
         "What does the paper's path cost, and what does it miss?",
     ));
-    blocks.extend(points.benches().map(|bench| {
-        let records: Vec<&Record> = (sound(points.on(bench)).iter()).map(|p| p.record).collect();
-        Block::Text(papers_path(&points.label(bench), &records))
+    blocks.extend(points.setups().map(|setup| {
+        let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
+        Block::Text(papers_path(&points.label(setup), &records))
     }));
     blocks.push(heading("Which one for what moves?"));
     blocks.push(Block::Text(
@@ -58,9 +58,9 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
          (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
-    for bench in points.benches() {
-        blocks.extend(whose(points, bench));
-        blocks.push(Block::Grid(by_situation(&sound(points.on(bench)))));
+    for setup in points.setups() {
+        blocks.extend(whose(points, setup));
+        blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
     }
     if others > 0 {
         blocks.push(heading("Which strategies cope with broken meshes?"));
@@ -70,16 +70,16 @@ pub(super) fn section(points: &Points<'_>) -> Vec<Block> {
                 .to_owned(),
         ));
     }
-    for bench in points.benches() {
-        if let Some(grid) = broken::grid(&points.on(bench)) {
-            blocks.extend(whose(points, bench));
+    for setup in points.setups() {
+        if let Some(grid) = broken::grid(&points.on(setup)) {
+            blocks.extend(whose(points, setup));
             blocks.push(Block::Grid(grid));
         }
     }
     blocks.push(heading("Answers by question"));
-    for bench in points.benches() {
-        blocks.extend(whose(points, bench));
-        blocks.push(Block::Grid(by_question(points, &points.on(bench))));
+    for setup in points.setups() {
+        blocks.extend(whose(points, setup));
+        blocks.push(Block::Grid(by_question(points, &points.on(setup))));
     }
     blocks
 }
@@ -89,8 +89,8 @@ fn heading(text: &str) -> Block {
 }
 
 /// Whose figures follow, where there are several.
-fn whose(points: &Points<'_>, bench: &Bench<'_>) -> Option<Block> {
-    (points.benches().count() > 1).then(|| Block::Heading(5, points.label(bench)))
+fn whose(points: &Points<'_>, setup: &Setup<'_>) -> Option<Block> {
+    (points.setups().count() > 1).then(|| Block::Heading(5, points.label(setup)))
 }
 
 /// Points that are judged by their own exact image.
@@ -99,7 +99,7 @@ fn sound(mut points: Vec<Point<'_>>) -> Vec<Point<'_>> {
     points
 }
 
-fn exactness(standings: &[Standing]) -> Grid {
+fn exactness(standings: &[StrategyTotals]) -> Grid {
     let mut grid = Grid::new(
         "exactness of strategies",
         [
@@ -139,14 +139,14 @@ fn exactness(standings: &[Standing]) -> Grid {
                 Tone::Plain
             }),
             count(s.refused()),
-            told_reasons(&reasons),
+            describe_reasons(&reasons),
         ]);
     }
     grid
 }
 
 /// Reasons of refusals, so short that a table stays flat; whole on pointing at it.
-fn told_reasons(reasons: &[String]) -> Cell {
+fn describe_reasons(reasons: &[String]) -> Cell {
     const MOST: usize = 48;
     let Some(first) = reasons.first() else {
         return Cell::default();
@@ -167,20 +167,20 @@ fn told_reasons(reasons: &[String]) -> Cell {
 }
 
 /// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
-fn papers_standing(records: &[&Record]) -> Standing {
+fn papers_standing(records: &[&Record]) -> StrategyTotals {
     let all = records.iter().flat_map(|r| {
         let own = papers(r).into_iter();
         own.map(|index| &r.measurement.strategies[index])
     });
-    Standing::over(&Strategy::PAPER.to_string(), all)
+    StrategyTotals::over(&Strategy::PAPER.to_string(), all)
 }
 
 /// The paper's path over all points, in a sentence or two.
-fn papers_path(bench: &str, records: &[&Record]) -> String {
+fn papers_path(setup: &str, records: &[&Record]) -> String {
     let name = Strategy::PAPER.to_string();
     let paper = papers_standing(records);
     let Some(ratio) = paper.ratio else {
-        return format!("On {bench}: `{name}` was not timed on any point.");
+        return format!("On {setup}: `{name}` was not timed on any point.");
     };
     let own = records.iter().flat_map(|r| {
         let all = &r.measurement.strategies;
@@ -194,7 +194,7 @@ fn papers_path(bench: &str, records: &[&Record]) -> String {
         })
     };
     format!(
-        "On {bench}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
+        "On {setup}: `{name}`, or where it was not asked the grids and sprites of other sizes that were, costs {} draw only in the median ({} to {}) over {}, and is exact in {} of them. \
          Median and range of its decided wrong pixels: {}; of missed cap: {}; of leaked cap: {}; of cracks: {}.",
         times(ratio.median),
         times(ratio.least),
@@ -228,8 +228,8 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
         }
         for situation in Situation::ALL {
             let first = [
-                Cell::from(kind.told()),
-                Cell::from(situation.told()),
+                Cell::from(kind.describe()),
+                Cell::from(situation.describe()),
                 Cell::number(format!("{exact} of {}", of_kind.len()), exact as f64),
             ];
             grid.row(first.into_iter().chain(best::cells(&of_kind, situation)));
@@ -268,7 +268,7 @@ fn by_question(points: &Points<'_>, on_it: &[Point<'_>]) -> Grid {
         let situation = situation_of(&of_it);
         let first = [
             Cell::from(format!("{name}: {question}")),
-            Cell::from(situation.told()),
+            Cell::from(situation.describe()),
             Cell::number(records.len().to_string(), records.len() as f64),
             Cell::number(format!("{exact} of {}", records.len()), exact as f64),
         ];

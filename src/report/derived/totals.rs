@@ -30,7 +30,7 @@ impl Spread {
 
 /// A strategy over some points.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Standing {
+pub(crate) struct StrategyTotals {
     pub name: String,
     /// Points that it was asked to draw.
     pub asked: usize,
@@ -48,7 +48,7 @@ pub(crate) struct Standing {
     pub ratio: Option<Spread>,
 }
 
-impl Standing {
+impl StrategyTotals {
     /// Of a strategy over the points where it was asked.
     pub(crate) fn of<'a>(name: &str, records: impl IntoIterator<Item = &'a Record>) -> Self {
         let all = records.into_iter().flat_map(|r| &r.measurement.strategies);
@@ -113,10 +113,10 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
 
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
 /// parameters. The exact ones come first, then the least wrong, then the cheapest; those that never drew are last.
-pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
+pub(crate) fn standings(records: &[&Record]) -> Vec<StrategyTotals> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
-        for (found, swept) in record.measurement.strategies.iter().zip(&record.makers) {
+        for (found, swept) in record.measurement.strategies.iter().zip(&record.families) {
             if swept.iter().any(|m| m.parameters.is_empty())
                 && !names.contains(&found.name.as_str())
             {
@@ -124,11 +124,11 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
             }
         }
     }
-    let mut found: Vec<Standing> = names
+    let mut found: Vec<StrategyTotals> = names
         .iter()
-        .map(|name| Standing::of(name, records.iter().copied()))
+        .map(|name| StrategyTotals::of(name, records.iter().copied()))
         .collect();
-    let cost = |s: &Standing| s.ratio.map_or(f64::INFINITY, |r| r.median);
+    let cost = |s: &StrategyTotals| s.ratio.map_or(f64::INFINITY, |r| r.median);
     found.sort_by(|a, b| {
         (b.is_exact().cmp(&a.is_exact()))
             .then((a.drawn == 0).cmp(&(b.drawn == 0)))
@@ -142,7 +142,7 @@ pub(crate) fn standings(records: &[&Record]) -> Vec<Standing> {
 pub(super) mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::experiment::{Maker, Measurement, Parameter, example};
+    use crate::experiment::{FamilyMember, Measurement, Parameter, example};
 
     pub(crate) fn record_of(measurement: Measurement) -> Record {
         let count = measurement.strategies.len();
@@ -156,12 +156,12 @@ pub(super) mod tests {
             scene: Document::new(),
             truth: None,
             measurement,
-            makers: vec![vec![Maker::default()]; count],
+            families: vec![vec![FamilyMember::default()]; count],
             figures: vec![BTreeMap::new(); count],
             expectations: Vec::new(),
             warnings: Vec::new(),
             pictures: Vec::new(),
-            sitting: None,
+            invocation: None,
         }
     }
 
@@ -190,7 +190,7 @@ pub(super) mod tests {
     #[test]
     fn strategies_of_sweeps_do_not_stand_for_themselves() {
         let mut record = record_of(example());
-        let own = &mut record.makers[0][0].parameters;
+        let own = &mut record.families[0][0].parameters;
         own.insert("cells".to_owned(), Parameter::Whole(64));
         let names: Vec<String> = standings(&[&record]).into_iter().map(|s| s.name).collect();
         assert_eq!(names, ["planar+<mask>"]);

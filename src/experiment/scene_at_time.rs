@@ -13,7 +13,7 @@ use crate::strategies::Means;
 use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
-pub struct Shown {
+pub struct SceneAtTime {
     /// What strategies draw.
     pub model: Model,
     scene: Scene,
@@ -21,7 +21,7 @@ pub struct Shown {
     truth: OnceLock<Prepared>,
 }
 
-impl Shown {
+impl SceneAtTime {
     /// Prepares a scene.
     pub fn of(scene: &Scene) -> Self {
         Self::with(Model::of(scene), scene)
@@ -112,10 +112,12 @@ mod tests {
         for (count, is_refused) in [(255, false), (256, true)] {
             let mut scene = cube(0.0);
             scene.cuts = (0..count).map(|i| cut(f64::from(i) + 0.5)).collect();
-            let shown = Shown::of(&scene);
+            let shown = SceneAtTime::of(&scene);
             match shown.truth() {
                 Ok(_) => assert!(!is_refused, "{count}"),
-                Err(told) => assert!(told.to_string().contains("at 255.5"), "{told}"),
+                Err(described) => {
+                    assert!(described.to_string().contains("at 255.5"), "{described}")
+                }
             }
         }
     }
@@ -123,7 +125,7 @@ mod tests {
     #[test]
     fn strategies_and_exact_are_given_the_same_pose() {
         for (weight, centre) in [(0.0, 0.0), (1.0, 2.0), (0.25, 0.5)] {
-            let shown = Shown::of(&cube(weight));
+            let shown = SceneAtTime::of(&cube(weight));
             for prepared in [&shown.model.prepared, shown.truth().unwrap()] {
                 let x = prepared.parts[0].bounds.centre().x / prepared.scale;
                 assert!((x - centre).abs() < 1e-6, "{x} at weight {weight}");

@@ -7,7 +7,7 @@ use crate::report::derived::natural;
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Experiment, Recorded};
 
-pub(super) fn section(recorded: &Recorded) -> Vec<Block> {
+pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
     let mut blocks = Vec::new();
     for folder in &recorded.folders {
         for experiment in &folder.experiments {
