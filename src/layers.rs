@@ -32,7 +32,7 @@ pub struct Layer {
     pub clip_surface: u8,
     /// The mesh shows its inner side: the triangle hit faces away from the camera.
     pub back_face: bool,
-    /// The strategy cannot vouch for this pixel: odd crossing count, or a buffer that overflowed.
+    /// The strategy marks this pixel as unreliable: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
     /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies tell it where they are
     /// asked to; exact always does.

@@ -10,7 +10,7 @@
 #import cutaway::cuts::{cut_table, keeps_words}
 #import cutaway::frame::{depth_from_buffer, is_behind, pixel_count}
 
-// Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or is not vouched for; and the sides where the
+// Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
 // ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;

@@ -5,7 +5,7 @@
 // covers along each axis the cells from k 2^l up to (k + 1) 2^l, or to the end of the map. It need not be square, sizes need not be
 // powers of two, and all levels begin at the same border.
 //
-// The cells that a ray passes are those of the plane without end; a node is told by any cell of it, in integers, and with it
+// The cells that a ray passes are those of the plane without end; a node follows from any cell of it, in integers, and with it
 // the border at which the ray leaves the node:
 //
 // - *repeat*: the plane is copies of the map side by side; a node never reaches beyond its copy;

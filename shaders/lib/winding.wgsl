@@ -1,4 +1,4 @@
-// Winding numbers in words: four signed bytes added up in one word, and the word that vouches for them.
+// Winding numbers in words: four signed bytes added up in one word, and the word that checks them.
 //
 // Bytes are summed by one addition of the whole word, so a byte that goes below 0 borrows from the next; taken apart from the
 // lowest up, in arithmetic modulo 2^32, each gives back what it borrowed. Order does not matter, and what a byte passes on the
@@ -22,7 +22,7 @@ fn count_at(word: u32, index: u32) -> i32 {
     return count;
 }
 
-// What a fragment adds to the word that vouches: its step in the lower half, 1 in the upper.
+// What a fragment adds to the word that checks: its step in the lower half, 1 in the upper.
 fn with_number(step: u32) -> u32 {
     return step + 0x10000u;
 }

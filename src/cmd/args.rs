@@ -121,7 +121,7 @@ pub(super) struct AdapterArgs {
 }
 
 impl AdapterArgs {
-    /// A session on the device, which takes the times of what it draws where they are told.
+    /// A session on the device, which takes the times of what it draws where they are reported.
     pub(super) fn session(&self, is_timed: bool) -> Result<Session> {
         let session = Session::new(self.open()?);
         Ok(match is_timed {

@@ -14,9 +14,9 @@ impl Interrupt {
     /// Listens from now on, on behalf of a command that works in such steps.
     pub(super) fn listen(command: &str, step: &'static str) -> Result<Self> {
         let wanted = Arc::new(AtomicBool::new(false));
-        let heard = wanted.clone();
+        let flag = wanted.clone();
         let listens = ctrlc::set_handler(move || {
-            if heard.swap(true, Ordering::SeqCst) {
+            if flag.swap(true, Ordering::SeqCst) {
                 remove_pending();
                 std::process::exit(i32::from(super::INTERRUPTED));
             }

@@ -1,4 +1,4 @@
-//! Strategies judged on what the command line opened, with the steps told to the console.
+//! Strategies judged on what the command line opened, with the steps reported to the console.
 
 use super::console::Console;
 use super::subject::Subject;

@@ -105,7 +105,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     console.step(renderer.to_string());
     let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
     if let Some(layers) = &facts.layers {
-        // What a full buffer dropped is told below, and need not be a fault of the mesh.
+        // What a full buffer dropped is reported below, and need not be a fault of the mesh.
         if facts.outcome == Outcome::Complete {
             warn_of_doubt(&facts.may_be_wrong, renderer, &console);
         }

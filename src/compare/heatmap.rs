@@ -23,7 +23,7 @@ pub enum Class {
     WrongPart,
     /// A surface where exact has background, or the other way round at an outline.
     Mismatch,
-    /// Right, but not vouched for by the strategy.
+    /// Right, but marked by the strategy.
     Unreliable,
     /// Right, but sampling is ambiguous there.
     Undecided,

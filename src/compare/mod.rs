@@ -55,11 +55,11 @@ pub struct Comparison {
     pub edge_wrong_px: usize,
     /// Wrong pixels that exact is sure of. An exact strategy has none.
     pub decided_wrong_px: usize,
-    /// Those of them that the strategy vouches for: it is wrong there, and nobody is told. Who cannot know must mark.
+    /// Those of them that the strategy does not mark: it is wrong there without a warning.
     pub unmarked_wrong_px: usize,
-    /// Pixels the strategy does not vouch for: odd crossing count, or a buffer that overflowed.
+    /// Pixels that the strategy marks: odd crossing count, or a buffer that overflowed.
     pub odd_parity_px: usize,
-    /// Pixels where the strategy says that several solids share the cap; it is told to look by
+    /// Pixels where the strategy says that several solids share the cap; it is asked to look by
     /// [`Scene::interference`](crate::scene::Scene::interference), and else says so nowhere.
     pub overlap_px: usize,
     /// Largest error of depth in world units.

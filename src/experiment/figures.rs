@@ -1,7 +1,7 @@
 //! Figures of a strategy by name: what expectations are about, and what charts have on their axes.
 //!
 //! Errors are the fields of [`Comparison`], whichever it has, with `wrong_px`, all wrong pixels, and
-//! `marked`, another name of `odd_parity_px`: the pixels that the strategy does not vouch for.
+//! `marked`, another name of `odd_parity_px`: the pixels that the strategy marks.
 
 use std::collections::BTreeMap;
 

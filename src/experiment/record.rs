@@ -312,7 +312,7 @@ pub struct Run {
     pub command: String,
     /// Version of this crate.
     pub version: String,
-    /// Commit of its sources, with `+` where they differ from it; none where that cannot be told.
+    /// Commit of its sources, with `+` where they differ from it; none where that is not known.
     pub commit: Option<String>,
     /// When it began: RFC 3339, UTC.
     pub began: String,

@@ -1,9 +1,9 @@
 //! One point of an experiment, from its scene to its record.
 //!
-//! Errors come first; expectations are held against them and told before any time is taken, so that whoever watches can end a run
+//! Errors come first; expectations are compared with them and reported before any time is taken, so that whoever watches can end a run
 //! that has already failed. Then times are taken in turns, warnings are worked out, and the pictures are drawn last of all.
 //!
-//! What is told meanwhile is for a watcher from outside to say.
+//! Progress is reported by a watcher from outside.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -61,7 +61,7 @@ pub struct Assignment<'a> {
 }
 
 impl SceneRun {
-    /// How many steps are told of one of its points.
+    /// How many steps of one of its points are reported.
     pub fn steps(&self, point: &Point, rounds: usize) -> usize {
         let drift = self.drift.map_or(0, |d| d.frames as usize);
         1 + drift + error_steps(point.trials.len()) + timing_steps(rounds)

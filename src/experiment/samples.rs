@@ -1,4 +1,4 @@
-//! Samples of a measurement: all are kept, and told by their median and its spread.
+//! Samples of a measurement: all are kept, and summarised by their median and its spread.
 //!
 //! Times on a shared machine have a long tail: a mean follows its outliers, a median does not. The spread is the median absolute
 //! deviation (MAD), which up to half of the samples cannot move either. Neither assumes a distribution.

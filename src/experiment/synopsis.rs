@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Moves;
 
-/// An experiment, told.
+/// An experiment, described.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Synopsis {
     /// The stem of its file.
@@ -32,7 +32,7 @@ pub struct Synopsis {
     pub toml: String,
 }
 
-/// A run of an experiment, told.
+/// A run of an experiment, described.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunSynopsis {
     /// Unique in the experiment.

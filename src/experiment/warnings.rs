@@ -8,7 +8,7 @@ use super::{Ending, Machine, Measurement, Samples, Warning};
 /// Times scatter if their median absolute deviation is this share of their median.
 const NOISY: f64 = 0.10;
 
-/// The same where there are too few rounds to tell a spread: what is as wide as this is told all the same.
+/// The same where there are too few rounds for a spread: what is as wide as this is reported all the same.
 const NOISY_OF_FEW: f64 = 0.25;
 
 /// The machine slowed down if the last third of the rounds took so much longer than the first.
@@ -204,7 +204,7 @@ mod tests {
             warnings
                 .iter()
                 .all(|w| !w.text().is_empty() && !w.remedy().is_empty()),
-            "each is told with its remedy"
+            "each is reported with its remedy"
         );
         let json = serde_json::to_value(warnings).unwrap();
         let kinds = json.as_array().unwrap().iter();

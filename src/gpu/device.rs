@@ -112,12 +112,12 @@ impl Gpu {
                 ),
             })?;
         let gpu = Self::from_device(&adapter.get_info(), device, queue)?;
-        // What no scope hears, such as a lost device, is to become an error, where wgpu would panic.
+        // What no scope catches, such as a lost device, is to become an error, where wgpu would panic.
         let listener = gpu.complaint.clone();
-        let hear = move |e: wgpu::Error| {
+        let record = move |e: wgpu::Error| {
             lock(&listener).get_or_insert(e.to_string());
         };
-        gpu.device.on_uncaptured_error(Arc::new(hear));
+        gpu.device.on_uncaptured_error(Arc::new(record));
         Ok(gpu)
     }
 
@@ -331,11 +331,11 @@ pub(super) fn is_shared(contents: &Contents) -> bool {
     contents.len() >= SHARED_FROM_BYTES && !contents.changes()
 }
 
-/// What a scope heard, where that is known at once: a browser says it later, and to its console.
-fn at_once(heard: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
-    let mut heard = std::pin::pin!(heard);
+/// What a scope caught, where that is known at once: a browser says it later, and to its console.
+fn at_once(caught: impl Future<Output = Option<wgpu::Error>>) -> Option<wgpu::Error> {
+    let mut caught = std::pin::pin!(caught);
     let mut context = Context::from_waker(Waker::noop());
-    match heard.as_mut().poll(&mut context) {
+    match caught.as_mut().poll(&mut context) {
         Poll::Ready(error) => error,
         Poll::Pending => None,
     }

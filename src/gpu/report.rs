@@ -24,10 +24,10 @@ impl Report {
         bounded: Vec<Bounded>,
     ) -> Self {
         let state = Arc::new(AtomicU8::new(UNDER_WAY));
-        let heard = state.clone();
+        let shared = state.clone();
         encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |mapped| {
             let how = if mapped.is_ok() { ARRIVED } else { LOST };
-            heard.store(how, Ordering::Release);
+            shared.store(how, Ordering::Release);
         });
         Self {
             staging,

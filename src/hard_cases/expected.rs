@@ -100,7 +100,7 @@ impl fmt::Display for Expected {
             Self::Exact => f.write_str("0 decided wrong, no crack, none odd"),
             Self::Marked => f.write_str("odd pixels marked, exactly those, and no other wrong"),
             Self::Doubted => f.write_str("whatever is wrong is marked"),
-            Self::Overflows(_) => f.write_str("overflow told, whatever is wrong is marked"),
+            Self::Overflows(_) => f.write_str("overflow reported, whatever is wrong is marked"),
             Self::Band => f.write_str("wrong within reach of a texel alone"),
             Self::Share(most) | Self::Within(most, _) => {
                 write!(f, "at most {most} wrong per boundary pixel")

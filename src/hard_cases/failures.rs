@@ -1,7 +1,7 @@
 //! By how much the built-in strategies fail where they are expected to: wrong pixels per covered pixel over all pictures of a case.
 //!
 //! The table holds what was found, the least and the most of pictures of 64 and of 256 px; half the one to double the other is let pass.
-//! A failure that gets worse is told, and so is one that is nearly mended. Strategies with other parameters have no line here: of them
+//! A failure that gets worse is reported, and so is one that is nearly gone. Strategies with other parameters have no line here: of them
 //! no more is asked than to fail.
 
 use super::tolerances::FACTOR;

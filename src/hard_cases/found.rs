@@ -61,7 +61,7 @@ pub fn check_ids(ids: &[String]) -> Result<()> {
 }
 
 /// Asks the cases whose ids fit one of the globs, at each size, and tells each before it is asked. Ends early, with nothing, as soon as
-/// `goes_on` says no; it is heard before each method.
+/// `goes_on` says no; it is called before each method.
 pub fn found(
     session: &mut Session,
     asked: &Asked<'_>,

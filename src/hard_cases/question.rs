@@ -126,7 +126,7 @@ impl Judged {
         self.decided_wrong().next()
     }
 
-    /// The first decided pixel that is wrong and that the strategy vouches for.
+    /// The first decided pixel that is wrong and that the strategy does not mark.
     pub fn first_unmarked_wrong(&self) -> Option<usize> {
         self.decided_wrong()
             .find(|i| !self.layers.pixels[*i].unreliable)

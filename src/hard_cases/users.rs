@@ -293,7 +293,7 @@ pub fn degenerate_sections(_: u32) -> Vec<Scene> {
     ]
 }
 
-/// Every other triangle turned over: which side is out cannot be told, and by parity need not be.
+/// Every other triangle turned over: which side is out cannot be known, and by parity need not be.
 pub fn mixed_winding(_: u32) -> Vec<Scene> {
     let mut mesh = shape("torus?segments=24&sides=12");
     for triangle in mesh.triangles.iter_mut().step_by(2) {

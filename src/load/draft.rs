@@ -49,7 +49,7 @@ pub(super) struct Solid {
 }
 
 impl Draft {
-    /// Checks, welds and splits. `notes` are told what was changed.
+    /// Checks, welds and splits. `notes` receives what was changed.
     pub(super) fn into_solids(
         mut self,
         path: &Path,

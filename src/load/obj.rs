@@ -6,7 +6,7 @@
 //! of a `v` (weights, colours) are passed over. Positions are all that a face needs: texture indices are not read, and a
 //! normal index that names no normal is dropped with a note. So is a line whose first word is unknown.
 //!
-//! Cost: one pass over the text. A file cut off between two lines cannot be told from a whole one, unless a face names a
+//! Cost: one pass over the text. A file cut off between two lines looks like a whole one, unless a face names a
 //! vertex that never comes.
 
 use std::collections::HashMap;

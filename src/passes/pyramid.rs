@@ -5,7 +5,7 @@
 //! or be scaled, and its pyramid stays.
 //!
 //! Cost: a pass for every five levels, three for the largest map; 8 bytes for a node, a node for 12 texels: a sixth of
-//! what the heights take. Where blocks are taken from and how they lie in maps that go on is told in `shaders/lib/pyramid.wgsl`.
+//! what the heights take. Where blocks are taken from and how they lie in maps that go on is explained in `shaders/lib/pyramid.wgsl`.
 
 use std::fmt;
 

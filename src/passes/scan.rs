@@ -1,4 +1,4 @@
-//! Prefix sum: each word of a buffer becomes the sum of the words before it, in place, and the total is told.
+//! Prefix sum: each word of a buffer becomes the sum of the words before it, in place, and the total is written out.
 //!
 //! The words are taken in blocks of [`BLOCK_WORDS`], one workgroup each: the sums of the blocks are summed in the same way,
 //! level by level until one block is left, and go back down as where each block begins. No workgroup waits for another, so

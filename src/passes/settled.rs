@@ -2,7 +2,7 @@
 //! other likewise, of which the one that faces the eye is to be seen.
 //!
 //! On which side of a clip-surface a triangle lies that is in it, or just beside it, is known
-//! ([`Settled`](crate::scene::Settled)). Its fragments are told by the draw that they belong to: a group of triangles has a draw of
+//! ([`Settled`](crate::scene::Settled)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
 //! its own, or a row in the table of the compute rasteriser, and every other triangle of the scene is drawn as ever. Where no triangle
 //! is settled there is no group, no pass and no binding.
 //!

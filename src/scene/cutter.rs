@@ -1,6 +1,6 @@
 //! Cutters: closed meshes whose inside a cut removes.
 //!
-//! What is inside is told by parity: a point from which a ray crosses the mesh an odd number of times. Solids of one file count
+//! What is inside follows from parity: a point from which a ray crosses the mesh an odd number of times. Solids of one file count
 //! together, so that where two of them overlap nothing is removed; which way faces are turned does not matter.
 //!
 //! A cutter must be closed, each edge with an even number of faces: parity of an open mesh would remove streaks up to infinity,

@@ -1,7 +1,7 @@
 //! Faces on the same three positions as another face, in whichever order: sheets without thickness, and solids that touch.
 //!
 //! Positions are compared, not indices, so that vertices that were not welded count too. Of faces that coincide the one that faces the eye is
-//! shown, and rasterisers, which find one depth for both, are to be told which that is.
+//! shown, and rasterisers, which find one depth for both, are to know which that is.
 //!
 //! Cost: a number for each position and a parallel sort of one number for each triangle; faces are compared only where these are equal.
 

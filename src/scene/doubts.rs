@@ -91,7 +91,7 @@ fn nonzero_hears(parts: &[Part]) -> Option<Remark> {
     };
     Some(Remark::note(format!(
         "{place} the faces do not agree which side is out: caps can be wrong there, and are marked\n  help: turn the faces, or \
-         use even-odd, which hears of no side"
+         use even-odd, which ignores orientation"
     )))
 }
 

@@ -6,7 +6,7 @@
 //! a void wherever two overlap, nonzero unites them. The names are those of 2D drawing; for solids see Rossignac, Fudos &
 //! Vasilakis, *Direct rendering of Boolean combinations of self-trimmed surfaces* (2013).
 //!
-//! Nonzero hears the orientation of every triangle, even-odd of none: where neighbours face opposite ways, the winding
+//! Nonzero depends on the orientation of every triangle, even-odd on that of none: where neighbours face opposite ways, the winding
 //! number jumps across the edge between them, and the mesh is as open there as if one of them were missing.
 
 use std::fmt;

@@ -10,7 +10,7 @@
 //!   without its boundary (design: a face by which a ray enters is infinitesimally farther, one by which it leaves infinitesimally
 //!   nearer, which is the same, whichever way the ray runs).
 //!
-//! Which side the solid is on is told by the triangle's orientation, counter-clockwise from outside, turned round where the mesh as a
+//! Which side the solid is on follows from the triangle's orientation, counter-clockwise from outside, turned round where the mesh as a
 //! whole is inside out (of negative volume). Signs are those of the exact real numbers that the f64s define.
 //!
 //! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is settled another.

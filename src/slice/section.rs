@@ -87,7 +87,7 @@ impl SectionDefect {
             Self::Open { .. } => {
                 "close the mesh there (`cutaway inspect` says where it is open), or move the section"
             }
-            Self::Turned { .. } => "turn the faces, or fill by even-odd, which hears of no side",
+            Self::Turned { .. } => "turn the faces, or fill by even-odd, which ignores orientation",
             Self::Crossing { .. } | Self::LeftOut { .. } => {
                 "make the mesh one that does not pass through itself, or move the section"
             }

@@ -579,11 +579,11 @@ surfaces = [{ section = "-z=50%" }]
         let json = folder.run(&line).exits(0).json();
         json["cap_px"].as_u64().expect("a count")
     };
-    assert_eq!(caps(0, ""), caps(1, ""), "parity hears of no side");
+    assert_eq!(caps(0, ""), caps(1, ""), "parity ignores orientation");
     let [a, b] = [0, 1].map(|flip| caps(flip, "--fill nonzero"));
     assert_ne!(a, b, "nonzero does");
 
-    // One face turned: the rule hears it, and the user is told.
+    // One face turned: the rule depends on it, and the user is warned.
     folder.write(
         "turned.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 4 3\n",

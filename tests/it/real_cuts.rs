@@ -62,9 +62,9 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
             }
             for exact in &exact_strategies {
                 for by in [Rasteriser::Hardware, Rasteriser::Compute] {
-                    let Answer { fault, vouched } =
+                    let Answer { fault, is_complete } =
                         answer(&mut session, &question, Method::new(*exact, Means::by(by)));
-                    by_slots += usize::from(vouched && Some(exact) == exact_strategies.last());
+                    by_slots += usize::from(is_complete && Some(exact) == exact_strategies.last());
                     if let Some(fault) = fault {
                         let relief = relief.unwrap_or("plane");
                         faults.push(format!("{name} {relief}, {exact} by {by}: {fault}"));
@@ -104,7 +104,7 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
 struct Answer {
     fault: Option<String>,
     /// All of the frame was drawn.
-    vouched: bool,
+    is_complete: bool,
 }
 
 /// Slots may be too few, or too many for a binding: then what is not marked is right, or there is a reason.
@@ -140,7 +140,7 @@ fn answer(session: &mut Session, question: &Question, method: Method) -> Answer 
     };
     Answer {
         fault,
-        vouched: drawn.outcome == Outcome::Complete,
+        is_complete: drawn.outcome == Outcome::Complete,
     }
 }
 

@@ -22,7 +22,7 @@ override by_parity: u32 = 0u;
 // Of the latter: those whose outside is the removed side, and those that no ray of the picture begins inside the box of.
 override keeps_inside: u32 = 0u;
 override closed: u32 = 0u;
-// A point nearer to a sheet than this, in scene units, is not told by its height; ten times as near it proves no hole.
+// A point nearer to a sheet than this, in scene units, is not decided by its height; ten times as near it proves no hole.
 override beside: f32 = 0.0;
 
 struct Fragment {

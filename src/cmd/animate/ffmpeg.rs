@@ -17,7 +17,7 @@ use super::encoder::{Encoder, cannot_encode};
 use super::mp4;
 use crate::{Error, Result};
 
-/// The program, and how it is told to compress.
+/// The program, and the options it compresses with.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Program {
     codec: &'static [&'static str],

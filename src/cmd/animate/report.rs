@@ -1,4 +1,4 @@
-//! What is told of an animation: frame by frame as JSON, and in one line.
+//! What is reported of an animation: frame by frame as JSON, and in one line.
 
 use serde_json::{Value, json};
 

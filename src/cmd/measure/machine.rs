@@ -1,6 +1,6 @@
 //! Where a run is made: the machine, the commit of the program, and the time of day.
 //!
-//! What cannot be told is left out, never guessed. The commit is asked of `git` in the folder that the program was built from, if that
+//! What is not known is left out, never guessed. The commit comes from `git` in the folder that the program was built from, if that
 //! is still there and nothing in it has changed since: a program that was installed, or is older than its sources, has none.
 
 use std::path::{Path, PathBuf};

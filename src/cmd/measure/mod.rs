@@ -361,7 +361,7 @@ impl<'a> Watching<'a> {
     /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
     fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
-        // The last round that was told of is not complete.
+        // The last round that was reported is not complete.
         let complete = self.described.get().saturating_sub(before + 1);
         format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }

@@ -56,7 +56,7 @@ impl Timeline {
         Ok(stage)
     }
 
-    /// Reads the scene at all times of keys and between them, so that what makes no sense is told before anything is drawn.
+    /// Reads the scene at all times of keys and between them, so that what makes no sense is reported before anything is drawn.
     pub(super) fn try_keys(&self) -> Result<()> {
         if self.keys().next().is_none() {
             return Ok(());

@@ -4,7 +4,7 @@
 //! path can be set and every value has a use, and every expectation means somebody. What is read is already expanded: each run
 //! of scenes holds its points twice, in full and as `--quick` takes them, each with its document.
 //!
-//! The format is told in `experiments/README.md`; the readers of its parts are beside this file.
+//! The format is described in `experiments/README.md`; the readers of its parts are beside this file.
 
 mod charts;
 mod claims;

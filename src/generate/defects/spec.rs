@@ -1,4 +1,4 @@
-//! Names and numbers of defects, and how one is told: `holes:amount=5%,seed=1,patch=1`.
+//! Names and numbers of defects, and how one is written: `holes:amount=5%,seed=1,patch=1`.
 
 use std::fmt;
 

@@ -53,13 +53,13 @@ pub(super) const FRAMES: &[Listed] = &[
     listed(
         "45",
         "slots for all fragments, and for one less",
-        "equal; the overflow is told",
+        "equal; the overflow is reported",
         &["lists case_45_slots_for_all_are_enough_and_one_less_is_told"],
     ),
     listed(
         "46",
         "a pool too small by one node",
-        "told, then grown to what is needed",
+        "reported, then grown to what is needed",
         &[
             "lists case_46_a_pool_too_small_by_one_is_told_and_grows_to_what_is_needed",
             "lists case_46_a_session_tries_again_with_the_size_it_was_told",

@@ -39,7 +39,7 @@ pub(super) const SURFACES: &[Listed] = &[
     listed(
         "27",
         "noise along its plane, more than 32 crossings",
-        "lists grow and agree with exact; too short is told",
+        "lists grow and agree with exact; too short is reported",
         &[
             "hard_cases case_27_up_to_31_crossings_the_list_grows",
             "hard_cases case_27_beyond_31_crossings_lanes_are_several_words",
@@ -108,7 +108,7 @@ pub(super) const SURFACES: &[Listed] = &[
     listed(
         "36",
         "more layers than a sprite has",
-        "told; counted at the resolution used",
+        "reported; counted at the resolution used",
         &[
             "hard_cases case_36_layers_are_counted_and_too_many_are_told",
             "hard_cases case_36_layers_are_counted_at_the_resolution_used",

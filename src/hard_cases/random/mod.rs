@@ -1,7 +1,7 @@
 //! Scenes without a pattern: unions of boxes and lumpy balls, one or two cuts of one or two planes or reliefs, eyes outside and inside.
 //!
 //! Scene after scene is drawn by each method and held against exact: exact strategies to no decided wrong pixel, depth images to their
-//! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and told as code,
+//! reach, tessellations by one list to no hole. A scene that comes out wrong is made simpler as long as it stays wrong, and printed as code,
 //! to become a numbered regression. A scene costs an exact image of 64 x 48 pixels and a frame for each method; shrinking one, some
 //! hundred of both.
 
@@ -40,7 +40,7 @@ pub struct Finding {
 pub struct Searched {
     /// What came out wrong.
     pub findings: Vec<Finding>,
-    /// By each method, in order: how many scenes it drew to the end; the others it refused, or told an overflow.
+    /// By each method, in order: how many scenes it drew to the end; the others it refused, or reported an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
     pub caps_px: usize,
@@ -55,8 +55,8 @@ pub fn recipe(seed: u64, scene: u64) -> Recipe {
     Recipe::random(&mut Numbers(seed ^ (scene << 32)))
 }
 
-/// Draws so many scenes by each method, and tells which came out wrong. Each scene is told before it is drawn. Ends early, with nothing,
-/// as soon as `goes_on` says no; it is heard before each frame.
+/// Draws so many scenes by each method, and says which came out wrong. Each scene is printed before it is drawn. Ends early, with nothing,
+/// as soon as `goes_on` says no; it is called before each frame.
 pub fn search(
     session: &mut Session,
     scenes: u64,
@@ -110,7 +110,7 @@ pub fn search(
     Ok(goes_on().then_some(searched))
 }
 
-/// What is wrong with an answer. A refusal is none, nor is an overflow that is told, as long as what is wrong is marked.
+/// What is wrong with an answer. A refusal is none, nor is an overflow that is reported, as long as what is wrong is marked.
 pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<String> {
     let strategy = &method.strategy;
     let is_whole = |judged: &Judged| judged.layers.pixels.iter().all(|p| !p.depth.is_nan());

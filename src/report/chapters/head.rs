@@ -131,7 +131,7 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
     }
     let asked = experiment.synopsis.points.len();
     let text = format!(
-        "{} of {} of {} missing in {}: {}. What is told here is not all of it. To go on:",
+        "{} of {} of {} missing in {}: {}. The figures here are therefore incomplete. To go on:",
         lacking.len(),
         counted(asked, "point"),
         match lacking.len() {

@@ -2,7 +2,7 @@
 //!
 //! An offer is on the front if none has at most its error at at most its cost. From one offer of the front to the next, error falls
 //! by some decades and cost rises by some factor; the price of a tenfold is that factor per decade, so that steps of any
-//! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. To an error of 0 there is no number of decades: only the factor is told.
+//! length can be compared: `(c1 / c0) ^ (1 / log10(e0 / e1))`. To an error of 0 there is no number of decades: only the factor is given.
 //!
 //! The root blows up what a short step scatters, and a difference of costs within their spreads may be none: neither has a price.
 //! What did not draw all of a frame has fewer errors and less cost for the wrong reason, and is on no front.

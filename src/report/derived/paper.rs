@@ -1,6 +1,6 @@
 //! Which strategies are the paper's path: any grid with any depth sprite, drawn by the usual means.
 //!
-//! A point that asks the paper's own parameters is told by them; one that sweeps them has several, and a range of figures.
+//! A point that asks the paper's own parameters is named by them; one that sweeps them has several, and a range of figures.
 
 use crate::experiment::Record;
 use crate::strategies::Strategy;

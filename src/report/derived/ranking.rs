@@ -190,7 +190,7 @@ mod tests {
         assert!(is_draw(&[&won, &lost]), "one point each");
         assert!(is_draw(&[&won, &near]), "half is not most");
         assert!(is_draw(&[&near]), "within what runs differ by");
-        // A median of 20 that scatters by 11 on either side is not told from 10.
+        // A median of 20 that scatters by 11 on either side is not distinguished from 10.
         let mut noisy = won.clone();
         noisy.measurement.draw_only_ms = Samples::of(vec![2.0; 3]);
         for (found, frame) in

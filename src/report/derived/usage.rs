@@ -18,7 +18,7 @@ pub(crate) struct Usage {
 
 /// The usage of a strategy by the name that records have for it; none where `cutaway render` cannot draw it.
 ///
-/// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it is told beside the name.
+/// Which way rays walk through a relief is no option of `cutaway render`, which chooses it: it stands beside the name.
 pub(crate) fn usage(name: &str) -> Option<Usage> {
     let Ok(Method { strategy, means }) = name.parse() else {
         return None;

@@ -1,4 +1,4 @@
-//! Where values lie along an axis, and which of them are told.
+//! Where values lie along an axis, and which of them are labelled.
 //!
 //! A logarithmic axis has no place for 0. Where some value is 0, a strip is kept beyond its least end with a tick of its own.
 
@@ -73,7 +73,7 @@ impl Scale {
         self.px[0] + share.clamp(0.0, 1.0) * (self.px[1] - self.px[0])
     }
 
-    /// Values that are told beside the axis, with their words.
+    /// Values that are written beside the axis, with their words.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let values = if self.is_log {
             self.log_ticks()

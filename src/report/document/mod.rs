@@ -1,7 +1,7 @@
 //! A report as a list of blocks, and the two forms it is written in.
 //!
 //! Sections say what is to be read; [`html`] and [`markdown`] say how it looks. Both are made of the same blocks, so that neither knows
-//! more than the other, but for what a page of text cannot show: charts are told there by the tables around them.
+//! more than the other, but for what a page of text cannot show: there the tables around a chart stand for it.
 //!
 //! Words of a block are plain: what comes from a record is escaped by whoever writes it down, in one place for each form. A stretch
 //! between backticks is code.

@@ -1,7 +1,7 @@
 //! Deformers: closed-form motions of space that bend any mesh.
 //!
 //! All act in part space; all but [`Deformer::Inflate`] act about an [`Axis`]. A deformer moves points, never edges: a mesh
-//! that was closed stays closed. It may fold through itself; what is inside is then told by parity, like that of any
+//! that was closed stays closed. It may fold through itself; what is inside then follows from parity, like that of any
 //! self-crossing mesh.
 //!
 //! # Notation

@@ -1,6 +1,6 @@
 //! A cutter in scene space: placed and rounded to f32 once, as parts are.
 //!
-//! Everything large is shared. Neither orientation nor normals are kept: what is inside is told by parity, and a normal is that
+//! Everything large is shared. Neither orientation nor normals are kept: what is inside follows from parity, and a normal is that
 //! of the triangle, turned towards who looks.
 
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 //!
 //! Each cutter that matters is drawn once to count its fragments and once to keep them; they go into the one list of crossings
 //! with the normals of their triangles, and from there on a cutter is a clip-surface like any other. Which side of it a ray begins
-//! on is told by parity: an odd number of its fragments ahead is inside. So the eye may be in the cutter, and the near plane may
+//! on follows from parity: an odd number of its fragments ahead is inside. So the eye may be in the cutter, and the near plane may
 //! cut it. Where neither is so an odd number of fragments marks the pixel.
 //!
 //! Per frame: the triangles of the cutters twice, by the GPU's rasteriser, and what [`Sheets`] cost. Per cut: the vertices of the

@@ -117,7 +117,7 @@ fn draw(
         (
             "doubts",
             format!(
-                "{open} not whole: whether a crossing of the plane is inside the part cannot be told"
+                "{open} not whole: whether a crossing of the plane is inside the part cannot be known"
             ),
             "strategies/surface/planar/doubt.wgsl",
             &sections.doubts,

@@ -97,7 +97,7 @@ impl Tessellation {
                 arguments: facets.arguments,
             };
             if facets.arguments.is_some() {
-                // Such a draw has no instance of its own: the shader is told.
+                // Such a draw has no instance of its own: a constant gives it to the shader.
                 draw.instance = 0;
                 batches.push(Batch {
                     constants: vec![("first_instance", f64::from(*instance))],

@@ -232,7 +232,7 @@ fn a_cutter_that_shares_a_face_leaves_nothing_without_thickness() {
 
 #[test]
 fn outlines_of_the_cutter_are_where_a_sample_may_be_undecided() {
-    // The wall of a tube seen along it falls on a column of samples: without its outlines the reference would vouch for them.
+    // The wall of a tube seen along it falls on a column of samples: without its outlines the reference would call them decided.
     let column = 0.5 - 0.5 / 128.0 + 1e-6;
     let bite = block(DVec3::new(-0.2, -0.2, -0.6), DVec3::new(column, 0.2, -0.3));
     let scene = solid(

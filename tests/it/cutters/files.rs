@@ -80,7 +80,7 @@ fn a_mesh_that_is_not_closed_is_no_cutter() {
             "{message}"
         );
     }
-    // Twice the same edge is no hole: parity hears of no manifold.
+    // Twice the same edge is no hole: parity asks for no manifold.
     let twice = super::common::meshes::joined(&[shape("cube"), shape("cube")]);
     assert!(Cutter::of("twice", twice).is_ok());
     assert!(

@@ -1,4 +1,4 @@
-//! What happens in which order, seen by a watcher: expectations are told before any time is taken, and whoever says stop is heard.
+//! What happens in which order, seen by a watcher: expectations are reported before any time is taken, and a request to stop is met.
 
 use std::cell::RefCell;
 

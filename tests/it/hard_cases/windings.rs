@@ -71,7 +71,7 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
         judged.layers.count(Kind::Cap)
     };
     let [same, turned] = [0, 1].map(|flip| caps(flip, Fill::EvenOdd));
-    assert_eq!(same, turned, "parity hears of no orientation");
+    assert_eq!(same, turned, "parity ignores orientation");
     let [same_nonzero, turned_nonzero] = [0, 1].map(|flip| caps(flip, Fill::Nonzero));
     let (ring, disc) = (same.min(turned), same_nonzero.max(turned_nonzero));
     let least = same_nonzero.min(turned_nonzero);
@@ -210,10 +210,7 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
     let plane = ClipSurface::plane(DVec3::new(0.0, 0.2, 0.0), DVec3::new(-0.2, -1.0, -0.1));
     let even_odd = scenes::scene("one face turned", mesh, vec![plane]);
     let parity = Question::of(&even_odd, [128; 2]).answer(Strategy::RAYCAST_MASK);
-    assert_eq!(
-        parity.comparison.odd_parity_px, 0,
-        "parity hears nothing of it"
-    );
+    assert_eq!(parity.comparison.odd_parity_px, 0, "parity ignores it");
     let question = Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
     for judged in [
         question.answer(Strategy::RAYCAST_MASK),

@@ -88,10 +88,7 @@ fn a_single_slot_is_enough_for_what_lies_before_it() {
         let (marks, unmarked) = marked(&found, &right);
         assert_eq!(unmarked, 0, "{marks} marked");
         let whole = found.pixels.iter().filter(|p| !p.unreliable).count();
-        assert!(
-            whole * 2 > found.pixels.len(),
-            "only {whole} are vouched for"
-        );
+        assert!(whole * 2 > found.pixels.len(), "only {whole} are unmarked");
     });
 }
 

@@ -118,7 +118,7 @@ fn a_part_that_closes_is_not_doubted_for_its_neighbour() {
     assert_eq!(
         of_closed.filter(|p| p.unreliable).count(),
         0,
-        "and vouches for it"
+        "and does not mark it"
     );
     assert!(marked(&layers) > 300, "{} marked", marked(&layers));
 }

@@ -84,8 +84,8 @@ fn a_ball_with_holes_has_the_area_of_its_cap() {
 #[test]
 fn every_defect_leaves_nearly_the_cap_of_the_whole() {
     let mut faults = Vec::new();
-    // Most share of the cap that may be wrong: rims that are gone or pulled in are no fault of the number. Whoever does not hear
-    // the orientation of faces does not mind that some are turned over.
+    // Most share of the cap that may be wrong: rims that are gone or pulled in are no fault of the number. A rule that ignores the
+    // orientation of faces is not affected by turned ones.
     for (defect, most, beats_parity) in [
         ("holes:amount=5%", 0.02, true),
         ("holes:amount=10%,patch=20", 0.06, true),
