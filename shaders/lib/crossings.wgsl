@@ -46,7 +46,7 @@ fn depth_at(index: u32, pixel: u32) -> f32 {
 // Lists up to this length are looked through one by one.
 const SHORT: u32 = 8u;
 
-struct Passed {
+struct Before {
     // How many crossings are in front.
     behind: u32,
     // Sides after these crossings.
@@ -55,22 +55,22 @@ struct Passed {
 
 // A long list is searched by halving, 10 looks for 1023 crossings, unless the clip-surface of each crossing in front must be looked
 // at anyway. Both ways share one loop: every sample of a mesh comes here, and a loop that is not entered costs as well.
-fn passed_at(z: f32, pixel: u32) -> Passed {
+fn crossings_before(z: f32, pixel: u32) -> Before {
     let head = crossing_heads[pixel];
     let count = listed(head.x);
     let halves = count > SHORT && cut_table.surface_count == 1u;
     let looks = select(count, firstLeadingBit(count) + 1u, halves);
-    var passed = Passed(0u, head.y);
+    var found = Before(0u, head.y);
     for (var i = 0u; i < looks; i++) {
-        let ahead = passed.behind + select(1u, 1u << (looks - 1u - i), halves);
+        let ahead = found.behind + select(1u, 1u << (looks - 1u - i), halves);
         if ahead <= count && is_behind(z, z_at(ahead - 1u, pixel)) {
             // By halving as many crossings of the only clip-surface as are passed over.
-            let passed = select(1u << surface_at(ahead - 1u, pixel), (ahead - passed.behind) & 1u, halves);
-            passed.sides ^= passed;
-            passed.behind = ahead;
+            let passed = select(1u << surface_at(ahead - 1u, pixel), (ahead - found.behind) & 1u, halves);
+            found.sides ^= passed;
+            found.behind = ahead;
         } else if !halves {
             break;
         }
     }
-    return passed;
+    return found;
 }

@@ -6,7 +6,7 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, depth_at, listed, passed_at, surface_at, word_at}
+#import cutaway::crossings::{crossing_heads, depth_at, listed, crossings_before, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
@@ -80,7 +80,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
         limit = clip_surface_of(word);
         if limit == UNCOUNTED {
-            limit = passed_at(drawn.z, pixel).behind;
+            limit = crossings_before(drawn.z, pixel).behind;
         }
         word &= 0xffff00ffu;
     }

@@ -1,7 +1,7 @@
 // As the pass over the mesh (`solid`), for groups of triangles that are settled: what rasterising found of their depth is set right
 // before anything is decided by it, and stands in the depth buffer. The instance is the number of the group.
 
-#import cutaway::crossings::passed_at
+#import cutaway::crossings::crossings_before
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::exits::is_passed
 #import cutaway::frame::pixel_index
@@ -24,13 +24,13 @@ fn vertex(v: Vertex) -> Corner {
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
     let z = settled_z(corner.position.z, pixel, corner.instance, front);
-    let passed = passed_at(z, pixel);
+    let before = crossings_before(z, pixel);
     let place = settled.groups[corner.instance].place;
     let part = parts[place];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
-    store(Fragment(pixel, lane, place, z, passed.behind, front));
-    if is_removed(passed.sides, part.cuts) || is_passed(front) {
+    store(Fragment(pixel, lane, place, z, before.behind, front));
+    if is_removed(before.sides, part.cuts) || is_passed(front) {
         discard;
     }
-    return SurfaceAt(surface_words(corner, min(passed.behind, UNCOUNTED), part.part, front), z);
+    return SurfaceAt(surface_words(corner, min(before.behind, UNCOUNTED), part.part, front), z);
 }

@@ -1,8 +1,8 @@
-// The one pass over the mesh: every fragment ranks itself in its pixel's list of crossings, leaves to the inside test what that
+// The one pass over the mesh: every fragment counts the crossings before it, leaves to the inside test what that
 // wants of it (the open module `store`), and survives if the side it lies on is kept. Which crossings are in front of the nearest
 // survivor is written instead of compared again later, so the decisions of this pass are the only ones.
 
-#import cutaway::crossings::passed_at
+#import cutaway::crossings::crossings_before
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::exits::is_passed
 #import cutaway::frame::pixel_index
@@ -22,13 +22,13 @@ fn vertex(v: Vertex) -> Corner {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let passed = passed_at(corner.position.z, pixel);
+    let before = crossings_before(corner.position.z, pixel);
     let part = parts[corner.instance];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
-    store(Fragment(pixel, lane, corner.instance, corner.position.z, passed.behind, front));
-    if is_removed(passed.sides, part.cuts) || is_passed(front) {
+    store(Fragment(pixel, lane, corner.instance, corner.position.z, before.behind, front));
+    if is_removed(before.sides, part.cuts) || is_passed(front) {
         discard;
     }
     // A place that does not fit its bits is looked for again by who decides.
-    return surface_words(corner, min(passed.behind, UNCOUNTED), part.part, front);
+    return surface_words(corner, min(before.behind, UNCOUNTED), part.part, front);
 }

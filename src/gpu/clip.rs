@@ -8,37 +8,17 @@
 
 use super::Gpu;
 use super::program::Program;
-use crate::shader::{self, Shader};
+use crate::shader::{self, BindingKind, ShaderBinding};
 use crate::{Error, Result};
 
-/// The variables of `shaders/gpu/clip/kept.wgsl`: all but `clip`, which is the [table](ClipTable), are resources of the plan of that
-/// name, or nothing where nothing is cut.
-const BOUND: [(u32, &str, Kind); 6] = [
-    (0, "frame", Kind::Uniform),
-    (1, "cut_table", Kind::Uniform),
-    (3, "clip", Kind::Storage),
-    (5, "crossing_heads", Kind::Storage),
-    (6, "crossing_z", Kind::Storage),
-    (7, "crossing_surface", Kind::Storage),
-];
+/// The shader that asks.
+const KEPT: &str = "gpu/clip/kept.wgsl";
+
+/// Its variable that is no resource of the plan: the [table](ClipTable).
+const TABLE: &str = "clip";
 
 /// Zeros in the place of what a frame in which nothing is cut does not have: no crossing, no cut.
 const NOTHING_BYTES: u64 = size_of::<crate::plan::pack::CutTable>() as u64;
-
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Uniform,
-    Storage,
-}
-
-impl Kind {
-    fn layout(self) -> wgpu::BufferBindingType {
-        match self {
-            Self::Uniform => wgpu::BufferBindingType::Uniform,
-            Self::Storage => wgpu::BufferBindingType::Storage { read_only: true },
-        }
-    }
-}
 
 /// WGSL for the shaders of a host, with its bindings in a group of the host's choice. It declares
 ///
@@ -49,12 +29,12 @@ impl Kind {
 /// fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool
 /// ```
 pub fn clip_wgsl(group: u32) -> Result<String> {
-    let shader = Shader::from("gpu/clip/kept.wgsl");
     let fault = |what: String| Error::Shader {
-        name: shader.path.to_owned(),
+        name: KEPT.to_owned(),
         what,
     };
-    let mut module = shader::compose(&shader)?;
+    let mut module = shader::compose(&KEPT.into())?;
+    module.entry_points.clear();
     for (_, variable) in module.global_variables.iter_mut() {
         if let Some(binding) = &mut variable.binding {
             binding.group = group;
@@ -65,23 +45,34 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
     naga::back::wgsl::write_string(&module, &info, flags).map_err(|e| fault(e.to_string()))
 }
 
+/// What the shader binds, by name.
+fn bound() -> Result<Vec<ShaderBinding>> {
+    Ok(shader::bindings(&shader::compose(&KEPT.into())?))
+}
+
 impl Gpu {
     /// The layout of the bind group that goes with [`clip_wgsl`], for the pipelines of the host.
-    pub fn clip_layout(&self) -> wgpu::BindGroupLayout {
-        let entries = BOUND.map(|(binding, _, kind)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: kind.layout(),
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        });
-        (self.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+    pub fn clip_layout(&self) -> Result<wgpu::BindGroupLayout> {
+        let entries: Vec<wgpu::BindGroupLayoutEntry> = (bound()?.iter())
+            .map(|b| wgpu::BindGroupLayoutEntry {
+                binding: b.binding,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                ty: wgpu::BindingType::Buffer {
+                    ty: match b.kind {
+                        BindingKind::Uniform => wgpu::BufferBindingType::Uniform,
+                        _ => wgpu::BufferBindingType::Storage { read_only: true },
+                    },
+                    has_dynamic_offset: false,
+                    min_binding_size: None,
+                },
+                count: None,
+            })
+            .collect();
+        let layout = wgpu::BindGroupLayoutDescriptor {
             label: Some("clip"),
             entries: &entries,
-        })
+        };
+        Ok(self.device.create_bind_group_layout(&layout))
     }
 }
 
@@ -109,23 +100,26 @@ impl Program {
             })
         };
         gpu.scoped(|| {
-            let table = buffer("clip", words.len() as u64 * 4);
+            let table = buffer(TABLE, words.len() as u64 * 4);
             gpu.queue
                 .write_buffer(&table, 0, bytemuck::cast_slice(&words));
             let nothing = buffer("nothing is cut", NOTHING_BYTES);
-            let entries = BOUND.map(|(binding, name, _)| {
-                let buffer = match name {
-                    "clip" => &table,
-                    _ => self.buffer_named(name).unwrap_or(&nothing),
-                };
-                wgpu::BindGroupEntry {
-                    binding,
-                    resource: buffer.as_entire_binding(),
-                }
-            });
+            let bound = bound()?;
+            let entries: Vec<wgpu::BindGroupEntry<'_>> = (bound.iter())
+                .map(|b| {
+                    let buffer = match b.name.as_str() {
+                        TABLE => &table,
+                        name => self.buffer_named(name).unwrap_or(&nothing),
+                    };
+                    wgpu::BindGroupEntry {
+                        binding: b.binding,
+                        resource: buffer.as_entire_binding(),
+                    }
+                })
+                .collect();
             Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("clip"),
-                layout: &gpu.clip_layout(),
+                layout: &gpu.clip_layout()?,
                 entries: &entries,
             }))
         })

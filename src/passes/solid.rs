@@ -1,4 +1,4 @@
-//! The pass over the mesh: every fragment ranks itself in its pixel's list of crossings, leaves to the inside test what that
+//! The pass over the mesh: every fragment counts the crossings before it, leaves to the inside test what that
 //! wants, and survives where it is kept.
 //!
 //! One pass for the cut parts by the GPU's own rasteriser, and one that draws the others plainly; or the sweeps of the compute

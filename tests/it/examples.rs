@@ -7,7 +7,7 @@ mod animate;
 #[path = "../../examples/compare.rs"]
 mod compare;
 #[allow(dead_code, reason = "its `main` writes a file")]
-#[path = "../../examples/embed.rs"]
+#[path = "../../examples/embed/main.rs"]
 mod embed;
 #[allow(dead_code, reason = "its `main` prints")]
 #[path = "../../examples/slice.rs"]

@@ -1,6 +1,6 @@
-// What the shaders of a host ask: whether a point of a part is kept. Given to them as text, and therefore without an entry point.
+// What the shaders of a host ask: whether a point of a part is kept. Given to them as text, without the entry points.
 
-#import cutaway::crossings::passed_at
+#import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::frame::{buffer_from_depth, frame, pixel_index}
 
@@ -21,5 +21,27 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     if any(pixel >= frame.size_px) {
         return true;
     }
-    return !is_removed(passed_at(depth, pixel_index(pixel)).sides, clip.cuts_of_part[part]);
+    return !is_removed(crossings_before(depth, pixel_index(pixel)).sides, clip.cuts_of_part[part]);
+}
+
+// How the two are used, by a host whose vertices are in scene space. Hosts have entry points of their own.
+
+struct Corner {
+    @builtin(position) position: vec4<f32>,
+    @location(0) distance: f32,
+    @location(1) @interpolate(flat) part: u32,
+}
+
+@vertex
+fn vertex(@location(0) at: vec3<f32>, @builtin(instance_index) part: u32) -> Corner {
+    let position = frame.clip_from_scene * vec4<f32>(at, 1.0);
+    return Corner(position, position.w / clip.scene_from_world, part);
+}
+
+@fragment
+fn fragment(corner: Corner) -> @location(0) vec4<f32> {
+    if !cutaway_is_kept(vec2<u32>(corner.position.xy), cutaway_depth(corner.distance), corner.part) {
+        discard;
+    }
+    return vec4<f32>(1.0);
 }

@@ -1,19 +1,19 @@
 // What a covered sample does where a list of crossings is known and atomics have 64 bits: one sweep.
 //
-// It ranks the sample in its pixel's list, leaves to the inside test what that wants of it (the open module `store`), and keeps
+// It counts the crossings before the sample, leaves to the inside test what that wants of it (the open module `store`), and keeps
 // the nearest kept triangle, depth and number in one word.
 
 #define_import_path cutaway::sample
 
 #import cutaway::nearest_wide::keep
-#import cutaway::passing::pass_and_store
+#import cutaway::counting::count_and_store
 #import cutaway::settling::settle
 #import cutaway::sweep::Sample
 
 // No later sweep is to see the triangle.
 fn take(found: Sample) -> bool {
     let sample = settle(found);
-    if pass_and_store(sample) {
+    if count_and_store(sample) {
         keep(sample);
     }
     return false;

@@ -1,12 +1,12 @@
 // What a covered sample does where a list of crossings is known, in core WebGPU: two sweeps of 32 bits.
 //
-// The first ranks the sample in its pixel's list, leaves to the inside test what that wants of it (the open module `store`), and
+// The first counts the crossings before the sample, leaves to the inside test what that wants of it (the open module `store`), and
 // raises the pixel's depth if it is kept. The second, once all depths are known, sets the triangle.
 
 #define_import_path cutaway::sample
 
 #import cutaway::nearest::{claim, nearest_bits, raise}
-#import cutaway::passing::{is_kept, pass_and_store}
+#import cutaway::counting::{is_kept, count_and_store}
 #import cutaway::settling::settle
 #import cutaway::sweep::{Sample, sweep}
 
@@ -14,7 +14,7 @@
 fn take(found: Sample) -> bool {
     let sample = settle(found);
     if sweep.again == 0u {
-        return pass_and_store(sample) && raise(sample);
+        return count_and_store(sample) && raise(sample);
     }
     if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
         claim(sample);

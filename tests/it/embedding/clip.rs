@@ -112,9 +112,10 @@ fn draw_surfaces(
             count: None,
         }],
     });
+    let asked = session.gpu().clip_layout().expect("a layout");
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
-        bind_group_layouts: &[Some(&own), Some(&session.gpu().clip_layout())],
+        bind_group_layouts: &[Some(&own), Some(&asked)],
         immediate_size: 0,
     });
     let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {

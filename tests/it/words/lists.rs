@@ -233,8 +233,8 @@ fn a_single_surface_is_not_stored() {
     }
 }
 
-/// Fragments whose rank differs from counting.
-fn wrong_ranks(rank_of: &str, surface_count: u32) -> (usize, usize) {
+/// Fragments that count otherwise than the definition.
+fn wrong_counts(counting: &str, surface_count: u32) -> (usize, usize) {
     let random = &mut Random(SEED);
     let pixels = 600;
     let per_pixel = 12;
@@ -270,14 +270,14 @@ fn wrong_ranks(rank_of: &str, surface_count: u32) -> (usize, usize) {
         }
     }
     let shader = format!(
-        "{rank_of}
+        "{counting}
 #import cutaway::frame::pixel_count
 @group(2) @binding(0) var<storage, read> fragments: array<f32>;
 @group(2) @binding(1) var<storage, read_write> words: array<u32>;
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     if id.x >= arrayLength(&fragments) || pixel_count() == 0u {{ return; }}
-    let rank = rank_of(fragments[id.x], id.x / {per_pixel}u);
+    let rank = crossings_before(fragments[id.x], id.x / {per_pixel}u);
     words[2u * id.x] = rank.behind;
     words[2u * id.x + 1u] = rank.sides;
 }}"
@@ -302,13 +302,16 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 #[test]
 fn a_fragment_is_behind_what_is_strictly_nearer() {
     for surface_count in [1, 2, 32] {
-        let (wrong, of) = wrong_ranks("#import cutaway::crossings::rank_of", surface_count);
+        let (wrong, of) = wrong_counts(
+            "#import cutaway::crossings::crossings_before",
+            surface_count,
+        );
         assert_eq!(wrong, 0, "of {of} with {surface_count} surfaces");
         // With >= in the place of > a fragment lies behind its own depth.
-        let planted = "#import cutaway::crossings::{Rank, crossing_heads, surface_at, z_at}
-fn rank_of(z: f32, pixel: u32) -> Rank {
+        let planted = "#import cutaway::crossings::{Before, crossing_heads, surface_at, z_at}
+fn crossings_before(z: f32, pixel: u32) -> Before {
     let head = crossing_heads[pixel];
-    var rank = Rank(0u, head.y);
+    var rank = Before(0u, head.y);
     for (var i = 0u; i < (head.x & 0xffffu); i++) {
         if z > z_at(i, pixel) { break; }
         rank.behind++;
@@ -316,7 +319,7 @@ fn rank_of(z: f32, pixel: u32) -> Rank {
     }
     return rank;
 }";
-        let (wrong, of) = wrong_ranks(planted, surface_count);
+        let (wrong, of) = wrong_counts(planted, surface_count);
         assert!(wrong * 10 > of, "only {wrong} of {of} show it");
     }
 }

@@ -1,7 +1,7 @@
 // Turns the fragments of a pixel into its words of the mask: each is behind the crossings before its depth, and XOR of these
 // thermometers is what the mask would have held. An invocation owns a pixel.
 
-#import cutaway::crossings::passed_at
+#import cutaway::crossings::crossings_before
 #import cutaway::cuts::parts
 #import cutaway::fragment_runs::{depth_of, owner_of, run_of}
 #import cutaway::frame::{frame, pixel_index}
@@ -32,7 +32,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             word = first + before_last;
             bits = 0u;
         }
-        let behind = passed_at(depth_of(i), pixel).behind;
+        let behind = crossings_before(depth_of(i), pixel).behind;
         for (var w = 0u; w < min((behind + 31u) / 32u, before_last); w++) {
             toggle(pixel, first + w, thermometer(behind, w));
         }

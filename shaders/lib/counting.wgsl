@@ -1,8 +1,8 @@
 // What both kinds of sweeps that count the crossings before a sample do first. After the list of crossings only the sample's own depth counts.
 
-#define_import_path cutaway::passing
+#define_import_path cutaway::counting
 
-#import cutaway::crossings::passed_at
+#import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::exits::is_passed
 #import cutaway::lanes::{Fragment, Lane}
@@ -11,17 +11,17 @@
 
 // Whether a sample lies on a side that its part keeps.
 fn is_kept(sample: Sample) -> bool {
-    let sides = passed_at(sample.z, sample.pixel).sides;
+    let sides = crossings_before(sample.z, sample.pixel).sides;
     return !is_removed(sides, drawn_parts.parts[sample.row].cuts) && !is_passed(sample.front);
 }
 
-// Ranks a sample in its pixel's list, leaves to the inside test what that wants of it, and says whether it is kept.
-fn pass_and_store(sample: Sample) -> bool {
+// Counts the crossings before a sample, leaves to the inside test what that wants of it, and says whether it is kept.
+fn count_and_store(sample: Sample) -> bool {
     let part = drawn_parts.parts[sample.row];
-    let passed = passed_at(sample.z, sample.pixel);
+    let before = crossings_before(sample.z, sample.pixel);
     if part.place != NO_LANE {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
-        store(Fragment(sample.pixel, lane, part.place, sample.z, passed.behind, sample.front));
+        store(Fragment(sample.pixel, lane, part.place, sample.z, before.behind, sample.front));
     }
-    return !is_removed(passed.sides, part.cuts) && !is_passed(sample.front);
+    return !is_removed(before.sides, part.cuts) && !is_passed(sample.front);
 }
