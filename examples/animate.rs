@@ -2,9 +2,9 @@
 //!
 //! `cargo run --example animate`
 
+use cutaway::Model;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::Kind;
-use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Strategy;

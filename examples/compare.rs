@@ -2,9 +2,9 @@
 //!
 //! `cargo run --example compare`
 
+use cutaway::Model;
 use cutaway::exact::evaluate;
 use cutaway::gpu::{Gpu, GpuOptions};
-use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;

@@ -15,7 +15,7 @@ use crate::{Error, Result};
 const KEPT: &str = "gpu/clip/kept.wgsl";
 
 /// Its variable that is no resource of the plan: the [table](ClipTable).
-const TABLE: &str = "clip";
+const TABLE: &str = "cutaway_clip";
 
 /// Zeros in the place of what a frame in which nothing is cut does not have: no crossing, no cut.
 const NOTHING_BYTES: u64 = size_of::<crate::plan::pack::CutTable>() as u64;

@@ -3,8 +3,8 @@
 use crate::common;
 
 use common::{Question, meshes, scenes, session, strategy};
+use cutaway::Model;
 use cutaway::layers::{Kind, Layers};
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, Part, Role, Scene};
 use cutaway::session::Outcome;

@@ -5,8 +5,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use cutaway::Model;
 use cutaway::generate::shapes;
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Clock, Limits, Pass, Plan, Work};
 use cutaway::scene::{ClipSurface, Cut, OffsetMap, Scene, Wrap};
 use cutaway::strategies::{self, Strategy};

@@ -1,45 +1,46 @@
 // What the shaders of a host ask: whether a point of a part is kept. Given to them as text, without the entry points.
+// Names begin with `cutaway` where those of a host stand beside them.
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::frame::{buffer_from_depth, frame, pixel_index}
 
-struct Clip {
+struct CutawayClip {
     // By how much scene space is larger than the host's world.
     scene_from_world: f32,
     // Bits of the cuts that apply to each part of the scene; all of them where it is removed altogether.
     cuts_of_part: array<u32>,
 }
 
-@group(0) @binding(3) var<storage, read> clip: Clip;
+@group(0) @binding(3) var<storage, read> cutaway_clip: CutawayClip;
 
 fn cutaway_depth(distance: f32) -> f32 {
-    return buffer_from_depth(distance * clip.scene_from_world);
+    return buffer_from_depth(distance * cutaway_clip.scene_from_world);
 }
 
 fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     if any(pixel >= frame.size_px) {
         return true;
     }
-    return !is_removed(crossings_before(depth, pixel_index(pixel)).sides, clip.cuts_of_part[part]);
+    return !is_removed(crossings_before(depth, pixel_index(pixel)).sides, cutaway_clip.cuts_of_part[part]);
 }
 
 // How the two are used, by a host whose vertices are in scene space. Hosts have entry points of their own.
 
-struct Corner {
+struct CutawayCorner {
     @builtin(position) position: vec4<f32>,
     @location(0) distance: f32,
     @location(1) @interpolate(flat) part: u32,
 }
 
 @vertex
-fn vertex(@location(0) at: vec3<f32>, @builtin(instance_index) part: u32) -> Corner {
+fn vertex(@location(0) at: vec3<f32>, @builtin(instance_index) part: u32) -> CutawayCorner {
     let position = frame.clip_from_scene * vec4<f32>(at, 1.0);
-    return Corner(position, position.w / clip.scene_from_world, part);
+    return CutawayCorner(position, position.w / cutaway_clip.scene_from_world, part);
 }
 
 @fragment
-fn fragment(corner: Corner) -> @location(0) vec4<f32> {
+fn fragment(corner: CutawayCorner) -> @location(0) vec4<f32> {
     if !cutaway_is_kept(vec2<u32>(corner.position.xy), cutaway_depth(corner.distance), corner.part) {
         discard;
     }

@@ -1,6 +1,6 @@
 //! Triangles meet: those of the device are those that the rule gives, and every edge inside has two sides, whatever TAU and view.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::scene::{Camera, Scene, Wrap};
 use glam::DVec3;
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::scene::{OffsetMap, Wrap};
 use glam::DVec2;
 

@@ -1,6 +1,6 @@
 //! Draws that take their range from the device: what a plan says of them, and what it checks.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Arguments, Capacities, Clock, Draw, Limits, Plan, ResourceId, Vertices, Work};
 use cutaway::scene::Wrap;
 use cutaway::strategies;

@@ -15,12 +15,12 @@ pub(crate) mod tolerances;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use cutaway::Model;
 use cutaway::compare::{Comparison, compare};
 use cutaway::exact::{Exact, evaluate};
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::hard_cases::{self};
 use cutaway::layers::Layers;
-use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene, View};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};

@@ -1,6 +1,6 @@
 //! What a cut does not ask for, a frame does not do.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::Scene;
 use cutaway::strategies::{self, Strategy};

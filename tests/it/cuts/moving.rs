@@ -1,8 +1,8 @@
 //! Cuts over time: switches, boxes, wedges, offsets and heights that change from frame to frame.
 
 use cutaway::Gpu;
+use cutaway::Model;
 use cutaway::layers::Kind;
-use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::Scene;
 use cutaway::session::{Outcome, Session};

@@ -1,8 +1,8 @@
 //! Cutters over time, from a scene file to the frame.
 
 use cutaway::Gpu;
+use cutaway::Model;
 use cutaway::layers::{Kind, Layers};
-use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::Scene;
 use cutaway::session::Session;

@@ -1,6 +1,6 @@
 //! What a cutter adds to a plan: only where there is one that reaches some part.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Capacities, Clock, Plan};
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::strategies::{self, Strategy};

@@ -4,8 +4,8 @@
 //! by hand.
 
 use allocation_counter::measure;
+use cutaway::Model;
 use cutaway::gpu::wgpu;
-use cutaway::passes::Model;
 use cutaway::session::Encoded;
 use cutaway::strategies::Strategy;
 

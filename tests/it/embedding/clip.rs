@@ -1,9 +1,9 @@
 //! A host that draws surfaces itself, less what its shaders are told is removed, with our caps beside them.
 
 use bytemuck::cast_slice;
+use cutaway::Model;
 use cutaway::gpu::{clip_wgsl, wgpu};
 use cutaway::layers::{Kind, Layers};
-use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Cut, HostDepth, Scene};
 use cutaway::session::{Encoded, Session};
 use cutaway::strategies::Strategy;

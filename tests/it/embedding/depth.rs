@@ -1,8 +1,8 @@
 //! Composition by depth: at every pixel what is nearer, the host's or ours, in whatever convention the host keeps.
 
+use cutaway::Model;
 use cutaway::gpu::wgpu;
 use cutaway::layers::Kind;
-use cutaway::passes::Model;
 use cutaway::scene::HostDepth;
 use cutaway::session::Encoded;
 use cutaway::strategies::Strategy;

@@ -1,8 +1,8 @@
 //! The G-buffer of a host: what the layers say, in attachments that its lights read.
 
+use cutaway::Model;
 use cutaway::gpu::{Attachment, GBuffer, TargetDepth, wgpu};
 use cutaway::layers::{Kind, Layer};
-use cutaway::passes::Model;
 use cutaway::scene::HostDepth;
 use cutaway::session::Encoded;
 use cutaway::strategies::Strategy;

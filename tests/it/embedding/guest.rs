@@ -1,8 +1,8 @@
 //! What a host gets: the very pixels of a session of our own, in whatever bands, and again when buffers grew.
 
 use cutaway::Gpu;
+use cutaway::Model;
 use cutaway::gpu::wgpu;
-use cutaway::passes::Model;
 use cutaway::plan::Limits;
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Encoded, Outcome, Session};

@@ -1,9 +1,9 @@
 //! Cases 37, 38 and 41: laws between pictures.
 
+use cutaway::Model;
 use cutaway::exact::evaluate;
 use cutaway::gpu::{ClockSet, Gpu, Program};
 use cutaway::layers::Kind;
-use cutaway::passes::Model;
 use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
 

@@ -1,9 +1,9 @@
 //! Which passes run when something moved.
 
 use cutaway::Gpu;
+use cutaway::Model;
 use cutaway::gpu::ClockSet;
 use cutaway::layers::Layers;
-use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{ClipSurface, Scene};
 use cutaway::session::{Outcome, Session};

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use cutaway::Model;
 use cutaway::layers::Kind;
-use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Part, Scene};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use cutaway::{Comparison, compare};

@@ -1,7 +1,7 @@
 //! What a plan says that it takes is what is taken.
 
 use cutaway::Gpu;
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::ClipSurface;
 use cutaway::session::{Outcome, Session};

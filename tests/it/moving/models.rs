@@ -3,8 +3,8 @@
 
 use std::path::PathBuf;
 
+use cutaway::Model;
 use cutaway::load::load_mesh_file;
-use cutaway::passes::Model;
 use cutaway::scene::{ClipSurface, Scene, Topology};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 

@@ -1,6 +1,6 @@
 //! What the pose pass writes, vertex by vertex.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::pack::unpack_normal;
 use cutaway::scene::{Part, Prepared, Scene};
 use cutaway::strategies::Strategy;

@@ -1,8 +1,8 @@
 //! What is sliced, and when: a new plane, a part that moved or another mesh; never for a camera.
 
 use cutaway::Gpu;
+use cutaway::Model;
 use cutaway::gpu::ClockSet;
-use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{ClipSurface, Scene};
 use cutaway::session::{Outcome, Session};

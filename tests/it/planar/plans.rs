@@ -1,6 +1,6 @@
 //! The plan: the least that planes ask for, told with its work on the CPU, within core WebGPU; and what is refused.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Capacities, Clock, Limits, Plan, Recorded, Work};
 use cutaway::scene::{Camera, ClipSurface, Cut, Scene};
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};

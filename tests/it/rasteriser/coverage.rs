@@ -2,7 +2,7 @@
 //!
 //! Triangles are parts of their own, so each has a lane in the mask, and the lane's top bit is its coverage: more than a count.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Part, Scene};
 use cutaway::session::Outcome;

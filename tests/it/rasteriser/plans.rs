@@ -1,6 +1,6 @@
 //! Plans of the compute rasteriser: no target of the GPU's own, and no pass that the scene does not call for.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Capacities, Limits, Plan, Work};
 use cutaway::scene::{Camera, Scene};
 use cutaway::strategies::{self, Means, Method, Rasteriser, Refusal, Strategy};

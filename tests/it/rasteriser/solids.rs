@@ -1,7 +1,7 @@
 //! Closed solids that are hard to rasterise leave no odd pixel: triangles far smaller than a pixel, and triangles with vertices at
 //! the border of the guard band, beyond it, and next to the plane of the eye.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::scene::{Camera, ClipSurface, Mesh};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};

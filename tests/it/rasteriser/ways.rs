@@ -3,8 +3,8 @@
 
 use std::process::Command;
 
+use cutaway::Model;
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan, Work};
 use cutaway::scene::{ClipSurface, Mesh, Scene, View};
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};

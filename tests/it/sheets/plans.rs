@@ -1,6 +1,6 @@
 //! What sheets cost a plan, and when there are none.
 
-use cutaway::passes::Model;
+use cutaway::Model;
 use cutaway::plan::{Access, Capacities, Limits, Plan, Work};
 use cutaway::scene::Scene;
 use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};

@@ -6,9 +6,9 @@
 
 use std::sync::Arc;
 
+use cutaway::Model;
 use cutaway::generate::shapes;
 use cutaway::gpu::run_words_with;
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Plan};
 use cutaway::scene::{ClipSurface, Cut, HeightFilter, OffsetMap, Scene, Wrap};
 use cutaway::strategies::{self, Means, Method};

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use cutaway::Model;
 use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Contents, Plan};
 use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Projection, Scene, Viewpoint, Wrap};
 use cutaway::strategies::{self, Means, Method, ReliefWalk, Strategy};

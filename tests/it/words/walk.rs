@@ -6,9 +6,9 @@
 
 use std::sync::Arc;
 
+use cutaway::Model;
 use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::passes::Model;
 use cutaway::plan::{Capacities, pack};
 use cutaway::scene::{
     Camera, ClipSurface, Cut, OffsetMap, Prepared, Projection, Scene, Viewpoint, Wrap,
