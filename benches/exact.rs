@@ -16,7 +16,7 @@ const SIZE_PX: [u32; 2] = [256, 192];
 fn reference(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("exact");
     for (cut, scene) in crank::scenes() {
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let view = prepared.view(SIZE_PX);
         let found = exact::evaluate(&prepared, &view);
         let cap_px = found.layers.count(Kind::Cap);

@@ -24,9 +24,9 @@ fn planning(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("planning");
     for (cut, scene) in crank::scenes() {
         group.bench_function(BenchmarkId::new("scene", cut), |b| {
-            b.iter(|| Model::of(black_box(&scene)));
+            b.iter(|| Model::new(black_box(&scene)));
         });
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         let view = model.prepared.view([1024, 768]);
         for name in STRATEGIES {
             let strategy: Strategy = name.parse().expect("a strategy that is built");

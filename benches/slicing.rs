@@ -27,7 +27,7 @@ fn slicing(criterion: &mut Criterion) {
     for (name, around, along) in [("100k", 500, 100), ("1M", 2000, 250)] {
         let mesh = meshes::ribbed_torus(around, along);
         let (positions, triangles) = (Arc::new(mesh.positions), mesh.triangles);
-        let slicer = Slicer::of(Arc::clone(&positions), &triangles);
+        let slicer = Slicer::new(Arc::clone(&positions), &triangles);
         let section = slicer.section(&plane(0));
         assert!(section.is_whole(), "{:?}", section.defects);
         println!(
@@ -40,7 +40,7 @@ fn slicing(criterion: &mut Criterion) {
             let input = || Arc::clone(&positions);
             b.iter_batched(
                 input,
-                |positions| Slicer::of(positions, &triangles).section(&plane(0)),
+                |positions| Slicer::new(positions, &triangles).section(&plane(0)),
                 BatchSize::LargeInput,
             );
         });

@@ -12,10 +12,10 @@ fn topology(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("topology");
     for (name, around, along) in [("10k", 100, 50), ("200k", 500, 200), ("1M", 2000, 250)] {
         let mesh = meshes::ribbed_torus(around, along);
-        assert!(Topology::of(&mesh).closed, "a torus is closed");
+        assert!(Topology::new(&mesh).closed, "a torus is closed");
         group.throughput(Throughput::Elements(mesh.triangles.len() as u64));
         group.bench_function(BenchmarkId::from_parameter(name), |b| {
-            b.iter(|| Topology::of(black_box(&mesh)));
+            b.iter(|| Topology::new(black_box(&mesh)));
         });
     }
     group.finish();

@@ -28,7 +28,7 @@ fn walls(loops: &Loops) -> Slicer {
             triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
         }
     }
-    Slicer::of(positions, &triangles)
+    Slicer::new(positions, &triangles)
 }
 
 /// A loop that goes in and out `points` times.

@@ -25,14 +25,14 @@ pub(crate) fn frames() -> cutaway::Result<Vec<(u32, usize)>> {
     };
     let bounds = scene.bounds();
     let plane = ClipSurface::parse("-z=50%", &bounds)?;
-    scene.cuts.push(Cut::of("front half", vec![plane]));
+    scene.cuts.push(Cut::new("front half", vec![plane]));
     // Room for all of the turn: the camera is to stand still.
-    scene.stage = Some(cutaway::scene::Bounds::of([
+    scene.stage = Some(cutaway::scene::Bounds::from_points([
         bounds.min - bounds.radius(),
         bounds.max + bounds.radius(),
     ]));
     let mut session = Session::new(Gpu::open(&GpuOptions::default())?);
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     let view = model.prepared.view([320, 240]);
     let mut found = Vec::new();
     for degrees in [0, 30, 60, 90] {

@@ -23,10 +23,10 @@ pub(crate) fn errors() -> cutaway::Result<Vec<(String, usize, usize)>> {
         ..Scene::default()
     };
     let plane = ClipSurface::parse("-z=50%", &scene.bounds())?;
-    scene.cuts.push(Cut::of("front half", vec![plane]));
+    scene.cuts.push(Cut::new("front half", vec![plane]));
     scene.camera = scene.camera.facing(&scene.cuts);
 
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view([320, 240]);
     let exact = evaluate(&model.truth(&scene), &view);
     let mut session = Session::new(Gpu::open(&GpuOptions::default())?);

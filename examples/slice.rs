@@ -18,10 +18,10 @@ fn main() -> cutaway::Result<()> {
 /// At some heights, in percent of the box of a gear wheel: area in square units of the mesh, and number of loops.
 pub(crate) fn slices() -> cutaway::Result<Vec<(u32, f64, usize)>> {
     let gear = &shape("gears")?[0];
-    let bounds = cutaway::scene::Bounds::of(gear.mesh.positions.iter().copied());
+    let bounds = cutaway::scene::Bounds::from_points(gear.mesh.positions.iter().copied());
     // Built once: a section then costs about what the plane meets.
     let positions = Arc::new(gear.mesh.positions.clone());
-    let slicer = Slicer::of(positions, &gear.mesh.triangles);
+    let slicer = Slicer::new(positions, &gear.mesh.triangles);
     let mut found = Vec::new();
     for percent in [10, 50, 90] {
         let surface = ClipSurface::parse(&format!("z={percent}%"), &bounds)?;

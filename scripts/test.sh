@@ -17,7 +17,7 @@ started=$(date +%s)
 # given to the tests that run, not to the compiler.
 {
     $cargo --config "target.'cfg(all())'.runner = ['env', 'RUSTC_BOOTSTRAP=1']" \
-        test --lib --bins --tests -- -Zunstable-options --report-time && status=0 || status=$?
+        test --no-fail-fast --lib --bins --tests -- -Zunstable-options --report-time && status=0 || status=$?
     echo "$status" >"$log.status"
 } 2>&1 | tee "$log"
 $cargo test --doc

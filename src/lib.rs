@@ -10,9 +10,9 @@
 //! let bounds = scene.bounds();
 //! let waves = Procedure::named("waves").ok_or("no such relief")?.map();
 //! let surface = ClipSurface::parse("-z=50%", &bounds)?.with_relief(waves, &Placement::default(), &bounds)?;
-//! scene.cuts.push(Cut::of("front half", vec![surface]));
+//! scene.cuts.push(Cut::new("front half", vec![surface]));
 //!
-//! let model = Model::of(&scene);
+//! let model = Model::new(&scene);
 //! let view = model.prepared.view([640, 480]);
 //! let mut session = Session::new(Gpu::open(&GpuOptions::default())?);
 //! let drawn = session.draw(&model, &view, Strategy::RAYCAST_MASK)?;

@@ -178,7 +178,8 @@ impl Session {
     }
 
     /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] says is removed,
-    /// and has the caps composed beside them by [`Session::encode`] with [`Target::caps_only`].
+    /// and has the caps composed beside them by [`Session::encode`] with [`Target::caps_only`]. [`Session::poll`] belongs before this or
+    /// after the submission, for it may ask for longer lists.
     pub fn encode_passes(
         &mut self,
         encoder: &mut CommandEncoder,
@@ -190,11 +191,11 @@ impl Session {
     }
 
     /// The bind group for shaders of a host with [`clip_wgsl`](crate::gpu::clip_wgsl), of the frame that was last encoded by a method: of
-    /// one that lists crossings. It is the same until a frame with passes is encoded.
+    /// one that lists crossings. Asked for after each [`Session::encode_passes`]; it is made anew only where buffers are.
     ///
     /// # Errors
     ///
-    /// No such frame, or one so large that it is drawn in bands.
+    /// No such frame, one so large that it is drawn in bands, or a method that keeps no list of crossings.
     pub fn clip_group(&mut self, method: impl Into<Method>) -> Result<BindGroup> {
         let method = method.into();
         let none = || Error::Plan(format!("{method} has encoded no frame to clip by"));

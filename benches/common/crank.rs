@@ -21,7 +21,7 @@ pub(crate) fn scenes() -> [(&'static str, Scene); 2] {
     let relief = section("-z=50%").relief("fractal:amplitude=4%,period=45%,seed=7");
     [("plane", section("-z=50%")), ("relief", relief)].map(|(name, surface)| {
         let surface = surface.on(&bounds).expect("a clip-surface");
-        let cuts = vec![Cut::of("front", vec![surface])];
+        let cuts = vec![Cut::new("front", vec![surface])];
         (
             name,
             Scene {

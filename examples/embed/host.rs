@@ -40,7 +40,7 @@ fn scene() -> Result<Scene> {
         ..Scene::default()
     };
     let plane = ClipSurface::parse("-z=50%", &scene.bounds())?;
-    scene.cuts.push(Cut::of("front half", vec![plane]));
+    scene.cuts.push(Cut::new("front half", vec![plane]));
     Ok(scene)
 }
 
@@ -87,7 +87,7 @@ impl Host {
         Ok(Self {
             depth: texture(&device, size_px, DEPTH).create_view(&Default::default()),
             session: Session::new(gpu),
-            model: Model::of(&scene()?),
+            model: Model::new(&scene()?),
             device,
             queue,
             size_px,
@@ -120,7 +120,7 @@ impl Host {
             depth: Some(TargetDepth {
                 view: &self.depth,
                 format: DEPTH,
-                convention: HostDepth::of(&clip_from_view),
+                convention: HostDepth::from_projection(&clip_from_view),
             }),
             sample_count: 1,
             origin_px: [0, 0],

@@ -58,6 +58,7 @@ impl Open {
         };
         let adapter = pollster::block_on(instance.request_adapter(&wanted))?;
         let size = window.inner_size();
+        let size = PhysicalSize::new(size.width.max(1), size.height.max(1));
         let configuration = surface
             .get_default_config(&adapter, size.width, size.height)
             .ok_or("the adapter cannot draw into the window")?;
@@ -96,8 +97,10 @@ impl Open {
                 self.degrees += STEP_DEG;
             }
             CurrentSurfaceTexture::Outdated | CurrentSurfaceTexture::Lost => self.configure(),
+            // Asked for again when there is something to see.
+            CurrentSurfaceTexture::Occluded => return Ok(()),
             // The next frame may do.
-            _ => {}
+            CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Validation => {}
         }
         self.window.request_redraw();
         Ok(())
@@ -108,7 +111,10 @@ impl ApplicationHandler for App {
     fn resumed(&mut self, events: &ActiveEventLoop) {
         if self.open.is_none() {
             match Open::new(&self.instance, events) {
-                Ok(open) => self.open = Some(open),
+                Ok(open) => {
+                    open.window.request_redraw();
+                    self.open = Some(open);
+                }
                 Err(failure) => self.fail(events, failure),
             }
         }
@@ -121,6 +127,7 @@ impl ApplicationHandler for App {
         match event {
             WindowEvent::CloseRequested => events.exit(),
             WindowEvent::Resized(size) => open.resize(size),
+            WindowEvent::Occluded(false) => open.window.request_redraw(),
             WindowEvent::RedrawRequested => {
                 if let Err(failure) = open.draw() {
                     self.fail(events, failure.into());

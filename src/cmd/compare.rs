@@ -102,7 +102,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let json_file = [("--json", json.as_ref())];
     subject.save_beside(written.chain(paths_of(&json_file)), &args.scene.edits)?;
     let mut session = args.device.session(false)?;
-    let shown = SceneAtTime::of(&subject.scene);
+    let shown = SceneAtTime::new(&subject.scene);
     let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
     if let Some(folder) = &args.heatmaps {

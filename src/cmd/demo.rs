@@ -128,7 +128,7 @@ fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     };
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
-    let shown = SceneAtTime::of(&timeline.scene()?);
+    let shown = SceneAtTime::new(&timeline.scene()?);
     let view = shown.model.prepared.view(timeline.settings().size_px());
     let mut session = args.device.session(false)?;
     for picture in &record.pictures {

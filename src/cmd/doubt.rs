@@ -130,7 +130,7 @@ mod tests {
     fn row(sections: &[&str], shown: Option<f64>) -> Vec<bool> {
         let mut scene = scenes::sectioned("cube", sections);
         scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 0.2);
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let view = prepared.view([10, 1]);
         let mut layers = Layers::background([10, 1]);
         for pixel in &mut layers.pixels {

@@ -66,11 +66,16 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     console.step("inspecting");
     let facts: Vec<(&str, Topology)> = parts
         .iter()
-        .map(|p| (p.name.as_str(), Topology::of_parts(std::slice::from_ref(p))))
+        .map(|p| {
+            (
+                p.name.as_str(),
+                Topology::from_parts(std::slice::from_ref(p)),
+            )
+        })
         .collect();
     let total = match facts.as_slice() {
         [(_, one)] => one.clone(),
-        _ => Topology::of_parts(&parts),
+        _ => Topology::from_parts(&parts),
     };
     if let Some(output) = &json {
         let json = to_json(&facts, &total, clips)?;

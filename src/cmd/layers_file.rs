@@ -152,7 +152,7 @@ mod tests {
         };
         let mut scene = scenes::sectioned("shells", &["-z=0"]);
         scene.camera = scenes::parallel(DVec3::new(1.0, 2.0, 8.0), DVec3::new(1.0, 2.0, 0.0), 6.0);
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let scale = prepared.scale;
         let mut may_be_wrong = vec![false; 6];
         may_be_wrong[4] = true;

@@ -75,7 +75,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     let subject = args.scene.open(document, None, &console)?;
     let method = passes_of(subject.renderer()?)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
-    let SceneAtTime { model, .. } = SceneAtTime::of(&subject.scene);
+    let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
     let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(method.into(), &refusal))?;

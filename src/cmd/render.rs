@@ -99,7 +99,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         session.gpu().report().name,
         session.gpu().report().driver
     ));
-    let shown = SceneAtTime::of(&subject.scene);
+    let shown = SceneAtTime::new(&subject.scene);
     let view = subject.view(&shown.model.prepared);
 
     console.step(renderer.to_string());
@@ -242,8 +242,8 @@ impl Facts {
                 }
                 let bytes = session.bytes(method)?;
                 Self {
-                    bytes: PerClock::of(|clock| bytes[clock as usize]),
-                    times: json!(PerClock::of(
+                    bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
+                    times: json!(PerClock::from_fn(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),
                     layers: Some(session.layers(method)?),

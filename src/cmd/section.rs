@@ -212,9 +212,9 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
                     return Sliced::Trimmed(None);
                 };
                 let Some(section) = trim.of(&whole, &at) else {
-                    return Sliced::Whole(PartReport::of(part, &whole, &at, drawn));
+                    return Sliced::Whole(PartReport::new(part, &whole, &at, drawn));
                 };
-                let report = || PartReport::of(part, &section, &at, drawn);
+                let report = || PartReport::new(part, &section, &at, drawn);
                 Sliced::Trimmed((!is_nothing(&section)).then(report))
             };
             planes.iter().zip(&drawn).map(of_plane).collect()
@@ -227,7 +227,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
         let name = &scene.cuts[p.cut].name;
         PlaneReport {
             trimmed: is_trimmed,
-            ..PlaneReport::of(name, p.face.clone(), p.number, *drawn, met)
+            ..PlaneReport::new(name, p.face.clone(), p.number, *drawn, met)
         }
     };
     SectionReport {
@@ -269,9 +269,9 @@ fn slicer_of(part: &Part) -> (Slicer, Bounds) {
     let positions: Vec<DVec3> = (mesh.positions.par_iter())
         .map(|p| placed.transform_point3(*p))
         .collect();
-    let bounds = Bounds::of(positions.iter().copied());
+    let bounds = Bounds::from_points(positions.iter().copied());
     if placed.matrix3.determinant() >= 0.0 {
-        return (Slicer::of(Arc::new(positions), &mesh.triangles), bounds);
+        return (Slicer::new(Arc::new(positions), &mesh.triangles), bounds);
     }
     // What a placement mirrors is turned round, so that outside stays outside.
     let turned: Vec<[u32; 3]> = mesh
@@ -279,7 +279,7 @@ fn slicer_of(part: &Part) -> (Slicer, Bounds) {
         .iter()
         .map(|[a, b, c]| [*a, *c, *b])
         .collect();
-    (Slicer::of(Arc::new(positions), &turned), bounds)
+    (Slicer::new(Arc::new(positions), &turned), bounds)
 }
 
 fn to_text(report: &SectionReport) -> String {

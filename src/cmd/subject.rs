@@ -195,8 +195,8 @@ fn is_scene(input: &str) -> bool {
 /// Refuses a camera whose rays would be no numbers.
 fn check_view(scene: &Scene, size_px: [u32; 2]) -> Result<()> {
     let bounds = scene.bounds();
-    let space = SceneSpace::of(&bounds);
-    let in_scene = Bounds::of([bounds.min, bounds.max].map(|p| space.point(p)));
+    let space = SceneSpace::new(&bounds);
+    let in_scene = Bounds::from_points([bounds.min, bounds.max].map(|p| space.point(p)));
     let view = (scene.camera).view(|p| space.point(p), space.scale, in_scene, size_px);
     match view.defect() {
         Some(what) => {

@@ -396,9 +396,9 @@ mod tests {
         surface.relief = Some(Arc::new(map));
         surface.wrap = wrap;
         surface.scale.z = height;
-        Prepared::of(&Scene {
+        Prepared::new(&Scene {
             parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
-            cuts: vec![Cut::of("c", vec![surface])],
+            cuts: vec![Cut::new("c", vec![surface])],
             camera: Camera {
                 viewpoint: Viewpoint::Orbit {
                     azimuth_deg: angle_deg,

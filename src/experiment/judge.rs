@@ -142,7 +142,7 @@ pub fn errors(
             Timing::Wall
         },
         rounds: 0,
-        exact: Reference::of(&exact, exact_ms),
+        exact: Reference::new(&exact, exact_ms),
         draw_only_ms: Samples::default(),
         strategies: found,
     };
@@ -177,7 +177,7 @@ pub fn times(
     measurement.draw_only_ms = samples(&runs[0], Clock::Frame);
     let drawn = (measurement.strategies.iter_mut()).filter(|s| s.was_drawn());
     for (strategy, runs) in drawn.zip(&runs[1..]) {
-        strategy.time_ms = PerClock::of(|clock| samples(runs, clock));
+        strategy.time_ms = PerClock::from_fn(|clock| samples(runs, clock));
         strategy.passes = passes(runs);
         let ratio = strategy.time_ms.frame.over(&measurement.draw_only_ms);
         strategy.frame_over_draw_only = Some(ratio.median).filter(|r| r.is_finite() && *r > 0.0);
@@ -214,10 +214,10 @@ fn draw_by(
         (layers.as_ref()).map(|l| compare(exact, l, view, model.prepared.scale));
     let found = StrategyMeasurement {
         name: renderer.to_string(),
-        outcome: Ending::of(&outcome),
+        outcome: Ending::from_outcome(&outcome),
         reason: outcome.reason().map(str::to_owned),
         comparison,
-        bytes: PerClock::of(|clock| bytes[clock as usize]),
+        bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
         frame_over_draw_only_mad: None,
@@ -308,7 +308,7 @@ fn draw_uncut(session: &mut Session, question: &Question<'_>) -> Result<()> {
 
 /// Times of a clock; none where the clock never runs.
 fn samples(runs: &[RunTimes], clock: Clock) -> Samples {
-    Samples::of(
+    Samples::new(
         runs.iter()
             .filter_map(|r| r.clocks_ms[clock as usize])
             .collect(),
@@ -330,7 +330,7 @@ fn passes(runs: &[RunTimes]) -> Vec<PassTime> {
         .map(|(i, pass)| PassTime {
             name: pass.name.clone(),
             clock: pass.clock,
-            median_ms: Samples::of(of(i)).median,
+            median_ms: Samples::new(of(i)).median,
         })
         .collect()
 }

@@ -27,7 +27,7 @@ pub struct PerClock<T> {
 
 impl<T> PerClock<T> {
     /// A value for each clock.
-    pub fn of(mut value: impl FnMut(Clock) -> T) -> Self {
+    pub fn from_fn(mut value: impl FnMut(Clock) -> T) -> Self {
         let [solid, cut, frame] = Clock::ALL.map(&mut value);
         Self { solid, cut, frame }
     }
@@ -52,7 +52,7 @@ pub struct Reference {
 
 impl Reference {
     /// What there is to say of a reference.
-    pub fn of(exact: &Exact, time_ms: f64) -> Self {
+    pub fn new(exact: &Exact, time_ms: f64) -> Self {
         Self {
             cap_px: exact.layers.count(Kind::Cap),
             surface_px: exact.layers.count(Kind::Surface),
@@ -78,7 +78,7 @@ pub enum Ending {
 
 impl Ending {
     /// Of an outcome.
-    pub fn of(outcome: &Outcome) -> Self {
+    pub fn from_outcome(outcome: &Outcome) -> Self {
         match outcome {
             Outcome::Complete => Self::Complete,
             Outcome::Overflowed(_) => Self::Overflowed,
@@ -233,7 +233,7 @@ pub(crate) mod tests {
                 frame: 1 << 20,
             },
             time_ms: PerClock {
-                frame: Samples::of(vec![4.0, 2.0, 3.0]),
+                frame: Samples::new(vec![4.0, 2.0, 3.0]),
                 ..PerClock::default()
             },
             frame_over_draw_only: Some(1.5),
@@ -277,7 +277,7 @@ pub(crate) mod tests {
                 overlap_px: 0,
                 time_ms: 5.0,
             },
-            draw_only_ms: Samples::of(vec![2.0]),
+            draw_only_ms: Samples::new(vec![2.0]),
             strategies: vec![drawn, refused],
         }
     }

@@ -56,7 +56,7 @@ impl Evaluator {
                 frame_ms: watch.ms(),
             },
             Self::Winding => {
-                let windings = Windings::of(truth);
+                let windings = Windings::new(truth);
                 let solid_ms = watch.ms();
                 Evaluation {
                     layers: windings.layers(truth, view),

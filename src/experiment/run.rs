@@ -117,7 +117,7 @@ fn measure_with(
                 said.push(remark);
             }
         }
-        Ok((timeline, SceneAtTime::of(&scene)))
+        Ok((timeline, SceneAtTime::new(&scene)))
     };
     let (timeline, shown) = open(&point.scene)?;
     let truth = point.truth.as_ref().map(&mut open).transpose()?;

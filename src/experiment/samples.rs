@@ -18,7 +18,7 @@ pub struct Samples {
 
 impl Samples {
     /// Samples with their median and spread.
-    pub fn of(samples: Vec<f64>) -> Self {
+    pub fn new(samples: Vec<f64>) -> Self {
         let median = median(&samples);
         let distances: Vec<f64> = samples.iter().map(|s| (s - median).abs()).collect();
         Self {
@@ -44,13 +44,13 @@ impl Samples {
     pub fn sum(all: &[&Self]) -> Self {
         let rounds = all.iter().map(|s| s.samples.len()).max().unwrap_or(0);
         let of_round = |round| all.iter().filter_map(|s| s.samples.get(round)).sum();
-        Self::of((0..rounds).map(of_round).collect())
+        Self::new((0..rounds).map(of_round).collect())
     }
 
     /// The quotients of samples taken in the same rounds: what disturbed a round disturbed both, and cancels.
     pub fn over(&self, denominator: &Self) -> Self {
         let pairs = self.samples.iter().zip(&denominator.samples);
-        Self::of(pairs.map(|(a, b)| a / b).collect())
+        Self::new(pairs.map(|(a, b)| a / b).collect())
     }
 }
 
@@ -79,15 +79,15 @@ mod tests {
             (vec![9.0, 1.0, 2.0], 2.0, 1.0),
             (vec![10.0, 10.0, 10.0, 11.0, 1000.0], 10.0, 0.0),
         ] {
-            let found = Samples::of(samples);
+            let found = Samples::new(samples);
             assert_eq!([found.median, found.mad], [median, mad]);
         }
-        assert_eq!(Samples::of(vec![3.0, 1.0, 2.0]).range(), [1.0, 3.0]);
+        assert_eq!(Samples::new(vec![3.0, 1.0, 2.0]).range(), [1.0, 3.0]);
     }
 
     #[test]
     fn sums_are_of_rounds() {
-        let of = |samples: &[f64]| Samples::of(samples.to_vec());
+        let of = |samples: &[f64]| Samples::new(samples.to_vec());
         let (slow_first, slow_last, none) = (of(&[9.0, 1.0, 1.0]), of(&[1.0, 1.0, 9.0]), of(&[]));
         let sum = Samples::sum(&[&slow_first, &slow_last, &none]);
         assert_eq!(sum.samples, [10.0, 2.0, 10.0]);
@@ -98,7 +98,7 @@ mod tests {
     fn what_slows_a_round_cancels_in_the_quotient() {
         let (calm, load) = ([2.0, 2.0, 2.0], [1.0, 7.0, 1.5]);
         let slowed =
-            |base: f64| Samples::of(calm.iter().zip(load).map(|(c, l)| c * l * base).collect());
+            |base: f64| Samples::new(calm.iter().zip(load).map(|(c, l)| c * l * base).collect());
         let ratio = slowed(3.0).over(&slowed(1.0));
         assert_eq!([ratio.median, ratio.mad], [3.0, 0.0]);
     }

@@ -23,8 +23,8 @@ pub struct SceneAtTime {
 
 impl SceneAtTime {
     /// Prepares a scene.
-    pub fn of(scene: &Scene) -> Self {
-        Self::with(Model::of(scene), scene)
+    pub fn new(scene: &Scene) -> Self {
+        Self::with(Model::new(scene), scene)
     }
 
     /// Prepares a scene that follows this one in time; what has not changed is not prepared again.
@@ -45,7 +45,7 @@ impl SceneAtTime {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared
         } else {
-            self.truth.get_or_init(|| Prepared::of(&self.scene))
+            self.truth.get_or_init(|| Prepared::new(&self.scene))
         };
         must_be_named(truth)?;
         Ok(truth)
@@ -107,12 +107,12 @@ mod tests {
     fn exact_is_not_asked_for_numbers_that_layers_cannot_hold() {
         let cut = |at: f64| {
             let plane = ClipSurface::plane(DVec3::Z * at, DVec3::NEG_Z);
-            Cut::of(format!("at {at}"), vec![plane])
+            Cut::new(format!("at {at}"), vec![plane])
         };
         for (count, is_refused) in [(255, false), (256, true)] {
             let mut scene = cube(0.0);
             scene.cuts = (0..count).map(|i| cut(f64::from(i) + 0.5)).collect();
-            let shown = SceneAtTime::of(&scene);
+            let shown = SceneAtTime::new(&scene);
             match shown.truth() {
                 Ok(_) => assert!(!is_refused, "{count}"),
                 Err(described) => {
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn strategies_and_exact_are_given_the_same_pose() {
         for (weight, centre) in [(0.0, 0.0), (1.0, 2.0), (0.25, 0.5)] {
-            let shown = SceneAtTime::of(&cube(weight));
+            let shown = SceneAtTime::new(&cube(weight));
             for prepared in [&shown.model.prepared, shown.truth().unwrap()] {
                 let x = prepared.parts[0].bounds.centre().x / prepared.scale;
                 assert!((x - centre).abs() < 1e-6, "{x} at weight {weight}");

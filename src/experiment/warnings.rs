@@ -183,7 +183,7 @@ fn slowdown(draw_only_ms: &Samples) -> Option<Warning> {
         return None;
     }
     let third = all.len() / 3;
-    let median = |part: &[f64]| Samples::of(part.to_vec()).median;
+    let median = |part: &[f64]| Samples::new(part.to_vec()).median;
     let slowdown = median(&all[all.len() - third..]) / median(&all[..third]);
     (slowdown.is_finite() && slowdown > THROTTLED).then_some(Warning::Throttled { slowdown })
 }
@@ -219,8 +219,8 @@ mod tests {
         calm.adapter.software = false;
         calm.rounds = 9;
         calm.exact.undecided_px = 0;
-        calm.draw_only_ms = Samples::of(vec![2.0; 9]);
-        calm.strategies[0].time_ms.frame = Samples::of(vec![3.0; 9]);
+        calm.draw_only_ms = Samples::new(vec![2.0; 9]);
+        calm.strategies[0].time_ms.frame = Samples::new(vec![3.0; 9]);
         calm
     }
 
@@ -233,7 +233,7 @@ mod tests {
             ("wall-times", |m| m.timing = Timing::Wall),
             ("few-rounds", |m| m.rounds = 3),
             ("throttled", |m| {
-                m.draw_only_ms = Samples::of([[2.0; 6].as_slice(), &[2.4; 3]].concat());
+                m.draw_only_ms = Samples::new([[2.0; 6].as_slice(), &[2.4; 3]].concat());
             }),
             ("noisy", |m| {
                 m.strategies[0].time_ms.frame = scattered(0.2, 9)
@@ -259,7 +259,7 @@ mod tests {
     /// Samples whose median absolute deviation is about this share of their median, without a trend.
     fn scattered(share: f64, rounds: usize) -> Samples {
         let sample = |i| 2.0 * (1.0 + share * f64::from([-1, 0, 1][i % 3]));
-        Samples::of((0..rounds).map(sample).collect())
+        Samples::new((0..rounds).map(sample).collect())
     }
 
     #[test]
@@ -300,7 +300,7 @@ mod tests {
     #[test]
     fn an_outlier_is_no_trend() {
         let mut measurement = calm();
-        measurement.draw_only_ms = Samples::of(vec![2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 50.0, 2.0]);
+        measurement.draw_only_ms = Samples::new(vec![2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 50.0, 2.0]);
         assert!(kinds(&measurement, 0.0).is_empty(), "one slow round");
     }
 }

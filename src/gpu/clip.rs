@@ -2,9 +2,11 @@
 //!
 //! The host draws its surfaces with materials of its own and leaves out what the one list of crossings says is removed; the caps are
 //! composed beside them. The question is WGSL text for the host's shaders ([`clip_wgsl`]) and a bind group of the very lists that the
-//! caps come from, so that both are cut at the same depths. Costs what ranking a fragment costs: a look at each crossing before it.
+//! caps come from, so that both are cut at the same depths. Costs a look at each crossing before a fragment.
 //!
-//! Cannot: serve frames drawn in bands, whose lists are several.
+//! Cannot: serve frames drawn in bands, whose lists are several; know on which side a face lies that is in a clip-surface, which our own
+//! passes do; say of a pixel that its list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that
+//! the host leaves out or draws as glass.
 
 use super::Gpu;
 use super::program::Program;
@@ -45,18 +47,28 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
     naga::back::wgsl::write_string(&module, &info, flags).map_err(|e| fault(e.to_string()))
 }
 
-/// What the shader binds, by name.
-fn bound() -> Result<Vec<ShaderBinding>> {
-    Ok(shader::bindings(&shader::compose(&KEPT.into())?))
+/// What the shader binds, and the layout of that; found out once.
+pub(super) struct ClipLayout {
+    bindings: Vec<ShaderBinding>,
+    layout: wgpu::BindGroupLayout,
 }
 
 impl Gpu {
-    /// The layout of the bind group that goes with [`clip_wgsl`], for the pipelines of the host.
+    /// The layout of the bind group that goes with [`clip_wgsl`], for the pipelines of the host: 2 uniform and 4 storage buffers, for
+    /// any stage.
     pub fn clip_layout(&self) -> Result<wgpu::BindGroupLayout> {
-        let entries: Vec<wgpu::BindGroupLayoutEntry> = (bound()?.iter())
+        Ok(self.clip()?.layout.clone())
+    }
+
+    fn clip(&self) -> Result<&ClipLayout> {
+        if let Some(known) = self.clip.get() {
+            return Ok(known);
+        }
+        let bindings = shader::bindings(&shader::compose(&KEPT.into())?);
+        let entries: Vec<wgpu::BindGroupLayoutEntry> = (bindings.iter())
             .map(|b| wgpu::BindGroupLayoutEntry {
                 binding: b.binding,
-                visibility: wgpu::ShaderStages::FRAGMENT,
+                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE,
                 ty: wgpu::BindingType::Buffer {
                     ty: match b.kind {
                         BindingKind::Uniform => wgpu::BufferBindingType::Uniform,
@@ -68,11 +80,12 @@ impl Gpu {
                 count: None,
             })
             .collect();
-        let layout = wgpu::BindGroupLayoutDescriptor {
+        let descriptor = wgpu::BindGroupLayoutDescriptor {
             label: Some("clip"),
             entries: &entries,
         };
-        Ok(self.device.create_bind_group_layout(&layout))
+        let layout = self.device.create_bind_group_layout(&descriptor);
+        Ok(self.clip.get_or_init(|| ClipLayout { bindings, layout }))
     }
 }
 
@@ -81,17 +94,50 @@ impl Gpu {
 pub(crate) struct ClipTable {
     /// By how much scene space is larger than the world.
     pub(crate) scene_from_world: f32,
-    /// Bits of the cuts that apply to each part, by its index in the scene; all of them where it is removed altogether.
-    pub(crate) cuts_of_part: Vec<u32>,
+    /// Of each part, by its index in the scene, bits of the cuts that reach it, and whether a cut removes all of it.
+    pub(crate) parts: Vec<(u32, bool)>,
+}
+
+impl ClipTable {
+    /// As the shader has it.
+    fn words(&self) -> Vec<u32> {
+        let head = [self.scene_from_world.to_bits(), 0];
+        let rows = self.parts.iter();
+        let rows = rows.flat_map(|(cuts, is_removed)| [*cuts, u32::from(*is_removed)]);
+        head.into_iter().chain(rows).collect()
+    }
+}
+
+/// The bind group of a program, as long as that keeps its buffers.
+pub(crate) struct Clip {
+    generation: u64,
+    table: ClipTable,
+    buffer: wgpu::Buffer,
+    group: wgpu::BindGroup,
+}
+
+impl Clip {
+    pub(crate) fn group(&self) -> &wgpu::BindGroup {
+        &self.group
+    }
 }
 
 impl Program {
-    /// The bind group of its lists, with a table of the parts.
-    pub(crate) fn clip_group(&self, gpu: &Gpu, table: &ClipTable) -> Result<wgpu::BindGroup> {
-        let mut words = vec![table.scene_from_world.to_bits()];
-        words.extend(&table.cuts_of_part);
+    /// The bind group of its lists, with a table of the parts; what was made before is used again where it fits.
+    pub(crate) fn clip(&self, gpu: &Gpu, table: ClipTable, before: Option<Clip>) -> Result<Clip> {
+        let fits = |b: &Clip| {
+            b.generation == self.generation() && b.table.parts.len() == table.parts.len()
+        };
+        if let Some(clip) = before.filter(fits) {
+            if clip.table != table {
+                let words = table.words();
+                (gpu.queue).write_buffer(&clip.buffer, 0, bytemuck::cast_slice(&words));
+            }
+            return Ok(Clip { table, ..clip });
+        }
+        let words = table.words();
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM;
-        let buffer = |label, size| {
+        let new_buffer = |label, size| {
             gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
                 size,
@@ -99,29 +145,31 @@ impl Program {
                 mapped_at_creation: false,
             })
         };
+        let ClipLayout { bindings, layout } = gpu.clip()?;
         gpu.scoped(|| {
-            let table = buffer(TABLE, words.len() as u64 * 4);
-            gpu.queue
-                .write_buffer(&table, 0, bytemuck::cast_slice(&words));
-            let nothing = buffer("nothing is cut", NOTHING_BYTES);
-            let bound = bound()?;
-            let entries: Vec<wgpu::BindGroupEntry<'_>> = (bound.iter())
-                .map(|b| {
-                    let buffer = match b.name.as_str() {
-                        TABLE => &table,
-                        name => self.buffer_named(name).unwrap_or(&nothing),
-                    };
-                    wgpu::BindGroupEntry {
-                        binding: b.binding,
-                        resource: buffer.as_entire_binding(),
-                    }
+            let buffer = new_buffer(TABLE, words.len() as u64 * 4);
+            (gpu.queue).write_buffer(&buffer, 0, bytemuck::cast_slice(&words));
+            let nothing = new_buffer("nothing is cut", NOTHING_BYTES);
+            let entries: Vec<wgpu::BindGroupEntry<'_>> = (bindings.iter())
+                .map(|b| wgpu::BindGroupEntry {
+                    binding: b.binding,
+                    resource: match b.name.as_str() {
+                        TABLE => buffer.as_entire_binding(),
+                        name => (self.buffer_named(name).unwrap_or(&nothing)).as_entire_binding(),
+                    },
                 })
                 .collect();
-            Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("clip"),
-                layout: &gpu.clip_layout()?,
+                layout,
                 entries: &entries,
-            }))
+            });
+            Ok(Clip {
+                generation: self.generation(),
+                table,
+                buffer,
+                group,
+            })
         })
     }
 }

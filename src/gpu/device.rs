@@ -3,9 +3,10 @@
 //! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
 
 use std::borrow::Cow;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 
+use super::clip::ClipLayout;
 use super::composite::Compositors;
 use super::pipelines::Pipelines;
 use crate::plan::{Contents, Limits};
@@ -51,6 +52,8 @@ pub struct Gpu {
     /// The pipelines of all programs.
     pipelines: Mutex<Pipelines>,
     compositors: Mutex<Compositors>,
+    /// What shaders of a host bind, once it is asked for.
+    pub(super) clip: OnceLock<ClipLayout>,
 }
 
 /// Contents of at least this many bytes are worth sharing.
@@ -207,6 +210,7 @@ impl Gpu {
             shared: Mutex::default(),
             pipelines: Mutex::default(),
             compositors: Mutex::default(),
+            clip: OnceLock::new(),
         })
     }
 
@@ -278,7 +282,8 @@ impl Gpu {
     fn refused(&self, what: &str) -> Error {
         Error::Adapter {
             what: format!("the adapter {} refused work: {what}", self.report.name),
-            help: "lower --resolution, or choose another adapter with --adapter".to_owned(),
+            help: "ask for a smaller picture (--resolution), or choose another adapter (--adapter)"
+                .to_owned(),
         }
     }
 

@@ -5,6 +5,7 @@ mod clip;
 mod composite;
 mod device;
 mod draw;
+mod layer_words;
 mod pipelines;
 mod program;
 mod readback;
@@ -17,13 +18,13 @@ mod words;
 
 pub use ::wgpu;
 pub use ::wgpu::{BindGroup, CommandEncoder};
-pub(crate) use clip::ClipTable;
 pub use clip::clip_wgsl;
+pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
 pub use device::{AdapterReport, Gpu, GpuOptions};
+pub(crate) use layer_words::words_from_layers;
 #[doc(hidden)]
 pub use program::Program;
-pub(crate) use program::words_from_layers;
 pub(crate) use report::Report;
 pub(crate) use target::Destination;
 pub use target::{Attachment, GBuffer, Target, TargetDepth};

@@ -10,12 +10,12 @@ use super::Gpu;
 use super::composite::{Composed, Compositor};
 use super::device::is_shared;
 use super::draw::Step;
+use super::layer_words::layer_from_words;
 use super::real::{Real, make};
 use super::report::Report;
 use super::target::Destination;
 use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
-use crate::layers::{Kind, Layer, Layers};
-use crate::plan::pack::unpack_normal;
+use crate::layers::Layers;
 use crate::plan::{Clock, Due, Pass, Plan, Recorded, Resource, ResourceId, Shape};
 use crate::{Error, Result};
 
@@ -253,12 +253,15 @@ impl Program {
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
         let plan = self.plan();
         let none = || Error::Plan("the plan makes no picture".to_owned());
-        let named = |name| self.buffer_named(name).ok_or_else(none);
+        let table = |name: &str| {
+            let fault = || Error::Plan(format!("the plan has no {name}"));
+            self.buffer_named(name).ok_or_else(fault)
+        };
         let frame = Composed {
             picture: self.buffer(plan.picture.ok_or_else(none)?)?,
             layers: self.buffer(plan.layers.ok_or_else(none)?)?,
-            parts: named("parts")?,
-            place_of_part: named("place_of_part")?,
+            parts: table("parts")?,
+            place_of_part: table("place_of_part")?,
         };
         Compositor::new(gpu, target, &frame)
     }
@@ -359,50 +362,4 @@ fn same_structure(a: &Plan, b: &Plan) -> bool {
     a.passes == b.passes
         && a.resources.len() == b.resources.len()
         && a.resources.iter().zip(&b.resources).all(same)
-}
-
-/// The words of one pixel as [`Layer`]; the other direction is `shaders/lib/layers.wgsl`.
-fn layer_from_words(words: &[u32; 3]) -> Layer {
-    let [word, normal, depth] = *words;
-    let kind = match word & 3 {
-        1 => Kind::Surface,
-        2 => Kind::Cap,
-        _ => Kind::Background,
-    };
-    if kind == Kind::Background {
-        return Layer {
-            depth: f64::INFINITY,
-            unreliable: word & 8 != 0,
-            ..Layer::default()
-        };
-    }
-    Layer {
-        kind,
-        part: (word >> 16) as u16,
-        clip_surface: if kind == Kind::Cap {
-            (word >> 8) as u8
-        } else {
-            0
-        },
-        back_face: word & 4 != 0,
-        unreliable: word & 8 != 0,
-        overlap: word & 16 != 0,
-        depth: f64::from(f32::from_bits(depth)),
-        normal: unpack_normal(normal),
-    }
-}
-
-/// The words of layers, to be shaded by the same pass as a strategy's.
-pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
-    let words = layers.pixels.iter().map(|p| {
-        let flags =
-            u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3 | u32::from(p.overlap) << 4;
-        let what = p.kind as u32 | flags | u32::from(p.clip_surface) << 8 | u32::from(p.part) << 16;
-        [
-            what,
-            crate::plan::pack::pack_normal(p.normal),
-            (p.depth as f32).to_bits(),
-        ]
-    });
-    words.flatten().collect()
 }

@@ -16,7 +16,7 @@ pub struct Target<'a> {
     pub sample_count: u32,
     /// Upper left corner of the frame in the attachments, in pixels.
     pub origin_px: [u32; 2],
-    /// Whether the sky is drawn where no model is seen.
+    /// Whether the sky is drawn where no model is seen; not with `caps_only`.
     pub background: bool,
     /// Draws caps alone: the host draws the surfaces itself, less what [`Session::clip_group`](crate::Session::clip_group) says is
     /// removed.
@@ -48,11 +48,12 @@ pub struct Attachment<'a> {
 pub struct GBuffer<'a> {
     /// The colour of the part, or of its caps, without light. As [`Target::color_format`].
     pub base_color: Attachment<'a>,
-    /// The normal in the host's world: a unit vector towards the eye, for example in `Rgba16Float`.
+    /// The normal in the host's world: a unit vector towards the eye, in `Rgba16Float` or `Rgba32Float`.
     pub normal: Attachment<'a>,
-    /// What is seen, of the format `R32Uint`: bits 0-1 1 for a surface and 2 for a cap, 2 a back face, 3 undecided, 4 an overlap, 8-15
-    /// the clip-surface of a cap, 16-31 the part.
-    pub what: Attachment<'a>,
+    /// What is seen, of the format `R32Uint`. The host clears it, for only pixels that show the model are written. From the lowest bit
+    /// on: 2 bits for the kind (1 a surface, 2 a cap), 1 for a back face, 1 for a pixel that the method cannot be sure of, 1 for a cap
+    /// that several solids share, 3 unused, 8 for the clip-surface of a cap (255 is the near plane), 16 for the part.
+    pub what: &'a wgpu::TextureView,
     /// The depth attachment that the frame is tested against and written to.
     pub depth: TargetDepth<'a>,
     /// Upper left corner of the frame in the attachments, in pixels.
@@ -92,8 +93,12 @@ impl<'a> From<&Target<'a>> for Destination<'a> {
 
 impl<'a> From<&GBuffer<'a>> for Destination<'a> {
     fn from(buffer: &GBuffer<'a>) -> Self {
+        let what = Attachment {
+            view: buffer.what,
+            format: wgpu::TextureFormat::R32Uint,
+        };
         Self {
-            colors: [buffer.base_color, buffer.normal, buffer.what].map(Some),
+            colors: [buffer.base_color, buffer.normal, what].map(Some),
             depth: Some(buffer.depth),
             sample_count: 1,
             origin_px: buffer.origin_px,
@@ -104,23 +109,75 @@ impl<'a> From<&GBuffer<'a>> for Destination<'a> {
 }
 
 impl Destination<'_> {
-    /// Refuses a frame that reaches beyond the attachments.
+    /// Refuses a frame that reaches beyond the attachments, and attachments that are not what is said of them: what a pass finds wrong is
+    /// known only when the host finishes its encoder. Sizes are those of mip level 0.
     pub(crate) fn must_hold(&self, size_px: [u32; 2]) -> Result<()> {
-        for attachment in self.colors.iter().flatten() {
-            let have = attachment.view.texture().size();
+        let names = match self.colors[1] {
+            None => ["the colour attachment", "", ""],
+            Some(_) => ["the base colour", "the normals", "what is seen"],
+        };
+        let colors = self.colors.iter().zip(names);
+        let colors =
+            colors.filter_map(|(a, name)| Some((name, a.as_ref()?.view, a.as_ref()?.format)));
+        let depth = (self.depth.iter()).map(|d| ("the depth attachment", d.view, d.format));
+        let mut first: Option<(&str, wgpu::Extent3d)> = None;
+        for (name, view, format) in colors.chain(depth) {
+            let texture = view.texture();
+            let have = texture.size();
+            let fault = |what: String, help: &str| {
+                Err(Error::input(format!("{name} of the host"), what, help))
+            };
             let reach = [0, 1].map(|i| self.origin_px[i].saturating_add(size_px[i]));
             if reach[0] > have.width || reach[1] > have.height {
                 let ([width, height], [x, y]) = (size_px, self.origin_px);
-                return Err(Error::input(
-                    "the target of the host",
+                return fault(
                     format!(
                         "a frame of {width} x {height} px at ({x}, {y}) does not fit into {} x {} px",
                         have.width, have.height
                     ),
                     "give attachments as large as the view",
-                ));
+                );
+            }
+            let (of, size) = *first.get_or_insert((name, have));
+            if [size.width, size.height] != [have.width, have.height] {
+                let [[w, h], [v, g]] = [have, size].map(|s| [s.width, s.height]);
+                return fault(
+                    format!("it has {w} x {h} px, and {of} has {v} x {g} px"),
+                    "give attachments of one size",
+                );
+            }
+            if texture.format().remove_srgb_suffix() != format.remove_srgb_suffix() {
+                return fault(
+                    format!("it is of the format {:?}, not {format:?}", texture.format()),
+                    "name the format of the view",
+                );
+            }
+            if texture.sample_count() != self.sample_count {
+                let (have, said) = (texture.sample_count(), self.sample_count);
+                return fault(
+                    format!("it has {have} samples in a pixel, not {said}"),
+                    "give attachments with as many samples as `sample_count` says, and a G-buffer with one",
+                );
+            }
+            if !(texture.usage()).contains(wgpu::TextureUsages::RENDER_ATTACHMENT) {
+                return fault(
+                    "it is no attachment".to_owned(),
+                    "create its texture with TextureUsages::RENDER_ATTACHMENT",
+                );
             }
         }
-        Ok(())
+        match self.colors[1] {
+            Some(normal) if !holds_signs(normal.format) => Err(Error::input(
+                "the normals of the host",
+                format!("{:?} holds no negative numbers", normal.format),
+                "give an attachment of Rgba16Float or Rgba32Float",
+            )),
+            _ => Ok(()),
+        }
     }
+}
+
+fn holds_signs(format: wgpu::TextureFormat) -> bool {
+    use wgpu::TextureFormat::{Rgba8Snorm, Rgba16Float, Rgba16Snorm, Rgba32Float};
+    matches!(format, Rgba8Snorm | Rgba16Float | Rgba16Snorm | Rgba32Float)
 }

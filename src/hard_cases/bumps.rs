@@ -155,7 +155,7 @@ pub fn grazing(px: u32) -> Vec<Scene> {
         let scene = scenes::scene("crests", ball(), vec![surface.clone(), surface.flipped()]);
         for cuts in [vec![surface.clone()], vec![surface.flipped()]] {
             let mut one = scene.clone();
-            one.cuts = vec![Cut::of("cut", cuts)];
+            one.cuts = vec![Cut::new("cut", cuts)];
             for towards in [DVec3::X, DVec3::Y] {
                 let name = format!("height {height} along {towards}");
                 all.push(solids::through(
@@ -259,7 +259,7 @@ pub fn crossing(_: u32) -> Vec<Scene> {
     let both = scenes::scene("and", ball(), vec![rough.clone(), plane.clone()]);
     let mut either = both.clone();
     either.name = "or".to_owned();
-    either.cuts = vec![Cut::of("one", vec![rough]), Cut::of("two", vec![plane])];
+    either.cuts = vec![Cut::new("one", vec![rough]), Cut::new("two", vec![plane])];
     vec![both, either]
 }
 

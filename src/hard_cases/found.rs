@@ -99,7 +99,7 @@ pub fn found(
 /// The pictures of a case, each with the name of its scene.
 pub fn pictures(case: &Case, size_px: u32) -> Vec<(String, Question)> {
     let scenes = (case.scenes)(size_px);
-    let of = |s: &crate::scene::Scene| (s.name.clone(), Question::of(s, [size_px; 2]));
+    let of = |s: &crate::scene::Scene| (s.name.clone(), Question::new(s, [size_px; 2]));
     scenes.iter().map(of).collect()
 }
 

@@ -39,13 +39,13 @@ pub struct Judged {
 
 impl Question {
     /// The scene through its own camera.
-    pub fn of(scene: &Scene, size_px: [u32; 2]) -> Self {
+    pub fn new(scene: &Scene, size_px: [u32; 2]) -> Self {
         Self::through(scene, &scene.camera, size_px)
     }
 
     /// The scene through another camera.
     pub fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
-        let model = Model::of(scene);
+        let model = Model::new(scene);
         let view = model.prepared.view_of(camera, size_px);
         let exact = Arc::new(evaluate(&model.truth(scene), &view));
         Self { model, view, exact }

@@ -20,7 +20,7 @@ pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Sce
     let cuts = if surfaces.is_empty() {
         Vec::new()
     } else {
-        vec![Cut::of("cut", surfaces)]
+        vec![Cut::new("cut", surfaces)]
     };
     Scene {
         name: name.to_owned(),
@@ -40,7 +40,7 @@ pub fn sectioned(shape: &str, sections: &[&str]) -> Scene {
         .iter()
         .map(|s| ClipSurface::parse(s, &bounds).unwrap_or_else(|e| panic!("{s}: {e}")))
         .collect();
-    made.cuts = vec![Cut::of("cut", surfaces)];
+    made.cuts = vec![Cut::new("cut", surfaces)];
     made
 }
 

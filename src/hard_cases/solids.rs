@@ -249,7 +249,7 @@ pub fn overlapping(_: u32) -> Vec<Scene> {
         .map(|section| {
             let mut scene = scenes::scene(section, both.clone(), Vec::new());
             let plane = ClipSurface::parse(section, &scene.bounds()).expect(section);
-            scene.cuts = vec![crate::scene::Cut::of("cut", vec![plane])];
+            scene.cuts = vec![crate::scene::Cut::new("cut", vec![plane])];
             scene
         })
         .to_vec()

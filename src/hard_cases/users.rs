@@ -258,7 +258,7 @@ pub fn three_planes(_: u32) -> Vec<Scene> {
     apart.name = "three halves".to_owned();
     let each = planes().into_iter().enumerate();
     apart.cuts = each
-        .map(|(i, s)| Cut::of(format!("cut {i}"), vec![s]))
+        .map(|(i, s)| Cut::new(format!("cut {i}"), vec![s]))
         .collect();
     apart.camera = scenes::looking(DVec3::new(1.2, 0.9, 1.6), DVec3::ZERO, 30.0);
     vec![bitten, apart]

@@ -1,7 +1,7 @@
 //! The scene of a frame on the device: handles of the uploads that passes share.
 //!
 //! All of them are described, and those that no pass mentions leave the plan again ([`Plan::without_unused`]): describing one copies
-//! a few rows or takes a count of bytes that the model has already. No pass can be recorded before the scene is there, parts that
+//! a few rows, or shares bytes that the model already holds. No pass can be recorded before the scene is there, parts that
 //! move included, for it takes these handles.
 
 use super::pose::pose_parts;
@@ -65,7 +65,7 @@ impl<'a> SceneBuffers<'a> {
             let id = plan.add_resource(Resource::upload(name, role, contents, clock));
             Binding::read(name, id)
         };
-        let frame = Contents::of(&[pack::frame(input.view, &input.relevance.cut_box)]);
+        let frame = Contents::from_values(&[pack::frame(input.view, &input.relevance.cut_box)]);
         let frame = upload("frame", Role::Uniform, Clock::Frame, frame);
         let vertices = upload(
             "vertices",
@@ -94,7 +94,7 @@ impl<'a> SceneBuffers<'a> {
         let format = Format::Depth32Float;
         let depth = Resource::texture("surface_depth", input.view.size_px, 1, format, Clock::Frame);
         let depth = plan.add_resource(depth);
-        let triangle = Contents::of(&[0_u32, 1, 2]);
+        let triangle = Contents::from_values(&[0_u32, 1, 2]);
         let triangle = Resource::own_upload("screen indices", Role::Index, triangle, Clock::Cut);
         Self {
             input,
@@ -164,7 +164,7 @@ fn cut_table(input: &Input<'_>) -> Contents {
         let surface = &model.prepared.surfaces[*number];
         *slot = pack::clip_surface(surface, *number, model.first_texel[*number], reach);
     }
-    Contents::of(&[table])
+    Contents::from_values(&[table])
 }
 
 fn ray_table(input: &Input<'_>) -> Contents {
@@ -172,7 +172,7 @@ fn ray_table(input: &Input<'_>) -> Contents {
     for (slot, number) in table.iter_mut().zip(&input.relevance.surfaces) {
         *slot = pack::ray_surface(&input.model.prepared.surfaces[*number], input.view);
     }
-    Contents::of(&table)
+    Contents::from_values(&table)
 }
 
 fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
@@ -191,7 +191,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
             }
         })
         .collect();
-    Contents::of(&or_one(rows))
+    Contents::from_values(&or_one(rows))
 }
 
 fn places_of_parts(input: &Input<'_>) -> Contents {
@@ -200,7 +200,7 @@ fn places_of_parts(input: &Input<'_>) -> Contents {
     for (place, rank) in input.relevance.order.iter().enumerate() {
         places[parts[*rank].part] = place as u32;
     }
-    Contents::of(&or_one(places))
+    Contents::from_values(&or_one(places))
 }
 
 /// WebGPU has no empty bindings: a table with no rows gets one of zeros.

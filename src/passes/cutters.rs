@@ -149,7 +149,7 @@ impl Order {
         }
         Self {
             corners,
-            indices: Piece::of(0, indices.as_flattened()).bytes,
+            indices: Piece::from_values(0, indices.as_flattened()).bytes,
         }
     }
 
@@ -165,7 +165,7 @@ impl Order {
                 normal: begins.map_or(0, |triangle| pack_normal(normal(triangle))),
             })
             .collect();
-        Piece::of(0, &vertices).bytes
+        Piece::from_values(0, &vertices).bytes
     }
 }
 

@@ -190,7 +190,7 @@ impl FragmentLists {
 }
 
 fn pool(plan: &mut Plan, name: &str, layout: FragmentPool) -> Binding {
-    let contents = Contents::of(&[layout]);
+    let contents = Contents::from_values(&[layout]);
     let pool = Resource::upload(name, Role::Uniform, contents, Clock::Frame);
     Binding::read("pool", plan.add_resource(pool))
 }

@@ -78,7 +78,7 @@ impl Heights {
 /// The texels of maps. Bindings cannot be empty, so there is one where there is no map, which no plane reads.
 fn contents(maps: &[PackedMap], starts: &[u32], changes: bool) -> Contents {
     let Some((last, start)) = maps.last().zip(starts.last()) else {
-        return Contents::of(&[0.0_f32]);
+        return Contents::from_values(&[0.0_f32]);
     };
     let end = u64::from(*start) * TEXEL_BYTES + last.bytes.len() as u64;
     let pieces = maps.iter().zip(starts).map(|(map, start)| Piece {

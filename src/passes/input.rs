@@ -34,7 +34,7 @@ impl<'a> Input<'a> {
         Ok(Self {
             model,
             view,
-            relevance: Relevance::of(&model.prepared, view)?,
+            relevance: Relevance::new(&model.prepared, view)?,
             capacities,
             rasteriser: Rasteriser::Hardware,
             wide_atomics: false,

@@ -1,6 +1,6 @@
 //! A scene packed for upload: vertices, indices and heights do not change with the view or the strategy.
 //!
-//! A scene that moves is packed once by [`Model::of`] and then, frame by frame, by [`Model::updated`], which looks only at what
+//! A scene that moves is packed once by [`Model::new`] and then, frame by frame, by [`Model::updated`], which looks only at what
 //! is not the very same object as before: its cost does not depend on the triangles of parts that keep their mesh.
 
 use std::borrow::Cow;
@@ -73,7 +73,7 @@ pub struct Model {
 
 impl Model {
     /// Packs a scene.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         Self::after(scene, None)
     }
 
@@ -86,7 +86,7 @@ impl Model {
 
     fn after(scene: &Scene, before: Option<&Self>) -> Self {
         let world = scene.bounds();
-        let space = SceneSpace::of(&world);
+        let space = SceneSpace::new(&world);
         let old = before.map_or(&[] as &[Packed], |b| &b.packed);
         let packed: Vec<Packed> = (scene.parts.par_iter().enumerate())
             .map(|(index, part)| Packed::of(index, part, &space, old.get(index)))
@@ -169,7 +169,7 @@ impl Model {
         if self.prepared.is_whole() {
             Cow::Borrowed(&self.prepared)
         } else {
-            Cow::Owned(Prepared::of(scene))
+            Cow::Owned(Prepared::new(scene))
         }
     }
 

@@ -81,7 +81,7 @@ impl Packed {
             })
             .collect();
         Self {
-            vertices: Some(Piece::of(0, &vertices).bytes),
+            vertices: Some(Piece::from_values(0, &vertices).bytes),
             vertex_count: vertices.len() as u32,
             indices: packed_triangles(shading.triangles.iter().copied(), |v| {
                 placed.positions[shading.positions_of_vertex[v as usize] as usize]
@@ -107,8 +107,13 @@ impl Packed {
             let in_world = part.world_from_part.transform_point3(c);
             space.point(in_world)
         });
-        let outline =
-            PreparedPart::outline(index, part, Bounds::of(corners), rest.volume, Vec::new());
+        let outline = PreparedPart::outline(
+            index,
+            part,
+            Bounds::from_points(corners),
+            rest.volume,
+            Vec::new(),
+        );
         let placed = PreparedPart {
             triangles: rest.triangles.clone(),
             ..outline
@@ -174,7 +179,7 @@ pub(super) fn packed_triangles(
         corners
     };
     let corners: Vec<[u32; 3]> = triangles.map(from_first).collect();
-    Piece::of(0, corners.as_flattened()).bytes
+    Piece::from_values(0, corners.as_flattened()).bytes
 }
 
 /// The places of a part in the shared buffers.

@@ -74,7 +74,7 @@ pub(crate) fn shading_of(model: &Model, view: &View, layers: &[u32]) -> Result<P
     let input = Input::new(model, view, &capacities)?;
     let mut plan = Plan::default();
     let scene = SceneBuffers::unposed(&mut plan, &input, Lanes::none());
-    let layers = Contents::of(layers);
+    let layers = Contents::from_values(layers);
     let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
     let layers = plan.add_resource(layers);
     let Picture { picture, .. } = shade(&mut plan, &scene, layers);
@@ -92,7 +92,7 @@ pub(super) fn overlap(
     let Some(color) = color.filter(|_| input.shows_overlaps()) else {
         return "lib/overlap/plain.wgsl";
     };
-    let color = Contents::of(&[linear_from_srgb(color)]);
+    let color = Contents::from_values(&[linear_from_srgb(color)]);
     let color = Resource::upload("interference", Role::Uniform, color, Clock::Cut);
     bindings.push(Binding::read("interference", plan.add_resource(color)));
     "lib/overlap/hatched.wgsl"

@@ -70,7 +70,7 @@ impl PackedPose {
             let all = [from_joints * part_from_rest, origin]
                 .into_iter()
                 .chain(posed);
-            Contents::of(&all.flat_map(rows).collect::<Vec<_>>())
+            Contents::from_values(&all.flat_map(rows).collect::<Vec<_>>())
         });
         let placement = if is_skinned || deforms {
             last
@@ -103,14 +103,14 @@ impl PackedPose {
             padding: 0,
         };
         Self {
-            pose: Contents::of(&[packed_pose]),
+            pose: Contents::from_values(&[packed_pose]),
             inflates: rest.outward.is_some() && table.iter().any(|d| d.kind == pack::INFLATE),
-            weights: (!weights.is_empty()).then(|| Contents::of(&weights)),
+            weights: (!weights.is_empty()).then(|| Contents::from_values(&weights)),
             joints,
             deformers: deforms.then(|| {
                 let mut table = table;
                 table.resize(MOST_DEFORMERS, bytemuck::Zeroable::zeroed());
-                Contents::of(&table)
+                Contents::from_values(&table)
             }),
             refusal,
         }

@@ -111,7 +111,7 @@ pub(crate) fn pyramids(plan: &mut Plan, scene: &SceneBuffers<'_>) -> [Binding; 2
     let (rows, nodes) = scene.input.pyramid_rows();
     let mut all = rows.clone();
     all.resize(MAX_SURFACES, bytemuck::Zeroable::zeroed());
-    let table = Contents::of(&all);
+    let table = Contents::from_values(&all);
     let table = Resource::upload("pyramid_table", Role::Uniform, table, Clock::Cut);
     let table = Binding::read("pyramid_table", plan.add_resource(table));
     let built = build(plan, &scene.heights, &table, &rows, nodes);

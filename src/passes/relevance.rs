@@ -63,7 +63,7 @@ enum Side {
 
 impl Relevance {
     /// What matters in a scene seen in a view; the reason where the scene has more than a frame can tell apart.
-    pub fn of(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
+    pub fn new(prepared: &Prepared, view: &View) -> Result<Self, Refusal> {
         if prepared.parts.len() > MOST_PARTS {
             return Err(Refusal::amount(format!(
                 "{} parts are more than the {MOST_PARTS} that layers can name",
@@ -156,17 +156,14 @@ impl Relevance {
         }
     }
 
-    /// The same by index of the part in the scene, for who asks about parts that are not drawn too: all bits where a part is removed
-    /// altogether.
-    pub(crate) fn cuts_by_part(&self, prepared: &Prepared) -> Vec<u32> {
-        let mut cuts = vec![0; prepared.parts.len()];
+    /// Of each part, by its index in the scene, the bits of the cuts that reach it, and whether a cut removes all of it.
+    pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
+        let mut clips = vec![(0, false); prepared.parts.len()];
         for (rank, part) in prepared.parts.iter().enumerate() {
-            cuts[part.part] = match self.parts[rank] {
-                Treatment::Removed => u32::MAX,
-                _ => self.cuts_of(rank),
-            };
+            let is_removed = self.parts[rank] == Treatment::Removed;
+            clips[part.part] = (self.cuts_of(rank), is_removed);
         }
-        cuts
+        clips
     }
 
     /// Ranks of the parts that need an inside test, in table order.

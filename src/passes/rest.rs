@@ -53,7 +53,7 @@ pub(super) struct Rest {
 impl Rest {
     /// Packs a part, whatever its pose.
     pub(super) fn of(part: &Part, mirrored: bool) -> Self {
-        let space = SceneSpace::of(&part.mesh.bounds());
+        let space = SceneSpace::new(&part.mesh.bounds());
         let mut still = Part::new(part.name.clone(), part.mesh.clone());
         still.world_from_part = DAffine3::IDENTITY;
         // The same steps as for a part that does not move, in a scene of its own.
@@ -62,7 +62,7 @@ impl Rest {
             stage: Some(part.mesh.bounds()),
             ..Scene::default()
         };
-        let placed = Prepared::of(&alone).parts.remove(0);
+        let placed = Prepared::new(&alone).parts.remove(0);
         let shading = &placed.shading;
         let at = shading.positions_of_vertex.iter();
         let vertices: Vec<Vertex> = (at.zip(&shading.normals))
@@ -74,10 +74,10 @@ impl Rest {
         let positions = part.mesh.positions.len();
         let motion = part.motion.as_deref();
         Self {
-            vertices: Contents::of(&vertices),
+            vertices: Contents::from_values(&vertices),
             vertex_count: vertices.len() as u32,
             position_count: positions as u32,
-            position_of_vertex: Contents::of(&shading.positions_of_vertex),
+            position_of_vertex: Contents::from_values(&shading.positions_of_vertex),
             indices: packed_triangles(
                 shading.triangles.iter().map(|t| facing_out(*t, mirrored)),
                 |v| placed.positions[shading.positions_of_vertex[v as usize] as usize],
@@ -120,7 +120,7 @@ fn displacements(motion: &Motion, positions: usize, scale: f64) -> Option<Conten
         let of = |i| target.get(i).copied().unwrap_or_default() * scale;
         numbers.extend((0..positions).flat_map(|i| of(i).as_vec3().to_array()));
     }
-    (!numbers.is_empty()).then(|| Contents::of(&numbers))
+    (!numbers.is_empty()).then(|| Contents::from_values(&numbers))
 }
 
 /// Where the pulls of each position begin, then the pulls. What is missing to a whole goes to the origin of part space, which is
@@ -147,7 +147,7 @@ fn pulls(motion: &Motion, positions: usize) -> Option<Contents> {
         }
     }
     words[positions] = words.len() as u32;
-    Some(Contents::of(&words))
+    Some(Contents::from_values(&words))
 }
 
 fn outward(motion: &Motion, positions: usize) -> Option<Contents> {
@@ -158,5 +158,5 @@ fn outward(motion: &Motion, positions: usize) -> Option<Contents> {
     let numbers: Vec<f32> = (0..positions)
         .flat_map(|i| of(i).as_vec3().to_array())
         .collect();
-    Some(Contents::of(&numbers))
+    Some(Contents::from_values(&numbers))
 }

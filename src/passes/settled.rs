@@ -137,7 +137,7 @@ impl Sorted {
         }
         Some(Self {
             groups,
-            indices: Piece::of(0, sorted.as_flattened()).bytes,
+            indices: Piece::from_values(0, sorted.as_flattened()).bytes,
         })
     }
 }
@@ -298,7 +298,7 @@ impl Input<'_> {
                 normal: [x, y, z, 0.0],
             };
         }
-        Contents::of(&table)
+        Contents::from_values(&table)
     }
 
     /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.

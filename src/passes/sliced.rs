@@ -169,7 +169,7 @@ impl Sliced {
             Some((part, space)) => positions_of(part, space),
             None => part.positions.par_iter().map(|p| p.as_dvec3()).collect(),
         };
-        Slicer::of(positions, &part.triangles)
+        Slicer::new(positions, &part.triangles)
     }
 
     /// Slices the part, and fills the section by its rule.
@@ -216,8 +216,8 @@ impl PackedSection {
             vertex_count: vertices.len() as u32,
             index_count,
             doubt_count: indices.len() as u32 - index_count,
-            vertices: Piece::of(0, &vertices).bytes,
-            indices: Piece::of(0, indices).bytes,
+            vertices: Piece::from_values(0, &vertices).bytes,
+            indices: Piece::from_values(0, indices).bytes,
         }
     }
 }

@@ -206,22 +206,28 @@ impl Plan {
             .map(ResourceId)
     }
 
-    /// The plan less the resources that no pass mentions: what is uploaded for any pass that may want it is not there where none does.
+    /// The plan less the resources that nothing of it mentions, be it a pass, a step of the CPU or what the frame ends with: what is
+    /// uploaded for any pass that may want it is not there where none does.
     #[must_use]
     pub fn without_unused(mut self) -> Self {
         let mut is_used = vec![false; self.resources.len()];
         for id in self.mentions_mut() {
             is_used[id.0] = true;
         }
-        let mut next = 0..;
-        let numbers: Vec<usize> = (is_used.iter())
-            .map(|used| if *used { next.next().unwrap_or(0) } else { 0 })
-            .collect();
+        let mut next = 0;
+        let mut numbers = Vec::with_capacity(is_used.len());
+        for used in &is_used {
+            numbers.push(next);
+            next += usize::from(*used);
+        }
         for id in self.mentions_mut() {
             id.0 = numbers[id.0];
         }
-        let mut used = is_used.into_iter();
-        self.resources.retain(|_| used.next().unwrap_or(true));
+        let mut id = 0;
+        self.resources.retain(|_| {
+            id += 1;
+            is_used[id - 1]
+        });
         self
     }
 

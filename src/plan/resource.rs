@@ -101,7 +101,7 @@ pub struct Piece {
 
 impl Piece {
     /// The bytes of plain values.
-    pub fn of<T: bytemuck::NoUninit>(offset: u64, values: &[T]) -> Self {
+    pub fn from_values<T: bytemuck::NoUninit>(offset: u64, values: &[T]) -> Self {
         Self {
             offset,
             bytes: bytemuck::cast_slice(values).into(),
@@ -131,8 +131,8 @@ pub struct Contents {
 
 impl Contents {
     /// The bytes of plain values.
-    pub fn of<T: bytemuck::NoUninit>(values: &[T]) -> Self {
-        let piece = Piece::of(0, values);
+    pub fn from_values<T: bytemuck::NoUninit>(values: &[T]) -> Self {
+        let piece = Piece::from_values(0, values);
         Self::in_pieces(piece.range().end, vec![piece], false)
     }
 

@@ -141,7 +141,7 @@ impl Drawn {
 
 impl PlaneReport {
     /// The sections of parts by a plane, in the order that they are drawn in.
-    pub fn of(
+    pub fn new(
         cut: &str,
         face: Face,
         clip_surface: usize,
@@ -174,7 +174,7 @@ impl PlaneReport {
 
 impl PartReport {
     /// What there is to say of the section of a part.
-    pub fn of(part: &Part, section: &Section, plane: &SlicePlane, drawn: &Drawn) -> Self {
+    pub fn new(part: &Part, section: &Section, plane: &SlicePlane, drawn: &Drawn) -> Self {
         let curve = |points: &[u32], closed| {
             // Seen from the other side loops run the other way round.
             let seen = points.iter().rev();

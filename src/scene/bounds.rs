@@ -19,7 +19,7 @@ impl Bounds {
     };
 
     /// The least box around points.
-    pub fn of(points: impl IntoIterator<Item = DVec3>) -> Self {
+    pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self {
             min: b.min.min(p),
             max: b.max.max(p),

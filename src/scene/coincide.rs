@@ -42,7 +42,7 @@ impl PreparedVolume {
         faces.sort_by(|a, b| a.0.total_cmp(&b.0));
         let is_shared = |t: &[u32; 3]| {
             let points = corners(positions, t);
-            if !meet(&Bounds::of(points), &self.bounds) {
+            if !meet(&Bounds::from_points(points), &self.bounds) {
                 return false;
             }
             let distance = distance_of(points);

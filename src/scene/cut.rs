@@ -35,7 +35,7 @@ pub struct Offset {
 
 impl Cut {
     /// A cut of all parts by some clip-surfaces.
-    pub fn of(name: impl Into<String>, surfaces: Vec<ClipSurface>) -> Self {
+    pub fn new(name: impl Into<String>, surfaces: Vec<ClipSurface>) -> Self {
         Self {
             name: name.into(),
             surfaces,
@@ -51,7 +51,7 @@ impl Cut {
     pub fn by(cutter: Cutter) -> Self {
         Self {
             volume: Some(cutter.clone()),
-            ..Self::of(cutter.name(), Vec::new())
+            ..Self::new(cutter.name(), Vec::new())
         }
     }
 

@@ -38,7 +38,7 @@ pub struct Cutter {
 
 impl Cutter {
     /// A cutter where its mesh is; the reason where the mesh cannot be one.
-    pub fn of(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Result<Self> {
+    pub fn new(name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Result<Self> {
         let (name, mesh) = (name.into(), mesh.into());
         if let Some(defect) = mesh.defect() {
             let help = "use a mesh of finite vertices with triangles between them";
@@ -63,7 +63,7 @@ impl Cutter {
     }
 
     /// A cutter of solids as they stand in the world.
-    pub fn of_parts(name: impl Into<String>, parts: &[Part]) -> Result<Self> {
+    pub fn from_parts(name: impl Into<String>, parts: &[Part]) -> Result<Self> {
         let mut all = Mesh::default();
         for part in parts {
             let (mesh, place) = (part.posed_mesh(), part.world_from_part);
@@ -73,7 +73,7 @@ impl Cutter {
             let triangles = mesh.triangles.iter().map(|t| t.map(|i| i + first));
             all.triangles.extend(triangles);
         }
-        Self::of(name, all)
+        Self::new(name, all)
     }
 
     /// The same cutter with a further placement in the world.
@@ -114,6 +114,6 @@ impl Cutter {
     /// Bounds of the placed mesh.
     pub fn bounds_in_world(&self) -> Bounds {
         let positions = self.mesh.positions.iter();
-        Bounds::of(positions.map(|p| self.world_from_cutter.transform_point3(*p)))
+        Bounds::from_points(positions.map(|p| self.world_from_cutter.transform_point3(*p)))
     }
 }

@@ -79,7 +79,7 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
 /// Under the nonzero rule, faces that do not agree which side is out are as bad as holes. All such parts are one note.
 fn nonzero_hears(parts: &[Part]) -> Option<Remark> {
     let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
-    let edges = filled.map(|p| (p, Topology::of(&p.mesh).inconsistent_edges));
+    let edges = filled.map(|p| (p, Topology::new(&p.mesh).inconsistent_edges));
     let doubtful: Vec<(&Part, usize)> = edges.filter(|(_, edges)| *edges > 0).collect();
     let (part, edges) = doubtful.iter().max_by_key(|(_, edges)| *edges)?;
     let place = match doubtful.len() {

@@ -51,7 +51,7 @@ impl Camera {
                 };
                 let camera = Self { viewpoint, ..*self };
                 // Where an orbit looks does not depend on what it looks at.
-                let anything = Bounds::of([DVec3::ZERO, DVec3::ONE]);
+                let anything = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
                 let forward = camera.view(|p| p, 1.0, anything, [1, 1]).forward;
                 let enabled = cuts.clone().filter(|c| c.enabled);
                 let seen = enabled
@@ -75,9 +75,9 @@ mod tests {
     #[test]
     fn a_camera_turns_to_whichever_side_is_cut_away() {
         for normal in [DVec3::Z, DVec3::NEG_Z, DVec3::X, DVec3::NEG_X, DVec3::NEG_Y] {
-            let cut = Cut::of("cut", vec![ClipSurface::plane(DVec3::ZERO, normal)]);
+            let cut = Cut::new("cut", vec![ClipSurface::plane(DVec3::ZERO, normal)]);
             let camera = Camera::default().facing([&cut]);
-            let anything = Bounds::of([DVec3::ZERO, DVec3::ONE]);
+            let anything = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
             let forward = camera.view(|p| p, 1.0, anything, [1, 1]).forward;
             assert!(forward.dot(normal) > LEAST_COSINE, "{normal}: {forward}");
         }

@@ -22,7 +22,7 @@ pub struct HostDepth {
 
 impl HostDepth {
     /// That of a projection matrix.
-    pub fn of(clip_from_view: &DMat4) -> Self {
+    pub fn from_projection(clip_from_view: &DMat4) -> Self {
         let sign = forward_sign(clip_from_view);
         let [z, t] = [clip_from_view.z_axis, clip_from_view.w_axis];
         Self {
@@ -108,7 +108,7 @@ impl Prepared {
             true => p.w_axis.truncate().truncate() / p.w_axis.w,
             false => p.z_axis.truncate().truncate() / p.z_axis.w,
         };
-        let depth = HostDepth::of(p);
+        let depth = HostDepth::from_projection(p);
         let near = [0.0, 1.0].map(|z| depth.distance(z));
         let near = near.into_iter().filter(|d| d.is_finite());
         let near = near.fold(f64::INFINITY, f64::min);
@@ -165,7 +165,7 @@ mod tests {
     use crate::scene::{Camera, Projection, Scene, Viewpoint};
 
     fn prepared() -> Prepared {
-        Prepared::of(&Scene {
+        Prepared::new(&Scene {
             parts: shape("crank").unwrap(),
             ..Scene::default()
         })
@@ -231,18 +231,18 @@ mod tests {
             let (at, depth) = view.project(in_scene);
             let expected = DVec2::new((ndc.x + 1.0) * 160.0, (1.0 - ndc.y) * 100.0);
             assert!((at - expected).length() < 1e-6, "{at} is not {expected}");
-            let host = HostDepth::of(&clip_from_view).at(depth / prepared.scale);
+            let host = HostDepth::from_projection(&clip_from_view).at(depth / prepared.scale);
             assert!((host - ndc.z).abs() < 1e-9, "{host} is not {}", ndc.z);
         }
     }
 
     #[test]
     fn depth_knows_which_end_is_far() {
-        let reversed = HostDepth::of(&perspective_infinite_reverse(1.0, 1.0, 0.1));
+        let reversed = HostDepth::from_projection(&perspective_infinite_reverse(1.0, 1.0, 0.1));
         assert!(reversed.is_reversed() && reversed.far() == 0.0);
-        let usual = HostDepth::of(&perspective(1.0, 1.0, 0.1, 10.0));
+        let usual = HostDepth::from_projection(&perspective(1.0, 1.0, 0.1, 10.0));
         assert!(!usual.is_reversed() && usual.far() == 1.0);
-        let parallel = HostDepth::of(&orthographic(-1.0, 1.0, -1.0, 1.0, 0.1, 10.0));
+        let parallel = HostDepth::from_projection(&orthographic(-1.0, 1.0, -1.0, 1.0, 0.1, 10.0));
         assert!(!parallel.is_reversed() && parallel.far() == 1.0);
     }
 

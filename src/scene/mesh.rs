@@ -74,7 +74,7 @@ impl Mesh {
 
     /// The least box around the positions.
     pub fn bounds(&self) -> Bounds {
-        Bounds::of(self.positions.iter().copied())
+        Bounds::from_points(self.positions.iter().copied())
     }
 
     /// The corners of a triangle.

@@ -95,7 +95,7 @@ impl Scene {
     }
 
     /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ, for the volumes of
-    /// meshes do: [`Prepared::of`] poses by itself and keeps them.
+    /// meshes do: [`Prepared::new`] poses by itself and keeps them.
     #[must_use]
     pub fn posed(&self) -> Self {
         let mut posed = self.clone();

@@ -74,7 +74,7 @@ impl Part {
 
     /// Bounds of the posed and placed mesh.
     pub fn bounds_in_world(&self) -> Bounds {
-        Bounds::of(
+        Bounds::from_points(
             self.posed_mesh()
                 .positions
                 .iter()

@@ -10,7 +10,7 @@
 //! so that no pose changes who wins. `parts[0]` wins over all; layers name parts by their index in [`Scene::parts`], kept in
 //! [`PreparedPart::part`].
 //!
-//! Poses are applied here, in f64, before anything is rounded: [`Prepared::of`] is the truth about a scene, and what the exact
+//! Poses are applied here, in f64, before anything is rounded: [`Prepared::new`] is the truth about a scene, and what the exact
 //! reference is asked about. A [`Model`](crate::Model) prepares for itself, and leaves the vertices of parts that move to the
 //! device.
 
@@ -43,7 +43,7 @@ pub struct SceneSpace {
 
 impl SceneSpace {
     /// The space in which a box has a radius between 1/2 and 1.
-    pub fn of(world: &Bounds) -> Self {
+    pub fn new(world: &Bounds) -> Self {
         let radius = world.radius();
         let scale = if radius > 0.0 && radius.is_finite() {
             (-radius.log2().ceil()).exp2()
@@ -131,14 +131,14 @@ pub struct Prepared {
 
 impl Prepared {
     /// Poses, flattens, recentres and ranks a scene.
-    pub fn of(scene: &Scene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         let place = |cutter: &Cutter, space: &SceneSpace, _: usize| {
             Arc::new(PreparedVolume::place(cutter, space, None))
         };
         Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place)
     }
 
-    /// As [`Prepared::of`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
+    /// As [`Prepared::new`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
     /// cuts that apply; and cutters likewise, from the cutter, scene space and the number of the clip-surface. `world` is what
     /// [`Scene::bounds`] says, which may have to look at every vertex.
     pub(crate) fn with_parts(
@@ -147,7 +147,7 @@ impl Prepared {
         place: impl Fn(usize, &Part, &SceneSpace, Vec<usize>) -> PreparedPart + Sync,
         place_volume: impl Fn(&Cutter, &SceneSpace, usize) -> Arc<PreparedVolume>,
     ) -> Self {
-        let space = SceneSpace::of(world);
+        let space = SceneSpace::new(world);
         let to_scene = |p: DVec3| space.point(p);
         let table = CutTable::of(scene);
         let mut parts: Vec<PreparedPart> = scene
@@ -162,7 +162,7 @@ impl Prepared {
         Self {
             name: scene.name.clone(),
             bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {
-                Bounds::of([world.min, world.max].map(to_scene))
+                Bounds::from_points([world.min, world.max].map(to_scene))
             } else {
                 (parts.iter().map(|p| p.bounds)).fold(Bounds::EMPTY, Bounds::union)
             },
@@ -217,7 +217,7 @@ impl Prepared {
     /// # Panics
     ///
     /// If a device is to place some of the parts: a reference that was asked about those would answer for another scene, so
-    /// this is a fault of who asks. [`Prepared::of`] and [`Model::truth`](crate::Model::truth) are whole.
+    /// this is a fault of who asks. [`Prepared::new`] and [`Model::truth`](crate::Model::truth) are whole.
     pub fn must_be_whole(&self) {
         assert!(
             self.is_whole(),
@@ -324,7 +324,7 @@ mod tests {
     #[test]
     fn far_tiny_and_huge_scenes_become_alike() {
         for (offset, size) in [(0.0, 1.0), (1e6, 1.0), (0.0, 1e6), (0.0, 1e-6), (1e3, 1e-6)] {
-            let prepared = Prepared::of(&triangle_at(DVec3::splat(offset), size));
+            let prepared = Prepared::new(&triangle_at(DVec3::splat(offset), size));
             let radius = prepared.bounds.radius();
             assert!(
                 (0.4..=1.001).contains(&radius),
@@ -340,7 +340,7 @@ mod tests {
 
     #[test]
     fn simple_coordinates_stay_exact() {
-        let prepared = Prepared::of(&triangle_at(DVec3::splat(0.25), 0.5));
+        let prepared = Prepared::new(&triangle_at(DVec3::splat(0.25), 0.5));
         let back =
             prepared.parts[0].positions[1].as_dvec3() / prepared.scale + prepared.centre_in_world;
         assert_eq!(
@@ -364,8 +364,8 @@ mod tests {
                     let map = OffsetMap::new([3, 2], vec![0.0, 0.7, 0.2, 0.9, 0.1, 0.4]);
                     surface.relief = Some(Arc::new(map.expect("finite heights")));
                 }
-                scene.cuts = vec![Cut::of("far", vec![surface.clone()])];
-                let prepared = Prepared::of(&scene);
+                scene.cuts = vec![Cut::new("far", vec![surface.clone()])];
+                let prepared = Prepared::new(&scene);
                 let placed = &prepared.surfaces[0];
                 for point in [DVec3::ZERO, DVec3::new(0.3, 0.6, 0.1), DVec3::NEG_ONE] {
                     let d = (point - prepared.centre_in_world) * prepared.scale - placed.origin;

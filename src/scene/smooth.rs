@@ -55,7 +55,7 @@ struct Corner {
 impl ShadingMesh {
     /// Splits the vertices of a part. `crease_deg` is the turn from which an edge is sharp; it is not asked where the part
     /// has normals of its own.
-    pub fn of(part: &PreparedPart, crease_deg: f32) -> Self {
+    pub fn new(part: &PreparedPart, crease_deg: f32) -> Self {
         let buckets = Buckets::of(part);
         let faces: Vec<DVec3> = part
             .triangles
@@ -250,7 +250,7 @@ mod tests {
             parts: vec![Part::new("p", mesh)],
             ..Scene::default()
         };
-        Prepared::of(&scene).parts.remove(0)
+        Prepared::new(&scene).parts.remove(0)
     }
 
     /// A closed ring of `n` quads around the z axis with two caps.
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn a_cylinder_is_smooth_around_and_sharp_at_its_rims() {
         let part = cylinder(24);
-        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
         assert_eq!(
             mesh.normals.len(),
             2 + 24 * 2 * 2,
@@ -282,18 +282,18 @@ mod tests {
             let nearest = n.dot(radial).max(n.z.abs());
             assert!(nearest > 0.999_9, "normal {n} at {p}");
         }
-        let flat = ShadingMesh::of(&part, 1.0);
+        let flat = ShadingMesh::new(&part, 1.0);
         assert_eq!(flat.normals.len(), 2 + 24 * 2 * 3, "every face on its own");
     }
 
     #[test]
     fn order_and_positions_are_kept() {
         let part = cylinder(7);
-        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
         for (t, of) in mesh.triangles.iter().zip(part.triangles.iter()) {
             assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
         }
-        assert_eq!(mesh, ShadingMesh::of(&part, DEFAULT_CREASE_DEG));
+        assert_eq!(mesh, ShadingMesh::new(&part, DEFAULT_CREASE_DEG));
     }
 
     #[test]
@@ -307,7 +307,7 @@ mod tests {
             [1.0, 1.0, 0.0],
         ];
         let part = prepared(&positions, &[[0, 1, 4], [0, 4, 2], [0, 2, 3], [0, 3, 1]]);
-        let mesh = ShadingMesh::of(&part, 179.0);
+        let mesh = ShadingMesh::new(&part, 179.0);
         let at = mesh.triangles[0][0] as usize;
         let diagonal = Vec3::splat(1.0 / 3.0_f32.sqrt());
         assert!(
@@ -327,7 +327,7 @@ mod tests {
             [5.0; 3],
         ];
         let part = prepared(&positions, &[[0, 1, 2], [0, 2, 3], [4, 4, 4]]);
-        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
         for n in &mesh.normals {
             assert!((n.length() - 1.0).abs() < 1e-6, "{n}");
         }
@@ -338,7 +338,7 @@ mod tests {
         let mut part = cylinder(5);
         let given = vec![[Vec3::X, Vec3::X, Vec3::Y]; part.triangles.len()];
         part.corner_normals = Some(std::sync::Arc::new(given));
-        let mesh = ShadingMesh::of(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
         assert!(mesh.normals.iter().all(|n| *n == Vec3::X || *n == Vec3::Y));
         assert_eq!(mesh.normals[mesh.triangles[3][2] as usize], Vec3::Y);
     }

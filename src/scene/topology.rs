@@ -81,7 +81,7 @@ pub struct DepthComplexity {
 
 impl Topology {
     /// The facts of a mesh. Indices must be in range ([`Mesh::defect`]).
-    pub fn of(mesh: &Mesh) -> Self {
+    pub fn new(mesh: &Mesh) -> Self {
         let edges = Edges::of(&mesh.triangles);
         let count = edges.count();
         let (vertices, components) = pieces(mesh.positions.len(), &mesh.triangles);
@@ -114,7 +114,7 @@ impl Topology {
 
     /// The facts of parts as they stand in the world, taken together: vertices are not shared between parts, rays cross
     /// all of them.
-    pub fn of_parts(parts: &[Part]) -> Self {
+    pub fn from_parts(parts: &[Part]) -> Self {
         let mut all = Mesh::default();
         for part in parts {
             let first = all.positions.len() as u32;
@@ -131,11 +131,11 @@ impl Topology {
                 if mirrored { [a, c, b] } else { [a, b, c] }
             }));
         }
-        Self::of(&all)
+        Self::new(&all)
     }
 
     /// Several meshes summed up, as if their rays never met: `largest` is that of the deepest one. For parts that overlap
-    /// along rays, ask [`Topology::of_parts`].
+    /// along rays, ask [`Topology::from_parts`].
     pub fn total(of: &[Self]) -> Self {
         let mut sum = Self {
             closed: of.iter().all(|t| t.closed),
@@ -217,7 +217,7 @@ fn pieces(vertices: usize, triangles: &[[u32; 3]]) -> (usize, usize) {
 fn bounds_in_use(mesh: &Mesh) -> Bounds {
     mesh.triangles
         .par_chunks(1 << 14)
-        .map(|some| Bounds::of(some.iter().flatten().map(|i| mesh.positions[*i as usize])))
+        .map(|some| Bounds::from_points(some.iter().flatten().map(|i| mesh.positions[*i as usize])))
         .reduce(|| Bounds::EMPTY, Bounds::union)
 }
 
@@ -288,7 +288,7 @@ mod tests {
 
     #[test]
     fn a_cube_is_closed() {
-        let t = Topology::of(&cuboid(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)));
+        let t = Topology::new(&cuboid(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)));
         assert!(t.closed && t.inconsistent_edges == 0);
         assert_eq!((t.vertices, t.faces, t.components, t.euler), (8, 12, 1, 2));
         assert!((t.volume - 6.0).abs() < 1e-12 && (t.area - 22.0).abs() < 1e-12);
@@ -304,7 +304,7 @@ mod tests {
     fn a_torus_has_euler_zero_and_even_rays() {
         // 64 and 256 put vertices and edges exactly on rays, 37 does not.
         for (n, m) in [(64, 32), (256, 256), (37, 19)] {
-            let t = Topology::of(&torus(n, m));
+            let t = Topology::new(&torus(n, m));
             assert!(t.closed, "{n} x {m} torus is open");
             assert_eq!((t.euler, t.components), (0, 1));
             assert_eq!(t.odd_ray_share, 0.0, "odd rays through the {n} x {m} torus");
@@ -317,7 +317,7 @@ mod tests {
     fn a_missing_triangle_is_counted_and_found() {
         let mut mesh = cuboid(DVec3::ZERO, DVec3::ONE);
         mesh.triangles.pop();
-        let t = Topology::of(&mesh);
+        let t = Topology::new(&mesh);
         assert!(!t.closed);
         assert_eq!((t.boundary_edges, t.non_manifold_edges), (3, 0));
         assert_eq!(t.where_open().len(), 3);
@@ -331,23 +331,27 @@ mod tests {
     #[test]
     fn faces_on_each_other_are_counted_by_position_whichever_way_they_face() {
         let cube = cuboid(DVec3::ZERO, DVec3::ONE);
-        assert_eq!(Topology::of(&cube).coincident_faces, 0);
+        assert_eq!(Topology::new(&cube).coincident_faces, 0);
         // An own copy of all vertices, two of its triangles in another order, one of them turned.
         let mut doubled = joined(&cube, &cube);
         doubled.positions[8].x = -0.0;
         doubled.triangles[12].rotate_left(1);
         doubled.triangles[13].swap(0, 1);
-        let t = Topology::of(&doubled);
+        let t = Topology::new(&doubled);
         assert_eq!((t.coincident_faces, t.closed), (24, true));
         doubled.triangles.truncate(13);
-        assert_eq!(Topology::of(&doubled).coincident_faces, 2, "both of a pair");
+        assert_eq!(
+            Topology::new(&doubled).coincident_faces,
+            2,
+            "both of a pair"
+        );
     }
 
     #[test]
     fn a_turned_triangle_is_inconsistent_but_closed() {
         let mut mesh = cuboid(DVec3::ZERO, DVec3::ONE);
         mesh.triangles[0].swap(1, 2);
-        let t = Topology::of(&mesh);
+        let t = Topology::new(&mesh);
         assert!(t.closed);
         assert_eq!(t.inconsistent_edges, 3);
     }
@@ -358,9 +362,9 @@ mod tests {
             cuboid(DVec3::ZERO, DVec3::ONE),
             cuboid(DVec3::splat(2.0), DVec3::splat(3.0)),
         );
-        let both = Topology::of(&joined(&a, &b));
+        let both = Topology::new(&joined(&a, &b));
         assert_eq!((both.components, both.euler), (2, 4));
-        let sum = Topology::total(&[Topology::of(&a), Topology::of(&b)]);
+        let sum = Topology::total(&[Topology::new(&a), Topology::new(&b)]);
         assert_eq!((sum.components, sum.euler, sum.closed), (2, 4, true));
         assert_eq!(sum.bounds, both.bounds);
         assert!((sum.volume - both.volume).abs() < 1e-12);
@@ -380,7 +384,7 @@ mod tests {
                 other => other,
             });
         }
-        let t = Topology::of(&mesh);
+        let t = Topology::new(&mesh);
         assert!(t.closed, "four uses are even");
         assert_eq!((t.non_manifold_edges, t.boundary_edges), (1, 0));
         assert_eq!((t.vertices, t.odd_ray_share), (14, 0.0));
@@ -390,7 +394,7 @@ mod tests {
     fn unused_vertices_do_not_count() {
         let mut mesh = cuboid(DVec3::ZERO, DVec3::ONE);
         mesh.positions.push(DVec3::splat(1e9));
-        let t = Topology::of(&mesh);
+        let t = Topology::new(&mesh);
         assert_eq!((t.vertices, t.euler, t.bounds.max), (8, 2, [1.0; 3]));
     }
 
@@ -398,7 +402,7 @@ mod tests {
     fn placed_parts_are_measured_in_the_world() {
         let mut part = Part::new("a", cuboid(DVec3::ZERO, DVec3::ONE));
         part.world_from_part = glam::DAffine3::from_scale(DVec3::new(-2.0, 1.0, 1.0));
-        let t = Topology::of_parts(&[part.clone(), part]);
+        let t = Topology::from_parts(&[part.clone(), part]);
         assert!((t.volume - 4.0).abs() < 1e-12, "volume {}", t.volume);
         assert_eq!(t.depth_complexity.largest, 4, "rays cross both");
     }

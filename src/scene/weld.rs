@@ -149,7 +149,7 @@ struct Near {
 }
 
 fn join_near(at: &[DVec3], triangles: &[[u32; 3]], edges: &Edges, now: EdgeCount) -> Option<Near> {
-    let near = NEAR_SHARE * Bounds::of(at.iter().copied()).size().length();
+    let near = NEAR_SHARE * Bounds::from_points(at.iter().copied()).size().length();
     if near <= 0.0 {
         return None;
     }

@@ -7,7 +7,7 @@
 
 use super::encode::Last;
 use super::{Drawn, MOST_TRIES, Outcome};
-use crate::gpu::{BindGroup, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
+use crate::gpu::{Clip, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
 use crate::scene::View;
@@ -49,8 +49,11 @@ pub(super) struct Slot {
     pub(super) refused: Option<String>,
     /// What was last encoded for a host, where it still stands.
     pub(super) last: Option<Last>,
-    /// What the shaders of a host bind of that.
-    pub(super) clip: Option<BindGroup>,
+    /// A bounded buffer has grown since.
+    pub(super) must_redraw: bool,
+    /// What the shaders of a host bind of an encoded frame, and whether that is the last one.
+    pub(super) clip: Option<Clip>,
+    pub(super) is_clip_of_last: bool,
     pub(super) reports: Vec<Report>,
 }
 
@@ -73,7 +76,6 @@ impl Slot {
         record: impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Drawn> {
         self.begin(model, view);
-        self.last = None;
         let mut too_large = None;
         loop {
             let reason = match self.draw_bands(gpu, is_timed, view, &record)? {
@@ -103,6 +105,8 @@ impl Slot {
         }
         self.model = Some(model.clone());
         self.refused = Some("it has drawn no frame".to_owned());
+        self.last = None;
+        self.is_clip_of_last = false;
     }
 
     /// Cuts the picture into twice as many bands, if they may be smaller.

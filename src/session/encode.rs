@@ -4,7 +4,9 @@
 //! the passes and mapped when the host has submitted them; [`Slot::settle`] takes in what has come, and the next frame has the room.
 //! Uploads go by the queue, before whatever is submitted next.
 //!
-//! Cannot: encode two frames of one method into the same submission, for both would be drawn with the uploads of the second.
+//! Cannot: encode two frames of one method into the same submission, or compose one twice with other targets, for both would be drawn
+//! with the uploads of the second; know of an encoder that was never submitted, after which the host calls
+//! [`Session::forget`](super::Session::forget).
 
 use super::bands::{Band, Slot};
 use crate::gpu::{BindGroup, ClipTable, CommandEncoder, Compositor, Destination, Gpu};
@@ -56,11 +58,11 @@ impl Slot {
         target: Option<&Destination<'_>>,
         record: impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
     ) -> Result<Encoded> {
-        let is_still = (self.last.as_ref()).is_some_and(|l| l.model.is(model) && l.view == *view);
+        let is_last = |l: &Last| l.model.is(model) && l.view == *view;
+        let is_still = !self.must_redraw && self.last.as_ref().is_some_and(is_last);
         let mut passes = 0;
         if !is_still {
-            self.last = None;
-            self.clip = None;
+            self.must_redraw = false;
             self.begin(model, view);
             if let Err(refusal) = self.load_bands(gpu, view, &record)? {
                 self.refused = Some(refusal.reason.clone());
@@ -91,8 +93,8 @@ impl Slot {
 
     /// What the shaders of a host bind of the frame that was last encoded.
     pub(super) fn clip_group(&mut self, gpu: &Gpu) -> Result<BindGroup> {
-        if let Some(group) = &self.clip {
-            return Ok(group.clone());
+        if let Some(clip) = self.clip.as_ref().filter(|_| self.is_clip_of_last) {
+            return Ok(clip.group().clone());
         }
         let none = || Error::Plan("no frame was encoded to clip by".to_owned());
         let last = self.last.as_ref().ok_or_else(none)?;
@@ -104,7 +106,7 @@ impl Slot {
         };
         let prepared = &last.model.prepared;
         let relevance =
-            Relevance::of(prepared, &last.view).map_err(|refusal| Error::Plan(refusal.reason))?;
+            Relevance::new(prepared, &last.view).map_err(|refusal| Error::Plan(refusal.reason))?;
         let lists = band.program.plan().resource_named("crossing_heads");
         if lists.is_none() && relevance.lanes > 0 {
             return Err(Error::input(
@@ -115,10 +117,11 @@ impl Slot {
         }
         let table = ClipTable {
             scene_from_world: prepared.scale as f32,
-            cuts_of_part: relevance.cuts_by_part(prepared),
+            parts: relevance.clips_of_parts(prepared),
         };
-        let group = band.program.clip_group(gpu, &table)?;
-        self.clip = Some(group.clone());
+        let clip = band.program.clip(gpu, table, self.clip.take())?;
+        let group = clip.group().clone();
+        (self.clip, self.is_clip_of_last) = (Some(clip), true);
         Ok(group)
     }
 
@@ -172,9 +175,7 @@ impl Slot {
             }
             report.is_under_way()
         });
-        if has_grown {
-            self.last = None;
-        }
+        self.must_redraw |= has_grown;
         overflows
     }
 }

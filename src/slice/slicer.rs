@@ -25,7 +25,7 @@ pub struct Slicer {
 
 impl Slicer {
     /// Makes a mesh ready. Any triangles will do: what cannot be computed with is left out and reported by every section.
-    pub fn of(positions: impl Into<Arc<Vec<DVec3>>>, triangles: &[[u32; 3]]) -> Self {
+    pub fn new(positions: impl Into<Arc<Vec<DVec3>>>, triangles: &[[u32; 3]]) -> Self {
         let positions = positions.into();
         let is_usable = |t: &[u32; 3]| {
             t.iter()

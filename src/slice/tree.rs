@@ -24,7 +24,7 @@ impl Tree {
     pub(super) fn over(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let of_triangles = triangles.par_chunks(BRANCHES).map(|some| {
             let corners = some.iter().flatten().map(|i| positions[*i as usize]);
-            Bounds::of(corners)
+            Bounds::from_points(corners)
         });
         let mut levels: Vec<Vec<Bounds>> = vec![of_triangles.collect()];
         while let Some(below) = levels.last().filter(|l| l.len() > BRANCHES) {
@@ -62,7 +62,7 @@ pub(super) fn sort(positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
     };
     let bounds = triangles
         .par_chunks(1 << 14)
-        .map(|some| Bounds::of(some.iter().map(middle)))
+        .map(|some| Bounds::from_points(some.iter().map(middle)))
         .reduce(|| Bounds::EMPTY, Bounds::union);
     let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
     let mut order: Vec<(u64, u32)> = (triangles.par_iter().enumerate())

@@ -26,7 +26,7 @@ fn at(timeline: &Timeline, time_s: f64) -> Scene {
 
 /// What is to be seen of a scene through its own camera.
 fn seen(scene: &Scene, size_px: [u32; 2]) -> Exact {
-    let prepared = Prepared::of(scene);
+    let prepared = Prepared::new(scene);
     evaluate(&prepared, &prepared.view(size_px))
 }
 

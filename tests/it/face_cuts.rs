@@ -200,7 +200,7 @@ fn planes_just_beside_a_face() {
 
 /// Pixels of surface and cap of the truth, after every exact strategy that draws the scene has been found to agree.
 fn shown(scene: &Scene) -> [usize; 2] {
-    let question = Question::of(scene, [96, 96]);
+    let question = Question::new(scene, [96, 96]);
     let faults = faults(&question, &scene.name);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let layers = &question.exact.layers;
@@ -221,7 +221,7 @@ fn a_cut_leaves_nothing_without_thickness() {
         assert_eq!((surface > 0, cap), (is_shown, 0), "{section}");
         let cut = ClipSurface::parse(section, &scene.bounds()).expect("a section");
         let mesh = &scene.parts[0].mesh;
-        let slicer = Slicer::of(mesh.positions.clone(), &mesh.triangles);
+        let slicer = Slicer::new(mesh.positions.clone(), &mesh.triangles);
         let area = slicer.section(&SlicePlane::from(&cut)).area();
         assert!(
             (area - f64::from(u8::from(is_shown))).abs() < 1e-12,

@@ -104,7 +104,7 @@ fn files() -> BTreeMap<&'static str, Vec<u8>> {
 fn all_of(timeline: &Timeline) -> Result<[String; 4]> {
     let at = |time_s| {
         let scene = timeline.at(time_s)?;
-        Ok(format!("{scene:?} {:?}", Model::of(&scene).prepared))
+        Ok(format!("{scene:?} {:?}", Model::new(&scene).prepared))
     };
     let files: Vec<&Path> = timeline.files().collect();
     let said = [format!("{:?}", timeline.notes()), format!("{files:?}")];
@@ -240,7 +240,7 @@ fn files_are_fetched_as_they_become_known() {
 
 #[test]
 fn a_clip_surface_takes_its_image_from_memory() {
-    let bounds = Bounds::of([DVec3::ZERO, DVec3::ONE]);
+    let bounds = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
     let surface = || section("z=50%").relief("rock.png");
     let memory = Memory::from_iter([("rock.png", image([0, 255, 128, 64]))]);
     let surface_of =

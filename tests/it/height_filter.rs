@@ -44,7 +44,7 @@ fn ring(size: [u32; 2], wrap: Wrap) -> Scene {
             wrap,
         )
     };
-    scene.cuts = vec![Cut::of(
+    scene.cuts = vec![Cut::new(
         "cut",
         vec![
             relief(DVec3::new(-0.3, -0.25, -1.0), [8, 8], Wrap::Repeat),
@@ -55,7 +55,7 @@ fn ring(size: [u32; 2], wrap: Wrap) -> Scene {
 }
 
 fn recorded(scene: &Scene, name: &str, options: &Means) -> Result<Plan, String> {
-    let question = Question::of(scene, [64, 48]);
+    let question = Question::new(scene, [64, 48]);
     let capacities = Capacities {
         sheets: Some(100_000),
         crossings: Some(31),
@@ -120,7 +120,7 @@ fn planes_and_level_reliefs_hear_nothing_of_it() {
     let mut level = plane.clone();
     let map = scenes::map([4, 4], |_, _| 0.25);
     let surface = scenes::mapped(DVec3::ZERO, DVec3::NEG_Z, map, (1.0, 0.5), Wrap::Mirror);
-    level.cuts = vec![Cut::of("cut", vec![surface])];
+    level.cuts = vec![Cut::new("cut", vec![surface])];
     for scene in [plane, level] {
         for name in [
             "grid:16+vds:32",
@@ -199,7 +199,7 @@ fn differing(a: &Layers, b: &Layers) -> usize {
 #[test]
 fn frames_read_heights_through_the_sampler_and_are_what_they_were_but_for_its_bits() {
     let scene = ring([8, 8], Wrap::Repeat);
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     for name in ["grid:64+vds:128", "grid:64+mask"] {
         let draw = |filter| {
             let mut session = session();
@@ -226,7 +226,7 @@ fn frames_read_heights_through_the_sampler_and_are_what_they_were_but_for_its_bi
         let bytes = resource.contents.as_ref().expect("heights").bytes();
         let heights: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
         let raised: Vec<f32> = heights.iter().map(|h| h + 0.2).collect();
-        resource.contents = Some(cutaway::plan::Contents::of(&raised));
+        resource.contents = Some(cutaway::plan::Contents::from_values(&raised));
         let raised = differing(&sampled, &layers(planted));
         assert!(
             raised * 5 > caps,

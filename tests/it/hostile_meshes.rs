@@ -130,7 +130,7 @@ fn gzipped(bytes: &[u8]) -> Vec<u8> {
 
 fn must_load(path: &Path) {
     let loaded = load_mesh_file(path).unwrap_or_else(|e| panic!("intact, but refused: {e}"));
-    let facts = Topology::of_parts(&loaded.parts);
+    let facts = Topology::from_parts(&loaded.parts);
     assert!(
         facts.closed && facts.vertices == 4 && (facts.volume - 1.0 / 6.0).abs() < 1e-6,
         "{}: {facts:?}",

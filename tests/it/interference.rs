@@ -34,7 +34,7 @@ fn balls(offsets: &[f64]) -> Scene {
     });
     let mut scene = scenes::of_parts("balls", parts.collect(), Vec::new());
     let plane = ClipSurface::parse("-0.1,-0.2,-1@0,0,0.03", &scene.bounds()).expect("a section");
-    scene.cuts = vec![Cut::of("cut", vec![plane])];
+    scene.cuts = vec![Cut::new("cut", vec![plane])];
     scene
 }
 
@@ -62,7 +62,7 @@ fn differing(question: &Question, layers: &Layers) -> usize {
 fn overlapping() -> Vec<(&'static str, Scene)> {
     let mut relief = balls(&[-0.2, 0.2]);
     let rough = scenes::relief(&relief, "-z=55%", "waves:size=32,amplitude=8%");
-    relief.cuts = vec![Cut::of("cut", vec![rough])];
+    relief.cuts = vec![Cut::new("cut", vec![rough])];
     let mut preferred = balls(&[-0.2, 0.2]);
     preferred.parts[0].priority = Some(3);
     let mut near = balls(&[-0.2, 0.1]);
@@ -73,7 +73,7 @@ fn overlapping() -> Vec<(&'static str, Scene)> {
     let mut several = balls(&[-0.2, 0.2]);
     let bounds = several.bounds();
     let side = ClipSurface::parse("1,0.1,0.2@-0.1,0,0", &bounds).expect("a section");
-    several.cuts.push(Cut::of("side", vec![side]));
+    several.cuts.push(Cut::new("side", vec![side]));
     vec![
         ("two balls", balls(&[-0.2, 0.2])),
         ("three balls", balls(&[-0.3, 0.0, 0.3])),
@@ -92,8 +92,8 @@ fn overlapping() -> Vec<(&'static str, Scene)> {
 fn overlaps_are_those_of_exact() {
     for (name, scene) in overlapping() {
         let (question, unasked) = (
-            Question::of(&asking(&scene), SIZE),
-            Question::of(&scene, SIZE),
+            Question::new(&asking(&scene), SIZE),
+            Question::new(&scene, SIZE),
         );
         let open = question.exact.overlap_open.iter().filter(|o| **o).count();
         let caps = question.exact.layers.count(Kind::Cap);
@@ -134,7 +134,7 @@ fn what_no_cut_opens_does_not_overlap() {
     let mut spared = balls(&[-0.2, 0.2]);
     spared.parts[0].role = Role::Interior;
     for scene in [apart, spared] {
-        let question = Question::of(&asking(&scene), SIZE);
+        let question = Question::new(&asking(&scene), SIZE);
         assert!(
             question.exact.layers.count(Kind::Cap) > 100,
             "{}",
@@ -151,9 +151,9 @@ fn the_overlap_is_the_lens_of_the_balls() {
     // Seen from above, two balls of radius 1/2 at x = -0.2 and 0.2 share a lens of the cut plane.
     let mut scene = balls(&[-0.2, 0.2]);
     let plane = ClipSurface::parse("-z=0", &scene.bounds()).expect("a section");
-    scene.cuts = vec![Cut::of("cut", vec![plane])];
+    scene.cuts = vec![Cut::new("cut", vec![plane])];
     scene.camera = scenes::parallel(DVec3::Z * 4.0, DVec3::ZERO, 1.2);
-    let exact = Question::of(&scene, [240, 240]).exact;
+    let exact = Question::new(&scene, [240, 240]).exact;
     let pixel_area = (1.2_f64 / 240.0).powi(2);
     let area = exact.layers.overlap_px() as f64 * pixel_area;
     let (r, half) = (0.5_f64, 0.2_f64);
@@ -171,7 +171,7 @@ fn the_picture_is_hatched_there_and_nowhere_else() {
 fn hatched_by(rasteriser: Rasteriser) {
     let scene = balls(&[-0.2, 0.2]);
     let [plain, asked] = [scene.clone(), asking(&scene)].map(|scene| {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         shown(&question, &Strategy::RAYCAST_MASK, Means::by(rasteriser))
     });
     let pixels = plain.1.chunks(4).zip(asked.1.chunks(4)).enumerate();
@@ -195,7 +195,7 @@ fn hatched_by(rasteriser: Rasteriser) {
 }
 
 fn plan_of(scene: &Scene, name: &str, options: Means) -> Result<Plan, String> {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     let strategy = strategy(name);
     strategies::plan(

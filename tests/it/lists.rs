@@ -34,7 +34,7 @@ fn row() -> Scene {
     });
     let mut scene = scenes::of_parts("row", parts.collect(), Vec::new());
     let rough = scenes::relief(&scene, "-z=55%", "waves:size=16,amplitude=8%");
-    scene.cuts = vec![Cut::of("cut", vec![rough])];
+    scene.cuts = vec![Cut::new("cut", vec![rough])];
     scene.camera = scenes::orbit(80.0, 25.0, false);
     scene
 }

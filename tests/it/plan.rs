@@ -53,7 +53,7 @@ fn planes(z: f64, count: usize) -> Cut {
         let tilt = 0.1 * i as f64;
         ClipSurface::plane(DVec3::Z * z, DVec3::new(tilt, 0.0, 1.0))
     });
-    Cut::of(format!("{count} planes"), surfaces.collect())
+    Cut::new(format!("{count} planes"), surfaces.collect())
 }
 
 fn map(heights: &[f32]) -> Arc<OffsetMap> {
@@ -86,7 +86,7 @@ fn all_strategies() -> Vec<Strategy> {
 }
 
 fn plan_at(scene: &Scene, strategy: &Strategy, size: [u32; 2]) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(size);
     strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))

@@ -34,7 +34,7 @@ fn on_closed_meshes(relief: Option<&str>, mut judge: impl FnMut(&Question) -> Ve
         if !is_closed(&scene) {
             continue;
         }
-        let question = Question::of(&scene, SIZE_PX);
+        let question = Question::new(&scene, SIZE_PX);
         // The session is shared: nobody may forget the frames of a mesh while others still ask about them.
         let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = judge(&question);

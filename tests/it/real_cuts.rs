@@ -42,7 +42,7 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh() {
             if !is_closed(&scene) {
                 continue;
             }
-            let question = Question::of(&scene, SIZE_PX);
+            let question = Question::new(&scene, SIZE_PX);
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             println!(
                 "{name} {}: {} undecided of {}",
@@ -158,7 +158,7 @@ fn the_sprite_halves_its_error_with_each_doubling() {
         if !is_closed(&scene) {
             continue;
         }
-        let question = Question::of(&scene, SIZE_PX);
+        let question = Question::new(&scene, SIZE_PX);
         for (i, resolution) in [256, 512, 1024, 2048].into_iter().enumerate() {
             let answer = question.answer(strategy(&format!("grid:256+vds:{resolution}")));
             wrong_px[i] += wrong(&answer.comparison);
@@ -189,8 +189,8 @@ fn broken_meshes_are_drawn_and_their_doubt_is_marked() {
     for file in files(&["messy"]) {
         for relief in [None, Some("fractal")] {
             let scene = cut(&file, relief);
-            let open = scene.parts.iter().any(|p| !Topology::of(&p.mesh).closed);
-            let question = Question::of(&scene, [512, 384]);
+            let open = scene.parts.iter().any(|p| !Topology::new(&p.mesh).closed);
+            let question = Question::new(&scene, [512, 384]);
             for name in ["raycast+mask", "grid:256+vds:512"] {
                 let answer = question.answer(strategy(name));
                 assert!(

@@ -93,7 +93,7 @@ fn facts(folder: &std::path::Path) -> Vec<Value> {
 
 fn load(folder: &std::path::Path, file: &str) -> (Loaded, Topology) {
     let loaded = load_mesh_file(&folder.join(file)).unwrap_or_else(|e| panic!("{e}"));
-    let topology = Topology::of_parts(&loaded.parts);
+    let topology = Topology::from_parts(&loaded.parts);
     (loaded, topology)
 }
 
@@ -198,7 +198,7 @@ fn the_comparison_can_fail() {
     assert!(differences(file, &whole, &entry).is_empty());
     let mut torn = loaded.parts[0].mesh.as_ref().clone();
     torn.triangles.pop();
-    let said = differences(file, &Topology::of(&torn), &entry);
+    let said = differences(file, &Topology::new(&torn), &entry);
     for word in ["faces", "boundary", "euler", "closed", "area"] {
         assert!(
             said.iter().any(|s| s.contains(word)),
@@ -220,7 +220,7 @@ fn assemblies_come_apart() {
         assert_eq!(loaded.parts.len(), parts, "{file}: {:?}", loaded.notes);
     }
     let (gears, _) = load(&folder, "assembly/cube_gears.glb");
-    assert!(gears.parts.iter().all(|p| Topology::of(&p.mesh).closed));
+    assert!(gears.parts.iter().all(|p| Topology::new(&p.mesh).closed));
     let (truck, _) = load(&folder, "animated/CesiumMilkTruck.glb");
     assert!(
         std::sync::Arc::ptr_eq(&truck.parts[1].mesh, &truck.parts[2].mesh),

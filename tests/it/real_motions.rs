@@ -44,7 +44,7 @@ const EXACT: &[(&str, Rasteriser)] = &[
 ];
 
 fn is_closed(part: &Part) -> bool {
-    Topology::of(&part.mesh).closed
+    Topology::new(&part.mesh).closed
 }
 
 /// What all exact strategies make of scenes that move.
@@ -66,7 +66,7 @@ impl Tally {
             let scene = timeline.at(time_s).expect("a scene at that time");
             let model = before
                 .as_ref()
-                .map_or_else(|| Model::of(&scene), |m| m.updated(&scene));
+                .map_or_else(|| Model::new(&scene), |m| m.updated(&scene));
             let question = Question::of_model(model.clone(), &scene, SIZE_PX);
             let layers = &question.exact.layers.pixels;
             self.caps += usize::from(layers.iter().any(|l| l.kind == Kind::Cap));

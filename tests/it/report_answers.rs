@@ -45,7 +45,7 @@ fn each_input_has_an_answer() {
     let mut all = records();
     for record in &mut all {
         let mut compute = drawn("raycast+mask@compute", 0, 3.0);
-        compute.time_ms.solid = Samples::of(vec![40.0; 3]);
+        compute.time_ms.solid = Samples::new(vec![40.0; 3]);
         record.measurement.strategies[3] = compute;
     }
     let silent = describe(&folder, &all, &json!({}));
@@ -244,7 +244,7 @@ fn series_are_called_as_the_experiment_calls_them() {
     write(&folder.path("run"), &all, None);
     let described = folder.run("report run").exits(2).stderr;
     assert!(
-        described.contains("`families` has 3 entries for 4"),
+        described.contains("`makers` has 3 entries for 4"),
         "{described}"
     );
 }

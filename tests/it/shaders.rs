@@ -336,13 +336,13 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
     let plane = SceneSurface::plane(DVec3::Z * 0.1, DVec3::Z);
     let scene = Scene {
         parts,
-        cuts: vec![Cut::of("c", vec![plane])],
+        cuts: vec![Cut::new("c", vec![plane])],
         camera: Camera::default(),
         stage: None,
         interference: None,
         name: String::new(),
     };
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view([64, 64]);
     let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
@@ -383,7 +383,7 @@ fn constants_have_one_value_on_both_sides() {
         let layers = cutaway::layers::Layers::background([1, 1]);
         assert_eq!(layers.pixels.len(), 1, "one pixel");
         // A plan's `layers` buffer states how many words a pixel has.
-        let model = Model::of(&Scene {
+        let model = Model::new(&Scene {
             parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
             ..Scene::default()
         });

@@ -28,7 +28,7 @@ fn ring() -> Scene {
         "-0.3,-1,-0.2@50%,50%,50%",
         "fractal:size=64,amplitude=12%",
     );
-    scene.cuts = vec![Cut::of("cut", vec![rough])];
+    scene.cuts = vec![Cut::new("cut", vec![rough])];
     scene
 }
 
@@ -48,8 +48,8 @@ fn row() -> Scene {
     );
     let plane = scenes::sectioned("sphere?subdivisions=2", &["-1,-0.2,0.1@20%,50%,50%"]);
     scene.cuts = vec![
-        Cut::of("both", vec![waves, rough]),
-        Cut::of("plane", plane.cuts[0].surfaces.clone()),
+        Cut::new("both", vec![waves, rough]),
+        Cut::new("plane", plane.cuts[0].surfaces.clone()),
     ];
     scene.camera = scenes::orbit(70.0, 25.0, false);
     scene

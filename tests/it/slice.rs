@@ -19,7 +19,7 @@ fn plane(origin: DVec3, normal: DVec3) -> SlicePlane {
 }
 
 fn slicer(mesh: &Mesh) -> Slicer {
-    Slicer::of(mesh.positions.clone(), &mesh.triangles)
+    Slicer::new(mesh.positions.clone(), &mesh.triangles)
 }
 
 fn section(mesh: &Mesh, origin: DVec3, normal: DVec3) -> Section {

@@ -8,8 +8,8 @@
 struct CutawayClip {
     // By how much scene space is larger than the host's world.
     scene_from_world: f32,
-    // Bits of the cuts that apply to each part of the scene; all of them where it is removed altogether.
-    cuts_of_part: array<u32>,
+    // Of each part of the scene bits of the cuts that reach it, and 1 where a cut removes all of it.
+    parts: array<vec2<u32>>,
 }
 
 @group(0) @binding(3) var<storage, read> cutaway_clip: CutawayClip;
@@ -22,7 +22,8 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
     if any(pixel >= frame.size_px) {
         return true;
     }
-    return !is_removed(crossings_before(depth, pixel_index(pixel)).sides, cutaway_clip.cuts_of_part[part]);
+    let clip = cutaway_clip.parts[part];
+    return clip.y == 0u && !is_removed(crossings_before(depth, pixel_index(pixel)).sides, clip.x);
 }
 
 // How the two are used, by a host whose vertices are in scene space. Hosts have entry points of their own.

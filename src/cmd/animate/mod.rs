@@ -169,7 +169,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         subject: &subject,
         times,
         renderer,
-        shown: SceneAtTime::of(&subject.scene),
+        shown: SceneAtTime::new(&subject.scene),
         camera: subject.scene.camera,
     };
     let mut frames = Vec::with_capacity(times.count as usize);

@@ -39,7 +39,7 @@ impl FrameReport {
             clocks: frames
                 .iter()
                 .fold(ClockSet::NONE, |all, f| all.union(f.clocks)),
-            time_ms: PerClock::of(mean),
+            time_ms: PerClock::from_fn(mean),
             drawn_ms: Some(drawn_ms),
         }
     }
@@ -77,7 +77,7 @@ impl FrameReport {
 
 /// Median time from a scene to its picture, of the frames that were drawn.
 pub(super) fn median_ms(frames: &[FrameReport]) -> f64 {
-    Samples::of(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
+    Samples::new(frames.iter().filter_map(|f| f.drawn_ms).collect()).median
 }
 
 /// How often each clock ran, in words; none of exact.

@@ -1,4 +1,4 @@
-//! What a invocation came to: a line for each experiment, and the verdict.
+//! What an invocation came to: a line for each experiment, and the verdict.
 
 use std::collections::BTreeMap;
 

@@ -61,7 +61,7 @@ pub(super) fn read(
     };
     let volume = cutters::read(&table, cutter, &context.bounds)?;
     let region = region(&table, volume.is_some(), context)?;
-    let mut cut = Cut::of(name, Vec::new());
+    let mut cut = Cut::new(name, Vec::new());
     cut.volume = volume;
     if let Some(globs) = table.get("applies_to") {
         cut.applies_to = globs_of(&globs, context)?;

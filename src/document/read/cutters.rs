@@ -48,7 +48,7 @@ fn open_one(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CutterSource
     } else {
         opening.mesh(entry, text)?
     };
-    let cutter = Cutter::of_parts(text, &solids).map_err(|e| entry.place(e))?;
+    let cutter = Cutter::from_parts(text, &solids).map_err(|e| entry.place(e))?;
     Ok(CutterSource {
         rest: cutter.bounds_in_world(),
         cutter,
@@ -74,7 +74,7 @@ pub(super) fn read(
         .placed(parts::placement(table, held.rest)?);
     let corners = held.rest.corners();
     let corners = corners.map(|c| placed.world_from_cutter.transform_point3(c));
-    if let Some(what) = too_far(&Bounds::of(corners), model) {
+    if let Some(what) = too_far(&Bounds::from_points(corners), model) {
         let what = format!("`{}` {what} once it is placed", placed.name());
         return Err((table.entry).fault(what, "use a smaller scale or translation"));
     }

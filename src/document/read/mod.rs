@@ -223,7 +223,7 @@ pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<
         has("focal_point") || !has("position")
     };
     if let Some(camera) = root.get("camera").filter(is_whole) {
-        camera::read(&camera, &Bounds::of([DVec3::ZERO, DVec3::ONE]))?;
+        camera::read(&camera, &Bounds::from_points([DVec3::ZERO, DVec3::ONE]))?;
     }
     for entry in root.tables("part")? {
         let table = entry.table(parts::KEYS.all())?;

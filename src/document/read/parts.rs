@@ -75,7 +75,7 @@ pub(super) fn read(
         let corners = corners.map(|c| part.world_from_part.transform_point3(c));
         let is_finite = corners.iter().all(|c| c.is_finite());
         let what = if is_finite {
-            range::defect(&Bounds::of(corners))
+            range::defect(&Bounds::from_points(corners))
         } else {
             Some("reaches to infinity".to_owned())
         };

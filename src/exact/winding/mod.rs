@@ -13,7 +13,7 @@
 //! A pixel is marked where a number asked for there is nearer to a half than to a whole, and where the mesh shows its inner side to
 //! an eye that is, by the number before it, inside of the solid: no closed mesh does.
 //!
-//! Cost: a tree over the faces, once per mesh ([`Windings::of`]); per pixel, the crossings, and one walk down the tree per candidate:
+//! Cost: a tree over the faces, once per mesh ([`Windings::new`]); per pixel, the crossings, and one walk down the tree per candidate:
 //! some hundred faces and balls. Limit: the tree answers to about a hundredth, which only a point whose number is as near as that to
 //! a half could notice. Faces that are turned over count against the solid: with half of them, nothing is inside.
 
@@ -46,7 +46,7 @@ pub struct Windings {
 
 impl Windings {
     /// Of a scene. It must be whole: [`Prepared::must_be_whole`].
-    pub fn of(prepared: &Prepared) -> Self {
+    pub fn new(prepared: &Prepared) -> Self {
         prepared.must_be_whole();
         let trees = prepared.parts.par_iter();
         Self {

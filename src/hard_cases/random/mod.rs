@@ -72,7 +72,7 @@ pub fn search(
     for scene in 0..scenes {
         step(format!("random scene {} of {scenes}", scene + 1));
         let recipe = recipe(seed, scene);
-        let question = Question::of(&recipe.scene(), PICTURE_PX);
+        let question = Question::new(&recipe.scene(), PICTURE_PX);
         searched.covered_px += question.exact.covered_px();
         searched.undecided_px += question.exact.undecided_px();
         searched.caps_px += question.exact.layers.count(crate::layers::Kind::Cap);
@@ -95,7 +95,7 @@ pub fn search(
                 if !goes_on() {
                     return Ok(None);
                 }
-                let question = Question::of(&recipe.scene(), PICTURE_PX);
+                let question = Question::new(&recipe.scene(), PICTURE_PX);
                 let judged = question.answer(session, method)?;
                 Ok(fault(&question, &judged, method))
             })?;

@@ -119,7 +119,7 @@ impl Recipe {
             part
         });
         let cuts = self.cuts.iter().enumerate().map(|(i, surfaces)| {
-            Cut::of(
+            Cut::new(
                 format!("cut {i}"),
                 surfaces.iter().map(Surface::made).collect(),
             )

@@ -133,8 +133,8 @@ fn note(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> String {
     });
     let shown = shown.collect::<Vec<_>>().join("; ");
     match asked.note.as_deref().map(|n| n.trim_end_matches('.')) {
-        None => format!("SceneAtTime: {shown}."),
-        Some(note) => format!("{note}. SceneAtTime: {shown}."),
+        None => format!("Shown: {shown}."),
+        Some(note) => format!("{note}. Shown: {shown}."),
     }
 }
 

@@ -85,7 +85,7 @@ fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranke
 fn factor(ratios: &Ratios, least: &[f64]) -> f64 {
     let pairs = ratios.iter().zip(least);
     let factors = pairs.filter_map(|(ratio, least)| Some(ratio.as_ref()?.median / least));
-    Samples::of(factors.collect()).median
+    Samples::new(factors.collect()).median
 }
 
 /// Whether one strategy is faster than another at more than half of the points that both have.
@@ -120,9 +120,9 @@ mod tests {
             let mut found = one.clone();
             found.name = (*name).to_owned();
             found.time_ms = PerClock {
-                solid: Samples::of(vec![*solid]),
+                solid: Samples::new(vec![*solid]),
                 cut: Samples::default(),
-                frame: Samples::of(vec![*frame]),
+                frame: Samples::new(vec![*frame]),
             };
             if let Some(c) = &mut found.comparison {
                 c.decided_wrong_px = *wrong;
@@ -192,11 +192,11 @@ mod tests {
         assert!(is_draw(&[&near]), "within what runs differ by");
         // A median of 20 that scatters by 11 on either side is not distinguished from 10.
         let mut noisy = won.clone();
-        noisy.measurement.draw_only_ms = Samples::of(vec![2.0; 3]);
+        noisy.measurement.draw_only_ms = Samples::new(vec![2.0; 3]);
         for (found, frame) in
             (noisy.measurement.strategies.iter_mut()).zip([[10.0, 10.0, 10.0], [9.0, 20.0, 31.0]])
         {
-            found.time_ms.frame = Samples::of(frame.into());
+            found.time_ms.frame = Samples::new(frame.into());
         }
         assert!(is_draw(&[&noisy]), "within the spread of the rounds");
     }

@@ -66,7 +66,7 @@ impl Situation {
             let of_clock = clocks.iter().filter_map(|c| c.samples.get(round));
             of_clock.sum()
         };
-        Some(Samples::of(
+        Some(Samples::new(
             (0..time.frame.samples.len()).map(of_round).collect(),
         ))
     }
@@ -148,7 +148,7 @@ mod tests {
     /// A strategy that has something to do on each clock.
     fn record() -> Record {
         let mut measurement = example();
-        let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::of(vec![ms]));
+        let [solid, cut, frame] = [50.0, 3.0, 4.0].map(|ms| Samples::new(vec![ms]));
         measurement.strategies[0].time_ms = PerClock { solid, cut, frame };
         super::super::totals::tests::record_of(measurement)
     }

@@ -22,7 +22,7 @@ impl Spread {
         let most = numbers.iter().copied().fold(first, f64::max);
         Some(Self {
             least,
-            median: Samples::of(numbers).median,
+            median: Samples::new(numbers).median,
             most,
         })
     }

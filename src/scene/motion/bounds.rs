@@ -52,11 +52,11 @@ impl Reach {
             let pulls = motion.pulls_of(index);
             let mut add = |key: usize, joint| {
                 let slot = reach.slot(&mut slot_of[key], joint, motion.targets.len());
-                let point = Bounds::of([*position]);
+                let point = Bounds::from_points([*position]);
                 slot.rest = slot.rest.union(point);
                 for (target, moves) in slot.moves.iter_mut().enumerate() {
                     let by = motion.displacement(target, index);
-                    *moves = moves.union(Bounds::of([by]));
+                    *moves = moves.union(Bounds::from_points([by]));
                 }
             };
             if pulls.is_empty() {
@@ -99,7 +99,7 @@ impl Reach {
         for pulled in &self.pulled {
             let mut bounds = pulled.rest;
             for (moves, weight) in pulled.moves.iter().zip(&pose.weights) {
-                let ends = Bounds::of([moves.min * *weight, moves.max * *weight]);
+                let ends = Bounds::from_points([moves.min * *weight, moves.max * *weight]);
                 bounds.min += ends.min;
                 bounds.max += ends.max;
             }
@@ -109,7 +109,7 @@ impl Reach {
                     let by = pose.joints.get(usize::from(joint));
                     let taken = moved(bounds, by.copied().unwrap_or(DAffine3::IDENTITY));
                     let scaled = self.weight_sum.map(|s| [taken.min * s, taken.max * s]);
-                    Bounds::of(scaled.into_iter().flatten())
+                    Bounds::from_points(scaled.into_iter().flatten())
                 }
                 None => bounds,
             };

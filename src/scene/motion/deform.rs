@@ -160,7 +160,7 @@ impl Deformer {
                         .to_array()
                         .map(|a| radius * (1.0 - a * a).max(0.0).sqrt()),
                 );
-                grown(Bounds::of(ends), reach)
+                grown(Bounds::from_points(ends), reach)
             }
             Self::Bend {
                 axis,
@@ -218,7 +218,7 @@ fn bent(turn_per_unit: f64, at: DVec3, n: DVec3) -> (DVec3, DVec3) {
 
 /// Sums of the extremes of each term: wider than need be where the terms are not extreme at once.
 fn bounds_of_bent(axis: &Axis, turn_per_unit: f64, of: Bounds) -> Bounds {
-    let at = Bounds::of(of.corners().map(|c| axis.components(c - axis.centre)));
+    let at = Bounds::from_points(of.corners().map(|c| axis.components(c - axis.centre)));
     // Sines, cosines and what follows from them are extreme at the ends and at multiples of a quarter turn: all of the latter
     // that are inside, or one whole turn of them.
     let quarter = PI * 0.5;
@@ -257,5 +257,5 @@ fn bounds_of_bent(axis: &Axis, turn_per_unit: f64, of: Bounds) -> Bounds {
         min: DVec3::new(across[0] + rise[0], at.min.y, run[0] - back[1]),
         max: DVec3::new(across[1] + rise[1], at.max.y, run[1] - back[0]),
     };
-    Bounds::of(to.corners().map(|c| axis.centre + axis.vector(c)))
+    Bounds::from_points(to.corners().map(|c| axis.centre + axis.vector(c)))
 }

@@ -58,7 +58,7 @@ impl PreparedPart {
             .collect();
         let triangles = mesh.triangles.iter();
         let mut placed = Self {
-            bounds: Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+            bounds: Bounds::from_points(positions.iter().map(|p| p.as_dvec3())),
             positions: Arc::new(positions),
             triangles: Arc::new(triangles.map(|t| facing_out(*t, mirrored)).collect()),
             corner_normals: mesh.corner_normals.as_ref().map(|all| {
@@ -68,7 +68,7 @@ impl PreparedPart {
             is_on_device: false,
             ..Self::outline(index, part, Bounds::EMPTY, part.mesh.volume(), cuts)
         };
-        placed.shading = Arc::new(ShadingMesh::of(&placed, DEFAULT_CREASE_DEG));
+        placed.shading = Arc::new(ShadingMesh::new(&placed, DEFAULT_CREASE_DEG));
         placed
     }
 

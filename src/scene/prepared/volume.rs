@@ -45,7 +45,7 @@ impl PreparedVolume {
         Self {
             name: cutter.name().to_owned(),
             bounds: known.map_or_else(
-                || Bounds::of(positions.iter().map(|p| p.as_dvec3())),
+                || Bounds::from_points(positions.iter().map(|p| p.as_dvec3())),
                 |k| k.bounds,
             ),
             positions,

@@ -57,7 +57,7 @@ fn record(
     let bytes = input.pixel_count() * 4 * lanes as u64 * u64::from(depths + 1);
     let slots = Resource::storage("nearest fragments", bytes, Clock::Frame);
     let slots = plan.add_resource(slots);
-    let cascade = Contents::of(&[Cascade {
+    let cascade = Contents::from_values(&[Cascade {
         slots: depths,
         lanes: lanes as u32,
         padding: [0; 2],

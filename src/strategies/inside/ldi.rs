@@ -125,7 +125,12 @@ fn table(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Binding 
     let rows: Vec<Sprite> = ranks
         .map(|(rank, image)| vds::sprite(&parts[*rank].bounds, resolution, 0, image))
         .collect();
-    let images = Resource::own_upload("images", Role::Storage, Contents::of(&rows), Clock::Cut);
+    let images = Resource::own_upload(
+        "images",
+        Role::Storage,
+        Contents::from_values(&rows),
+        Clock::Cut,
+    );
     Binding::read("sprites", plan.add_resource(images))
 }
 
@@ -168,7 +173,7 @@ fn screen(
     let sprite = vds::sprite(&bounds, resolution, 0, 0);
     let view = vds::view(&bounds, resolution);
     let name = format!("image {image}");
-    let frame = Contents::of(&[pack::sprite_frame(&sprite)]);
+    let frame = Contents::from_values(&[pack::sprite_frame(&sprite)]);
     let frame_name = format!("{name} frame");
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {

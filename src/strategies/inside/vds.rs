@@ -81,7 +81,7 @@ fn record(
     let layers = layers.clamp(1, MOST_LAYERS);
     let slot = NEED_OF_SPRITES + number;
     let size = [resolution; 2];
-    let sprite = Contents::of(&[sprite(&part.bounds, resolution, layers, slot)]);
+    let sprite = Contents::from_values(&[sprite(&part.bounds, resolution, layers, slot)]);
     let table_name = format!("sprite {number}");
     let sprite = Resource::upload(table_name, Role::Uniform, sprite, Clock::Solid);
     let sprite = Binding::read("sprite", plan.add_resource(sprite));

@@ -133,13 +133,13 @@ fn table<T: bytemuck::Pod>(
 ) -> Binding {
     let mut all = vec![T::zeroed(); MAX_SURFACES];
     all[..rows.len()].copy_from_slice(rows);
-    let table = Resource::own_upload(name, Role::Uniform, Contents::of(&all), clock);
+    let table = Resource::own_upload(name, Role::Uniform, Contents::from_values(&all), clock);
     Binding::read(variable, plan.add_resource(table))
 }
 
 /// The two triangles of a plane, whose domain is one step along each side.
 fn square_indices(plan: &mut Plan) -> ResourceId {
-    let corners = Contents::of(&[[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]]);
+    let corners = Contents::from_values(&[[0, 1, 0x1_0001], [0, 0x1_0001, 0x1_0000]]);
     let indices = Resource::own_upload("square indices", Role::Index, corners, Clock::Cut);
     plan.add_resource(indices)
 }

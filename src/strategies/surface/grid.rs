@@ -52,7 +52,7 @@ fn tessellation(plan: &mut Plan, scene: &SceneBuffers<'_>, cells: u32) -> Tessel
         arguments: None,
     };
     let count = input.relevance.surfaces.len() as u32;
-    let quads = Contents::of(&quads(input, cells));
+    let quads = Contents::from_values(&quads(input, cells));
     let quads = Resource::own_upload("quads", Role::Storage, quads, Clock::Cut);
     let quads = Binding::read("quads", plan.add_resource(quads));
     let filter = input.height_filter_file();
@@ -76,7 +76,7 @@ fn indices_of_grid(cells: u32) -> Contents {
             [a, a + 1, a + row + 1, a, a + row + 1, a + row]
         })
         .collect();
-    Contents::of(&indices)
+    Contents::from_values(&indices)
 }
 
 fn quads(input: &Input<'_>, cells: u32) -> Vec<Quad> {

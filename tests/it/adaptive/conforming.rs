@@ -42,7 +42,7 @@ fn the_device_makes_the_triangles_of_the_rule() {
     let mut numbers = Numbers(11);
     let mut most = 0;
     for scene in balls() {
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         for tau in ["0.25", "1", "4"] {
             let strategy = strategy(&format!("adaptive:{tau}+mask"));
             for _ in 0..4 {
@@ -91,7 +91,7 @@ fn the_device_makes_the_triangles_of_the_rule() {
 #[test]
 fn cracks_are_noticed() {
     let scene = &balls()[0];
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let strategy = strategy("adaptive:1+mask");
     let view = model.prepared.view([256, 192]);
     let mut session = session();

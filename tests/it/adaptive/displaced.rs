@@ -28,7 +28,7 @@ fn ball() -> Scene {
 /// The greatest distance, in pixels, between a point of a triangle and the point of the relief over the same point of the plane.
 fn farthest_px(sheet: &Sheet, model: &Model, view: &View, triangles: &[Triangle]) -> f64 {
     let surface = &model.prepared.surfaces[0];
-    let cut_box = Relevance::of(&model.prepared, view)
+    let cut_box = Relevance::new(&model.prepared, view)
         .expect("a plain scene")
         .cut_box;
     let mut farthest: f64 = 0.0;
@@ -76,7 +76,7 @@ fn draw(
 #[test]
 fn triangles_stay_within_tau_of_the_relief() {
     let scene = ball();
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     for camera in cameras() {
         let view = model.prepared.view_of(&camera, [320, 240]);
         let mut counts = Vec::new();
@@ -102,7 +102,7 @@ fn triangles_stay_within_tau_of_the_relief() {
 
 #[test]
 fn a_bound_that_is_too_wide_is_noticed() {
-    let model = Model::of(&ball());
+    let model = Model::new(&ball());
     let view = model.prepared.view([320, 240]);
     let (mut sheet, _) = draw(&mut session(), &model, &view, &strategy("adaptive:1+mask"));
     sheet.refinement.error_per_depth *= 4.0;
@@ -152,7 +152,7 @@ fn caps_in_frames_stay_within_tau_of_the_relief() {
         }
     }
     // The control: a grid that knows nothing of the view.
-    let question = Question::of(&scene, [160, 120]);
+    let question = Question::new(&scene, [160, 120]);
     let (farthest, _) = cap_error_px(&question, &strategy("grid:16+mask"));
     assert!(farthest > 1.0, "the control: {farthest} px");
 }
@@ -166,8 +166,8 @@ fn the_crank_of_the_demo_takes_fewer_triangles_than_a_grid() {
         ("x=60%", "fractal:amplitude=5%,period=30%,seed=4"),
     ]
     .map(|(section, relief)| scenes::relief(&scene, section, relief));
-    scene.cuts = vec![Cut::of("cut", surfaces.to_vec())];
-    let model = Model::of(&scene);
+    scene.cuts = vec![Cut::new("cut", surfaces.to_vec())];
+    let model = Model::new(&scene);
     let view = model.prepared.view([1024, 768]);
     let strategy = strategy("adaptive:0.5+mask");
     let mut session = session();

@@ -41,7 +41,7 @@ fn three() -> Scene {
             relief(DVec3::new(-0.1, -1.0, -0.2), 2),
         ],
     );
-    scene.cuts.push(Cut::of(
+    scene.cuts.push(Cut::new(
         "plane",
         vec![ClipSurface::plane(DVec3::Z * 0.3, -DVec3::Z)],
     ));
@@ -100,7 +100,7 @@ fn back_faces(layers: &Layers) -> usize {
 #[test]
 fn every_inside_test_makes_the_same_of_the_list() {
     for scene in [smooth(), three()] {
-        let question = Question::of(&scene, [128, 96]);
+        let question = Question::new(&scene, [128, 96]);
         let of = |inside: &str| {
             question
                 .answer(strategy(&format!("adaptive:0.5+{inside}")))
@@ -119,7 +119,7 @@ fn every_inside_test_makes_the_same_of_the_list() {
 
 #[test]
 fn the_papers_rule_draws_the_same_triangles() {
-    let question = Question::of(&smooth(), [128, 96]);
+    let question = Question::new(&smooth(), [128, 96]);
     for inside in ["vds:256", "ldi:256"] {
         let judged = question.answer(strategy(&format!("adaptive:0.5+{inside}")));
         assert_eq!(judged.outcome, Outcome::Complete, "{inside}");
@@ -140,7 +140,7 @@ fn the_papers_rule_draws_the_same_triangles() {
 }
 
 fn plan_of(scene: &Scene, name: &str) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([128, 96]);
     strategies::plan(&model, &view, strategy(name), &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
@@ -149,7 +149,7 @@ fn plan_of(scene: &Scene, name: &str) -> Plan {
 #[test]
 fn planes_alone_are_not_tessellated() {
     let mut scene = smooth();
-    scene.cuts = vec![Cut::of(
+    scene.cuts = vec![Cut::new(
         "plane",
         vec![ClipSurface::plane(DVec3::ZERO, DVec3::Z)],
     )];
@@ -174,7 +174,7 @@ fn planes_alone_are_not_tessellated() {
         paper.resource_named("sheet_errors").is_none(),
         "nothing to measure"
     );
-    let question = Question::of(&scene, [128, 96]);
+    let question = Question::new(&scene, [128, 96]);
     let (paper, exact) = (
         question.answer(strategy("adaptive:0.5+vds:256")),
         question.answer(strategy("raycast+mask")),
@@ -194,7 +194,7 @@ fn planes_alone_are_not_tessellated() {
 #[test]
 fn a_camera_that_moves_measures_nothing() {
     let scene = smooth();
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let strategy = strategy("adaptive:0.7+mask");
     let mut session = session();
     let view = model.prepared.view([96, 64]);
@@ -272,7 +272,7 @@ fn a_camera_that_enters_an_uncut_solid_measures_nothing() {
     beside.world_from_part = glam::DAffine3::from_translation(DVec3::X * 3.0);
     scene.cuts[0].except = vec![beside.name.clone()];
     scene.parts.push(beside);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let plan = |eye: DVec3, name: &str| {
         let camera = scenes::looking(eye, DVec3::ZERO, 60.0);
         let view = model.prepared.view_of(&camera, [128, 96]);
@@ -315,7 +315,7 @@ fn passes_of(plan: &Plan, name: &str) -> Vec<(&'static str, f64)> {
 #[test]
 fn too_many_triangles_are_told_and_then_have_room() {
     let scene = cut_ball(noise([128, 128], 5), 0.9, 0.02, Wrap::Repeat);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view([160, 120]);
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
@@ -362,7 +362,7 @@ fn a_relief_of_too_many_texels_is_refused_with_the_mend() {
     let refusal = |scale: f64| {
         let mut scene = smooth();
         scene.cuts[0].surfaces[0].scale.x = scale;
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         let view = model.prepared.view_of(&Camera::default(), [64, 64]);
         strategies::plan(
             &model,

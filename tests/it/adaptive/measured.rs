@@ -43,7 +43,7 @@ fn deviation(sheet: &Sheet, map: &OffsetMap, wrap: Wrap, [apex, a, b]: Triangle)
 fn faults(map: OffsetMap, wrap: Wrap, planted: impl Fn(&mut Sheet)) -> (Vec<String>, usize) {
     let map = Arc::new(map);
     let scene = cut_ball((*map).clone(), 0.9, 0.2, wrap);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view([32, 32]);
     let strategy = strategy("adaptive:1+mask");
     let mut session = session();

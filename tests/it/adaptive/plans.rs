@@ -9,7 +9,7 @@ use super::common::strategy;
 use super::{cut_ball, noise};
 
 fn plan() -> Plan {
-    let model = Model::of(&cut_ball(noise([24, 24], 1), 0.8, 0.1, Wrap::Repeat));
+    let model = Model::new(&cut_ball(noise([24, 24], 1), 0.8, 0.1, Wrap::Repeat));
     let view = model.prepared.view([64, 48]);
     strategies::plan(
         &model,

@@ -22,7 +22,7 @@ type Cutting = fn(&mut Scene);
 const CUTS: [(&str, Cutting); 8] = [
     ("oblique plane", |s| {
         let plane = section(s, "-1,-2,-1.5@50%,45%,60%");
-        s.cuts = vec![Cut::of("cut", vec![plane])];
+        s.cuts = vec![Cut::new("cut", vec![plane])];
     }),
     ("fractal relief", |s| {
         let rough = scenes::relief(
@@ -30,17 +30,17 @@ const CUTS: [(&str, Cutting); 8] = [
             "-0.4,-0.3,-1@50%,50%,55%",
             "fractal:size=64,amplitude=8%",
         );
-        s.cuts = vec![Cut::of("cut", vec![rough])];
+        s.cuts = vec![Cut::new("cut", vec![rough])];
     }),
     ("union of two surfaces", |s| {
         let rough = scenes::relief(s, "-z=70%", "waves:size=32,amplitude=5%");
         let plane = section(s, "-1,0.2,0.1@65%,50%,50%");
-        s.cuts = vec![Cut::of("one", vec![rough]), Cut::of("two", vec![plane])];
+        s.cuts = vec![Cut::new("one", vec![rough]), Cut::new("two", vec![plane])];
     }),
     ("intersection of two surfaces", |s| {
         let rough = scenes::relief(s, "-z=45%", "fractal:size=64,seed=3,amplitude=6%");
         let plane = section(s, "-1,0.2,0.1@45%,50%,50%");
-        s.cuts = vec![Cut::of("cut", vec![rough, plane])];
+        s.cuts = vec![Cut::new("cut", vec![rough, plane])];
     }),
     ("interior part", |s| {
         companion(s, |ball| ball.role = Role::Interior);
@@ -79,7 +79,7 @@ fn companion(scene: &mut Scene, change: impl FnOnce(&mut Part)) {
     change(&mut ball);
     scene.parts.push(ball);
     let plane = section(scene, "-0.3,-0.5,-1@50%,50%,52%");
-    scene.cuts = vec![Cut::of("cut", vec![plane])];
+    scene.cuts = vec![Cut::new("cut", vec![plane])];
 }
 
 fn corpus() -> impl Iterator<Item = (String, Scene)> {
@@ -142,7 +142,7 @@ fn every_strategy_agrees_with_exact_on_the_corpus() {
     let (mut refused_by_the_classic, mut refused_nonzero) = (0, 0);
     let mut tessellated_wrong = [0; 2];
     for (name, scene) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         let exact = &question.exact;
         covered += exact.covered_px();
         undecided += exact.undecided_px();
@@ -229,7 +229,7 @@ fn at_the_size_of_a_picture_less_than_a_thousandth_is_undecided() {
         for (cut, apply) in &CUTS[..4] {
             let mut scene = scenes::of_parts(shape, meshes::parts(shape), Vec::new());
             apply(&mut scene);
-            let exact = Question::of(&scene, [640, 480]).exact;
+            let exact = Question::new(&scene, [640, 480]).exact;
             println!("{shape}, {cut}: {:.1e} undecided", exact.undecided_share());
             covered += exact.covered_px();
             undecided += exact.undecided_px();

@@ -62,7 +62,7 @@ fn scenes_of(near_cap: bool) -> Vec<(String, Scene)> {
 }
 
 fn question(scene: &Scene) -> Question {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([96, 80]);
     let exact = evaluate(&model.truth(scene), &view).into();
     Question { model, view, exact }

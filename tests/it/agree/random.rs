@@ -83,7 +83,7 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
     let coarse = "grid:8+vds:32".parse::<Method>().expect("a name");
     let fault = |recipe: &_| {
         let recipe: &cutaway::hard_cases::random::Recipe = recipe;
-        let judged = Question::of(&recipe.scene(), PICTURE_PX).answer(&mut session(), &coarse)?;
+        let judged = Question::new(&recipe.scene(), PICTURE_PX).answer(&mut session(), &coarse)?;
         Ok(judged
             .first_decided_wrong()
             .map(|pixel| judged.describe(pixel)))
@@ -113,7 +113,7 @@ fn what_is_wrong_is_found_whoever_drew_it() {
     // One pixel of a right answer, away from every outline, shows something else.
     let scene = (0..SCENES).map(|scene| recipe(SEED, scene).scene());
     let question = scene
-        .map(|s| Question::of(&s, PICTURE_PX))
+        .map(|s| Question::new(&s, PICTURE_PX))
         .find(|q| q.exact.layers.count(cutaway::layers::Kind::Cap) > 300)
         .expect("a scene with a cap");
     for name in [

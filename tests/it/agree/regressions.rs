@@ -20,7 +20,7 @@ fn regression_0001_the_grid_of_a_flat_map_is_lifted() {
     let map = scenes::map([1, 1], |_, _| 0.25);
     let surface = scenes::mapped(DVec3::ZERO, -DVec3::Z, map, (1.0, 1.0), Wrap::Repeat);
     let scene = scenes::scene("lifted", meshes::shape("cube"), vec![surface]);
-    let judged = Question::of(&scene, [64; 2]).answer(strategy("grid:4+vds:512"));
+    let judged = Question::new(&scene, [64; 2]).answer(strategy("grid:4+vds:512"));
     assert!(
         judged.exact.layers.count(Kind::Cap) > 200,
         "the cap is in the picture"
@@ -55,7 +55,7 @@ fn regression_0002_a_ray_that_touches_crests_is_undecided() {
         );
         // An odd number of pixels: the middle row is the ray at z = 0, where the valleys are.
         scene.camera = scenes::parallel(DVec3::Y * 4.0, DVec3::ZERO, 2.0);
-        let judged = Question::of(&scene, [255; 2]).answer(Strategy::RAYCAST_MASK);
+        let judged = Question::new(&scene, [255; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "height {height}");
     }
 }
@@ -69,7 +69,7 @@ fn regression_0003_a_near_plane_without_a_cap_leaves_pixels_reliable() {
         near_cap: false,
         ..scenes::looking(DVec3::new(0.3, 0.4, 2.0), DVec3::ZERO, 40.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
+    let judged = Question::new(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.comparison.odd_parity_px, 0,
         "{:?}",
@@ -121,8 +121,8 @@ fn regression_0006_a_box_to_the_end_of_the_model_takes_the_lid_with_it() {
     // A box that ends in the faces removes what one that goes on beyond them does.
     let [flush, beyond] = [0.5, 0.75].map(|high| {
         let mut scene = cube.clone();
-        scene.cuts = vec![Cut::of("box", planes(high))];
-        Question::of(&scene, [128; 2])
+        scene.cuts = vec![Cut::new("box", planes(high))];
+        Question::new(&scene, [128; 2])
     });
     let pixels = flush
         .exact
@@ -152,7 +152,7 @@ fn regression_0007_depths_do_not_hang_on_where_a_band_ends() {
         &["-0.3,-0.25,-1@50%,50%,50%"],
     );
     let strategy = strategy("raycast+kbuffer:4");
-    let question = Question::of(&scene, [512, 384]);
+    let question = Question::new(&scene, [512, 384]);
     let depths_of = |view: &View| -> Vec<f64> {
         let mut session = session();
         // Seen from along them, there are more sides in a pixel than are kept.
@@ -201,12 +201,12 @@ fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
         ..Scene::default()
     };
     let plane = ClipSurface::parse("z=0.0", &scene.bounds()).expect("a section");
-    scene.cuts = vec![Cut::of("lid", vec![plane])];
+    scene.cuts = vec![Cut::new("lid", vec![plane])];
     scene.camera.viewpoint = Viewpoint::Orbit {
         azimuth_deg: 215.0,
         elevation_deg: 25.0,
     };
-    let question = Question::of(&scene, [640, 480]);
+    let question = Question::new(&scene, [640, 480]);
     let surface_px = question.exact.layers.count(Kind::Surface);
     assert_eq!(
         surface_px, 107_395,
@@ -230,8 +230,8 @@ fn regression_0008_a_needle_in_the_plane_is_as_far_as_the_plane() {
 fn regression_0009_beside_a_needle_nothing_is_decided() {
     let mut scene = scenes::sectioned("crank", &[]);
     let surface = scenes::relief(&scene, "-z=50%", "fractal:amplitude=4%,period=45%,seed=7");
-    scene.cuts = vec![Cut::of("ragged", vec![surface])];
-    let still = Question::of(&scene, [400, 300]);
+    scene.cuts = vec![Cut::new("ragged", vec![surface])];
+    let still = Question::new(&scene, [400, 300]);
     let view = still.view.sampled_at(DVec2::new(0.5 + 31.0 / 64.0, 0.5));
     let exact = Arc::new(evaluate(&still.model.truth(&scene), &view));
     let moved = Question {
@@ -251,13 +251,13 @@ fn regression_0010_of_clip_surfaces_in_one_plane_the_first_has_the_cap() {
     for sections in [["-y=85%", "-y=85%"], ["-y=60%", "-y=60%"]] {
         let mut scene = scenes::sectioned("sphere?subdivisions=3", &sections);
         let surfaces = std::mem::take(&mut scene.cuts[0].surfaces);
-        let cut = |(i, surface)| Cut::of(format!("cut {i}"), vec![surface]);
+        let cut = |(i, surface)| Cut::new(format!("cut {i}"), vec![surface]);
         scene.cuts = surfaces.into_iter().enumerate().map(cut).collect();
         scene.camera.viewpoint = Viewpoint::Orbit {
             azimuth_deg: 215.0,
             elevation_deg: 60.0,
         };
-        let question = Question::of(&scene, [160, 120]);
+        let question = Question::new(&scene, [160, 120]);
         let caps = question.exact.layers.pixels.iter();
         let mut caps = caps.filter(|p| p.kind == Kind::Cap).peekable();
         assert!(caps.peek().is_some(), "{sections:?}: a cap is seen");

@@ -35,11 +35,11 @@ pub(crate) fn cut(file: &Path, relief: Option<&str>) -> Scene {
         surface = surface.relief(relief);
     }
     let surface = surface.on(&scene.bounds()).expect("a section");
-    scene.cuts.push(Cut::of("middle", vec![surface]));
+    scene.cuts.push(Cut::new("middle", vec![surface]));
     scene
 }
 
 /// Whether all meshes of a scene are closed.
 pub(crate) fn is_closed(scene: &Scene) -> bool {
-    scene.parts.iter().all(|p| Topology::of(&p.mesh).closed)
+    scene.parts.iter().all(|p| Topology::new(&p.mesh).closed)
 }

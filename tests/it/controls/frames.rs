@@ -11,7 +11,7 @@ fn scene() -> Scene {
 }
 
 fn right() -> (Question, Judged) {
-    let question = Question::of(&scene(), [96; 2]);
+    let question = Question::new(&scene(), [96; 2]);
     let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.fault_of_exact(),
@@ -146,7 +146,7 @@ fn what_is_compared_comes_from_two_places() {
 
 #[test]
 fn the_two_definitions_of_wrong_agree() {
-    let question = Question::of(&scene(), [96; 2]);
+    let question = Question::new(&scene(), [96; 2]);
     for name in ["raycast+mask", "grid:8+vds:32"] {
         let judged = question.answer(strategy(name));
         let counted = judged.decided_wrong().count();

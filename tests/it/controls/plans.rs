@@ -49,7 +49,7 @@ fn pass(plan: &mut Plan, name: &str) -> usize {
 
 #[test]
 fn a_plan_that_is_wrong_in_one_step_is_found_out() {
-    let question = Question::of(&scene(), [96; 2]);
+    let question = Question::new(&scene(), [96; 2]);
     let session = session();
     let gpu = session.gpu();
     assert_eq!(
@@ -99,7 +99,7 @@ fn a_plan_that_is_wrong_in_one_step_is_found_out() {
 
 #[test]
 fn a_mask_that_is_not_cleared_is_found_out() {
-    let question = Question::of(&scene(), [96; 2]);
+    let question = Question::new(&scene(), [96; 2]);
     let session = session();
     let gpu = session.gpu();
     let mut program = Program::default();
@@ -134,10 +134,10 @@ fn a_mask_that_is_not_cleared_is_found_out() {
 
 #[test]
 fn the_other_side_of_a_surface_is_another_picture() {
-    let question = Question::of(&scene(), [96; 2]);
+    let question = Question::new(&scene(), [96; 2]);
     let mut flipped = scene();
     flipped.cuts[0].surfaces[0] = flipped.cuts[0].surfaces[0].flipped();
-    let other = Question::of(&flipped, [96; 2]);
+    let other = Question::new(&flipped, [96; 2]);
     let session = session();
     let gpu = session.gpu();
     assert!(

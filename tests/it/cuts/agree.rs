@@ -105,7 +105,7 @@ const CUTS: [(&str, &str, usize); 12] = [
 ];
 
 fn holds(scene: &Scene, what: &str, least_cap_px: usize) -> Vec<String> {
-    let question = Question::of(scene, SIZE_PX);
+    let question = Question::new(scene, SIZE_PX);
     let caps = question.exact.layers.count(Kind::Cap);
     assert!(caps >= least_cap_px, "{what}: only {caps} px of cap");
     let all = EXACT.into_iter().map(strategy);
@@ -184,7 +184,7 @@ fn case_38_two_that_cross_have_no_gap_along_their_edge() {
         let [a, b] = [a, b].map(|s| format!("{{ {s}{ruffle} }}"));
         let and = format!("{RELIEFS}{part}[[cut]]\nsurfaces = [{a}, {b}]\n");
         let or = format!("{RELIEFS}{part}[[cut]]\nsurfaces = [{a}]\n[[cut]]\nsurfaces = [{b}]\n");
-        let [and, or] = [and, or].map(|text| Question::of(&folder.scene(&text), SIZE_PX));
+        let [and, or] = [and, or].map(|text| Question::new(&folder.scene(&text), SIZE_PX));
         for (what, question) in [("AND", &and), ("OR", &or)] {
             let edge = edge_px(question);
             assert!(

@@ -75,7 +75,7 @@ fn a_box_takes_its_volume_out_of_a_cube() {
         let found = caps(&scene);
         assert!((found - cap).abs() < 1e-9, "{block}: caps of {found}");
         // The height over the bottom of the cube, summed over all pixels.
-        let prepared = cutaway::scene::Prepared::of(&scene);
+        let prepared = cutaway::scene::Prepared::new(&scene);
         let view = prepared.view(SIZE_PX);
         let height = |depth: f64| {
             let z = (view.eye + view.forward * depth).z / prepared.scale;

@@ -18,7 +18,7 @@ fn cubes(folder: &Scratch, cuts: &str) -> Scene {
 }
 
 fn plan_of(scene: &Scene, strategy: &Strategy) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([320, 200]);
     strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"))
@@ -75,7 +75,7 @@ fn the_heights_of_a_cut_that_is_off_are_not_there() {
              [[cut]]\nenabled = {enabled}\nsurfaces = [{{ section = \"-x=50%\", relief = \"other\" }}]\n"
         )
     };
-    let bytes = |enabled| Model::of(&cubes(&folder, &cuts(enabled))).heights.len();
+    let bytes = |enabled| Model::new(&cubes(&folder, &cuts(enabled))).heights.len();
     assert_eq!(bytes(false), 8 * 8 * 4);
     assert_eq!(bytes(true), (8 * 8 + 16 * 16) * 4, "the control");
 }

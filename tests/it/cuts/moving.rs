@@ -116,7 +116,7 @@ fn what_opens_and_what_is_switched_agrees_with_exact() {
         let scene = at(&timeline, time_s);
         let next = match &model {
             Some(model) => model.updated(&scene),
-            None => Model::of(&scene),
+            None => Model::new(&scene),
         };
         model = Some(next.clone());
         let question = Question::of_model(next, &scene, [96, 72]);
@@ -156,7 +156,7 @@ fn only_the_map_that_changed_is_uploaded() {
         let timeline = two_reliefs(&folder, &keys);
         let strategy = Strategy::RAYCAST_MASK;
         let mut session = gpu();
-        let mut model = Model::of(&at(&timeline, 0.1));
+        let mut model = Model::new(&at(&timeline, 0.1));
         // The second frame is the first to know that the heights change, and gets room of its own for them.
         for (frame, time_s) in [0.1, 0.4, 0.7, 1.2].into_iter().enumerate() {
             let scene = at(&timeline, time_s);
@@ -186,7 +186,7 @@ fn only_the_map_that_changed_is_uploaded() {
                 assert!(!drawn.clocks.contains(Clock::Solid), "{what} at {time_s} s");
             }
             let mut other = gpu();
-            let fresh = Model::of(&scene);
+            let fresh = Model::new(&scene);
             let drawn = other.draw(&fresh, &view, strategy).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "{what} at {time_s} s");
             let [a, b] = [&session, &other].map(|s| s.layers(strategy).expect("layers"));
@@ -206,7 +206,7 @@ fn heights_that_change_agree_with_exact() {
     let folder = Scratch::new("heights");
     let keys = key("relief.stack.at", "[0, 1, 2.5]") + &key("relief.a.gain", "[0.4, 0.9, 0.4]");
     let timeline = two_reliefs(&folder, &keys);
-    let mut model = Model::of(&at(&timeline, 0.0));
+    let mut model = Model::new(&at(&timeline, 0.0));
     let mut pictures = Vec::new();
     for step in 0..8 {
         let scene = at(&timeline, f64::from(step) * 0.27);

@@ -131,7 +131,7 @@ fn parts_with_equal_offsets_share_a_cut_and_numbers_stay() {
              [[cut]]\nname = \"b\"\nsurfaces = [{{ section = \"y=0\" }}]\n"
         )
     };
-    let of = |offset: &str| Prepared::of(&folder.scene(&text(offset)));
+    let of = |offset: &str| Prepared::new(&folder.scene(&text(offset)));
     let plain = of("");
     assert_eq!((plain.cuts.len(), plain.surfaces.len()), (2, 3));
     let offset = of("offset = { mantle = 0.1, cube = 0.1, \"c*t\" = \"2%\" }");
@@ -174,12 +174,12 @@ fn a_cut_without_an_inside_is_off_and_keeps_its_numbers() {
     ] {
         let scene = folder.scene(&of_cut(cut));
         assert!(!scene.cuts[0].enabled, "{cut}");
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         assert_eq!(prepared.surfaces.len(), surfaces, "{cut}");
         assert_eq!(prepared.parts[0].cuts, [0; 0], "{cut}");
     }
     let on = folder.scene(&of_cut(
         "enabled = true\nsurfaces = [{ section = \"z=0\" }]",
     ));
-    assert_eq!(Prepared::of(&on).parts[0].cuts, [0], "the control");
+    assert_eq!(Prepared::new(&on).parts[0].cuts, [0], "the control");
 }

@@ -44,7 +44,7 @@ fn fault(question: &Question, judged: &Judged) -> Option<String> {
 
 /// What is wrong with the frames of a scene, if anything is.
 fn faults(name: &str, scene: &Scene) -> Vec<String> {
-    let question = Question::of(scene, SIZE);
+    let question = Question::new(scene, SIZE);
     let caps = question.exact.layers.count(Kind::Cap);
     let mut faults = Vec::new();
     if caps < 40 {
@@ -157,14 +157,17 @@ fn cutters_go_with_planes_reliefs_and_each_other() {
         described.extend(faults("ball and relief", &scene));
         scene.cuts[0].surfaces = vec![rough.clone(), plane.clone()];
         described.extend(faults("ball, relief and plane", &scene));
-        scene.cuts = vec![Cut::by(ball.clone()), Cut::of("rough", vec![rough.clone()])];
+        scene.cuts = vec![
+            Cut::by(ball.clone()),
+            Cut::new("rough", vec![rough.clone()]),
+        ];
         described.extend(faults("ball or relief", &scene));
         scene.cuts = vec![Cut::by(ball.clone()), Cut::by(knot.clone())];
         described.extend(faults("ball or knot", &scene));
         scene.cuts = vec![
             Cut::by(ball.flipped()),
             Cut::by(knot),
-            Cut::of("plane", vec![plane]),
+            Cut::new("plane", vec![plane]),
         ];
         described.extend(faults("outside of ball, or knot, or plane", &scene));
     }
@@ -211,7 +214,7 @@ fn a_shared_face_leaves_nothing_without_thickness() {
         for orthographic in [false, true] {
             let mut scene = shared_face(min, max);
             scene.camera = cameras::orbit(30.0, 40.0, orthographic);
-            let question = Question::of(&scene, SIZE);
+            let question = Question::new(&scene, SIZE);
             let is_pocket = (-0.4..0.5).contains(&min.z);
             let caps = question.exact.layers.count(Kind::Cap);
             assert_eq!(caps > 0, is_pocket, "{caps} pixels of caps: {min}");
@@ -250,7 +253,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         let mut camera: Camera = cameras::looking(from, to, 70.0);
         camera.near = Some(near);
         scene.camera = camera;
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         assert!(
             question.exact.layers.count(Kind::Cap) > 200,
             "walls of the void"
@@ -298,7 +301,7 @@ fn layers_of(question: &Question, name: &str) -> Layers {
 
 #[test]
 fn inside_tests_agree_to_the_bit() {
-    let question = Question::of(&shells(), SIZE);
+    let question = Question::new(&shells(), SIZE);
     let [first, rest @ ..] = EXACT.map(|name| layers_of(&question, name));
     for (layers, name) in rest.iter().zip(&EXACT[1..]) {
         assert_eq!(*layers, first, "{name}");
@@ -308,11 +311,11 @@ fn inside_tests_agree_to_the_bit() {
 #[test]
 fn tessellated_reliefs_go_with_cutters() {
     let mut scene = shells();
-    let alone = Question::of(&scene, SIZE);
+    let alone = Question::new(&scene, SIZE);
     let raycast = layers_of(&alone, "raycast+mask");
     let rough = cameras::relief(&scene, "-z=60%", "fractal:size=32,amplitude=6%");
-    scene.cuts.push(Cut::of("rough", vec![rough]));
-    let both = Question::of(&scene, SIZE);
+    scene.cuts.push(Cut::new("rough", vec![rough]));
+    let both = Question::new(&scene, SIZE);
     for name in ["adaptive:0.5+mask", "grid:64+mask", "adaptive:0.5+abuffer"] {
         assert_eq!(layers_of(&alone, name), raycast, "{name}: the cutter alone");
         let judged = both.answer(strategy(name));
@@ -325,7 +328,7 @@ fn tessellated_reliefs_go_with_cutters() {
     // The control: the relief is there.
     let without = Question {
         exact: both.exact.clone(),
-        ..Question::of(&shells(), SIZE)
+        ..Question::new(&shells(), SIZE)
     };
     let judged = without.answer(strategy("adaptive:0.5+mask"));
     let wrong = judged.comparison.decided_wrong_px;
@@ -336,7 +339,7 @@ fn tessellated_reliefs_go_with_cutters() {
 fn the_other_half_of_a_flipped_cutter_is_caught() {
     // The control of all of the above: another cutter than the reference was asked about.
     let mut scene = shells();
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     let ball = scene.cuts[0].volume.clone().expect("the ball");
     for (other, what) in [
         (ball.clone().flipped(), "flipped"),
@@ -348,7 +351,7 @@ fn the_other_half_of_a_flipped_cutter_is_caught() {
         scene.cuts[0].volume = Some(other);
         let asked = Question {
             exact: question.exact.clone(),
-            ..Question::of(&scene, SIZE)
+            ..Question::new(&scene, SIZE)
         };
         let judged = asked.answer(strategy("raycast+mask"));
         assert!(judged.comparison.decided_wrong_px > 50, "{what}");

@@ -14,7 +14,7 @@ use super::scenes::{bitten, cutter, shaped, solid};
 const SIZE: [u32; 2] = [256, 256];
 
 fn seen(scene: &Scene, camera: &Camera) -> (Prepared, View, Exact) {
-    let prepared = Prepared::of(scene);
+    let prepared = Prepared::new(scene);
     let view = prepared.view_of(camera, SIZE);
     let exact = evaluate(&prepared, &view);
     (prepared, view, exact)
@@ -153,7 +153,7 @@ fn a_box_cuts_as_its_six_planes_do() {
     let mesh = moved(&block(min, max), place);
     let by_mesh = bitten("box", parts(), vec![cutter(mesh)]);
     let mut by_planes = bitten("planes", parts(), Vec::new());
-    by_planes.cuts = vec![Cut::of("planes", planes_of_box(place, min, max))];
+    by_planes.cuts = vec![Cut::new("planes", planes_of_box(place, min, max))];
     for (azimuth, orthographic) in [(30.0, false), (30.0, true), (75.0, false)] {
         let camera = cameras::orbit(azimuth, 35.0, orthographic);
         let (_, _, mesh) = seen(&by_mesh, &camera);

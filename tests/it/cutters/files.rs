@@ -58,7 +58,7 @@ fn a_cutter_is_placed_as_parts_are() {
 #[test]
 fn a_mesh_that_is_not_closed_is_no_cutter() {
     let cube = block(DVec3::ZERO, DVec3::ONE);
-    assert!(Cutter::of("cube", cube.clone()).is_ok(), "a closed one is");
+    assert!(Cutter::new("cube", cube.clone()).is_ok(), "a closed one is");
     let mut open = cube.clone();
     open.triangles.pop();
     let mut of_nothing = cube.clone();
@@ -74,7 +74,7 @@ fn a_mesh_that_is_not_closed_is_no_cutter() {
         (lost, "vertex 99"),
         (Mesh::default(), "no triangles"),
     ] {
-        let message = Cutter::of("it", mesh).expect_err(described).to_string();
+        let message = Cutter::new("it", mesh).expect_err(described).to_string();
         assert!(
             message.contains(described) && message.contains("help:"),
             "{message}"
@@ -82,9 +82,9 @@ fn a_mesh_that_is_not_closed_is_no_cutter() {
     }
     // Twice the same edge is no hole: parity asks for no manifold.
     let twice = super::common::meshes::joined(&[shape("cube"), shape("cube")]);
-    assert!(Cutter::of("twice", twice).is_ok());
+    assert!(Cutter::new("twice", twice).is_ok());
     assert!(
-        Cutter::of_parts("none", &[] as &[Part]).is_err(),
+        Cutter::from_parts("none", &[] as &[Part]).is_err(),
         "no part, no cutter"
     );
 }

@@ -56,7 +56,7 @@ fn a_moving_cutter_is_exact_at_every_time() {
     let mut described = Vec::new();
     let mut pictures: Vec<Layers> = Vec::new();
     for (scene, time) in scenes_over_time().iter().zip(times()) {
-        let next = (model.as_ref()).map_or_else(|| Model::of(scene), |m| m.updated(scene));
+        let next = (model.as_ref()).map_or_else(|| Model::new(scene), |m| m.updated(scene));
         model = Some(next.clone());
         let question = Question::of_model(next, scene, [128, 96]);
         assert!(
@@ -86,7 +86,7 @@ fn the_clock_of_solids_stands_still() {
     let strategy = strategy("raycast+mask");
     let mut model: Option<Model> = None;
     for (number, scene) in scenes_over_time().iter().enumerate() {
-        let next = (model.as_ref()).map_or_else(|| Model::of(scene), |m| m.updated(scene));
+        let next = (model.as_ref()).map_or_else(|| Model::new(scene), |m| m.updated(scene));
         let view = next.prepared.view([64, 48]);
         let drawn = session.draw(&next, &view, strategy).expect("a frame");
         let ran = drawn.ran_on(Clock::Solid).len();

@@ -15,7 +15,7 @@ fn ball(at: DVec3) -> cutaway::scene::Cutter {
 }
 
 fn plan(scene: &Scene, strategy: &Strategy) -> Result<Plan, strategies::Refusal> {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([64, 48]);
     strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
 }
@@ -35,7 +35,7 @@ fn a_cutter_costs_what_it_adds_to_the_list_and_nothing_else() {
         "crossings sheet clear cutter count sheets sum 1 sheets scan sheets spread 1 cutter keep merge solid resolve shade"
     );
     let mut plane = solid("cube", shape("cube"), Vec::new());
-    plane.cuts = vec![Cut::of(
+    plane.cuts = vec![Cut::new(
         "plane",
         vec![ClipSurface::plane(DVec3::ZERO, DVec3::Z)],
     )];
@@ -101,7 +101,7 @@ fn what_moves_is_uploaded_and_what_does_not_is_not() {
     };
     let mut first = scene(0.0);
     first.stage = Some(first.bounds());
-    let model = Model::of(&first);
+    let model = Model::new(&first);
     let mut second = scene(0.1);
     second.parts = first.parts.clone();
     second.stage = first.stage;

@@ -17,7 +17,7 @@ fn parts(file: &Path) -> Vec<Part> {
 
 /// A mesh as a cutter, its centre at a point and its diagonal as long as `size`.
 fn cutter_of(file: &Path, size: f64, at: DVec3) -> Cutter {
-    let cutter = Cutter::of_parts("real", &parts(file)).expect("a closed mesh");
+    let cutter = Cutter::from_parts("real", &parts(file)).expect("a closed mesh");
     let bounds = cutter.bounds_in_world();
     let scale = size / bounds.size().length();
     cutter.placed(
@@ -41,14 +41,14 @@ fn real_meshes_cut_each_other_exactly() {
     ] {
         let name = format!("{solid} less {bite}");
         let solids = parts(&data.join(solid));
-        let closed = solids.iter().all(|p| Topology::of(&p.mesh).closed);
+        let closed = solids.iter().all(|p| Topology::new(&p.mesh).closed);
         assert!(closed, "{solid} is closed");
         let bounds = bitten("", solids.clone(), Vec::new()).bounds();
         let at = bounds.centre() + bounds.size() * DVec3::new(0.1, 0.12, 0.25);
         let cutter = cutter_of(&data.join(bite), bounds.size().length() * share, at);
         let mut scene = bitten(&name, solids, vec![cutter]);
         scene.camera = cameras::orbit(20.0, 35.0, false);
-        let question = Question::of(&scene, [320, 240]);
+        let question = Question::new(&scene, [320, 240]);
         let caps = question.exact.layers.count(Kind::Cap);
         if caps < 300 {
             described.push(format!("{name}: only {caps} cap pixels"));

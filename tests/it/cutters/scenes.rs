@@ -36,13 +36,13 @@ pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
 
 /// A cutter of a mesh where it is.
 pub(crate) fn cutter(mesh: Mesh) -> Cutter {
-    Cutter::of("cutter", mesh).expect("a closed mesh")
+    Cutter::new("cutter", mesh).expect("a closed mesh")
 }
 
 /// A built-in shape as a cutter, as large as `size` times what it is, at a place.
 pub(crate) fn shaped(spec: &str, size: f64, at: DVec3) -> Cutter {
     let parts = meshes::parts(spec);
-    let cutter = Cutter::of_parts(spec, &parts).expect("a closed shape");
+    let cutter = Cutter::from_parts(spec, &parts).expect("a closed shape");
     cutter.placed(DAffine3::from_translation(at) * DAffine3::from_scale(DVec3::splat(size)))
 }
 

@@ -26,7 +26,7 @@ fn facts(defect: &str) -> (Topology, Topology) {
     let whole = shape(SPHERE);
     let spoilt = broken(&whole, &[defect]);
     assert_eq!(spoilt.defect(), None, "{defect}: a mesh none the less");
-    (Topology::of(&whole), Topology::of(&spoilt))
+    (Topology::new(&whole), Topology::new(&spoilt))
 }
 
 /// Faces by the places of their corners, so that meshes of other numbers compare.
@@ -75,7 +75,7 @@ fn flipped_faces_disagree_with_their_neighbours_and_leave_no_hole() {
         "they count against the solid"
     );
     let all = broken(&shape(SPHERE), &["flipped:amount=100%"]);
-    assert!((Topology::of(&all).volume + whole.volume).abs() < 1e-12);
+    assert!((Topology::new(&all).volume + whole.volume).abs() < 1e-12);
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn duplicated_faces_have_edges_with_more_than_two_uses() {
         "{} edges",
         twice.non_manifold_edges
     );
-    let all = Topology::of(&broken(&shape(SPHERE), &["duplicated:amount=100%"]));
+    let all = Topology::new(&broken(&shape(SPHERE), &["duplicated:amount=100%"]));
     assert!(all.closed, "twice of all is even");
     assert!((all.volume - 2.0 * whole.volume).abs() < 1e-12);
 }
@@ -116,7 +116,7 @@ fn gaps_are_as_wide_as_they_say() {
     let whole = shape(SPHERE);
     let width = 0.01;
     let apart = broken(&whole, &["gaps:amount=0.01,charts=6"]);
-    let facts = Topology::of(&apart);
+    let facts = Topology::new(&apart);
     assert_eq!(facts.components, 6, "charts do not hang together");
     assert_eq!(facts.faces, whole.triangles.len());
     assert!(facts.boundary_edges > 0 && facts.non_manifold_edges == 0);
@@ -171,7 +171,7 @@ fn an_open_shell_lacks_all_beyond_its_plane() {
 fn soup_shares_no_vertex_and_stays_close() {
     let whole = shape(SPHERE);
     let soup = broken(&whole, &["soup:amount=0.02"]);
-    let facts = Topology::of(&soup);
+    let facts = Topology::new(&soup);
     assert_eq!(facts.components, facts.faces, "every face is a piece");
     assert_eq!(facts.boundary_edges, 3 * facts.faces);
     let far = (0..facts.faces)

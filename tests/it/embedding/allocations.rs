@@ -119,7 +119,7 @@ impl ByHand {
 #[test]
 fn a_still_frame_allocates_what_its_one_pass_takes() {
     let host = Host::new(SIZE_PX, PLAIN);
-    let model = Model::of(&scenes::sectioned("cube", &["-z=50%"]));
+    let model = Model::new(&scenes::sectioned("cube", &["-z=50%"]));
     let view = model.prepared.view(SIZE_PX);
     let views = host.views();
     let mut session = host.session();

@@ -54,8 +54,8 @@ fn scene() -> Scene {
     );
     scene.parts.push(ball);
     scene.cuts = vec![
-        Cut::of("plane", vec![plane]),
-        Cut::of("relief", vec![rough]),
+        Cut::new("plane", vec![plane]),
+        Cut::new("relief", vec![rough]),
     ];
     scene
 }
@@ -205,7 +205,7 @@ fn draw_surfaces(
 fn composed(is_clipped: bool) -> (Vec<u8>, Layers, Vec<u8>) {
     let host = Host::new(SIZE_PX, COLOR);
     let scene = scene();
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let Camera {
         world_from_view,
         clip_from_view,
@@ -230,7 +230,7 @@ fn composed(is_clipped: bool) -> (Vec<u8>, Layers, Vec<u8>) {
     let encoded = session.encode_passes(&mut encoder, &model, &view, method);
     assert_eq!(encoded.ok(), Some(Encoded::Drawn { passes: 0 }), "still");
     draw_surfaces(&host, &mut session, &scene, is_clipped, &mut encoder);
-    let mut target = host.target(&views, Some(HostDepth::of(&clip_from_view)));
+    let mut target = host.target(&views, Some(HostDepth::from_projection(&clip_from_view)));
     (target.background, target.caps_only) = (false, true);
     let encoded = session.encode(&mut encoder, &model, &view, method, &target);
     assert_eq!(encoded.ok(), Some(Encoded::Drawn { passes: 0 }), "caps");
@@ -271,7 +271,7 @@ fn surfaces_of_a_host_end_where_caps_begin() {
 fn a_method_without_lists_has_nothing_to_clip_by() {
     let host = Host::new(SIZE_PX, COLOR);
     let scene = scenes::sectioned("cube", &["-z=50%"]);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view(SIZE_PX);
     let mut session = host.session();
     let method: cutaway::strategies::Method = "stencil".parse().expect("a method");
@@ -283,4 +283,16 @@ fn a_method_without_lists_has_nothing_to_clip_by() {
     host.submit(encoder);
     let error = session.clip_group(method).expect_err("no lists");
     assert!(error.to_string().contains("list of crossings"), "{error}");
+    // Nor is there anything of a frame that was drawn and not encoded since.
+    let method = Strategy::RAYCAST_MASK;
+    let mut encoder = host.encoder();
+    let encoded = session.encode_passes(&mut encoder, &model, &view, method);
+    assert!(matches!(encoded, Ok(Encoded::Drawn { .. })), "{encoded:?}");
+    host.submit(encoder);
+    assert!(session.clip_group(method).is_ok(), "an encoded frame");
+    let _ = session.draw(&model, &view, method).expect("a frame");
+    assert!(
+        session.clip_group(method).is_err(),
+        "a frame that was drawn"
+    );
 }

@@ -19,7 +19,7 @@ const NEAR: f64 = 0.5;
 #[test]
 fn the_nearer_one_is_seen_in_every_convention() {
     let scene = scenes::sectioned("sphere?subdivisions=3", &["-z=50%"]);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let aspect = f64::from(SIZE_PX[0]) / f64::from(SIZE_PX[1]);
     let world_from_view = look_at_mat4(DVec3::new(0.3, 0.4, 2.5), DVec3::ZERO, DVec3::Y).inverse();
     for (name, clip_from_view) in [
@@ -37,7 +37,7 @@ fn the_nearer_one_is_seen_in_every_convention() {
 /// The host's depth is everywhere that of a wall which the sphere sticks out of.
 fn composed(name: &str, model: &Model, world_from_view: &DMat4, clip_from_view: &DMat4) {
     let host = Host::new(SIZE_PX, wgpu::TextureFormat::Rgba8Unorm);
-    let convention = HostDepth::of(clip_from_view);
+    let convention = HostDepth::from_projection(clip_from_view);
     let view = (model.prepared)
         .view_from(world_from_view, clip_from_view, SIZE_PX)
         .expect("a camera");

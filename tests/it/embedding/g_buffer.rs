@@ -14,7 +14,9 @@ const SIZE_PX: [u32; 2] = [160, 120];
 
 /// What of a layer the third attachment holds.
 fn word_of(layer: &Layer) -> u32 {
-    let flags = u32::from(layer.back_face) << 2 | u32::from(layer.unreliable) << 3;
+    let flags = u32::from(layer.back_face) << 2
+        | u32::from(layer.unreliable) << 3
+        | u32::from(layer.overlap) << 4;
     layer.kind as u32 | flags | u32::from(layer.clip_surface) << 8 | u32::from(layer.part) << 16
 }
 
@@ -23,8 +25,8 @@ fn it_holds_what_the_layers_say() {
     let host = Host::new(SIZE_PX, wgpu::TextureFormat::Rgba8Unorm);
     let mut scene = scenes::sectioned("crank", &["-z=50%"]);
     scene.parts[0].material.color = glam::Vec3::new(0.2, 0.4, 0.6);
-    let model = Model::of(&scene);
-    let view = model.prepared.view(SIZE_PX);
+    let model = Model::new(&scene);
+    let view_of_all = model.prepared.view(SIZE_PX);
     let normals = host.attachment(wgpu::TextureFormat::Rgba16Float);
     let words = host.attachment(wgpu::TextureFormat::R32Uint);
     let [normal_view, word_view] =
@@ -39,10 +41,7 @@ fn it_holds_what_the_layers_say() {
             view: &normal_view,
             format: normals.format(),
         },
-        what: Attachment {
-            view: &word_view,
-            format: words.format(),
-        },
+        what: &word_view,
         depth: TargetDepth {
             view: depth,
             format: DEPTH,
@@ -57,7 +56,7 @@ fn it_holds_what_the_layers_say() {
     let method = Strategy::RAYCAST_MASK;
     let mut encoder = host.encoder();
     host.clear(&mut encoder, [1.0, 0.0, 1.0], 0.0);
-    let encoded = session.encode_g_buffer(&mut encoder, &model, &view, method, &buffer);
+    let encoded = session.encode_g_buffer(&mut encoder, &model, &view_of_all, method, &buffer);
     let Encoded::Drawn { passes } = encoded.expect("a frame") else {
         panic!("refused");
     };
@@ -94,6 +93,26 @@ fn it_holds_what_the_layers_say() {
         let distance = layer.depth / model.prepared.scale;
         let ratio = f64::from(depths[i]) * distance;
         assert!((ratio - 1.0).abs() < 1e-5, "pixel {i}: {ratio}");
+    }
+    // What would fail when the host finishes its encoder is refused by name.
+    let small = host.attachment_of([80, 60], wgpu::TextureFormat::Rgba16Float);
+    let small_view = small.create_view(&wgpu::TextureViewDescriptor::default());
+    let unsigned = wgpu::TextureFormat::Rgba8Unorm;
+    let wrong = [
+        (&small_view, normals.format(), "does not fit"),
+        (&normal_view, unsigned, "not Rgba8Unorm"),
+        (color, unsigned, "no negative numbers"),
+    ];
+    for (view, format, reason) in wrong {
+        let normal = Attachment { view, format };
+        let buffer = GBuffer { normal, ..buffer };
+        let mut encoder = host.encoder();
+        let refused = session.encode_g_buffer(&mut encoder, &model, &view_of_all, method, &buffer);
+        let message = refused.expect_err("a bad attachment").to_string();
+        assert!(
+            message.contains("the normals") && message.contains(reason),
+            "{message}"
+        );
     }
     // The control: both kinds are there to be compared.
     assert!(seen.iter().all(|count| *count > 200), "{seen:?}");

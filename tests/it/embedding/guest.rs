@@ -19,8 +19,8 @@ fn crank() -> Scene {
     let plane = ClipSurface::parse("-z=50%", &scene.bounds()).expect("a section");
     let rough = scenes::relief(&scene, "x=60%", "waves:amplitude=4%");
     scene.cuts = vec![
-        Cut::of("plane", vec![plane]),
-        Cut::of("relief", vec![rough]),
+        Cut::new("plane", vec![plane]),
+        Cut::new("relief", vec![rough]),
     ];
     scene
 }
@@ -59,7 +59,7 @@ fn settled(
 #[test]
 fn a_host_sees_the_pixels_of_render() {
     let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view(SIZE_PX);
     for name in [
         "raycast+mask",
@@ -93,7 +93,7 @@ fn a_host_sees_the_pixels_of_render() {
 #[test]
 fn what_overflows_is_reported_later_and_has_room_then() {
     let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let mut session = host.session();
     let (passes, overflows) = settled(&host, &mut session, &model, method("grid:32+vds:64"));
     let layers = |o: &&String| o.contains("layers of the sprite");
@@ -112,7 +112,7 @@ fn what_overflows_is_reported_later_and_has_room_then() {
 #[test]
 fn bands_are_composed_to_one_picture() {
     let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let method = method("raycast+mask");
     let mut whole = host.session();
     settled(&host, &mut whole, &model, method);
@@ -138,7 +138,7 @@ fn bands_are_composed_to_one_picture() {
 #[test]
 fn what_moves_is_drawn_anew_and_what_is_refused_leaves_no_trace() {
     let (mut scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let mut session = host.session();
     let exact = method("raycast+mask");
     settled(&host, &mut session, &model, exact);
@@ -169,7 +169,7 @@ fn linear_targets_get_linear_light() {
         crank(),
         Host::new(SIZE_PX, wgpu::TextureFormat::Rgba8UnormSrgb),
     );
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let method = method("raycast+mask");
     settled(&host, &mut host.session(), &model, method);
     let view = model.prepared.view(SIZE_PX);
@@ -217,7 +217,7 @@ fn what_the_device_lacks_is_refused_with_what_works() {
     let gpu = Gpu::from_device(&adapter.get_info(), device, queue).expect("core is enough");
     let mut session = Session::new(gpu);
     let scene = scenes::sectioned("cube", &["-z=50%"]);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view(SIZE_PX);
     let drawn = session
         .draw(&model, &view, method("stencil"))
@@ -244,7 +244,7 @@ fn the_handler_of_the_host_is_not_called() {
             count.fetch_add(1, Ordering::Relaxed);
         }));
     let mut session = host.session();
-    let model = Model::of(&crank());
+    let model = Model::new(&crank());
     settled(&host, &mut session, &model, method("raycast+mask"));
     // A target that does not fit its pipeline is our error, not the host's.
     let view = model.prepared.view([SIZE_PX[0] * 2, SIZE_PX[1]]);

@@ -70,6 +70,15 @@ impl Host {
         texture(&self.device, self.size_px, format)
     }
 
+    /// Another attachment, of some size.
+    pub(crate) fn attachment_of(
+        &self,
+        size_px: [u32; 2],
+        format: wgpu::TextureFormat,
+    ) -> wgpu::Texture {
+        texture(&self.device, size_px, format)
+    }
+
     pub(crate) fn views(&self) -> [wgpu::TextureView; 2] {
         [&self.color, &self.depth].map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()))
     }

@@ -73,7 +73,7 @@ fn a_near_plane_in_the_solid_caps_it_or_shows_what_the_ray_enters_next() {
     let hollow = scene(vec![hollow()], vec![], open);
     let shell = sound(&hollow, [64, 64]);
     let middle = shell.layers.at(32, 32);
-    let depth = middle.depth / Prepared::of(&hollow).scale;
+    let depth = middle.depth / Prepared::new(&hollow).scale;
     assert_eq!(
         middle.kind,
         Kind::Surface,
@@ -87,7 +87,7 @@ fn a_floor_that_goes_on_behind_the_eye_is_where_it_should_be() {
     let floor = cuboid(dvec3(-10.0, -1.0, -10.0), dvec3(10.0, 0.0, 10.0));
     let camera = eye(dvec3(0.0, 1.0, 0.0), dvec3(0.3, 0.7, -1.0), 70.0);
     let scene = scene(vec![floor], vec![], camera);
-    let prepared = Prepared::of(&scene);
+    let prepared = Prepared::new(&scene);
     let view = prepared.view(SIZE);
     let exact = sound(&scene, SIZE);
     let mut covered = 0;
@@ -146,8 +146,8 @@ fn far_tiny_and_huge_scenes_look_alike() {
 #[test]
 fn the_horizon_of_the_view_does_not_matter_to_parity() {
     // Vertices before, at and behind the eye: the homogeneous edge functions need no clipping.
-    let mut view: View = Prepared::of(&scene(vec![hollow()], vec![], orbit(0.0, 0.0))).view(SIZE);
-    let prepared = Prepared::of(&scene(vec![hollow()], vec![], orbit(0.0, 0.0)));
+    let mut view: View = Prepared::new(&scene(vec![hollow()], vec![], orbit(0.0, 0.0))).view(SIZE);
+    let prepared = Prepared::new(&scene(vec![hollow()], vec![], orbit(0.0, 0.0)));
     let vertex = prepared.parts[0].positions[200].as_dvec3();
     // Not on the mesh itself: an eye there has no side.
     for eye in [

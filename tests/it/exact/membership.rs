@@ -71,7 +71,7 @@ fn points_tested_one_by_one_agree() {
         ),
     ] {
         let scene = scene(meshes(), cuts, camera);
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let view = prepared.view([256, 256]);
         let exact = evaluate(&prepared, &view);
         for _ in 0..60 {

@@ -17,7 +17,7 @@ fn nested(cubes: &[(f64, Option<i32>)]) -> Scene {
     });
     Scene {
         parts: parts.collect(),
-        cuts: vec![Cut::of(
+        cuts: vec![Cut::new(
             "cut",
             vec![ClipSurface::plane(DVec3::ZERO, DVec3::NEG_Z)],
         )],
@@ -40,7 +40,7 @@ fn a_part_without_a_priority_has_0() {
         ([(large, None), (small, Some(0))], 1),
         ([(small, None), (large, None)], 0),
     ] {
-        let prepared = Prepared::of(&nested(&cubes));
+        let prepared = Prepared::new(&nested(&cubes));
         let exact = evaluate(&prepared, &prepared.view([16, 16]));
         let middle = exact.layers.at(8, 8);
         assert_eq!(middle.kind, Kind::Cap, "{cubes:?}");

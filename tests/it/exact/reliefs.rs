@@ -54,7 +54,7 @@ fn caps_lie_on_their_surface_and_face_along_its_slope() {
                 ..relief(0.0, 0.6, 0.3, white.clone())
             };
             let scene = scene(vec![ball(1.0, 24, 24)], vec![vec![surface.clone()]], camera);
-            let prepared = Prepared::of(&scene);
+            let prepared = Prepared::new(&scene);
             let view = prepared.view([96, 96]);
             let exact = sound(&scene, [96, 96]);
             let mut caps = 0;

@@ -127,7 +127,7 @@ pub(crate) fn scene(meshes: Vec<Mesh>, cuts: Vec<Vec<ClipSurface>>, camera: Came
         cuts: cuts
             .into_iter()
             .enumerate()
-            .map(|(i, s)| Cut::of(format!("c{i}"), s))
+            .map(|(i, s)| Cut::new(format!("c{i}"), s))
             .collect(),
         camera,
         stage: None,
@@ -222,7 +222,7 @@ pub(crate) fn fractal(size: u32, seed: u64) -> OffsetMap {
 
 /// Evaluates a scene with its own camera.
 pub(crate) fn frame(scene: &Scene, size_px: [u32; 2]) -> Exact {
-    let prepared = Prepared::of(scene);
+    let prepared = Prepared::new(scene);
     evaluate(&prepared, &prepared.view(size_px))
 }
 

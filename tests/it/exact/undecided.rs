@@ -102,7 +102,7 @@ fn changed(a: &Exact, b: &Exact) -> (usize, usize) {
 fn decided_pixels_survive_the_rounding_of_a_rasteriser() {
     let (mut decided, mut all, mut too_far) = (0, 0, 0);
     for (name, scene) in scenes() {
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let view = prepared.view([256, 256]);
         let exact = evaluate(&prepared, &view);
         for seed in 0..8 {
@@ -130,7 +130,7 @@ fn decided_depths_survive_a_shift_of_the_samples() {
     for seed in 5..11 {
         let cut = vec![vec![relief(0.1, 0.5, 0.3, fractal(128, seed))]];
         let camera = parallel(dvec3(1.0, 2.0, 0.9), DVec3::ZERO, 2.0);
-        let prepared = Prepared::of(&scene(vec![ball(1.0, 40, 60)], cut, camera));
+        let prepared = Prepared::new(&scene(vec![ball(1.0, 40, 60)], cut, camera));
         let view = prepared.view([256, 256]);
         let exact = evaluate(&prepared, &view);
         for [x, y] in [
@@ -164,7 +164,7 @@ fn decided_depths_survive_a_shift_of_the_samples() {
 #[test]
 fn few_pixels_are_undecided() {
     for (name, scene) in scenes() {
-        let prepared = Prepared::of(&scene);
+        let prepared = Prepared::new(&scene);
         let view = prepared.view([512, 384]);
         let exact = evaluate(&prepared, &view);
         println!(

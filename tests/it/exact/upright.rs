@@ -36,7 +36,7 @@ fn cube(section: &str, up: Up) -> Scene {
     };
     let normal = plane.frame().normal;
     let placed = plane.with_relief(letter(), &placement, &bounds);
-    scene.cuts = vec![Cut::of("cut", vec![placed.expect("a relief")])];
+    scene.cuts = vec![Cut::new("cut", vec![placed.expect("a relief")])];
     let is_level = normal.dot(up.axis()).abs() > 0.5;
     scene.camera = Camera {
         viewpoint: Viewpoint::Explicit {
@@ -70,7 +70,7 @@ fn the_letter_can_be_read_on_all_axes() {
     ];
     for up in [Up::PlusY, Up::PlusZ] {
         for section in sections {
-            let prepared = Prepared::of(&cube(section, up));
+            let prepared = Prepared::new(&cube(section, up));
             let exact = evaluate(&prepared, &prepared.view([100, 100]));
             // What is high rises toward the eye. Texels are 0.2 wide and lie around the middle.
             let depth = |column: usize, row: usize| {

@@ -10,7 +10,7 @@ use super::common::scenes::sectioned;
 
 /// Exact of anything, with other layers in its place.
 fn exact(layers: &Layers) -> Exact {
-    let shown = SceneAtTime::of(&sectioned("cube", &["-z=50%"]));
+    let shown = SceneAtTime::new(&sectioned("cube", &["-z=50%"]));
     let view = shown.model.prepared.view(layers.size_px);
     let mut exact = evaluate(shown.truth().unwrap(), &view);
     exact.layers = layers.clone();

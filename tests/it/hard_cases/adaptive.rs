@@ -68,7 +68,7 @@ fn wrong_rays(
         );
         from.dot(surface.frame.normal) + map.sample(surface.wrap, at).0 * surface.height_scale
     };
-    let cut_box = Relevance::of(&model.prepared, view)
+    let cut_box = Relevance::new(&model.prepared, view)
         .expect("a plain scene")
         .cut_box;
     let (mut wrong, mut asked) = (0, 0);
@@ -102,7 +102,7 @@ fn wrong_rays(
 
 #[test]
 fn case_34_no_crack_along_a_cameras_way() {
-    let model = Model::of(&scene());
+    let model = Model::new(&scene());
     let strategy = strategy("adaptive:0.5+mask");
     let mut session = session();
     let mut sheet: Option<Sheet> = None;
@@ -168,7 +168,7 @@ fn case_34_no_crack_along_a_cameras_way() {
 
 #[test]
 fn case_34_a_list_of_the_wrong_parity_is_noticed() {
-    let model = Model::of(&scene());
+    let model = Model::new(&scene());
     let strategy = strategy("adaptive:0.5+mask");
     let view = model.prepared.view_of(&camera(0), SIZE);
     let mut session = session();

@@ -19,13 +19,13 @@ fn case_37_opposite_signs_are_complementary() {
     let pair = bumps::opposite(256);
     let mut answers = Vec::new();
     for scene in &pair {
-        let judged = Question::of(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
+        let judged = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         answers.push(judged);
     }
     let mut whole = pair[0].clone();
     whole.cuts.clear();
-    let whole = Question::of(&whole, [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let whole = Question::new(&whole, [256; 2]).answer(Strategy::RAYCAST_MASK);
     let mut same_cap = 0;
     for i in 0..whole.layers.pixels.len() {
         if answers.iter().chain([&whole]).any(|a| a.exact.undecided[i]) {
@@ -46,7 +46,7 @@ fn case_37_opposite_signs_are_complementary() {
 #[test]
 fn case_38_and_or_differ_and_have_both_caps() {
     for scene in bumps::crossing(256) {
-        let judged = Question::of(&scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
+        let judged = Question::new(&scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         for surface in [0, 1] {
             let caps = judged.layers.pixels.iter();
@@ -73,7 +73,7 @@ fn words(program: &Program, gpu: &Gpu, names: &[&str]) -> Vec<Vec<u32>> {
 #[test]
 fn case_41_fifty_repeats_are_bit_identical() {
     let scene = &bumps::crossing(128)[0];
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([128; 2]);
     let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
     for (name, names) in [
@@ -112,7 +112,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
 fn case_41_the_order_of_triangles_changes_nothing() {
     let scene = solids::torus_cut();
     let draw = |scene: &cutaway::scene::Scene| {
-        let question = Question::of(scene, [128; 2]);
+        let question = Question::new(scene, [128; 2]);
         let layers = question.answer(Strategy::RAYCAST_MASK).layers;
         (
             layers,
@@ -151,7 +151,7 @@ fn case_41_the_order_of_triangles_changes_nothing() {
 #[test]
 fn case_41_one_thread_and_two_find_the_same() {
     for scene in bumps::crossing(128) {
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         let view = model.prepared.view([128; 2]);
         let [one, two] = [1, 2].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();

@@ -15,7 +15,7 @@ fn case_10_inside_the_kept_side_the_near_cap_fills_the_picture() {
         near: Some(0.02),
         ..scenes::looking(DVec3::new(0.1, 0.05, -0.2), DVec3::Z, 50.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
+    let judged = Question::new(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     let near = judged.layers.pixels.iter();
     let caps = near.filter(|p| p.kind == Kind::Cap && p.clip_surface == NEAR_PLANE);
     assert_eq!(
@@ -32,7 +32,7 @@ fn case_11_from_a_void_the_wall_is_seen_and_no_cap() {
         near: Some(0.01),
         ..scenes::looking(DVec3::new(0.02, 0.01, 0.03), -DVec3::X, 70.0)
     };
-    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
+    let judged = Question::new(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.layers.count(Kind::Surface),
         64 * 64,
@@ -44,7 +44,7 @@ fn case_11_from_a_void_the_wall_is_seen_and_no_cap() {
 fn case_14_far_tiny_and_huge_scenes_look_the_same() {
     let scene = solids::torus_cut();
     for px in [64, 256] {
-        let home = Question::of(&scene, [px; 2]);
+        let home = Question::new(&scene, [px; 2]);
         let here = home.answer(Strategy::RAYCAST_MASK);
         for (scale, offset) in [
             (1.0, 1e6),
@@ -54,7 +54,7 @@ fn case_14_far_tiny_and_huge_scenes_look_the_same() {
             (1e6, 1e9),
         ] {
             let placed = solids::placed(&scene, scale, DVec3::splat(offset));
-            let away = Question::of(&placed, [px; 2]);
+            let away = Question::new(&placed, [px; 2]);
             let there = away.answer(Strategy::RAYCAST_MASK);
             let differing = (0..here.layers.pixels.len())
                 .filter(|i| {
@@ -78,7 +78,7 @@ fn resolution(buffer: f64, depth_from_buffer: impl Fn(f64) -> f64) -> f64 {
 #[test]
 fn case_15_reversed_depth_keeps_its_precision_at_every_distance() {
     let scene = &solids::near_and_far(64)[0];
-    let question = Question::of(scene, [64; 2]);
+    let question = Question::new(scene, [64; 2]);
     let view = &question.view;
     let ratio = view.far / view.near;
     assert!(ratio > 1e5, "far is only {ratio} times near");
@@ -122,7 +122,7 @@ fn case_12_without_the_near_cap_the_ray_shows_what_it_enters_next_and_no_pixel_i
         near_cap: false,
         ..scenes::looking(DVec3::new(0.3, 0.4, 2.0), DVec3::ZERO, 40.0)
     };
-    let question = Question::of(&scene, [64; 2]);
+    let question = Question::new(&scene, [64; 2]);
     for name in ["raycast+mask", "grid:256+vds:512"] {
         let judged = question.answer(strategy(name));
         assert_eq!(

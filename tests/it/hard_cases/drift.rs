@@ -22,7 +22,7 @@ struct Flicker {
 }
 
 fn drifting(scene: &Scene, method: &Method) -> Flicker {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let truth = model.truth(scene);
     let whole = model.prepared.view([SIDE_PX; 2]);
     let mut flicker = Flicker::default();
@@ -68,7 +68,7 @@ fn case_40_a_drifting_camera_flips_what_exact_flips() {
         "-0.2,-0.3,-1@50%,50%,50%",
         "fractal:size=32,amplitude=6%",
     );
-    scene.cuts = vec![cutaway::scene::Cut::of("cut", vec![rough])];
+    scene.cuts = vec![cutaway::scene::Cut::new("cut", vec![rough])];
     let method = |name: &str| name.parse::<Method>().expect(name);
     for name in ["raycast+mask", "raycast+mask@compute"] {
         let flicker = drifting(&scene, &method(name));
@@ -97,7 +97,7 @@ fn case_07_a_million_triangles_leave_no_odd_pixel() {
         },
         ..Camera::default()
     };
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     assert_eq!(model.prepared.triangle_count(), 1_000_000);
     let view = model.prepared.view([64; 2]);
     let mut session = session();

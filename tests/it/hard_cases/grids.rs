@@ -33,7 +33,7 @@ fn hills(camera: usize) -> Scene {
     });
     let normal = DVec3::new(-0.3, -0.25, -1.0);
     let surface = scenes::mapped(DVec3::ZERO, normal, heights, (1.1, 0.35), Wrap::Repeat);
-    scene.cuts = vec![Cut::of("cut", vec![surface])];
+    scene.cuts = vec![Cut::new("cut", vec![surface])];
     let (azimuth, elevation) = [(35.0, 25.0), (120.0, 8.0), (250.0, 15.0)][camera];
     scene.camera = scenes::orbit(azimuth, elevation, camera == 1);
     scene
@@ -42,7 +42,7 @@ fn hills(camera: usize) -> Scene {
 #[test]
 fn case_33_no_level_of_a_grid_shows_a_back_face_and_errors_fall_with_it() {
     let levels = [8, 16, 32, 64, 128, 256, 512, 1024];
-    let questions: Vec<Question> = (0..3).map(|c| Question::of(&hills(c), [512; 2])).collect();
+    let questions: Vec<Question> = (0..3).map(|c| Question::new(&hills(c), [512; 2])).collect();
     let mut silhouettes = Vec::new();
     for cells in levels {
         let strategy = strategy(&format!("grid:{cells}+mask"));
@@ -129,7 +129,7 @@ fn case_32_near_tangency_the_gap_of_the_paper_stays_under_its_bound_and_the_list
     let mut see_through = Vec::new();
     for (texels, angle_deg) in [(EVEN, 0.1), (EVEN, 0.01), (ROUGH, 0.1), (ROUGH, 0.01)] {
         let scene = near_tangent(angle_deg, texels);
-        let question = Question::of(&scene, [256; 2]);
+        let question = Question::new(&scene, [256; 2]);
         let raycast = question.answer(strategy("raycast+mask"));
         assert_eq!(raycast.fault_of_exact(), None, "at {angle_deg} degrees");
         for cells in [12, 48, 192] {

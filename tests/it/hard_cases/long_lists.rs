@@ -92,7 +92,7 @@ fn wrong(question: &Question, layers: &Layers) -> [usize; 2] {
 
 #[test]
 fn case_27_up_to_31_crossings_the_list_grows() {
-    let question = Question::of(
+    let question = Question::new(
         &noisy(
             24,
             0.4,
@@ -110,7 +110,7 @@ fn case_27_up_to_31_crossings_the_list_grows() {
 
 #[test]
 fn case_27_beyond_31_crossings_lanes_are_several_words() {
-    let question = Question::of(&noisy(256, 0.5, far_wall()), SIZE);
+    let question = Question::new(&noisy(256, 0.5, far_wall()), SIZE);
     let (judged, written, longest) =
         answer(&question, &Strategy::RAYCAST_MASK, Rasteriser::Hardware);
     assert_eq!(judged.fault_of_exact(), None, "noise of 256 texels");
@@ -146,7 +146,7 @@ fn case_27_beyond_31_crossings_lanes_are_several_words() {
 fn case_27_counts_have_a_byte_for_each_crossing() {
     let mut scene = noisy(256, 0.5, far_wall());
     scene.parts[0].fill = Fill::Nonzero;
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
         let (judged, ..) = answer(&question, &Strategy::RAYCAST_MASK, rasteriser);
         assert_eq!(judged.fault_of_exact(), None, "nonzero by {rasteriser}");
@@ -155,7 +155,7 @@ fn case_27_counts_have_a_byte_for_each_crossing() {
 
 #[test]
 fn case_27_what_finds_no_room_is_marked_and_told() {
-    let question = Question::of(&noisy(256, 0.5, far_wall()), SIZE);
+    let question = Question::new(&noisy(256, 0.5, far_wall()), SIZE);
     let (layers, need) = run(plan_for(&question, 31));
     assert!(need > 64, "{need} is what the frame asks for");
     let marked = layers.pixels.iter().filter(|p| p.unreliable).count();
@@ -171,7 +171,7 @@ fn case_27_what_finds_no_room_is_marked_and_told() {
 
 #[test]
 fn case_27_a_lane_too_short_is_noticed() {
-    let question = Question::of(&noisy(256, 0.5, far_wall()), SIZE);
+    let question = Question::new(&noisy(256, 0.5, far_wall()), SIZE);
     let (_, need) = run(plan_for(&question, 31));
     // Who marks, or who decides, believes that a lane is one word.
     for pass in ["solid", "resolve"] {
@@ -194,7 +194,7 @@ fn case_27_a_lane_too_short_is_noticed() {
 
 #[test]
 fn a_picture_with_no_room_for_long_lists_holds_them_shorter() {
-    let question = Question::of(
+    let question = Question::new(
         &noisy(
             24,
             0.4,

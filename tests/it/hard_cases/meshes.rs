@@ -13,7 +13,7 @@ fn case_04_and_05_every_pixel_counts_even() {
     for px in [64, 256] {
         for shape in ["cube?divisions=8", "slivers", "sponge?level=2"] {
             for scene in solids::aligned(shape, px) {
-                let judged = Question::of(&scene, [px; 2]).answer(Strategy::RAYCAST_MASK);
+                let judged = Question::new(&scene, [px; 2]).answer(Strategy::RAYCAST_MASK);
                 let odd = judged.layers.pixels.iter().filter(|p| p.unreliable).count();
                 assert_eq!(odd, 0, "{} at {px}", scene.name);
             }
@@ -24,7 +24,7 @@ fn case_04_and_05_every_pixel_counts_even() {
 #[test]
 fn case_04_the_vertices_do_lie_at_pixel_centres() {
     let scene = &solids::aligned("cube?divisions=8", 64)[0];
-    let question = Question::of(scene, [64; 2]);
+    let question = Question::new(scene, [64; 2]);
     let positions = &question.model.prepared.parts[0].positions;
     let off = positions
         .iter()
@@ -47,17 +47,17 @@ fn cut_cube(mesh: cutaway::scene::Mesh) -> cutaway::scene::Scene {
 fn case_06_triangles_without_area_change_nothing() {
     let cube = meshes::shape("cube");
     for px in [64, 256] {
-        let plain = Question::of(&cut_cube(cube.clone()), [px; 2]).answer(Strategy::RAYCAST_MASK);
+        let plain = Question::new(&cut_cube(cube.clone()), [px; 2]).answer(Strategy::RAYCAST_MASK);
         let mesh = meshes::with_degenerate(&cube);
         assert!(
             mesh.triangles.len() > cube.triangles.len(),
             "nothing was added"
         );
-        let mixed = Question::of(&cut_cube(mesh), [px; 2]).answer(Strategy::RAYCAST_MASK);
+        let mixed = Question::new(&cut_cube(mesh), [px; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(plain.layers, mixed.layers, "at {px}");
         // Needles move depths by a rounding, decisions not at all.
         let mesh = meshes::with_needles(&cube, 1e-6);
-        let needles = Question::of(&cut_cube(mesh), [px; 2]).answer(Strategy::RAYCAST_MASK);
+        let needles = Question::new(&cut_cube(mesh), [px; 2]).answer(Strategy::RAYCAST_MASK);
         let differing = (0..plain.layers.pixels.len())
             .filter(|i| !plain.exact.undecided[*i] && !needles.exact.undecided[*i])
             .filter(|i| class_of(&plain.layers.pixels[*i]) != class_of(&needles.layers.pixels[*i]))
@@ -68,14 +68,14 @@ fn case_06_triangles_without_area_change_nothing() {
 
 #[test]
 fn case_19_nothing_is_inside_a_doubled_mesh() {
-    let question = Question::of(&solids::doubled(), [256; 2]);
+    let question = Question::new(&solids::doubled(), [256; 2]);
     let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         judged.layers.count(Kind::Cap),
         0,
         "by parity there is no inside"
     );
-    let single = Question::of(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let single = Question::new(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
     assert!(
         single.layers.count(Kind::Cap) > 1000,
         "of the single mesh there is"
@@ -86,7 +86,7 @@ fn case_19_nothing_is_inside_a_doubled_mesh() {
 fn case_20_the_missing_triangle_is_marked_pixel_by_pixel() {
     for px in [64, 256] {
         for scene in solids::open(px) {
-            let question = Question::of(&scene, [px; 2]);
+            let question = Question::new(&scene, [px; 2]);
             let judged = question.answer(Strategy::RAYCAST_MASK);
             let odd = question.exact.odd_parity.iter().filter(|o| **o).count();
             assert!(

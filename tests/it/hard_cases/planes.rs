@@ -20,7 +20,7 @@ fn case_01_the_cap_is_the_unit_square_to_the_pixel() {
     for px in [64, 256] {
         // Two units of picture: the square takes half the side, and its edges lie between samples.
         let camera = scenes::parallel(DVec3::Z * 3.0, DVec3::ZERO, 2.0);
-        let question = Question::of(&cube_cut_at(0.0, -1.0, camera), [px; 2]);
+        let question = Question::new(&cube_cut_at(0.0, -1.0, camera), [px; 2]);
         for name in ["raycast+mask", "grid:256+vds:512"] {
             let judged = question.answer(strategy(name));
             assert_eq!(
@@ -55,7 +55,7 @@ fn case_02_a_face_in_the_plane_flips_only_as_a_whole() {
             for from in [DVec3::new(0.6, 0.5, 2.0), DVec3::new(0.6, 0.5, -2.0)] {
                 let camera = scenes::looking(from, DVec3::ZERO, 40.0);
                 let scene = cube_cut_at(f64::from(next(z, ulps)), sign, camera);
-                let question = Question::of(&scene, [128; 2]);
+                let question = Question::new(&scene, [128; 2]);
                 let judged = question.answer(Strategy::RAYCAST_MASK);
                 assert_eq!(
                     judged.fault_of_exact(),
@@ -109,8 +109,8 @@ fn case_22_a_flat_map_is_the_plane_bit_for_bit() {
             surface.origin -= surface.frame().normal * height * surface.scale.z;
             for name in ["raycast+mask", "grid:64+vds:256"] {
                 let strategy = strategy(name);
-                let mapped = Question::of(&scene, [px; 2]).answer(strategy).layers;
-                let planar = Question::of(&plane, [px; 2]).answer(strategy).layers;
+                let mapped = Question::new(&scene, [px; 2]).answer(strategy).layers;
+                let planar = Question::new(&plane, [px; 2]).answer(strategy).layers;
                 // Moving the origin rounds it: depths may differ in the last place, decisions may not.
                 let differing = mapped
                     .pixels

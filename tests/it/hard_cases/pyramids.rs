@@ -41,7 +41,7 @@ fn by(walk: ReliefWalk, question: &Question) -> Judged {
 
 /// Holds both ways to exact and to each other; what they show.
 fn hold(what: &str, scene: &Scene) -> Layers {
-    let question = Question::of(scene, SIZE);
+    let question = Question::new(scene, SIZE);
     let [walked, passed] = [ReliefWalk::Cells, ReliefWalk::Pyramid].map(|walk| {
         let judged = by(walk, &question);
         assert_eq!(judged.fault_of_exact(), None, "{what} by {walk}");

@@ -18,8 +18,8 @@ fn case_23_a_ramp_is_a_tilted_plane() {
     // F = d.N + f Sz with f = (d.U) / 2 between the texel centres, which lie beyond the solid.
     let plane = ClipSurface::plane(DVec3::ZERO, frame.normal + frame.u_hat * 0.5);
     let ball = || meshes::shape("sphere?subdivisions=3");
-    let ramp = Question::of(&scenes::scene("ramp", ball(), vec![surface]), [256; 2]);
-    let flat = Question::of(&scenes::scene("plane", ball(), vec![plane]), [256; 2]);
+    let ramp = Question::new(&scenes::scene("ramp", ball(), vec![surface]), [256; 2]);
+    let flat = Question::new(&scenes::scene("plane", ball(), vec![plane]), [256; 2]);
     let (ramp, flat) = [ramp, flat]
         .map(|q| q.answer(Strategy::RAYCAST_MASK))
         .into();
@@ -76,7 +76,7 @@ fn case_31_a_map_of_4096_texels_a_side() {
         meshes::shape("sphere?subdivisions=3"),
         vec![surface],
     );
-    let judged = Question::of(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
+    let judged = Question::new(&scene, [64; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(judged.fault_of_exact(), None, "16 million texels");
     assert!(
         judged.layers.count(Kind::Cap) > 500,
@@ -104,7 +104,7 @@ fn case_32_the_gap_of_the_grid_grows_as_the_cut_becomes_tangent() {
             let slab = meshes::block(DVec3::new(-0.5, -0.25, -0.5), DVec3::new(0.5, 0.25, 0.5));
             let mut scene = scenes::scene("slab", slab, vec![surface]);
             scene.camera = scenes::orbit(35.0, 50.0, false);
-            let question = Question::of(&scene, [256; 2]);
+            let question = Question::new(&scene, [256; 2]);
             let exact = question.answer(Strategy::RAYCAST_MASK);
             assert_eq!(exact.fault_of_exact(), None, "at {angle_deg} degrees");
             question.answer(paper).comparison.decided_wrong_px
@@ -122,7 +122,7 @@ fn case_32_the_gap_of_the_grid_grows_as_the_cut_becomes_tangent() {
 #[test]
 fn case_48_the_length_of_v_counts_and_its_angle_must_be_right() {
     let scene = &bumps::anisotropic(256)[1];
-    let as_meant = Question::of(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let as_meant = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(
         as_meant.fault_of_exact(),
         None,
@@ -132,7 +132,7 @@ fn case_48_the_length_of_v_counts_and_its_angle_must_be_right() {
     let mut as_printed = scene.clone();
     let surface = &mut as_printed.cuts[0].surfaces[0];
     surface.v = surface.v.normalize() * surface.u.length();
-    let printed = Question::of(&as_printed, [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let printed = Question::new(&as_printed, [256; 2]).answer(Strategy::RAYCAST_MASK);
     let differing = (0..printed.layers.pixels.len())
         .filter(|i| printed.layers.pixels[*i] != as_meant.layers.pixels[*i])
         .count();

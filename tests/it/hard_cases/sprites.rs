@@ -29,7 +29,7 @@ fn sections() -> Vec<Scene> {
 fn case_35_the_error_of_the_sprite_halves_as_its_resolution_doubles() {
     let questions: Vec<Question> = sections()
         .iter()
-        .map(|s| Question::of(s, [1024; 2]))
+        .map(|s| Question::new(s, [1024; 2]))
         .collect();
     let resolutions = [256, 512, 1024, 2048];
     let shares = resolutions.map(|resolution| {
@@ -68,11 +68,11 @@ fn sprite_layers(strategy: &Strategy) -> u32 {
 #[test]
 fn case_36_layers_are_counted_and_too_many_are_told() {
     let few = strategy("grid:8+vds:128");
-    let judged = Question::of(&plates(8), [64; 2]).answer(few);
+    let judged = Question::new(&plates(8), [64; 2]).answer(few);
     assert_eq!(judged.outcome, Outcome::Complete, "16 layers fit");
     assert_eq!(sprite_layers(&few), 16, "two faces of each plate");
     // 200 plates are 400 layers where the resolution tells them apart, and no sprite has so many.
-    let judged = Question::of(&plates(200), [64; 2]).answer(few);
+    let judged = Question::new(&plates(200), [64; 2]).answer(few);
     let Outcome::Overflowed(reason) = &judged.outcome else {
         panic!("400 layers in one sprite: {:?}", judged.outcome);
     };
@@ -93,7 +93,7 @@ fn case_36_layers_are_counted_at_the_resolution_used() {
         meshes::joined(&[slab, needle]),
         vec![plane],
     );
-    let question = Question::of(&scene, [64; 2]);
+    let question = Question::new(&scene, [64; 2]);
     let layers = [64, 2048].map(|resolution| {
         let strategy = strategy(&format!("grid:8+vds:{resolution}"));
         assert_eq!(

@@ -35,7 +35,7 @@ fn asked(size: u32) -> Vec<Scene> {
     for shape in ["earth?subdivisions=3", "gears?flank=2"] {
         let mut scene = scenes::sectioned(shape, &["-1,0.2,0.1@45%,50%,50%"]);
         let rough = scenes::relief(&scene, "-z=45%", "fractal:size=64,seed=3,amplitude=6%");
-        scene.cuts.push(Cut::of("rough", vec![rough]));
+        scene.cuts.push(Cut::new("rough", vec![rough]));
         all.push(scene);
     }
     all
@@ -45,7 +45,7 @@ fn asked(size: u32) -> Vec<Scene> {
 fn case_44_the_stencil_leaves_the_mask_bit_for_bit() {
     let mut set = 0;
     for scene in asked(128) {
-        let [mask, stencil] = masks(&Question::of(&scene, [128; 2]));
+        let [mask, stencil] = masks(&Question::new(&scene, [128; 2]));
         assert_eq!(mask.len(), stencil.len(), "{}", scene.name);
         let differing = mask.iter().zip(&stencil).filter(|(a, b)| a != b).count();
         assert_eq!(differing, 0, "{}: words of {}", scene.name, mask.len());
@@ -57,7 +57,7 @@ fn case_44_the_stencil_leaves_the_mask_bit_for_bit() {
 #[test]
 fn case_44_nonzero_leaves_whether_the_count_is_0() {
     for scene in windings::nonzero(solids::hollow(128)) {
-        let question = Question::of(&scene, [128; 2]);
+        let question = Question::new(&scene, [128; 2]);
         let [mask, stencil] = masks(&question);
         let (totals, counts) = mask.split_at(128 * 128);
         for ((total, count), bits) in totals.iter().zip(counts).zip(&stencil) {
@@ -95,7 +95,7 @@ fn a_stencil_that_is_wrong_in_one_step_is_found_out() {
         ball.world_from_part = DAffine3::from_translation(scene.bounds().size() * 0.4);
         ball
     });
-    let question = Question::of(&scene, [96; 2]);
+    let question = Question::new(&scene, [96; 2]);
     type Fault = fn(&mut cutaway::plan::DepthTarget);
     let faults: [(&str, Strategy, &str, Fault); 5] = [
         (
@@ -178,7 +178,7 @@ fn the_classic_is_exact_from_either_side_in_either_projection() {
                 for section in ["-0.3,-1,-0.2@50%,50%,50%", "-z=50%", "z=50%"] {
                     let mut scene = scenes::sectioned(shape, &[section]);
                     scene.camera = scenes::orbit(azimuth, elevation, orthographic);
-                    let question = Question::of(&scene, [96, 72]);
+                    let question = Question::new(&scene, [96, 72]);
                     let judged = question.answer(Strategy::STENCIL);
                     let what = format!("{shape}, {section} from {azimuth}, {elevation}");
                     assert_eq!(judged.fault_of_exact(), None, "{what}");
@@ -210,8 +210,8 @@ fn the_classic_keeps_parts_and_rules_apart() {
     ];
     let mut scene = scenes::of_parts("balls", parts, Vec::new());
     let plane = ClipSurface::parse("-0.1,-0.3,-1@50%,50%,50%", &scene.bounds()).expect("a section");
-    scene.cuts = vec![Cut::of("cut", vec![plane])];
-    let question = Question::of(&scene, [192, 128]);
+    scene.cuts = vec![Cut::new("cut", vec![plane])];
+    let question = Question::new(&scene, [192, 128]);
     for strategy in [
         Strategy::RAYCAST_MASK,
         Strategy::RAYCAST_STENCIL,

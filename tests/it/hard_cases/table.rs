@@ -78,7 +78,7 @@ fn named(name: &str) -> Method {
 fn every_expectation_can_be_missed() {
     let coarse = named("grid:16+vds:32");
     let scene = solids::torus_cut();
-    let question = Question::of(&scene, [128; 2]);
+    let question = Question::new(&scene, [128; 2]);
     let judged = question.answer(&mut session(), &coarse).expect("a frame");
     // The bands of a sprite of 512 and of no error are too narrow for one of 32.
     let fine = named("grid:256+vds:512");
@@ -100,7 +100,7 @@ fn every_expectation_can_be_missed() {
     assert_eq!(own, None, "its own band is wide enough");
     // An open mesh whose marks are wiped off.
     let open = &solids::open(128)[0];
-    let question = Question::of(open, [128; 2]);
+    let question = Question::new(open, [128; 2]);
     let mask = named("raycast+mask");
     let mut judged = question.answer(&mut session(), &mask).expect("a frame");
     let marked = Expected::Marked.fault(&question, &judged, &mask);
@@ -115,7 +115,7 @@ fn every_expectation_can_be_missed() {
 #[test]
 fn a_declaration_that_is_stale_is_a_fault() {
     let scene = &solids::each("cube", &["-z=0.1"])[0];
-    let question = Question::of(scene, [64; 2]);
+    let question = Question::new(scene, [64; 2]);
     let mask = named("raycast+mask");
     let judged = question.answer(&mut session(), &mask).expect("a frame");
     for stale in [
@@ -135,7 +135,7 @@ fn a_declaration_that_is_stale_is_a_fault() {
     // A refusal for another reason than the one that is declared.
     let stencil = named("stencil");
     let crossing = &cutaway::hard_cases::bumps::crossing(64)[0];
-    let question = Question::of(crossing, [64; 2]);
+    let question = Question::new(crossing, [64; 2]);
     let refused = question.answer(&mut session(), &stencil).expect("a frame");
     assert!(
         matches!(refused.outcome, Outcome::Refused(_)),

@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::common::session;
 
 fn sections(mesh: &Mesh, at: DVec3, normal: DVec3) -> Section {
-    let slicer = Slicer::of(mesh.positions.clone(), &mesh.triangles);
+    let slicer = Slicer::new(mesh.positions.clone(), &mesh.triangles);
     slicer.section(&SlicePlane::from(&ClipSurface::plane(at, normal)))
 }
 
@@ -20,7 +20,7 @@ fn case_21_t_junctions_leak_no_more_than_their_slivers() {
     let mask = "raycast+mask".parse::<Method>().expect("a name");
     let mut marked = Vec::new();
     for scene in users::t_junctions(256) {
-        let question = Question::of(&scene, [256; 2]);
+        let question = Question::new(&scene, [256; 2]);
         let judged = question.answer(&mut session(), &mask).expect("a frame");
         let unmarked = judged.first_unmarked_wrong().map(|i| judged.describe(i));
         assert_eq!(unmarked, None, "{}", scene.name);

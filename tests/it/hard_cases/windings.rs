@@ -66,7 +66,7 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
         let shape = format!("shells?subdivisions=3&flip_inner={flip}");
         let mut scene = solids::each(&shape, &["-z=0.05"]).remove(0);
         scene.parts[0].fill = fill;
-        let judged = Question::of(&scene, [128; 2]).answer(Strategy::RAYCAST_MASK);
+        let judged = Question::new(&scene, [128; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{shape}, {fill}");
         judged.layers.count(Kind::Cap)
     };
@@ -86,7 +86,7 @@ fn case_16_a_hollow_ball_is_hollow_if_its_inner_shell_is_turned() {
 fn case_17_overlapping_balls_unite() {
     let scenes = solids::overlapping(256);
     let caps = |scene: &Scene| {
-        let judged = Question::of(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
+        let judged = Question::new(scene, [256; 2]).answer(Strategy::RAYCAST_MASK);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.name);
         judged.layers.count(Kind::Cap)
     };
@@ -101,7 +101,7 @@ fn case_17_overlapping_balls_unite() {
 fn case_18_winding_is_the_index_of_the_profile() {
     for (name, profile) in profiles() {
         for fill in [Fill::EvenOdd, Fill::Nonzero] {
-            let question = Question::of(&crossed(&profile, fill), [256; 2]);
+            let question = Question::new(&crossed(&profile, fill), [256; 2]);
             let judged = question.answer(Strategy::RAYCAST_MASK);
             assert_eq!(judged.fault_of_exact(), None, "{name}, {fill}");
             let prepared = &question.model.prepared;
@@ -131,7 +131,7 @@ fn case_18_winding_is_the_index_of_the_profile() {
 #[test]
 fn case_18_the_mask_holds_the_winding_number_itself() {
     let (_, profile) = &profiles()[0];
-    let question = Question::of(&crossed(profile, Fill::Nonzero), [256; 2]);
+    let question = Question::new(&crossed(profile, Fill::Nonzero), [256; 2]);
     let (judged, mask) = by_compute(&question);
     assert_eq!(judged.fault_of_exact(), None, "by the compute rasteriser");
     // One word of totals, one of bytes of which the first is the plane's.
@@ -147,9 +147,9 @@ fn case_18_the_mask_holds_the_winding_number_itself() {
 
 #[test]
 fn case_19_a_doubled_mesh_is_as_solid_as_a_single_one() {
-    let single = Question::of(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
+    let single = Question::new(&solids::torus_cut(), [256; 2]).answer(Strategy::RAYCAST_MASK);
     let doubled = nonzero(vec![solids::doubled()]).remove(0);
-    let question = Question::of(&doubled, [256; 2]);
+    let question = Question::new(&doubled, [256; 2]);
     let judged = question.answer(Strategy::RAYCAST_MASK);
     assert_eq!(judged.fault_of_exact(), None, "hardware");
     assert_eq!(by_compute(&question).0.fault_of_exact(), None, "compute");
@@ -173,7 +173,7 @@ fn more_shells_than_a_byte_counts_are_marked() {
         let mesh = meshes::joined(&(0..count).map(shell).collect::<Vec<_>>());
         let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(-0.2, -0.1, -1.0));
         let scene = scenes::scene("shells", mesh, vec![plane]);
-        Question::of(&nonzero(vec![scene])[0], [96; 2])
+        Question::new(&nonzero(vec![scene])[0], [96; 2])
     };
     for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
         let most = match rasteriser {
@@ -209,9 +209,9 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
     mesh.triangles[front].swap(0, 1);
     let plane = ClipSurface::plane(DVec3::new(0.0, 0.2, 0.0), DVec3::new(-0.2, -1.0, -0.1));
     let even_odd = scenes::scene("one face turned", mesh, vec![plane]);
-    let parity = Question::of(&even_odd, [128; 2]).answer(Strategy::RAYCAST_MASK);
+    let parity = Question::new(&even_odd, [128; 2]).answer(Strategy::RAYCAST_MASK);
     assert_eq!(parity.comparison.odd_parity_px, 0, "parity ignores it");
-    let question = Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
+    let question = Question::new(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
     for judged in [
         question.answer(Strategy::RAYCAST_MASK),
         by_compute(&question).0,
@@ -219,7 +219,7 @@ fn faces_that_disagree_on_what_is_out_are_marked_where_they_are() {
         let marked = judged.comparison.odd_parity_px;
         assert!(marked > 20, "{marked} pixels are marked");
         let method = Method::from(Strategy::RAYCAST_MASK);
-        let asked = hard_cases::Question::of(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
+        let asked = hard_cases::Question::new(&nonzero(vec![even_odd.clone()])[0], [128; 2]);
         let fault = Expected::Marked.fault(&asked, &judged, &method);
         assert_eq!(fault, None);
     }
@@ -251,7 +251,7 @@ fn random(n: &mut Numbers) -> Scene {
     } else {
         ClipSurface::parse(&section, &scene.bounds()).expect("a section")
     };
-    scene.cuts = vec![Cut::of("cut", vec![surface])];
+    scene.cuts = vec![Cut::new("cut", vec![surface])];
     if !n.once_in(4) {
         scene.parts[0].fill = Fill::Nonzero;
     }
@@ -265,7 +265,7 @@ fn shells_at_random_are_filled_as_exact_says() {
     let (mut caps, mut parted) = (0, 0);
     for i in 0..40 {
         let mut scene = random(&mut n);
-        let question = Question::of(&scene, [64, 48]);
+        let question = Question::new(&scene, [64, 48]);
         for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
             let judged = question.answer(strategy);
             assert_eq!(judged.fault_of_exact(), None, "{i}: {strategy}");
@@ -281,7 +281,7 @@ fn shells_at_random_are_filled_as_exact_says() {
             Fill::EvenOdd => Fill::Nonzero,
             Fill::Nonzero => Fill::EvenOdd,
         };
-        let other = Question::of(&scene, [64, 48]);
+        let other = Question::new(&scene, [64, 48]);
         parted += usize::from(question.compare(&other.exact.layers).decided_wrong_px > 5);
     }
     assert!(caps > 5000, "only {caps} cap pixels");

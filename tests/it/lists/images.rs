@@ -29,7 +29,7 @@ fn differing(a: &Layers, b: &Layers) -> usize {
 fn images_answer_as_sprites_do() {
     let mut coarse_differ = 0;
     for (name, scene) in [("ring", ring()), ("row", row()), ("plates", plates(8))] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for surface in ["raycast", "grid:16"] {
             let [ldi, vds, coarse] = ["ldi:128", "vds:128", "ldi:32"].map(|inside| {
                 layers(
@@ -51,7 +51,7 @@ fn images_answer_as_sprites_do() {
 #[test]
 fn images_by_either_rasteriser_hardly_differ() {
     for (name, scene) in [("ring", ring()), ("row", row())] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         let both = [HARDWARE, Rasteriser::Compute];
         // Depths of the two differ in their last places, so a pixel on a rim may go either way.
         let [hardware, compute] = both.map(|r| layers(&question, &strategy("raycast+ldi:256"), r));
@@ -70,7 +70,7 @@ fn images_by_either_rasteriser_hardly_differ() {
 fn rays_with_images_err_along_rims_alone() {
     let mut wrong = [0; 2];
     for (name, scene) in [("ring", ring()), ("row", row())] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for (wrong, inside) in wrong.iter_mut().zip(["ldi:64", "ldi:512"]) {
             let judged = question.answer(strategy(&format!("raycast+{inside}")));
             *wrong += judged.comparison.decided_wrong_px;
@@ -93,7 +93,7 @@ fn the_near_plane_is_capped_by_asking_where_rays_begin() {
         near: Some(radius * 2.85),
         ..scenes::looking(from, centre, 40.0)
     };
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     let judged = question.answer(strategy("raycast+ldi:512"));
     let near = |l: &Layers| {
         let caps = l.pixels.iter().filter(|p| p.kind == Kind::Cap);
@@ -111,7 +111,7 @@ fn case_19_faces_that_lie_in_one_another_are_kept_apart_by_lists_alone() {
     let twice = meshes::joined(&[cube.clone(), cube]);
     let plane =
         cutaway::scene::ClipSurface::plane(glam::DVec3::ZERO, glam::DVec3::new(-0.3, -0.5, -1.0));
-    let question = Question::of(&scenes::scene("twice", twice, vec![plane]), SIZE);
+    let question = Question::new(&scenes::scene("twice", twice, vec![plane]), SIZE);
     assert_eq!(
         question.exact.layers.count(Kind::Cap),
         0,
@@ -131,7 +131,7 @@ fn case_19_faces_that_lie_in_one_another_are_kept_apart_by_lists_alone() {
 
 #[test]
 fn case_36_lists_hold_what_a_sprite_has_no_layers_for() {
-    let question = Question::of(&plates(200), SIZE);
+    let question = Question::new(&plates(200), SIZE);
     for (name, is_complete) in [("raycast+ldi:128", true), ("raycast+vds:128", false)] {
         drawn(&question, &strategy(name), HARDWARE, |_, outcome| {
             assert_eq!(

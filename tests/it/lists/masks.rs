@@ -57,7 +57,7 @@ fn fault(written: &[u32], made: &[u32]) -> Option<String> {
 fn masks_are_the_same_to_the_bit() {
     let mut said = 0;
     for (name, scene) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for rasteriser in RASTERISERS {
             let written = mask_of(&question, &Strategy::RAYCAST_MASK, rasteriser);
             said += written.iter().filter(|w| **w != 0).count();
@@ -77,7 +77,7 @@ fn masks_are_the_same_to_the_bit() {
 #[test]
 fn frames_that_keep_fragments_are_exact() {
     for (name, scene) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for exact in ["raycast+abuffer", "raycast+kbuffer:32"] {
             let judged = question.answer(strategy(exact));
             assert_eq!(judged.fault_of_exact(), None, "{name}, {exact}");
@@ -87,7 +87,7 @@ fn frames_that_keep_fragments_are_exact() {
 
 #[test]
 fn a_step_left_out_makes_another_mask() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     let written = mask_of(&question, &Strategy::RAYCAST_MASK, Rasteriser::Hardware);
     let capacities = Capacities {
         fragments: Some(100_000),

@@ -40,7 +40,7 @@ fn marked(found: &Layers, right: &Layers) -> (usize, usize) {
 #[test]
 fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
     for scene in [ring(), row()] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         let all = strategy("raycast+kbuffer:32");
         let right = layers(&question, &all, HARDWARE);
         let lanes = scene.parts.len();
@@ -80,7 +80,7 @@ fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
 #[test]
 fn a_single_slot_is_enough_for_what_lies_before_it() {
     // The ring seen along the cut from the kept side: the crossing is behind the first face.
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     let right = layers(&question, &Strategy::RAYCAST_MASK, HARDWARE);
     let one = strategy("raycast+kbuffer:1");
     drawn(&question, &one, HARDWARE, |session, _| {
@@ -99,7 +99,7 @@ fn case_46_a_pool_too_small_by_one_is_told_and_grows_to_what_is_needed() {
         row(),
         scenes::sectioned("comb?teeth=8", &["-0.2,-1,-0.1@50%,40%,50%"]),
     ] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         let right = layers(&question, &Strategy::RAYCAST_MASK, HARDWARE);
         let (roomy, need) = with_room(&question, "raycast+abuffer", 1_000_000);
         assert_eq!(roomy, right, "{}: room for all", scene.name);
@@ -124,7 +124,7 @@ fn case_46_a_session_tries_again_with_the_size_it_was_told() {
     let mut scene = scenes::sectioned("comb?teeth=8", &["-0.2,-1,-0.1@50%,40%,50%"]);
     // Through all the teeth.
     scene.camera = scenes::orbit(90.0, 5.0, true);
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     let all = strategy("raycast+abuffer");
     drawn(&question, &all, HARDWARE, |session, outcome| {
         assert_eq!(*outcome, Outcome::Complete, "drawn again");
@@ -139,7 +139,7 @@ fn case_46_a_session_tries_again_with_the_size_it_was_told() {
 
 #[test]
 fn images_that_do_not_fit_mark_who_asks_them() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     for name in ["raycast+ldi:64", "grid:16+ldi:64"] {
         let (right, need) = with_room(&question, name, 100_000);
         assert_eq!(

@@ -26,7 +26,7 @@ fn bytes(plan: &Plan, name: &str) -> u64 {
 
 #[test]
 fn passes_are_those_that_each_needs() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     for (name, expected) in [
         (
             "raycast+abuffer",
@@ -64,7 +64,7 @@ fn passes_are_those_that_each_needs() {
 
 #[test]
 fn images_of_all_parts_are_built_in_one_go() {
-    let question = Question::of(&row(), SIZE);
+    let question = Question::new(&row(), SIZE);
     let images = |name: &str| {
         let plan = plan(&question, name, None);
         let of_image = |n: &&str| n.starts_with("image") || n.starts_with("sprite");
@@ -82,11 +82,11 @@ fn images_of_all_parts_are_built_in_one_go() {
 fn owners_are_kept_where_there_are_several() {
     let pixels = u64::from(SIZE[0] * SIZE[1]);
     for (scene, words_each) in [(ring(), 1), (row(), 2)] {
-        let plan = plan(&Question::of(&scene, SIZE), "raycast+abuffer", Some(1000));
+        let plan = plan(&Question::new(&scene, SIZE), "raycast+abuffer", Some(1000));
         let found = bytes(&plan, "fragments of the A-buffer");
         assert_eq!(found, 4 * (pixels + 1000 * words_each), "{}", scene.name);
     }
-    let plan = plan(&Question::of(&row(), SIZE), "raycast+kbuffer:4", None);
+    let plan = plan(&Question::new(&row(), SIZE), "raycast+kbuffer:4", None);
     assert_eq!(
         bytes(&plan, "nearest fragments"),
         4 * pixels * 6 * 5,
@@ -96,8 +96,8 @@ fn owners_are_kept_where_there_are_several() {
 
 #[test]
 fn what_no_binding_holds_is_refused_by_name() {
-    let question = Question::of(&row(), SIZE);
-    let large = Question::of(&row(), [1600, 1200]);
+    let question = Question::new(&row(), SIZE);
+    let large = Question::new(&row(), [1600, 1200]);
     for (question, name, fragments, described) in [
         (
             &question,
@@ -132,7 +132,7 @@ fn what_no_binding_holds_is_refused_by_name() {
 
 #[test]
 fn what_the_compute_rasteriser_does_not_draw_is_refused_with_a_reason() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     for name in ["raycast+vds:64", "grid:8+vds:64", "grid:8+ldi:64"] {
         let refusal = strategies::plan(
             &question.model,

@@ -9,7 +9,7 @@ use crate::common::session;
 
 fn plan_of(values: &[u32]) -> Plan {
     let mut plan = Plan::default();
-    let contents = Contents::of(values);
+    let contents = Contents::from_values(values);
     let items = plan.add_resource(Resource::upload(
         "items",
         Role::Storage,
@@ -113,6 +113,6 @@ fn a_sum_that_misses_a_step_is_noticed() {
     let mut plan = plan_of(&values);
     plan.passes.swap(0, 1);
     // What is summed before it is there would be refused; an empty buffer stands for it.
-    plan.resources[2].contents = Some(Contents::of(&[0_u32; 3]));
+    plan.resources[2].contents = Some(Contents::from_values(&[0_u32; 3]));
     assert!(fault(&values, &run(plan)).is_some(), "blocks out of order");
 }

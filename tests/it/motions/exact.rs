@@ -70,7 +70,7 @@ fn a_bar_bends_by_a_quarter_turn() {
     ] {
         let now = part.at_time(0, time_s);
         near(&world(&now), &bent(degrees));
-        assert!(Topology::of(&now.posed_mesh()).closed);
+        assert!(Topology::new(&now.posed_mesh()).closed);
     }
     // Any order of times: nothing is left over from the last.
     let now = part.at_time(0, 1.0).at_time(0, 0.5);

@@ -201,7 +201,7 @@ fn a_broken_clip_goes_and_the_mesh_stays() {
         let names: Vec<_> = part.clips().iter().map(|c| c.name.as_str()).collect();
         assert_eq!(names, ["translation"], "{fault}");
         assert!(
-            Topology::of(&part.at_time(0, 0.0).posed_mesh()).closed,
+            Topology::new(&part.at_time(0, 0.0).posed_mesh()).closed,
             "{fault}"
         );
     }
@@ -409,7 +409,7 @@ fn what_can_be_mended_is_mended_and_said() {
                 let now = part.at_time(clip, time_s);
                 assert_eq!(now.posed_mesh().defect(), None, "{fault} at {time_s} s");
                 assert!(
-                    Topology::of(&now.posed_mesh()).closed,
+                    Topology::new(&now.posed_mesh()).closed,
                     "{fault} at {time_s} s"
                 );
             }
@@ -552,7 +552,7 @@ fn what_is_welded_moves_as_one() {
         "{said}"
     );
     let now = apart.parts[0].at_time(0, 1.0);
-    assert!(Topology::of(&now.posed_mesh()).closed);
+    assert!(Topology::new(&now.posed_mesh()).closed);
     assert!((now.posed_mesh().volume() - 2.0).abs() < 1e-6);
 }
 

@@ -76,7 +76,7 @@ fn lonely(some: &[DVec3], others: &[DVec3], distance: f64) -> Option<DVec3> {
 
 /// How two sets of points differ, if they do.
 fn difference(ours: &[DVec3], theirs: &[DVec3]) -> Option<String> {
-    let size = Bounds::of(theirs.iter().copied()).size().length();
+    let size = Bounds::from_points(theirs.iter().copied()).size().length();
     if let Some(p) = lonely(ours, theirs, SAME * size) {
         return Some(format!("{p} is a vertex only here"));
     }
@@ -144,7 +144,7 @@ fn closed_models_stay_closed() {
         let rest = load_mesh_file(&model(name).unwrap()).unwrap().parts;
         let is_first = clip == 0 && time_s <= 0.0;
         for (part, rest) in parts.iter().zip(&rest) {
-            let closed = Topology::of(&rest.mesh).closed;
+            let closed = Topology::new(&rest.mesh).closed;
             if is_first {
                 let word = if closed { "closed" } else { "open" };
                 println!("{name}: {} is {word}", part.name);

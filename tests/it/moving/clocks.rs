@@ -85,7 +85,7 @@ fn only_what_moved_is_built_again() {
         let mut stage = Stage::new(strategy);
         let all = |parts: &[u32]| if sprites { parts.to_vec() } else { Vec::new() };
         let mut scene = scene();
-        let mut model = Model::of(&scene);
+        let mut model = Model::new(&scene);
         let ran = stage.draws(&model, "the first frame");
         assert_eq!(of_parts(&ran), [vec![0], all(&[0, 1])], "{strategy}: first");
 
@@ -121,7 +121,7 @@ fn the_sprite_of_a_moving_mesh_costs_on_the_clock_of_the_solid() {
     let strategy = strategy("grid:16+vds:64");
     let mut stage = Stage::new(strategy);
     let mut scene = scene();
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     for degrees in [30.0, 45.0, 60.0] {
         bend(&mut scene.parts[0], degrees);
         model = model.updated(&scene);
@@ -149,7 +149,7 @@ fn the_sprite_of_a_moving_mesh_costs_on_the_clock_of_the_solid() {
 #[test]
 fn what_stays_is_shared_and_not_packed_again() {
     let mut scene = scene();
-    let first = Model::of(&scene);
+    let first = Model::new(&scene);
     bend(&mut scene.parts[0], 80.0);
     let next = first.updated(&scene);
     let rank = |model: &Model, part| {

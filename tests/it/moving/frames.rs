@@ -42,8 +42,8 @@ fn cut(name: &str, part: Part) -> Scene {
     let plane = ClipSurface::plane(DVec3::Z * 0.02, DVec3::new(0.1, 0.15, -1.0));
     let waves = scenes::relief(&scene, "-z=48%", "waves:amplitude=5%,period=30%");
     scene.cuts = vec![
-        cutaway::Cut::of("plane", vec![plane]),
-        cutaway::Cut::of("waves", vec![waves]),
+        cutaway::Cut::new("plane", vec![plane]),
+        cutaway::Cut::new("waves", vec![waves]),
     ];
     scene
 }
@@ -61,7 +61,7 @@ fn posed_parts_are_cut_exactly() {
         let mut scene = cut(&name, part);
         for orthographic in [false, true] {
             scene.camera = scenes::orbit(20.0, 15.0, orthographic);
-            is_exact(&Question::of(&scene, SIZE_PX), &name);
+            is_exact(&Question::new(&scene, SIZE_PX), &name);
         }
     }
 }
@@ -76,7 +76,7 @@ fn no_frame_of_an_animation_is_that_of_another_time() {
     };
     // Mesh and motion are shared from time to time, as a timeline does it.
     let first = at(0.0);
-    let mut model = Model::of(&first);
+    let mut model = Model::new(&first);
     let mut before: Option<Question> = None;
     for step in 0..5 {
         let mut scene = at(22.0 * f64::from(step));
@@ -117,7 +117,7 @@ fn meshes_of_another_topology_every_frame_leave_nothing_behind() {
         scene.parts[1] = still.clone();
         let next = model
             .as_ref()
-            .map_or_else(|| Model::of(&scene), |m| m.updated(&scene));
+            .map_or_else(|| Model::new(&scene), |m| m.updated(&scene));
         let question = Question::of_model(next.clone(), &scene, SIZE_PX);
         is_exact(&question, &format!("step {step}"));
         // Once more: nothing is drawn into what the first draw left.
@@ -137,7 +137,7 @@ fn a_part_that_comes_and_goes_with_a_cut_is_where_it_belongs() {
     let mut scene = cut("bar", both(50.0, 0.4));
     scene.stage = Some(scene.bounds());
     let usual = scene.cuts[0].surfaces[0].origin;
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     for (step, (removed, degrees)) in [(false, 50.0), (true, 20.0), (false, 20.0)]
         .into_iter()
         .enumerate()
@@ -159,7 +159,7 @@ fn a_part_that_comes_and_goes_with_a_cut_is_where_it_belongs() {
 fn a_camera_that_drifts_flips_what_the_exact_camera_flips() {
     // Hard case 40: a sixty-fourth of a pixel per frame, at an angle; every flip of a decided pixel is one of the reference.
     let scene = cut("bar", both(40.0, 0.6));
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let truth = model.truth(&scene);
     let whole = model.prepared.view([64, 64]);
     let mut before: Option<(cutaway::Layers, cutaway::Exact)> = None;
@@ -199,11 +199,11 @@ fn a_camera_that_drifts_flips_what_the_exact_camera_flips() {
 
 #[test]
 fn both_ways_to_the_truth_are_one() {
-    // What `Scene::posed` bakes and what `Prepared::of` poses by itself.
+    // What `Scene::posed` bakes and what `Prepared::new` poses by itself.
     let mut scene = cut("bar", both(30.0, 0.2));
     scene.parts[0].world_from_part = DAffine3::from_rotation_y(0.4);
-    let question = Question::of(&scene, SIZE_PX);
-    let posed = Arc::new(Question::of(&scene.posed(), SIZE_PX));
+    let question = Question::new(&scene, SIZE_PX);
+    let posed = Arc::new(Question::new(&scene.posed(), SIZE_PX));
     let none = Comparison {
         depth_error_max: 0.0,
         ..compare(

@@ -16,7 +16,7 @@ fn a_plan_takes_the_bytes_that_it_says() {
     let plane = ClipSurface::plane(DVec3::ZERO, DVec3::new(0.1, 0.2, -1.0));
     let parts = vec![both(40.0, 0.5), still("torus", DVec3::X)];
     let scene = scenes::of_parts("memory", parts, vec![plane]);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view([50, 40]);
     let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
     let mut all = Strategy::all();

@@ -45,10 +45,10 @@ fn animated_models_are_posed_and_cut_exactly() {
                 scene.stage = Some(scene.bounds());
                 let section = ClipSurface::parse("-0.3,-0.25,-1@50%,50%,50%", &scene.bounds());
                 let surface = section.expect("a section");
-                scene.cuts = vec![cutaway::Cut::of("middle", vec![surface])];
+                scene.cuts = vec![cutaway::Cut::new("middle", vec![surface])];
                 let next = model
                     .as_ref()
-                    .map_or_else(|| Model::of(&scene), |m| m.updated(&scene));
+                    .map_or_else(|| Model::new(&scene), |m| m.updated(&scene));
                 model = Some(next.clone());
 
                 // What a cut removes is not posed: it is looked at uncut.
@@ -57,7 +57,7 @@ fn animated_models_are_posed_and_cut_exactly() {
                 let farthest = farthest_of_moving(&whole, &next.updated(&whole));
                 // A joint can stretch what it pulls, and a model be small in its own space.
                 assert!(farthest < 2e-6, "{}: {farthest:e} off", scene.name);
-                let is_closed = scene.parts.iter().all(|p| Topology::of(&p.mesh).closed);
+                let is_closed = scene.parts.iter().all(|p| Topology::new(&p.mesh).closed);
                 let question = Question::of_model(next, &scene, SIZE_PX);
                 for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
                     let options = Means::by(rasteriser);

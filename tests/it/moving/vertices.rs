@@ -33,7 +33,7 @@ fn vertices(scene: &Scene, model: &Model) -> Vec<(Vec3, Vec3)> {
 /// The largest errors of the posed vertices of part 0: in scene units against the truth, and in degrees.
 fn errors(scene: &Scene, model: &Model) -> [f64; 2] {
     let part = &scene.parts[0];
-    let truth = Prepared::of(scene);
+    let truth = Prepared::new(scene);
     let rank = truth
         .parts
         .iter()
@@ -47,7 +47,7 @@ fn errors(scene: &Scene, model: &Model) -> [f64; 2] {
 
     let mut rest = Part::new("rest", part.mesh.clone());
     rest.motion = part.motion.clone();
-    let rest = Prepared::of(&scenes::of_parts("rest", vec![rest], Vec::new()));
+    let rest = Prepared::new(&scenes::of_parts("rest", vec![rest], Vec::new()));
     let shading = &rest.parts[0].shading;
     let normals_by = part.world_from_part.matrix3.inverse().transpose();
 
@@ -90,7 +90,7 @@ pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
     if model.moving.iter().all(Option::is_none) {
         return 0.0;
     }
-    let truth = Prepared::of(scene);
+    let truth = Prepared::new(scene);
     let vertices = vertices(scene, model);
     let placed: Vec<String> = {
         let session = session();
@@ -170,7 +170,7 @@ fn the_device_poses_as_the_definition_does() {
             let mut scene = scene_of(&format!("{name} {place}"), part);
             scene.parts[1].world_from_part = placement * scene.parts[1].world_from_part;
             scene.cuts[0].surfaces[0].origin += placement.translation;
-            let model = Model::of(&scene);
+            let model = Model::new(&scene);
             let [farthest, turned] = errors(&scene, &model);
             assert!(
                 farthest <= ULPS * stretch,
@@ -185,7 +185,7 @@ fn the_device_poses_as_the_definition_does() {
 #[test]
 fn a_part_that_is_moved_as_a_whole_is_placed_by_the_device() {
     let mut scene = scene_of("rigid", still("moved", DVec3::ZERO));
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     assert!(model.prepared.is_whole(), "nothing has moved yet");
     scene.stage = Some(scene.bounds());
     for (step, (place, placement)) in placements().into_iter().enumerate().skip(2) {
@@ -205,6 +205,6 @@ fn a_vertex_that_is_off_is_noticed() {
     // The control: the device is given one pose, the truth another that differs by a thousandth of a degree.
     let scene = scene_of("stale", bent_bar(70.0));
     let other = scene_of("stale", bent_bar(70.001));
-    let [farthest, _] = errors(&other, &Model::of(&scene));
+    let [farthest, _] = errors(&other, &Model::new(&scene));
     assert!(farthest > ULPS, "only {farthest:e} scene units off");
 }

@@ -39,7 +39,7 @@ fn session(storage_binding_bytes: u64) -> Session {
 }
 
 fn draw(session: &mut Session, method: impl Into<Method>) -> Drawn {
-    let model = Model::of(&cut_scene());
+    let model = Model::new(&cut_scene());
     let view = model.prepared.view(SIZE_PX);
     let drawn = session.draw(&model, &view, method);
     drawn.unwrap_or_else(|e| panic!("{e}"))
@@ -175,7 +175,7 @@ fn an_a_buffer_that_outgrows_a_binding_is_drawn_in_bands() {
 #[test]
 fn a_comparison_and_given_layers_are_drawn_in_bands_too() {
     let scene = cut_scene();
-    let shown = SceneAtTime::of(&scene);
+    let shown = SceneAtTime::new(&scene);
     let view = shown.model.prepared.view(SIZE_PX);
     let mut whole = session(Limits::CORE.storage_binding_bytes);
     let layers = cutaway::exact::evaluate(&shown.model.truth(&scene), &view).layers;

@@ -8,7 +8,7 @@ use super::*;
 fn two_sprites() -> (Scene, Model) {
     let mut scene = scene_of(&["cube?divisions=2", "sphere"], vec![planes(0.1, 1)]);
     scene.stage = Some(scene.bounds());
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     (scene, model)
 }
 
@@ -71,7 +71,7 @@ fn scratch_that_is_shared_is_filled_again_by_who_reads_it() {
     // Another table for the second sprite: its passes count from zero again, though clearing does not depend on the mesh.
     let mut changed = plan.clone();
     let id = changed.resource_named("sprite 1").expect("the table");
-    changed.resources[id.0].contents = Some(Contents::of(&[7_u32; 16]));
+    changed.resources[id.0].contents = Some(Contents::from_values(&[7_u32; 16]));
     assert_eq!(due(&changed, &plan, &[]), sprite(1), "its table");
     // A pass that is another by itself takes along who filled what it reads, and who reads what it writes.
     let mut changed = plan.clone();

@@ -76,7 +76,7 @@ fn a_cut_that_misses_is_as_good_as_none() {
 #[test]
 fn parts_that_no_cut_reaches_are_drawn_plainly() {
     // Along x: the first cube is cut, the second and third lie on the kept side.
-    let cut = Cut::of("x", vec![ClipSurface::plane(DVec3::ZERO, DVec3::X)]);
+    let cut = Cut::new("x", vec![ClipSurface::plane(DVec3::ZERO, DVec3::X)]);
     let scene = scene_of(&["cube", "cube", "cube"], vec![cut.clone()]);
     let mask = plan_of(&scene, &Strategy::RAYCAST_MASK);
     assert_eq!(
@@ -129,7 +129,7 @@ fn what_is_removed_altogether_is_not_drawn() {
         );
     }
     // Of two, the one that is left.
-    let cut = Cut::of("x", vec![ClipSurface::plane(DVec3::X * 1.5, DVec3::X)]);
+    let cut = Cut::new("x", vec![ClipSurface::plane(DVec3::X * 1.5, DVec3::X)]);
     let one = plan_of(
         &scene_of(&["cube", "cube"], vec![cut]),
         &Strategy::RAYCAST_MASK,
@@ -142,7 +142,7 @@ fn what_is_removed_altogether_is_not_drawn() {
 fn what_else_cuts_a_part_that_is_removed_does_not_matter() {
     let mut ragged = reliefs(0.1, 1);
     ragged.applies_to = vec!["* 0".to_owned()];
-    let gone = Cut::of("x", vec![ClipSurface::plane(DVec3::X * 1.5, DVec3::X)]);
+    let gone = Cut::new("x", vec![ClipSurface::plane(DVec3::X * 1.5, DVec3::X)]);
     let scene = scene_of(&["cube", "cube"], vec![ragged, gone, planes(0.1, 1)]);
     let plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
     let crossings = pass(&plan, "crossings");
@@ -255,7 +255,7 @@ fn a_flat_relief_is_planned_as_the_plane_it_is() {
 
 /// Bits of a lane, lanes, words per pixel, and where the parts' lanes are.
 fn lanes(scene: &Scene, capacities: &Capacities) -> (u32, u32, u64, Vec<[u32; 2]>) {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     let plan = strategies::plan(&model, &view, Strategy::RAYCAST_MASK, capacities)
         .unwrap_or_else(|e| panic!("{e}"));

@@ -32,7 +32,7 @@ fn cube(texels: u32, angle_deg: f64) -> Scene {
 }
 
 fn planned(scene: &Scene, walk: Option<ReliefWalk>) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     let options = Means {
         relief_walk: walk,
@@ -182,7 +182,7 @@ fn a_camera_that_orbits_builds_pyramids_once() {
         prefer_software: true,
     });
     let mut session = cutaway::session::Session::new(gpu.expect("an adapter"));
-    let model = Model::of(&cube(256, 5.0));
+    let model = Model::new(&cube(256, 5.0));
     let (mut built, mut walked) = (Vec::new(), 0);
     // There and back, twice: what is chosen by each view alone changes four times.
     for angle_deg in [5.0, 30.0, 60.0, 75.0, 87.0, 60.0, 5.0, 87.0, 5.0] {

@@ -47,7 +47,7 @@ fn broken_limit(plan: &Plan) -> Option<String> {
 fn every_plan_keeps_the_rules_up_to_4k() {
     let mut refused = 0;
     for scene in scenes() {
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         for size in RESOLUTIONS {
             let view = model.prepared.view(size);
             for strategy in all_strategies() {
@@ -103,7 +103,7 @@ fn sprites_that_outgrow_a_binding_are_refused_by_name() {
 #[test]
 fn what_cannot_be_drawn_is_refused_with_a_reason() {
     let refused = |scene: &Scene, strategy: Strategy| {
-        let model = Model::of(scene);
+        let model = Model::new(scene);
         let view = model.prepared.view(SIZE);
         strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN).expect_err("a refusal")
     };
@@ -160,9 +160,9 @@ fn more_parts_than_a_layer_can_name_are_refused() {
         ..Scene::default()
     };
     let recorded = |scene: &Scene| {
-        let model = Model::of(scene);
+        let model = Model::new(scene);
         let view = model.prepared.view(SIZE);
-        Relevance::of(&model.prepared, &view).map(|_| ())
+        Relevance::new(&model.prepared, &view).map(|_| ())
     };
     assert_eq!(recorded(&scene), Ok(()), "65536 parts");
     scene.parts.push(scene.parts[0].clone());
@@ -338,9 +338,12 @@ fn limits_are_checked() {
 
 #[test]
 fn contents_are_compared_by_what_they_hold() {
-    let (a, b) = (Contents::of(&[1_u32, 2]), Contents::of(&[1_u32, 2]));
+    let (a, b) = (
+        Contents::from_values(&[1_u32, 2]),
+        Contents::from_values(&[1_u32, 2]),
+    );
     assert_eq!(a, b, "equal words at two places");
-    assert_ne!(a, Contents::of(&[1_u32, 3]), "one word differs");
+    assert_ne!(a, Contents::from_values(&[1_u32, 3]), "one word differs");
     // Nobody reads a depth buffer but its own test, and that is enough.
     let scene = scene_of(&["cube"], vec![planes(0.1, 1)]);
     let plan = plan_of(&scene, &strategy("grid:8+vds:64"));

@@ -18,7 +18,7 @@ fn gpu() -> Gpu {
 
 /// Draws a scene; the clocks that ran, and what is seen.
 fn draw(session: &mut Session, scene: &Scene, strategy: &Strategy) -> (ClockSet, Layers) {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([48, 40]);
     let drawn = session
         .draw(&model, &view, strategy)

@@ -15,7 +15,7 @@ fn tilted(count: usize) -> Cut {
         let tilt = 0.1 * i as f64;
         ClipSurface::plane(DVec3::Z * 0.1, DVec3::new(0.0, tilt, 1.0))
     });
-    Cut::of("tilted", surfaces.collect())
+    Cut::new("tilted", surfaces.collect())
 }
 
 fn depth_of(pass: &Pass) -> DepthTarget {
@@ -26,7 +26,7 @@ fn depth_of(pass: &Pass) -> DepthTarget {
 }
 
 fn refusal(scene: &Scene, name: &str) -> String {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     strategies::plan(&model, &view, strategy(name), &Capacities::UNKNOWN)
         .expect_err(name)
@@ -118,7 +118,7 @@ fn the_classic_draws_each_part_once() {
         "the cap has set it back"
     );
     // A part that the cut does not reach is drawn plainly.
-    let cut = Cut::of("x", vec![ClipSurface::plane(DVec3::ZERO, DVec3::X)]);
+    let cut = Cut::new("x", vec![ClipSurface::plane(DVec3::ZERO, DVec3::X)]);
     let plan = plan_of(&scene_of(&["cube", "cube"], vec![cut]), &Strategy::STENCIL);
     assert_eq!(
         passes(&plan),

@@ -18,7 +18,7 @@ fn section(scene: &Scene, text: &str) -> ClipSurface {
 /// Cuts of one name each.
 fn cuts(scene: &Scene, sections: &[&[&str]]) -> Vec<Cut> {
     let surfaces = |words: &&[&str]| words.iter().map(|w| section(scene, w)).collect();
-    let named = |(i, words): (usize, &&[&str])| Cut::of(format!("cut {i}"), surfaces(words));
+    let named = |(i, words): (usize, &&[&str])| Cut::new(format!("cut {i}"), surfaces(words));
     sections.iter().enumerate().map(named).collect()
 }
 
@@ -115,7 +115,7 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
     let mut faults = Vec::new();
     let (mut caps, mut asked) = (0, 0);
     for (name, scene) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         caps += question.exact.layers.count(Kind::Cap);
         asked += 1;
         let mask = question.answer(Strategy::RAYCAST_MASK);
@@ -143,13 +143,13 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
 #[test]
 fn a_section_by_another_plane_is_found_out() {
     let mut scene = scenes::sectioned("torus?segments=40&sides=20", &["-0.3,-0.5,-1@50%,50%,52%"]);
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     assert_eq!(question.answer(Strategy::PLANAR).fault_of_exact(), None);
     // A hundredth of a radius away: the rim of the cap moves by about half a pixel.
     scene.cuts[0].surfaces[0].origin.z += 0.02;
     let moved = Question {
         exact: question.exact.clone(),
-        ..Question::of(&scene, SIZE)
+        ..Question::new(&scene, SIZE)
     };
     let judged = moved.answer(Strategy::PLANAR);
     assert!(judged.comparison.decided_wrong_px > 10, "a planted fault");
@@ -171,7 +171,7 @@ fn planes_may_begin_far_away() {
             let plane = ClipSurface::plane(origin, normal);
             let mut scene = scenes::of_parts(shape, meshes::parts(shape), vec![plane]);
             scene.camera = scenes::orbit(35.0, 25.0, false);
-            let question = Question::of(&scene, SIZE);
+            let question = Question::new(&scene, SIZE);
             assert!(question.exact.layers.count(Kind::Cap) > 200, "{shape}");
             let mask = question.answer(Strategy::RAYCAST_MASK);
             let found = question.answer(Strategy::PLANAR);
@@ -200,7 +200,7 @@ fn shells_in_shells_are_told_apart_by_priority() {
         }
         let plane = ClipSurface::plane(DVec3::Z * 0.05, DVec3::new(-0.1, -0.3, -1.0));
         let scene = scenes::of_parts("shells", parts, vec![plane]);
-        let question = Question::of(&scene, [256, 192]);
+        let question = Question::new(&scene, [256, 192]);
         let judged = question.answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{outer:?}, {inner:?}");
         let shown = |part: u16| {
@@ -233,7 +233,7 @@ fn an_open_mesh_is_capped_as_far_as_it_closes_and_its_doubt_is_marked() {
     };
     let judged = |mesh: Mesh| {
         let scene = scenes::scene("open", mesh, vec![plane.clone()]);
-        Question::of(&scene, [256, 192]).answer(Strategy::PLANAR)
+        Question::new(&scene, [256, 192]).answer(Strategy::PLANAR)
     };
     let caps = |j: &Judged| j.layers.count(Kind::Cap);
     let marked = |j: &Judged| j.layers.pixels.iter().filter(|p| p.unreliable).count();
@@ -271,7 +271,7 @@ fn a_near_plane_in_the_solid_is_no_matter_where_it_has_no_cap() {
         vec![plane],
     );
     scene.camera = camera;
-    let question = Question::of(&scene, [128, 96]);
+    let question = Question::new(&scene, [128, 96]);
     assert!(
         question.exact.layers.count(Kind::Cap) > 1000,
         "it asks something"

@@ -44,7 +44,7 @@ fn drawn(session: &mut Session, model: &Model, size: [u32; 2]) -> (ClockSet, boo
 fn only_what_is_new_is_sliced() {
     let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
     let mut scene = scene();
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     let size = [64, 48];
     let (clocks, sliced) = drawn(&mut session, &model, size);
     assert!(clocks.contains(Clock::Solid) && sliced, "the first frame");
@@ -80,7 +80,7 @@ fn only_what_is_new_is_sliced() {
 fn rounds_that_are_repeated_time_slicers_as_well() {
     let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
     let mut scene = scene();
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let ran = |times: &cutaway::gpu::RunTimes| -> Vec<(String, Clock)> {
         let of_cpu = (times.passes.iter()).filter(|p| p.name.starts_with("slice"));
         of_cpu.map(|p| (p.name.clone(), p.clock)).collect()
@@ -111,7 +111,7 @@ fn rounds_that_are_repeated_time_slicers_as_well() {
 #[test]
 fn what_moves_is_sliced_where_it_stands() {
     let mut scene = scene();
-    let mut model = Model::of(&scene);
+    let mut model = Model::new(&scene);
     for (turn, rasteriser) in [
         (0.0, Rasteriser::Hardware),
         (0.4, Rasteriser::Hardware),
@@ -150,7 +150,7 @@ fn a_mirrored_part_and_a_new_rule_are_sliced_right() {
         for part in &mut scene.parts {
             part.fill = fill;
         }
-        let judged = Question::of(&scene, [160, 120]).answer(Strategy::PLANAR);
+        let judged = Question::new(&scene, [160, 120]).answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{fill}");
     }
     // Two balls that overlap in one mesh: the rule alone changes between two frames of one model.
@@ -161,7 +161,7 @@ fn a_mirrored_part_and_a_new_rule_are_sliced_right() {
     ]);
     let plane = ClipSurface::plane(DVec3::Z * 0.02, DVec3::new(0.1, 0.15, -1.0));
     let mut scene = scenes::scene("balls", mesh, vec![plane]);
-    let first = Model::of(&scene);
+    let first = Model::new(&scene);
     let caps = |model: Model, scene: &Scene| {
         let judged = Question::of_model(model, scene, [160, 120]).answer(Strategy::PLANAR);
         assert_eq!(judged.fault_of_exact(), None, "{}", scene.parts[0].fill);

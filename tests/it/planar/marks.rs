@@ -70,7 +70,7 @@ fn whatever_is_wrong_about_riddled_meshes_is_marked() {
         ("knot?segments=160&sides=12", 30),
         ("torus?segments=24&sides=12", 7),
     ] {
-        let of = |mesh: Mesh| Question::of(&scenes::scene(shape, mesh, vec![plane()]), SIZE);
+        let of = |mesh: Mesh| Question::new(&scenes::scene(shape, mesh, vec![plane()]), SIZE);
         let (open, whole) = (of(riddled(shape, every)), of(meshes::shape(shape)));
         for rasteriser in [Rasteriser::Hardware, Rasteriser::Compute] {
             let what = format!("{shape} less 1 in {every} by {rasteriser}");
@@ -105,7 +105,7 @@ fn a_part_that_closes_is_not_doubted_for_its_neighbour() {
         part("closed", meshes::shape(ball), 0.6),
     ];
     let scene = scenes::of_parts("a pair", parts, vec![plane()]);
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     let layers = run(plan(&question, Rasteriser::Hardware));
     let of_closed = layers
         .pixels
@@ -131,7 +131,7 @@ fn what_is_not_entered_through_the_plane_is_not_doubted() {
     let mut left = of(plane().flipped());
     left.camera = entered.camera;
     let [entered, left] = [entered, left].map(|scene| {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         marked(&run(plan(&question, Rasteriser::Hardware)))
     });
     assert!(
@@ -144,7 +144,7 @@ fn what_is_not_entered_through_the_plane_is_not_doubted() {
 fn who_closes_pays_nothing_for_doubt() {
     let of = |mesh: Mesh| {
         let scene = scenes::scene("a ball", mesh, vec![plane()]);
-        plan(&Question::of(&scene, SIZE), Rasteriser::Hardware)
+        plan(&Question::new(&scene, SIZE), Rasteriser::Hardware)
     };
     let ball = "sphere?subdivisions=3";
     let words = |plan: &Plan| {

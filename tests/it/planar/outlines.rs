@@ -10,7 +10,7 @@ use super::decided_differing;
 
 /// Asks `planar`, holds it against exact and the mask, and gives back how many cap pixels there are.
 fn asked(scene: &Scene, size: [u32; 2], what: &str) -> usize {
-    let question = Question::of(scene, size);
+    let question = Question::new(scene, size);
     let judged = question.answer(Strategy::PLANAR);
     assert_eq!(judged.fault_of_exact(), None, "{what}");
     let mask = question.answer(Strategy::RAYCAST_MASK);
@@ -163,7 +163,7 @@ fn a_loop_of_a_hundred_thousand_points() {
     let plane = ClipSurface::plane(DVec3::Z * 0.03, DVec3::NEG_Z);
     let mut scene = scenes::scene("spiky", walls(&[spiky]), vec![plane]);
     scene.camera = scenes::looking(DVec3::new(0.4, 0.7, 4.0), DVec3::ZERO, 40.0);
-    let question = Question::of(&scene, [128; 2]);
+    let question = Question::new(&scene, [128; 2]);
     let judged = question.answer(Strategy::PLANAR);
     // Spikes are thinner than the snapping of corners to 1/256 px: along the rim anything may be hit.
     let rim = |i: usize| {

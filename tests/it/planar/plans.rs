@@ -15,7 +15,7 @@ fn plan(scene: &Scene, rasteriser: Rasteriser) -> Result<Plan, String> {
 }
 
 fn recorded(scene: &Scene, rasteriser: Rasteriser) -> Result<Recorded, String> {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view(SIZE);
     let options = Means::by(rasteriser);
     let none = Capacities::UNKNOWN;
@@ -59,7 +59,7 @@ fn cubes(count: usize, cuts: Vec<Cut>) -> Scene {
 
 #[test]
 fn one_plane_through_one_part_is_one_section() {
-    let scene = cubes(1, vec![Cut::of("cut", vec![plane(0.1)])]);
+    let scene = cubes(1, vec![Cut::new("cut", vec![plane(0.1)])]);
     let Recorded {
         plan: hardware,
         on_cpu,
@@ -101,8 +101,8 @@ fn what_no_plane_meets_has_no_section() {
     assert!(plain.on_cpu.is_empty(), "no cut");
     // Of three parts the first is cut by one plane, the second by another, the third by neither.
     let mut cuts = vec![
-        Cut::of("first", vec![plane(0.1)]),
-        Cut::of("second", vec![plane(0.2)]),
+        Cut::new("first", vec![plane(0.1)]),
+        Cut::new("second", vec![plane(0.2)]),
     ];
     cuts[0].applies_to = vec!["cube 0".to_owned()];
     cuts[1].applies_to = vec!["cube 1".to_owned()];
@@ -154,7 +154,7 @@ fn an_open_outline_is_the_only_reason_to_count_fragments() {
 
 #[test]
 fn the_plan_is_told_with_its_work_on_the_cpu() {
-    let scene = cubes(1, vec![Cut::of("cut", vec![plane(0.0)])]);
+    let scene = cubes(1, vec![Cut::new("cut", vec![plane(0.0)])]);
     let plan = plan(&scene, Rasteriser::Hardware).expect("a plan");
     let text = plan.to_text();
     // By hand: six vertices of 16 bytes at most for a square that a diagonal of each wall crosses, in powers of two.
@@ -181,13 +181,13 @@ fn what_is_no_section_is_refused_with_the_reason() {
         let scene = cubes(1, vec![]);
         scenes::relief(&scene, "-z=50%", "fractal:size=64,amplitude=8%")
     };
-    let mut inside = cubes(1, vec![Cut::of("cut", vec![plane(0.1)])]);
+    let mut inside = cubes(1, vec![Cut::new("cut", vec![plane(0.1)])]);
     inside.camera = Camera {
         ..scenes::looking(DVec3::ZERO, DVec3::X, 40.0)
     };
     for (scene, described) in [
         (
-            cubes(1, vec![Cut::of("front", vec![plane(0.2), ragged.clone()])]),
+            cubes(1, vec![Cut::new("front", vec![plane(0.2), ragged.clone()])]),
             "clip-surface 1 of cut `front` has a relief",
         ),
         (inside, "the near plane meets `cube 0`"),
@@ -199,19 +199,19 @@ fn what_is_no_section_is_refused_with_the_reason() {
     let far = {
         let mut far = ragged.clone();
         far.origin.z += 100.0;
-        Cut::of("far", vec![far])
+        Cut::new("far", vec![far])
     };
     let mut flat = plane(0.1);
     let map = cutaway::scene::OffsetMap::new([2, 2], vec![0.5; 4]).expect("a flat map");
     flat.relief = Some(std::sync::Arc::new(map));
-    let mut uncapped = cubes(1, vec![Cut::of("cut", vec![plane(0.1)])]);
+    let mut uncapped = cubes(1, vec![Cut::new("cut", vec![plane(0.1)])]);
     uncapped.camera = Camera {
         near_cap: false,
         ..scenes::looking(DVec3::ZERO, DVec3::X, 40.0)
     };
     for scene in [
-        cubes(1, vec![Cut::of("cut", vec![plane(0.2)]), far]),
-        cubes(1, vec![Cut::of("cut", vec![flat])]),
+        cubes(1, vec![Cut::new("cut", vec![plane(0.2)]), far]),
+        cubes(1, vec![Cut::new("cut", vec![flat])]),
         uncapped,
     ] {
         let drawn = plan(&scene, Rasteriser::Hardware);

@@ -20,7 +20,7 @@ fn every_closed_mesh_by_an_oblique_plane() {
         if !is_closed(&scene) {
             continue;
         }
-        let question = Question::of(&scene, SIZE_PX);
+        let question = Question::new(&scene, SIZE_PX);
         for by in [Rasteriser::Hardware, Rasteriser::Compute] {
             let method = Method::new(Strategy::PLANAR, Means::by(by));
             let drawn = session.draw(&question.model, &question.view, method);

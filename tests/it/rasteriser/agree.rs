@@ -30,17 +30,17 @@ type Cutting = fn(&mut Scene);
 
 const CUTS: [(&str, Cutting); 3] = [
     ("plane", |s| {
-        s.cuts = vec![Cut::of("cut", vec![section(s, "-1,-2,-1.5@50%,45%,60%")])];
+        s.cuts = vec![Cut::new("cut", vec![section(s, "-1,-2,-1.5@50%,45%,60%")])];
     }),
     ("relief", |s| {
         let rough = "fractal:size=64,amplitude=8%";
         let surface = scenes::relief(s, "-0.4,-0.3,-1@50%,50%,55%", rough);
-        s.cuts = vec![Cut::of("cut", vec![surface])];
+        s.cuts = vec![Cut::new("cut", vec![surface])];
     }),
     ("two cuts", |s| {
         let rough = scenes::relief(s, "-z=70%", "waves:size=32,amplitude=5%");
         let plane = section(s, "-1,0.2,0.1@65%,50%,50%");
-        s.cuts = vec![Cut::of("one", vec![rough]), Cut::of("two", vec![plane])];
+        s.cuts = vec![Cut::new("one", vec![rough]), Cut::new("two", vec![plane])];
     }),
 ];
 

@@ -41,12 +41,12 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
     let scene = Scene {
         name: "soup".to_owned(),
         parts: made.collect(),
-        cuts: vec![Cut::of("cut", vec![plane])],
+        cuts: vec![Cut::new("cut", vec![plane])],
         camera: *camera,
         stage: None,
         interference: None,
     };
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();

@@ -26,7 +26,7 @@ fn recorded(
     strategy: &Strategy,
     options: &Means,
 ) -> Result<Plan, Refusal> {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view_of(camera, [320, 200]);
     strategies::plan(
         &model,

@@ -23,7 +23,7 @@ struct Left {
 }
 
 fn left_by(mesh: Mesh, plane: ClipSurface, camera: &Camera) -> Left {
-    let model = Model::of(&scenes::scene("solid", mesh, vec![plane]));
+    let model = Model::new(&scenes::scene("solid", mesh, vec![plane]));
     let view = model.prepared.view_of(camera, SIZE);
     let strategy = Strategy::RAYCAST_MASK;
     let mut session = session();

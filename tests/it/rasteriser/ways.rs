@@ -115,7 +115,7 @@ fn one_sweep_is_as_good_as_two() {
     }
     let mut noticed = 0;
     for (described, scene, camera) in agree::scenes_and_cameras() {
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let two = frame(&model, &view, false, as_recorded);
         let one = frame(&model, &view, true, as_recorded);
@@ -133,7 +133,7 @@ fn one_sweep_is_as_good_as_two() {
 #[test]
 fn a_workgroup_covers_what_an_invocation_covers() {
     for (described, scene, camera) in agree::scenes_and_cameras().step_by(4) {
-        let model = Model::of(&scene);
+        let model = Model::new(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let by_size = frame(&model, &view, false, as_recorded);
         let by_groups = frame(&model, &view, false, small(0.0));
@@ -179,7 +179,7 @@ fn two_triangles_of_8192_px_cover_what_many_small_ones_do() {
     let plane = || vec![ClipSurface::plane(DVec3::X * 17.0, DVec3::X)];
     let camera = scenes::parallel(DVec3::Z * 5000.0, DVec3::ZERO, 512.0);
     let of = |cells| {
-        let model = Model::of(&scenes::scene("rectangle", rectangle(cells), plane()));
+        let model = Model::new(&scenes::scene("rectangle", rectangle(cells), plane()));
         let view = model.prepared.view_of(&camera, size);
         frame(&model, &view, false, as_recorded)
     };
@@ -194,7 +194,7 @@ fn two_triangles_of_8192_px_cover_what_many_small_ones_do() {
         .positions
         .iter_mut()
         .for_each(|p| p.y = p.y.min(198.6));
-    let model = Model::of(&scenes::scene("short", cut_short, plane()));
+    let model = Model::new(&scenes::scene("short", cut_short, plane()));
     let short = frame(
         &model,
         &model.prepared.view_of(&camera, size),
@@ -210,7 +210,7 @@ fn the_order_of_triangles_does_not_matter() {
     let mut scene = scenes::sectioned("torus?segments=60&sides=30", &[section]);
     let camera = scenes::orbit(40.0, 30.0, false);
     let draw = |scene: &Scene| {
-        let model = Model::of(scene);
+        let model = Model::new(scene);
         let view = model.prepared.view_of(&camera, SIZE);
         frame(&model, &view, has_wide_atomics(), as_recorded)
     };

@@ -66,12 +66,12 @@ fn share(points: &[&Record], name: &str, px: fn(&Comparison) -> usize) -> f64 {
 }
 
 fn median(values: Vec<f64>) -> f64 {
-    Samples::of(values).median
+    Samples::new(values).median
 }
 
 /// `1.3 to 1.4`, or one number where both are written so.
 fn range(values: &[f64], digits: usize) -> String {
-    let [least, most] = Samples::of(values.into()).range();
+    let [least, most] = Samples::new(values.into()).range();
     let (least, most) = (format!("{least:.digits$}"), format!("{most:.digits$}"));
     match least == most {
         true => least,
@@ -127,7 +127,7 @@ fn readme_has_the_figures_of_planes_and_reliefs() {
     let grazing = points("10-grazing", "", "", &[]);
     let [pyramid, cells, paper] = ["raycast+mask@pyramid", "raycast+mask@cells", PAPER]
         .map(|name| format!("{:.1}", median(frames(&grazing, name))));
-    let [.., most] = Samples::of(wrong(&grazing, PAPER)).range();
+    let [.., most] = Samples::new(wrong(&grazing, PAPER)).range();
     check(
         "a relief seen at grazing angles, a map of many texels",
         &[

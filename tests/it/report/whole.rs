@@ -245,7 +245,7 @@ fn a_chart_says_which_points_it_shows() {
     ] {
         let chart = page.split("<figure class=\"chart\">");
         let chart = chart.into_iter().find(|c| c.contains(title)).unwrap();
-        let said = format!("SceneAtTime: run <code>crank</code>; {shown}.</p>");
+        let said = format!("Shown: run <code>crank</code>; {shown}.</p>");
         assert!(chart.contains(&said), "{said} is missing from {chart}");
     }
 }

@@ -44,7 +44,7 @@ fn back_faces(layers: &Layers) -> usize {
 fn all_inside_tests_see_the_same() {
     let mut session = Session::new(Gpu::open(&software()).expect("a graphics adapter"));
     for (name, scene) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for cells in [5, 40] {
             let grid = |inside: &str| format!("grid:{cells}+{inside}");
             let what = format!("{name}, {cells} cells");
@@ -79,7 +79,7 @@ fn a_fine_grid_of_a_smooth_relief_is_nearly_exact() {
         "-0.3,-1,-0.2@50%,50%,50%",
         "waves:size=8,amplitude=10%",
     );
-    let question = Question::of(&scene, SIZE);
+    let question = Question::new(&scene, SIZE);
     let judged = question.answer(strategy("grid:512+mask"));
     let c = judged.comparison;
     assert!(c.decided_wrong_px <= 3, "{c:?}");
@@ -97,7 +97,7 @@ fn describe(question: &Question, plan: cutaway::plan::Plan) -> [usize; 3] {
 
 #[test]
 fn a_step_left_out_is_seen() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     let [back, marks, wrong] = describe(&question, roomy(&question, "grid:64+mask"));
     assert_eq!([back, marks], [0, 0], "the plan as it is");
     let planted = |change: &dyn Fn(&mut cutaway::plan::Plan)| {
@@ -142,7 +142,7 @@ fn a_step_left_out_is_seen() {
 
 #[test]
 fn facings_say_the_same_as_heights() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     let by_height = roomy(&question, "grid:64+mask");
     let [_, _, wrong] = describe(&question, by_height.clone());
     let mut by_facing = by_height;
@@ -160,7 +160,7 @@ fn facings_say_the_same_as_heights() {
     for triangle in indices.chunks_exact_mut(3) {
         triangle.swap(1, 2);
     }
-    resource.contents = Some(cutaway::plan::Contents::of(&indices));
+    resource.contents = Some(cutaway::plan::Contents::from_values(&indices));
     let turned = describe(&question, by_facing);
     assert!(
         turned[2] > 300 + wrong,

@@ -114,7 +114,7 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
 
     let mut plan = Plan::default();
     let mut upload = |name: &str, role, words: &[u32]| {
-        let piece = Piece::of(0, words);
+        let piece = Piece::from_values(0, words);
         let contents = Contents::in_pieces(4 * words.len() as u64, vec![piece], true);
         plan.add_resource(Resource::upload(name, role, contents, Clock::Frame))
     };

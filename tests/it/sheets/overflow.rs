@@ -33,7 +33,7 @@ fn marked(found: &Layers, right: &Layers) -> (usize, usize) {
 #[test]
 fn a_pool_too_small_by_a_few_marks_no_more_pixels() {
     for scene in [ring(), row()] {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for name in ["grid:32+mask", "grid:32+abuffer"] {
             let (right, _) = run(roomy(&question, name), SIZE, &[]);
             let (roomy, need) = with_room(&question, name, 200_000);
@@ -74,14 +74,14 @@ fn furrows() -> Scene {
     let block = meshes::block(DVec3::splat(-0.5), DVec3::splat(0.5));
     let mut scene = scenes::scene("furrows", block, Vec::new());
     let rough = scenes::relief(&scene, "-z=50%", "sawtooth:amplitude=60%,period=8%");
-    scene.cuts = vec![Cut::of("cut", vec![rough])];
+    scene.cuts = vec![Cut::new("cut", vec![rough])];
     scene.camera = scenes::looking(DVec3::new(4.0, 3.0, 0.0), DVec3::ZERO, 8.0);
     scene
 }
 
 #[test]
 fn a_session_tries_again_with_the_size_it_was_told() {
-    let question = Question::of(&furrows(), SIZE);
+    let question = Question::new(&furrows(), SIZE);
     let name = strategy("grid:128+mask");
     let mut session = session();
     let drawn = session.draw(&question.model, &question.view, name);

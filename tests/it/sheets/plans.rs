@@ -16,7 +16,7 @@ const LISTED: [&str; 4] = [
 ];
 
 fn plan_by(scene: &Scene, strategy: &Strategy, rasteriser: Rasteriser) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([320, 200]);
     let method = Method::new(*strategy, Means::by(rasteriser));
     strategies::plan(&model, &view, method, &Capacities::UNKNOWN).unwrap_or_else(|e| panic!("{e}"))

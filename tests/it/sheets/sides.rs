@@ -118,7 +118,7 @@ fn corpus() -> Vec<(Scene, Vec<usize>)> {
 fn sides_at_both_ends_follow_from_the_list() {
     let mut faults = Vec::new();
     for (scene, reliefs) in corpus() {
-        let question = Question::of(&scene, SIZE);
+        let question = Question::new(&scene, SIZE);
         for cells in [1, 8, 64, 300] {
             let plan = roomy(&question, &format!("grid:{cells}+mask"));
             let [asked, crossed, odd] = at_odds(&question, plan, &reliefs);
@@ -137,7 +137,7 @@ fn sides_at_both_ends_follow_from_the_list() {
 
 #[test]
 fn a_hole_in_a_sheet_is_seen() {
-    let question = Question::of(&ring(), SIZE);
+    let question = Question::new(&ring(), SIZE);
     let mut plan = roomy(&question, "grid:64+mask");
     for pass in &mut plan.passes {
         if let cutaway::plan::Work::Draw { draws, .. } = &mut pass.work

@@ -201,7 +201,7 @@ fn nothing_has_no_section() {
         (vec![DVec3::ZERO], vec![[0, 0, 0]]),
         (vec![], vec![[0, 1, 2]]),
     ] {
-        let section = Slicer::of(positions, &triangles).section(&plane(DVec3::ZERO, DVec3::Z));
+        let section = Slicer::new(positions, &triangles).section(&plane(DVec3::ZERO, DVec3::Z));
         assert!(
             section.is_empty() && section.triangles.is_empty(),
             "nothing"

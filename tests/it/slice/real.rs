@@ -31,7 +31,7 @@ fn closed(folders: &[&str]) -> Vec<(String, Mesh)> {
         files.sort();
         for file in files {
             for part in load_mesh_file(&file).expect("a mesh that loads").parts {
-                if Topology::of(&part.mesh).closed {
+                if Topology::new(&part.mesh).closed {
                     let name = file.file_name().unwrap_or_default().to_string_lossy();
                     found.push((format!("{folder}/{name}"), Mesh::clone(&part.mesh)));
                 }
@@ -80,7 +80,7 @@ fn areas_of_closed_meshes_are_what_their_loops_enclose() {
 fn areas_within_loops_add_up_to_the_volume() {
     let mut exactly = 0;
     for (name, mesh) in closed(&["cad", "organic", "assembly", "dense", "large"]) {
-        if Topology::of(&mesh).inconsistent_edges > 0 {
+        if Topology::new(&mesh).inconsistent_edges > 0 {
             continue;
         }
         let volume = mesh.volume();

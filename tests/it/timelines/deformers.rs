@@ -56,7 +56,7 @@ fn a_twisted_bar_has_its_end_turned() {
         }
     }
     assert_eq!(corners, 4, "corners of the end face");
-    let topology = Topology::of(&twisted);
+    let topology = Topology::new(&twisted);
     assert!(topology.closed, "twisted open");
     assert!(
         (topology.volume / rest.volume() - 1.0).abs() < 1e-3,
@@ -100,7 +100,7 @@ fn a_bent_bar_keeps_the_length_of_its_middle() {
     );
 
     let bent = deformed(bar(length), vec![bend]);
-    let topology = Topology::of(&bent);
+    let topology = Topology::new(&bent);
     assert!(topology.closed, "bent open");
     // Pappus: the middle of the bar's section is on the neutral line.
     assert!(
@@ -160,7 +160,7 @@ fn a_ball_inflates_to_a_larger_ball() {
                 p.length()
             );
         }
-        assert!(Topology::of(&grown).closed, "inflated open");
+        assert!(Topology::new(&grown).closed, "inflated open");
     }
 }
 
@@ -255,7 +255,7 @@ fn bounds_hold_all_that_is_moved() {
     for _ in 0..3000 {
         let deformer = some_deformer(&mut numbers);
         let corners = [0; 2].map(|_| unit_vector(&mut numbers) * numbers.between(0.0, 3.0));
-        let of = Bounds::of(corners);
+        let of = Bounds::from_points(corners);
         let to = deformer.bounds(of);
         let mut reached = Bounds::EMPTY;
         for _ in 0..60 {
@@ -271,7 +271,7 @@ fn bounds_hold_all_that_is_moved() {
                 q.cmpge(to.min).all() && q.cmple(to.max).all(),
                 "{deformer:?}: {p} of {of:?} went to {q}, outside of {to:?}"
             );
-            reached = reached.union(Bounds::of([q]));
+            reached = reached.union(Bounds::from_points([q]));
         }
         close += usize::from(reached.radius() * 2.5 > to.radius());
     }

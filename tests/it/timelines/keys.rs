@@ -238,7 +238,7 @@ fn the_scenes_of_the_repository_move() {
         let timeline = timeline.unwrap_or_else(|e| panic!("{e}"));
         let duration_s = timeline.duration_s().expect("it moves");
         let seen = |time_s: f64| {
-            let prepared = Prepared::of(&at(&timeline, time_s));
+            let prepared = Prepared::new(&at(&timeline, time_s));
             evaluate(&prepared, &prepared.view([32, 24])).layers
         };
         let [first, again, later] = [0.0, 0.0, duration_s * 0.4].map(seen);

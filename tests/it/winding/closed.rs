@@ -11,9 +11,9 @@ const SIZE_PX: [u32; 2] = [192, 144];
 
 /// The answers of exact and of winding numbers to a scene.
 fn both(scene: &Scene) -> (Exact, Layers) {
-    let prepared = Prepared::of(scene);
+    let prepared = Prepared::new(scene);
     let view = prepared.view(SIZE_PX);
-    let layers = Windings::of(&prepared).layers(&prepared, &view);
+    let layers = Windings::new(&prepared).layers(&prepared, &view);
     (evaluate(&prepared, &view), layers)
 }
 
@@ -70,7 +70,7 @@ fn closed_meshes_are_drawn_as_exact_draws_them() {
         ] {
             let mut scene = scenes::sectioned(shape, &[section]);
             if let Some(relief) = relief {
-                scene.cuts = vec![Cut::of(
+                scene.cuts = vec![Cut::new(
                     "cut",
                     vec![scenes::relief(&scene, section, relief)],
                 )];
@@ -90,7 +90,7 @@ fn several_cuts_parts_and_rules_are_those_of_exact() {
     scene.cuts = surfaces
         .into_iter()
         .enumerate()
-        .map(|(i, s)| Cut::of(format!("{i}"), vec![s]))
+        .map(|(i, s)| Cut::new(format!("{i}"), vec![s]))
         .collect();
     agrees("union", &scene, 60);
     let mut ball = Part::new("ball", meshes::shape("sphere?subdivisions=2"));

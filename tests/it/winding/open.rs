@@ -22,9 +22,9 @@ fn broken(scene: &Scene, defect: &str) -> Scene {
 
 /// What winding numbers and what parity make of a scene, through the camera of the whole one.
 fn drawn(scene: &Scene) -> (View, Layers, Layers) {
-    let prepared = Prepared::of(scene);
+    let prepared = Prepared::new(scene);
     let view = prepared.view(SIZE_PX);
-    let wound = Windings::of(&prepared).layers(&prepared, &view);
+    let wound = Windings::new(&prepared).layers(&prepared, &view);
     let counted = evaluate(&prepared, &view).layers;
     (view, wound, counted)
 }
@@ -55,7 +55,7 @@ fn a_ball_with_holes_has_the_area_of_its_cap() {
     };
     let (view, whole, _) = drawn(&scene);
     let disc_px = {
-        let radius = 0.5 * Prepared::of(&scene).scale / view.pixel_size(1.0);
+        let radius = 0.5 * Prepared::new(&scene).scale / view.pixel_size(1.0);
         PI * radius * radius
     };
     let whole_px = whole.count(Kind::Cap) as f64;

@@ -42,7 +42,7 @@ fn winding_is_listed_as_any_other() {
 
 /// Wrong pixels of renderers, marked and unmarked, by the truth of another scene.
 fn judged(scene: &Scene, truth: Option<&Scene>, renderers: &[&str]) -> Vec<[usize; 2]> {
-    let (shown, truth) = (SceneAtTime::of(scene), truth.map(SceneAtTime::of));
+    let (shown, truth) = (SceneAtTime::new(scene), truth.map(SceneAtTime::new));
     let question = Question {
         name: "sphere".to_owned(),
         shown: &shown,
@@ -88,7 +88,7 @@ fn a_broken_mesh_is_judged_by_the_whole_one() {
 fn a_truth_in_another_frame_is_refused() {
     let whole = scenes::sectioned("sphere?subdivisions=2", &["-z=50%"]);
     let larger = scenes::sectioned("sphere?subdivisions=2&radius=3", &["-z=50%"]);
-    let (shown, truth) = (SceneAtTime::of(&whole), SceneAtTime::of(&larger));
+    let (shown, truth) = (SceneAtTime::new(&whole), SceneAtTime::new(&larger));
     let question = Question {
         name: "small".to_owned(),
         shown: &shown,

@@ -52,14 +52,14 @@ fn scene(wrap: Wrap, size: [u32; 2]) -> (Scene, Arc<OffsetMap>) {
     ];
     let scene = Scene {
         parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
-        cuts: vec![Cut::of("c", surfaces)],
+        cuts: vec![Cut::new("c", surfaces)],
         ..Scene::default()
     };
     (scene, second)
 }
 
 fn plan(scene: &Scene) -> Plan {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view([32, 32]);
     let options = Means {
         height_filter: Some(HeightFilter::Hardware),

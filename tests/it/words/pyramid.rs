@@ -35,7 +35,7 @@ fn scene(surfaces: Vec<ClipSurface>) -> Scene {
     Scene {
         parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
         cuts: cuts
-            .map(|(i, s)| Cut::of(format!("cut {i}"), vec![s]))
+            .map(|(i, s)| Cut::new(format!("cut {i}"), vec![s]))
             .collect(),
         ..Scene::default()
     }
@@ -156,7 +156,7 @@ fn map(random: &mut Random, size: [u32; 2], heights: Heights) -> Arc<OffsetMap> 
 
 /// Holds both ways against each other through all cameras; how many crossings there were.
 fn hold(programs: &mut [Program; 2], what: &str, scene: &Scene) -> usize {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let mut met = 0;
     for camera in cameras() {
         let walked = lists(&mut programs[0], plan(&model, &camera, ReliefWalk::Cells));
@@ -215,7 +215,7 @@ fn reliefs_that_share_a_map_share_its_pyramid() {
     let met = hold(&mut programs, "five clip-surfaces", &scene);
     assert!(met > 50_000, "only {met} crossings");
     let bytes = |scene: &Scene| {
-        let plan = plan(&Model::of(scene), &cameras()[0], ReliefWalk::Pyramid);
+        let plan = plan(&Model::new(scene), &cameras()[0], ReliefWalk::Pyramid);
         let id = plan.resource_named("pyramids").expect("pyramids");
         plan.resource(id).shape.bytes()
     };
@@ -236,7 +236,7 @@ fn a_wrong_node_is_noticed() {
         if [x, y] == [33, 35] { -1.25 } else { 0.0 }
     });
     let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, 0.2)]);
-    let model = Model::of(&scene);
+    let model = Model::new(&scene);
     // Low over a plain with one peak and one pit, where rays come a long way through the slab and climb to the largest blocks.
     let camera = camera(84.0, 4.0, false);
     let mut program = Program::default();
@@ -246,7 +246,7 @@ fn a_wrong_node_is_noticed() {
         let mut plan = plan(&model, &camera, ReliefWalk::Pyramid);
         let id = plan.resource_named("pyramids").expect("pyramids");
         plan.passes.retain(|p| !p.name.starts_with("pyramid"));
-        plan.resources[id.0].contents = Some(Contents::of(pyramids));
+        plan.resources[id.0].contents = Some(Contents::from_values(pyramids));
         lists(&mut given, plan)
     };
     assert_eq!(differing(&right, &with(&right[3])).0, 0, "as it was built");
@@ -275,7 +275,7 @@ fn a_wrong_node_is_noticed() {
         repeats: 0,
         ..table_of(&torn)
     };
-    torn.resources[id.0].contents = Some(Contents::of(&table));
+    torn.resources[id.0].contents = Some(Contents::from_values(&table));
     let torn = lists(&mut Program::default(), torn);
     assert!(
         differing(&right, &torn).0 > 0,

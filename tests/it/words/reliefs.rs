@@ -84,10 +84,10 @@ fn surface(wrap: Wrap, size: [u32; 2], scale: DVec3) -> PreparedSurface {
     };
     let scene = Scene {
         parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
-        cuts: vec![Cut::of("c", vec![surface])],
+        cuts: vec![Cut::new("c", vec![surface])],
         ..Scene::default()
     };
-    Prepared::of(&scene).surfaces.remove(0)
+    Prepared::new(&scene).surfaces.remove(0)
 }
 
 fn surfaces() -> Vec<PreparedSurface> {

@@ -36,7 +36,7 @@ fn scene(wrap: Wrap, heights: impl Fn(&mut Random, usize) -> f32, amplitude: f64
     };
     Scene {
         parts: shapes::shape("cube").unwrap_or_else(|e| panic!("{e}")),
-        cuts: vec![Cut::of("c", vec![surface])],
+        cuts: vec![Cut::new("c", vec![surface])],
         ..Scene::default()
     }
 }
@@ -52,7 +52,7 @@ fn kept_height(prepared: &Prepared, p: DVec3) -> f64 {
 /// Faults of the lists of one view, and how many crossings and overflows there were. `judge` holds the clip-surface that the
 /// lists are judged by.
 fn faults(scene: &Scene, judge: &Prepared, camera: &Camera) -> (Vec<String>, usize, usize) {
-    let model = Model::of(scene);
+    let model = Model::new(scene);
     let view = model.prepared.view_of(camera, SIZE);
     let capacities = Capacities {
         crossings: Some(Capacities::MOST_CROSSINGS),
@@ -209,7 +209,7 @@ fn the_list_of_a_ray_agrees_with_the_surface() {
         ("checkers", scene(Wrap::Repeat, checker, 0.4)),
         ("a ramp", scene(Wrap::Repeat, ramp, 0.5)),
     ] {
-        let judge = Prepared::of(&scene);
+        let judge = Prepared::new(&scene);
         for camera in cameras() {
             let (found, crossings, overflows) = faults(&scene, &judge, &camera);
             assert!(
@@ -235,7 +235,7 @@ fn a_surface_that_moved_is_noticed() {
         scene(Wrap::Mirror, noise, 0.2),
         scene(Wrap::Repeat, noise, -0.2),
     ] {
-        let judge = Prepared::of(&judge);
+        let judge = Prepared::new(&judge);
         let (found, ..) = faults(&scene_here, &judge, &camera(35.0, 25.0, false));
         assert!(found.len() > 300, "only {} faults", found.len());
     }
