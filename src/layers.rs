@@ -34,7 +34,7 @@ pub struct Layer {
     pub back_face: bool,
     /// The strategy marks this pixel as unreliable: odd crossing count, or a buffer that overflowed.
     pub unreliable: bool,
-    /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies tell it where they are
+    /// A cap at which other solids that the same cut opens overlap with the part shown. Strategies say so where they are
     /// asked to; exact always does.
     pub overlap: bool,
     /// Distance from the eye along the viewing direction, in scene units; infinite for background.

@@ -25,16 +25,18 @@
 //!
 //! # In order of need
 //!
-//! | | |
+//! | module | what it is for |
 //! |---|---|
 //! | [`scene`] | what is cut: [`Scene`] of [`Part`]s, [`Cut`]s by [`ClipSurface`]s and cutters, camera; [`scene::relief`] for heights |
-//! | [`Model`] | a scene packed for the device; [`Model::updated`] for the same at another time |
+//! | [`generate`] | solids without files, and solids with defects |
+//! | [`Model`] at the root | a scene packed for the device; [`Model::updated`] for the same at another time |
 //! | [`strategies`] | how it is drawn: a [`Method`](strategies::Method) such as `raycast+mask@compute`, the table of all, and what each refuses |
 //! | [`session`] | draws: a [`Session`] for pictures, or into the encoder and the attachments of a host ([`Session::encode`]) |
 //! | [`gpu`] | the device: [`Gpu::open`], or that of a host by [`Gpu::from_device`] |
 //! | [`layers`] | what each pixel shows: kind, part, clip-surface, depth, normal |
 //! | [`slice`](mod@slice) | sections as polygons, without a device |
 //! | [`plan`] | the passes of a frame as plain data: what runs, why, on which clock, in how many bytes |
+//! | [`error`] | what went wrong, with what to do about it |
 //!
 //! # Features
 //!

@@ -1,4 +1,5 @@
-// What both kinds of sweeps that count the crossings before a sample do first. After the list of crossings only the sample's own depth counts.
+// What both kinds of sweeps that count the crossings before a sample do first. After the list of crossings only the sample's own
+// depth counts.
 
 #define_import_path cutaway::counting
 

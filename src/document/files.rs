@@ -10,8 +10,9 @@ use crate::load::frames::Pattern;
 use crate::load::{Files, companions};
 
 impl Document {
-    /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. Whether any is
-    /// there is not asked: where files are fetched one after another, it is asked for again until nothing is missing.
+    /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. A file
+    /// that is not in the store yet is listed without what it names: a host that fetches files calls this again after each, until nothing
+    /// new is listed.
     pub fn files(&self, store: &dyn Files) -> Vec<PathBuf> {
         let mut files = Vec::new();
         for Named { name, first, .. } in names(&self.root) {

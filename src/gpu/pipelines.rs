@@ -221,7 +221,7 @@ fn format_of(plan: &Plan, id: ResourceId) -> Format {
     }
 }
 
-/// Both faces are described: what is left out of one of them counts nothing of it.
+/// A face that is left out here counts nothing.
 fn stencil_state(step: StencilStep) -> wgpu::StencilState {
     use wgpu::StencilOperation::{DecrementWrap, IncrementWrap, Invert, Keep, Zero};
     let face = |compare, fail, hidden, shown| wgpu::StencilFaceState {

@@ -1,6 +1,6 @@
 //! One frame of one scene with the truth about it, and what a strategy made of it.
 //!
-//! Exact is worked out once per [`Question`] and shared by all strategies that answer it. Which pixels are wrong is told by a definition
+//! Exact is worked out once per [`Question`] and shared by all strategies that answer it. Which pixels are wrong follows from a definition
 //! of its own, [`is_wrong`], so that the counts of [`crate::compare`] can be held against it.
 
 use std::sync::Arc;

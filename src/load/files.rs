@@ -23,7 +23,8 @@ pub trait Files: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     ///
-    /// What stands after `FILE: cannot be read:`; [`ErrorKind::NotFound`] if there is no such file.
+    /// What stands after `FILE: cannot be read:`. The kind chooses the help: [`ErrorKind::NotFound`] if there is no such file,
+    /// [`ErrorKind::PermissionDenied`] if it may not be read.
     fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>>;
 
     /// Whether there is a file of this name.
@@ -176,7 +177,7 @@ fn normal(path: &Path) -> PathBuf {
     for step in path.components() {
         let above = normal.components().next_back();
         match (step, above) {
-            (Component::CurDir, _) => {}
+            (Component::CurDir, _) | (Component::ParentDir, Some(Component::RootDir)) => {}
             (Component::ParentDir, Some(Component::Normal(_))) => {
                 normal.pop();
             }
@@ -201,6 +202,7 @@ mod tests {
             ("./a/x/../b.obj", "b"),
             ("a/../../c.obj", "c"),
             ("/a/../d.obj", "d"),
+            ("/../d.obj", "d"),
         ] {
             let path = Path::new(name);
             assert_eq!(&*files.read(path).expect(name), text.as_bytes(), "{name}");

@@ -31,7 +31,7 @@ pub(crate) struct Sweep<'a> {
     pub sample: &'static str,
     /// What fragments leave, where the sample says so.
     pub store: Option<&'a Store>,
-    /// The list of crossings, where the sample ranks.
+    /// The list of crossings, where the sample counts the crossings before it.
     pub crossings: Option<&'a Crossings>,
     /// What else the sample binds.
     pub bindings: Vec<Binding>,

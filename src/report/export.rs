@@ -7,7 +7,9 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::derived::{Row, Situation, StrategyTotals, has_other_truth, ranked, rows, standings};
+use super::derived::{
+    Row, Situation, StrategyTotals, has_other_truth, ranked, rows, totals_of_strategies,
+};
 use super::recorded::{Experiment, Folder, PeerRecord, Recorded};
 use crate::experiment::{CaseRecords, Record, Run, Synopsis};
 
@@ -116,7 +118,8 @@ struct Joined<'a> {
     format: u32,
     folders: Vec<JoinedFolder<'a>>,
     derived: Vec<DerivedPoint<'a>>,
-    standings: Vec<DerivedStanding>,
+    #[serde(rename = "standings")]
+    totals_of_strategies: Vec<DerivedTotals>,
 }
 
 #[derive(Serialize)]
@@ -148,7 +151,7 @@ struct DerivedPoint<'a> {
 
 /// A strategy over all points of one folder, adapter and kind of run that are judged by their own exact image.
 #[derive(Serialize)]
-struct DerivedStanding {
+struct DerivedTotals {
     folder: String,
     is_quick: bool,
     adapter: String,
@@ -182,8 +185,8 @@ pub(super) fn json(recorded: &Recorded) -> String {
         format: REPORT_FORMAT,
         folders: folders.collect(),
         derived: points.collect(),
-        standings: (recorded.folders.iter())
-            .flat_map(|f| standings_of(f, &records(f).collect::<Vec<_>>()))
+        totals_of_strategies: (recorded.folders.iter())
+            .flat_map(|f| totals_in(f, &records(f).collect::<Vec<_>>()))
             .collect(),
     };
     format!("{:#}\n", serde_json::json!(joined))
@@ -208,19 +211,19 @@ fn derived<'a>(folder: &Folder, record: &'a Record) -> DerivedPoint<'a> {
     }
 }
 
-fn standings_of(folder: &Folder, records: &[&Record]) -> Vec<DerivedStanding> {
+fn totals_in(folder: &Folder, records: &[&Record]) -> Vec<DerivedTotals> {
     let setup = |r: &Record| (r.measurement.adapter.name.clone(), r.is_quick);
     let setups: BTreeSet<(String, bool)> = records.iter().map(|r| setup(r)).collect();
     let on = |of: &(String, bool)| -> Vec<StrategyTotals> {
         let of_it = records
             .iter()
             .filter(|r| setup(r) == *of && !has_other_truth(r));
-        standings(&of_it.copied().collect::<Vec<_>>())
+        totals_of_strategies(&of_it.copied().collect::<Vec<_>>())
     };
     let all = setups
         .iter()
         .flat_map(|setup| on(setup).into_iter().map(move |s| (setup, s)));
-    all.map(|((adapter, is_quick), s)| DerivedStanding {
+    all.map(|((adapter, is_quick), s)| DerivedTotals {
         folder: folder.path.display().to_string(),
         is_quick: *is_quick,
         adapter: adapter.clone(),

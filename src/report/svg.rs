@@ -126,7 +126,7 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
     });
     let drawing = html! {
         svg xmlns="http://www.w3.org/2000/svg" width=(wide) height=(high) viewBox=(seen) {
-            title { (describe(&report.scene)) }
+            title { (without_controls(&report.scene)) }
             desc {
                 "To scale: one unit is one unit of the model"
                 @match unit {
@@ -157,18 +157,18 @@ fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize
     };
     html! {
         g id={ "section-" (index + 1) } transform={ (moved.unwrap_or_default()) "scale(1 -1)" } {
-            title { (describe(&plane.name())) ": area " (plane.area) ", perimeter " (plane.perimeter) }
+            title { (without_controls(&plane.name())) ": area " (plane.area) ", perimeter " (plane.perimeter) }
             @for part in &plane.parts {
                 @if !part.loops.is_empty() {
                     "\n"
                     path d=(outline(&part.loops, decimals, "Z")) fill=(part.color) fill-rule=(rule(part)) stroke="#222222" {
-                        title { (describe(&part.part)) ": area " (part.area) }
+                        title { (without_controls(&part.part)) ": area " (part.area) }
                     }
                 }
                 @if !part.open_chains.is_empty() {
                     "\n"
                     path.open d=(outline(&part.open_chains, decimals, "")) fill="none" stroke="#cc0000" {
-                        title { (describe(&part.part)) ": open" }
+                        title { (without_controls(&part.part)) ": open" }
                     }
                 }
             }
@@ -211,6 +211,6 @@ fn shortened(value: f64, decimals: usize) -> String {
 }
 
 /// Text without what XML has no place for.
-fn describe(text: &str) -> String {
+fn without_controls(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).collect()
 }

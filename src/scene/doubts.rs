@@ -33,7 +33,7 @@ impl Remark {
 /// matters.
 pub fn doubts(scene: &Scene) -> Vec<Remark> {
     let bounds = scene.bounds();
-    let mut doubts: Vec<Remark> = nonzero_hears(&scene.parts).into_iter().collect();
+    let mut doubts: Vec<Remark> = nonzero_depends(&scene.parts).into_iter().collect();
     for (cut, stays) in misses(scene) {
         let side = if stays { "stays" } else { "is removed" };
         doubts.push(Remark::warning(format!(
@@ -77,7 +77,7 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
 }
 
 /// Under the nonzero rule, faces that do not agree which side is out are as bad as holes. All such parts are one note.
-fn nonzero_hears(parts: &[Part]) -> Option<Remark> {
+fn nonzero_depends(parts: &[Part]) -> Option<Remark> {
     let filled = parts.iter().filter(|p| p.fill == Fill::Nonzero);
     let edges = filled.map(|p| (p, Topology::new(&p.mesh).inconsistent_edges));
     let doubtful: Vec<(&Part, usize)> = edges.filter(|(_, edges)| *edges > 0).collect();

@@ -100,7 +100,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         },
         args,
         folder,
-        run: described(&gpu, earlier, machine.clone(), args.quick),
+        run: run_of(&gpu, earlier, machine.clone(), args.quick),
         machine,
         program: jobs::program(),
         interrupt: Interrupt::listen("measure", "round")?,
@@ -139,7 +139,7 @@ fn steps(job: &Job<'_>, args: &MeasureArgs) -> usize {
 }
 
 /// What is said of the run. One that goes on keeps its beginning.
-fn described(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> Run {
+fn run_of(gpu: &Gpu, earlier: Option<Run>, machine: Machine, is_quick: bool) -> Run {
     let (began, took_s) = match earlier {
         Some(run) => (run.began, run.took_s),
         None => (machine::now(), 0.0),

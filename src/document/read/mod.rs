@@ -172,6 +172,7 @@ pub(super) struct Stock {
     images: Images,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
+    /// All that were read.
     pub(super) files: BTreeSet<PathBuf>,
 }
 

@@ -40,7 +40,7 @@ pub struct Finding {
 pub struct Searched {
     /// What came out wrong.
     pub findings: Vec<Finding>,
-    /// By each method, in order: how many scenes it drew to the end; the others it refused, or reported an overflow.
+    /// By each method, in order: how many scenes it drew to the end; the others it refused, or drew with an overflow.
     pub drawn: Vec<usize>,
     /// Pixels that show a cap in exact.
     pub caps_px: usize,

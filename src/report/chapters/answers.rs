@@ -5,7 +5,8 @@ use super::point::{Point, Points, Setup};
 use super::{best, broken, counted, figures, inputs};
 use crate::experiment::Record;
 use crate::report::derived::{
-    Kind, Situation, Spread, StrategyTotals, has_other_truth, is_exact, papers, standings,
+    Kind, Situation, Spread, StrategyTotals, has_other_truth, is_exact, papers,
+    totals_of_strategies,
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::strategies::Strategy;
@@ -43,7 +44,7 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
         let on_it = sound(points.on(setup));
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
         blocks.extend(whose(points, setup));
-        blocks.push(Block::Grid(exactness(&standings(&records))));
+        blocks.push(Block::Grid(exactness(&totals_of_strategies(&records))));
     }
     blocks.push(heading(
         "What does the paper's path cost, and what does it miss?",
@@ -99,7 +100,7 @@ fn sound(mut points: Vec<Point<'_>>) -> Vec<Point<'_>> {
     points
 }
 
-fn exactness(standings: &[StrategyTotals]) -> Grid {
+fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
     let mut grid = Grid::new(
         "exactness of strategies",
         [
@@ -114,7 +115,7 @@ fn exactness(standings: &[StrategyTotals]) -> Grid {
             "why it refuses",
         ],
     );
-    for s in standings {
+    for s in totals_of_strategies {
         let count = |n: usize| Cell::number(n.to_string(), n as f64);
         let exact = match (s.drawn, s.exact) {
             (0, _) => Cell::from("-").toned(Tone::Faint),
@@ -167,7 +168,7 @@ fn describe_reasons(reasons: &[String]) -> Cell {
 }
 
 /// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
-fn papers_standing(records: &[&Record]) -> StrategyTotals {
+fn totals_of_paper(records: &[&Record]) -> StrategyTotals {
     let all = records.iter().flat_map(|r| {
         let own = papers(r).into_iter();
         own.map(|index| &r.measurement.strategies[index])
@@ -178,7 +179,7 @@ fn papers_standing(records: &[&Record]) -> StrategyTotals {
 /// The paper's path over all points, in a sentence or two.
 fn papers_path(setup: &str, records: &[&Record]) -> String {
     let name = Strategy::PAPER.to_string();
-    let paper = papers_standing(records);
+    let paper = totals_of_paper(records);
     let Some(ratio) = paper.ratio else {
         return format!("On {setup}: `{name}` was not timed on any point.");
     };

@@ -59,12 +59,12 @@ fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
 fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     let usable = harms.iter().filter(|h| h.is_usable());
     let (drawn, compared): (Vec<&Harm>, Vec<&Harm>) =
-        usable.partition(|h| usage(&h.standing.name).is_some());
+        usable.partition(|h| usage(&h.totals.name).is_some());
     let share = |s: Option<Spread>| s.map_or_else(String::new, |s| percent(s.median));
     let name = |h: &Harm| {
-        let usage = usage(&h.standing.name);
+        let usage = usage(&h.totals.name);
         let limit = usage.as_ref().and_then(|u| u.limit).map(str::to_owned);
-        let name = usage.map_or_else(|| h.standing.name.clone(), |u| u.words);
+        let name = usage.map_or_else(|| h.totals.name.clone(), |u| u.words);
         noted(&name, limit.as_slice())
     };
     let found = |h: &Harm| format!("{} wrong, {} unmarked", share(h.wrong), share(h.unmarked));
@@ -81,7 +81,7 @@ fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     };
     let marked = share(first.marked);
     let text = format!("{}: {}, {marked} marked", name(first), found(first));
-    let less_wrong = harms.first().filter(|h| usage(&h.standing.name).is_none());
+    let less_wrong = harms.first().filter(|h| usage(&h.totals.name).is_none());
     let next = match (less_wrong.is_some(), drawn.get(1)) {
         (true, _) => compared_cell(&compared),
         (false, Some(next)) => Cell::from(format!("{}: {}", name(next), found(next))),
@@ -89,7 +89,7 @@ fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     };
     [
         Cell::from(text).toned(Tone::Fair),
-        ranged(first.standing.ratio),
+        ranged(first.totals.ratio),
         next,
     ]
 }
@@ -98,7 +98,7 @@ fn of_broken(harms: &[Harm]) -> [Cell; 3] {
 fn compared_cell(compared: &[&Harm]) -> Cell {
     compared.first().map_or_else(Cell::default, |h| {
         let wrong = h.wrong.map_or_else(String::new, |s| percent(s.median));
-        let name = &h.standing.name;
+        let name = &h.totals.name;
         Cell::from(format!(
             "{name}: {wrong} wrong; draws no picture, ask by `cutaway compare --strategies {name}`"
         ))

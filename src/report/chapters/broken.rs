@@ -37,25 +37,25 @@ pub(super) fn grid(points: &[Point<'_>]) -> Option<Grid> {
         let harms = harms(records);
         let used = harms
             .iter()
-            .position(|h| h.is_usable() && usage(&h.standing.name).is_some());
+            .position(|h| h.is_usable() && usage(&h.totals.name).is_some());
         for (place, harm) in harms.iter().enumerate() {
-            let standing = &harm.standing;
+            let totals = &harm.totals;
             let count = |n: usize| Cell::number(n.to_string(), n as f64);
-            let (word, tone) = match (harm.is_usable(), usage(&standing.name)) {
+            let (word, tone) = match (harm.is_usable(), usage(&totals.name)) {
                 (true, _) if used == Some(place) => ("use", Tone::Good),
                 (true, None) if place == 0 => ("least wrong, by compare alone", Tone::Good),
-                (false, _) if standing.refused() == 0 => ("too much is lost", Tone::Faint),
+                (false, _) if totals.refused() == 0 => ("too much is lost", Tone::Faint),
                 _ => ("", Tone::Plain),
             };
             grid.row([
                 Cell::from(*run).titled(format!("{experiment}, run {run}")),
-                Cell::from(standing.name.as_str()),
-                count(standing.asked),
-                count(standing.drawn),
+                Cell::from(totals.name.as_str()),
+                count(totals.asked),
+                count(totals.drawn),
                 shares(harm.wrong).toned(tone),
                 counts(harm.unmarked_px),
                 shares(harm.marked),
-                ranged(standing.ratio),
+                ranged(totals.ratio),
                 Cell::from(word),
             ]);
         }

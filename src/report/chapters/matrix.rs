@@ -3,7 +3,7 @@
 use super::figures::{times, tone_of};
 use super::point::{Point, Points};
 use crate::experiment::Record;
-use crate::report::derived::{StrategyTotals, standings};
+use crate::report::derived::{StrategyTotals, totals_of_strategies};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
 pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
@@ -39,59 +39,59 @@ fn matrix(points: &[Point<'_>]) -> Grid {
     let heading = std::iter::once(Cell::from("strategy")).chain(heading);
     let mut grid = Grid::new("strategies by scenes", heading);
     let records: Vec<&Record> = points.iter().map(|p| p.record).collect();
-    for standing in standings(&records) {
+    for totals in totals_of_strategies(&records) {
         let cells = columns.iter().map(|(experiment, run)| {
             let of_run = records.iter().copied();
             let of_run = of_run.filter(|r| r.experiment == *experiment && r.run == *run);
-            cell(&StrategyTotals::of(&standing.name, of_run))
+            cell(&StrategyTotals::of(&totals.name, of_run))
         });
-        grid.row(std::iter::once(Cell::from(standing.name.as_str())).chain(cells));
+        grid.row(std::iter::once(Cell::from(totals.name.as_str())).chain(cells));
     }
     grid
 }
 
-fn cell(standing: &StrategyTotals) -> Cell {
-    if standing.asked == 0 {
+fn cell(totals: &StrategyTotals) -> Cell {
+    if totals.asked == 0 {
         return Cell::default();
     }
-    let reasons: Vec<&str> = standing.refusals.keys().map(String::as_str).collect();
-    if standing.drawn == 0 {
+    let reasons: Vec<&str> = totals.refusals.keys().map(String::as_str).collect();
+    if totals.drawn == 0 {
         let refused = Cell::from("refused").toned(Tone::Faint);
         return refused.titled(reasons.join("; "));
     }
-    let wrong = match standing.worst_px {
-        0 if standing.is_exact() => "exact".to_owned(),
+    let wrong = match totals.worst_px {
+        0 if totals.is_exact() => "exact".to_owned(),
         px => format!("{px} px"),
     };
-    let ratio = standing.ratio.map(|r| format!(" {}", times(r.median)));
-    let mark = if standing.overflowed > 0 { " !" } else { "" };
+    let ratio = totals.ratio.map(|r| format!(" {}", times(r.median)));
+    let mark = if totals.overflowed > 0 { " !" } else { "" };
     let mut described = vec![format!(
         "exact at {} of {} points",
-        standing.exact, standing.asked
+        totals.exact, totals.asked
     )];
-    if let Some(r) = standing.ratio {
+    if let Some(r) = totals.ratio {
         described.push(format!(
             "ratio from {} to {}",
             times(r.least),
             times(r.most)
         ));
     }
-    if standing.overflowed > 0 {
-        described.push(format!("overflowed at {}", standing.overflowed));
+    if totals.overflowed > 0 {
+        described.push(format!("overflowed at {}", totals.overflowed));
     }
-    if standing.refused() > 0 {
+    if totals.refused() > 0 {
         described.push(format!(
             "refused at {}: {}",
-            standing.refused(),
+            totals.refused(),
             reasons.join("; ")
         ));
     }
-    let tone = match (standing.worst_px, standing.is_exact()) {
+    let tone = match (totals.worst_px, totals.is_exact()) {
         (0, false) => Tone::Fair,
         (px, _) => tone_of(px),
     };
     let text = format!("{wrong}{}{mark}", ratio.unwrap_or_default());
-    let key = standing.worst_px as f64 + standing.ratio.map_or(0.0, |r| r.median * 1e-6);
+    let key = totals.worst_px as f64 + totals.ratio.map_or(0.0, |r| r.median * 1e-6);
     Cell::number(text, key)
         .toned(tone)
         .titled(described.join("; "))

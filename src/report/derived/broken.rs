@@ -36,7 +36,7 @@ pub(crate) fn has_defect(record: &Record) -> bool {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Harm {
     /// Points asked and drawn, and what a frame costs.
-    pub standing: StrategyTotals,
+    pub totals: StrategyTotals,
     /// Pixels that are wrong over those of the exact cap.
     pub wrong: Option<Spread>,
     /// Pixels that are wrong and not marked.
@@ -55,7 +55,7 @@ pub(crate) const TOO_MUCH: f64 = 0.5;
 impl Harm {
     /// Whether it drew at all points and leaves enough to be used.
     pub(crate) fn is_usable(&self) -> bool {
-        self.standing.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
+        self.totals.refused() == 0 && self.lost.is_some_and(|l| l.median < TOO_MUCH)
     }
 }
 
@@ -73,7 +73,7 @@ pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
             most(h.wrong),
             median(h.unmarked),
             most(h.unmarked),
-            median(h.standing.ratio),
+            median(h.totals.ratio),
         ]
     };
     all.sort_by(|a, b| {
@@ -100,7 +100,7 @@ fn harm(name: &str, records: &[&Record]) -> Harm {
     };
     let unmarked_px = drawn.iter().map(|(c, _)| c.unmarked_wrong_px as f64);
     Harm {
-        standing: StrategyTotals::of(name, records.iter().copied()),
+        totals: StrategyTotals::of(name, records.iter().copied()),
         wrong: share(|c| c.decided_wrong_px),
         unmarked_px: Spread::of(unmarked_px.collect()),
         unmarked: share(|c| c.unmarked_wrong_px),
@@ -146,7 +146,7 @@ mod tests {
         let described: Vec<(&str, f64, f64)> = (harms.iter())
             .map(|h| {
                 (
-                    h.standing.name.as_str(),
+                    h.totals.name.as_str(),
                     h.wrong.unwrap().median,
                     h.wrong.unwrap().most,
                 )
@@ -163,8 +163,8 @@ mod tests {
         let refused = &mut a.measurement.strategies[0];
         (refused.outcome, refused.comparison) = (Ending::Refused, None);
         let b = broken([0, 4], "1%");
-        assert_eq!(harms(&[&b])[0].standing.name, "parity", "the control");
-        assert_eq!(harms(&[&a, &b])[0].standing.name, "winding");
+        assert_eq!(harms(&[&b])[0].totals.name, "parity", "the control");
+        assert_eq!(harms(&[&a, &b])[0].totals.name, "winding");
     }
 
     #[test]
@@ -175,10 +175,10 @@ mod tests {
             comparison.as_mut().unwrap().odd_parity_px = px;
         };
         marked(&mut a, 98);
-        assert_eq!(harms(&[&a])[0].standing.name, "parity", "the control");
+        assert_eq!(harms(&[&a])[0].totals.name, "parity", "the control");
         // Half of the 200 pixels of the cap: 99 marked, and 1 wrong and unmarked.
         marked(&mut a, 99);
-        assert_eq!(harms(&[&a])[0].standing.name, "winding");
+        assert_eq!(harms(&[&a])[0].totals.name, "winding");
         assert!(!harms(&[&a])[1].is_usable());
     }
 

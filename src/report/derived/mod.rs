@@ -31,5 +31,5 @@ pub(super) use paper::papers;
 pub(super) use ranking::{BETWEEN_RUNS, Ranked, ranked};
 pub(super) use row::{Row, rows, rows_by_family};
 pub(super) use situation::{Kind, Situation, is_exact};
-pub(super) use totals::{Spread, StrategyTotals, standings};
+pub(super) use totals::{Spread, StrategyTotals, totals_of_strategies};
 pub(super) use usage::{Usage, usage};

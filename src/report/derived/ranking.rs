@@ -61,8 +61,8 @@ type Ratios = Vec<Option<Samples>>;
 
 fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranked, Ratios)> {
     let usage = usage(name)?;
-    let standing = StrategyTotals::of(name, records.iter().copied());
-    if !standing.is_exact() {
+    let totals = StrategyTotals::of(name, records.iter().copied());
+    if !totals.is_exact() {
         return None;
     }
     let of_point = |record: &&Record| {
@@ -72,9 +72,9 @@ fn entry(name: &str, records: &[&Record], situation: Situation) -> Option<(Ranke
     let ratios: Ratios = records.iter().map(of_point).collect();
     let medians = ratios.iter().flatten().map(|r| r.median).collect();
     let ranked = Ranked {
-        name: standing.name,
+        name: totals.name,
         usage,
-        exact: standing.exact,
+        exact: totals.exact,
         ratio: Spread::of(medians)?,
         is_draw: false,
     };

@@ -60,17 +60,17 @@ impl StrategyTotals {
         name: &str,
         all: impl IntoIterator<Item = &'a StrategyMeasurement>,
     ) -> Self {
-        let mut standing = Self {
+        let mut totals = Self {
             name: name.to_owned(),
             ..Self::default()
         };
         let mut ratios = Vec::new();
         for found in all {
-            standing.count(found);
+            totals.count(found);
             ratios.extend(found.frame_over_draw_only);
         }
-        standing.ratio = Spread::of(ratios);
-        standing
+        totals.ratio = Spread::of(ratios);
+        totals
     }
 
     fn count(&mut self, found: &StrategyMeasurement) {
@@ -113,7 +113,7 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
 
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
 /// parameters. The exact ones come first, then the least wrong, then the cheapest; those that never drew are last.
-pub(crate) fn standings(records: &[&Record]) -> Vec<StrategyTotals> {
+pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
         for (found, swept) in record.measurement.strategies.iter().zip(&record.families) {
@@ -173,7 +173,7 @@ pub(super) mod tests {
             c.decided_wrong_px = 7;
         }
         wrong.measurement.strategies[0].frame_over_draw_only = Some(2.5);
-        let found = standings(&[&exact, &wrong, &wrong]);
+        let found = totals_of_strategies(&[&exact, &wrong, &wrong]);
         let names: Vec<&str> = found.iter().map(|s| s.name.as_str()).collect();
         assert_eq!(names, ["raycast+mask", "planar+<mask>"]);
         let drawn = &found[0];
@@ -192,7 +192,10 @@ pub(super) mod tests {
         let mut record = record_of(example());
         let own = &mut record.families[0][0].parameters;
         own.insert("cells".to_owned(), Parameter::Whole(64));
-        let names: Vec<String> = standings(&[&record]).into_iter().map(|s| s.name).collect();
+        let names: Vec<String> = totals_of_strategies(&[&record])
+            .into_iter()
+            .map(|s| s.name)
+            .collect();
         assert_eq!(names, ["planar+<mask>"]);
     }
 }

@@ -1,7 +1,7 @@
 //! `abuffer`: all fragments of each pixel, kept as lists (Carpenter 1984).
 //!
 //! One pass over the mesh counts the fragments of each pixel, a prefix sum lays their lists out one after the other, and the
-//! pass that finds the surfaces fills them with depths. A pass per pixel then ranks each depth in the list of crossings and
+//! pass that finds the surfaces fills them with depths. A pass per pixel then counts the crossings before each depth and
 //! turns the list into the very words that `mask` writes at once: a crossing is inside where an odd number of depths lies
 //! behind it. No list is sorted, for parity asks for no order.
 //!

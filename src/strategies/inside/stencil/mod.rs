@@ -10,7 +10,7 @@
 //! a pass over the picture for each crossing and each 8 pairs; 5 bytes a pixel beside the mask. No atomics.
 //!
 //! On the adapter of the tests the mask is that of `mask` bit for bit. Elsewhere a depth test may round a depth otherwise than the
-//! shader that ranks the surfaces sees it; then samples within such a rounding of a crossing may differ.
+//! shader that draws the surfaces sees it; then samples within such a rounding of a crossing may differ.
 //!
 //! Cannot: see more than 255 shells of a part filled nonzero, where the stencil runs over unseen; draw by the compute rasteriser.
 //! `stencil` by itself is [`alone`].
