@@ -8,7 +8,7 @@
 struct Corner {
     @builtin(position) @invariant position: vec4<f32>,
     @location(0) normal: vec3<f32>,
-    // Place of the part.
+    // As of the vertices.
     @location(1) @interpolate(flat) instance: u32,
 }
 
@@ -22,8 +22,8 @@ fn corner_of(v: Vertex) -> Corner {
     return Corner(drawn_position(v.position), unpack_normal(v.normal), v.instance);
 }
 
-// The words of a surface of a part of the scene. `place` stands where the clip-surface of a cap would.
-fn surface_words(corner: Corner, place: u32, part: u32, front: bool) -> vec2<u32> {
-    let word = layer_word(SURFACE, place, part) | select(BACK_FACE, 0u, front);
+// The words of a surface of a part of the scene. How many crossings it is behind stands where the clip-surface of a cap would.
+fn surface_words(corner: Corner, behind: u32, part: u32, front: bool) -> vec2<u32> {
+    let word = layer_word(SURFACE, behind, part) | select(BACK_FACE, 0u, front);
     return vec2<u32>(word, pack_normal(facing(normalize(corner.normal), front)));
 }

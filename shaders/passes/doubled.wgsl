@@ -7,7 +7,7 @@
 #import cutaway::settled::{of_doubled, settled}
 #import cutaway::surface::{Corner, SurfaceAt, corner_of, surface_words}
 
-override place: u32 = 0u;
+override behind: u32 = 0u;
 override passes_exits: bool = false;
 
 @vertex
@@ -21,5 +21,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
         discard;
     }
     let part = parts[settled.groups[corner.instance].place].part;
-    return SurfaceAt(surface_words(corner, place, part, front), of_doubled(corner.position.z, corner.instance, front));
+    return SurfaceAt(surface_words(corner, behind, part, front), of_doubled(corner.position.z, corner.instance, front));
 }

@@ -5,8 +5,8 @@
 #import cutaway::mesh::Vertex
 #import cutaway::surface::{Corner, corner_of, surface_words}
 
-// What to write in the place of the clip-surface: 0, or UNCOUNTED where a later pass must find the surface's place among crossings.
-override place: u32 = 0u;
+// How many crossings a surface is behind: 0, or UNCOUNTED where a later pass counts them.
+override behind: u32 = 0u;
 // Without a cap at the near plane: else nothing is discarded, so that depth is tested early.
 override passes_exits: bool = false;
 
@@ -20,5 +20,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     if passes_exits && is_passed(front) {
         discard;
     }
-    return surface_words(corner, place, parts[corner.instance].part, front);
+    return surface_words(corner, behind, parts[corner.instance].part, front);
 }

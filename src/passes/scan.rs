@@ -44,62 +44,55 @@ impl Scan<'_> {
                 u64::from(blocks) * 4,
                 self.clock,
             ));
-            self.add(
-                plan,
-                format!("{} sum {level}", self.name),
+            let pass = self.pass(
+                format!("sum {level}"),
                 "what each block adds up to",
                 "passes/scan/sums.wgsl",
                 vec![Binding::read("items", below), Binding::write("sums", sums)],
-                vec![("length", f64::from(length))],
                 blocks,
             );
+            plan.add_pass(pass.with_constants(vec![("length", f64::from(length))]));
             levels.push((sums, blocks));
         }
         let top = levels.pop().unwrap_or((self.items, self.length));
         let (total, word) = self.total;
-        self.add(
-            plan,
-            format!("{} scan", self.name),
+        let pass = self.pass(
+            "scan".to_owned(),
             "where each begins, and how many there are",
             "passes/scan/top.wgsl",
             vec![
                 Binding::update("items", top.0),
                 Binding::write("total", total),
             ],
-            vec![("length", f64::from(top.1)), ("total_at", f64::from(word))],
             1,
         );
+        let constants = vec![("length", f64::from(top.1)), ("total_at", f64::from(word))];
+        plan.add_pass(pass.with_constants(constants));
         let mut sums = top.0;
         while let Some((items, length)) = levels.pop() {
-            self.add(
-                plan,
-                format!("{} spread {}", self.name, levels.len() + 1),
+            let pass = self.pass(
+                format!("spread {}", levels.len() + 1),
                 "each block begins where those before it end",
                 "passes/scan/blocks.wgsl",
                 vec![Binding::update("items", items), Binding::read("sums", sums)],
-                vec![("length", f64::from(length))],
                 length.div_ceil(BLOCK_WORDS),
             );
+            plan.add_pass(pass.with_constants(vec![("length", f64::from(length))]));
             sums = items;
         }
     }
 
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "the sentence form of a pass: each word is one argument"
-    )]
-    fn add(
+    /// A pass of so many workgroups.
+    fn pass(
         &self,
-        plan: &mut Plan,
         name: String,
         reason: &str,
         shader: &'static str,
         bindings: Vec<Binding>,
-        constants: Vec<(&'static str, f64)>,
         blocks: u32,
-    ) {
+    ) -> Pass {
         let pass = Pass::new(
-            name,
+            format!("{} {name}", self.name),
             format!("{}: {reason}", self.what),
             shader,
             bindings,
@@ -107,6 +100,6 @@ impl Scan<'_> {
                 groups: [blocks.max(1), 1, 1],
             },
         );
-        plan.add_pass(pass.on(self.clock).with_constants(constants));
+        pass.on(self.clock)
     }
 }

@@ -9,7 +9,7 @@ use crate::plan::{
 };
 use crate::shader::Shader;
 
-/// The place value of parts drawn where no list of crossings is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
+/// How many crossings a surface is behind that is drawn where no list is known; `UNCOUNTED` in `shaders/lib/layers.wgsl`.
 const UNCOUNTED: f64 = 254.0;
 
 /// The nearest surface of each pixel while it is drawn: the first pass clears it.
@@ -42,26 +42,22 @@ pub(crate) struct DrawPass {
 }
 
 impl Surfaces {
-    /// Nothing drawn yet.
-    pub(crate) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
-        Self::into_depth(plan, scene, scene.depth)
-    }
-
     /// Nothing drawn yet, with a stencil beside the depth.
     pub(crate) fn with_stencil(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
-        let size = scene.input.view.size_px;
+        let depth = &mut plan.resources[scene.depth.0];
         let format = Format::Depth32FloatStencil8;
-        let depth = Resource::texture("surface_depth", size, 1, format, Clock::Frame);
-        let depth = plan.add_resource(depth);
-        Self::into_depth(plan, scene, depth)
+        depth.shape =
+            Resource::texture("", scene.input.view.size_px, 1, format, Clock::Frame).shape;
+        Self::new(plan, scene)
     }
 
-    fn into_depth(plan: &mut Plan, scene: &SceneBuffers<'_>, depth: ResourceId) -> Self {
+    /// Nothing drawn yet.
+    pub(crate) fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Self {
         let size = scene.input.view.size_px;
         let words = Resource::texture("surface_words", size, 1, Format::Rg32Uint, Clock::Frame);
         Self {
             words: plan.add_resource(words),
-            depth,
+            depth: scene.depth,
             is_cleared: false,
         }
     }
@@ -102,7 +98,7 @@ impl Surfaces {
         plan.add_pass(drawn.with_constants(pass.constants));
     }
 
-    /// Draws the parts that no cut reaches. Frames with `lists` of crossings find its place among them later.
+    /// Draws the parts that no cut reaches. In frames with `lists` of crossings a later pass counts those before each surface.
     pub(crate) fn draw_plain_parts(
         &mut self,
         plan: &mut Plan,
@@ -128,7 +124,7 @@ impl Surfaces {
         };
         let mut constants = Vec::new();
         if lists {
-            constants.push(("place", UNCOUNTED));
+            constants.push(("behind", UNCOUNTED));
         }
         if !input.view.near_cap {
             constants.push(("passes_exits", 1.0));

@@ -398,7 +398,7 @@ fn constants_have_one_value_on_both_sides() {
         ("WORDS_PER_PIXEL", words_per_pixel),
         (
             "UNCOUNTED",
-            override_of_a_plan("passes/surface.wgsl", "place") as u32,
+            override_of_a_plan("passes/surface.wgsl", "behind") as u32,
         ),
         ("NEAR_PLANE", u32::from(NEAR_PLANE)),
         ("BACKGROUND", Kind::Background as u32),
