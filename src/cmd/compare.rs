@@ -298,12 +298,12 @@ mod tests {
         assert!(check_memory([1024, 768], 40).is_ok(), "a usual comparison");
         assert!(check_memory([8192, 8192], 1).is_ok(), "a large one");
         let refused = check_memory([16_384, 16_384], 12).unwrap_err().to_string();
-        for described in [
+        for phrase in [
             "--resolution 16384,16384",
             "13 frames",
             "fewer --strategies",
         ] {
-            assert!(refused.contains(described), "{refused}");
+            assert!(refused.contains(phrase), "{refused}");
         }
     }
 

@@ -313,7 +313,7 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
     for plane in &report.sections {
         for part in &plane.parts {
-            let described = format!(
+            let message = format!(
                 "{} by {}: {}",
                 part.part,
                 plane.name(),
@@ -321,10 +321,10 @@ fn verdict(report: &SectionReport, console: &Console) -> Verdict {
             );
             if !part.closed {
                 let help = part.help.unwrap_or("move the section");
-                console.failed(format!("{described}\n  help: {help}"));
+                console.failed(format!("{message}\n  help: {help}"));
                 verdict = Verdict::Failed;
             } else if !part.defects.is_empty() {
-                console.note(described);
+                console.note(message);
             }
         }
     }

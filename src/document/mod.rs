@@ -362,7 +362,7 @@ surfaces = [
 
     #[test]
     fn paths_that_lead_nowhere_name_what_is_there() {
-        for (path, described) in [
+        for (path, phrase) in [
             ("part.c.shape", "there is no part `c`"),
             ("part.2.shape", "use one of: a.b, sphere"),
             ("cut.frnt.enabled", "did you mean `front`"),
@@ -377,7 +377,7 @@ surfaces = [
             ("camera..near", "names no value"),
         ] {
             let error = scene().set(path, 1.0).expect_err(path).to_string();
-            assert!(error.contains(described), "{path}: {error}");
+            assert!(error.contains(phrase), "{path}: {error}");
             assert!(error.contains("help:"), "{error}");
         }
         assert!(scene().get("camera.near").is_err(), "it is not there");

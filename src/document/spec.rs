@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn words_of_no_form_are_refused() {
-        for (error, described) in [
+        for (error, phrase) in [
             (relief("fractl").err(), "did you mean `fractal`"),
             (relief("fractal:seed=1,loud").err(), "not of the form"),
             (
@@ -256,8 +256,8 @@ mod tests {
         ] {
             let error = error.map(|e| e.to_string()).unwrap_or_default();
             assert!(
-                error.contains(described) && error.contains("help:"),
-                "{described}: {error}"
+                error.contains(phrase) && error.contains("help:"),
+                "{phrase}: {error}"
             );
         }
     }

@@ -73,18 +73,18 @@ fn expectation(claim: &Claim, what: String) -> Expectation {
 
 /// How a frame ended.
 fn ending(claim: &Claim, strategy: &StrategyMeasurement) -> Reached {
-    let described = strategy.reason.as_deref().unwrap_or_default();
+    let reason = strategy.reason.as_deref().unwrap_or_default();
     let says_so = claim
         .reason
         .as_ref()
-        .is_none_or(|words| described.contains(words));
+        .is_none_or(|words| reason.contains(words));
     let mut what = claim.outcome.name().to_owned();
     if let Some(words) = &claim.reason {
         what.push_str(&format!(", because of `{words}`"));
     }
     let mut found = strategy.outcome.name().to_owned();
-    if !described.is_empty() {
-        found.push_str(&format!(": {described}"));
+    if !reason.is_empty() {
+        found.push_str(&format!(": {reason}"));
     }
     Reached {
         strategy: strategy.name.clone(),
@@ -154,7 +154,7 @@ fn falls(
             let falls = before
                 .zip(after)
                 .is_some_and(|(b, a)| a < b || (a <= 0.0 && b <= 0.0));
-            let described = if is_flat {
+            let text = if is_flat {
                 let axis = &axis.name;
                 format!("{name} 0 at every value of {axis}: there is nothing to fall")
             } else {
@@ -165,7 +165,7 @@ fn falls(
             all.push(Reached {
                 strategy: found.measurement.strategies[pair[1].1].name.clone(),
                 expected: expectation(claim, what),
-                found: described,
+                found: text,
                 holds: falls && !is_flat,
             });
         }

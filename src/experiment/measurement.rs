@@ -320,8 +320,8 @@ pub(crate) mod tests {
                 "null" => drawn[field] = Value::Null,
                 _ => drop(drawn.remove(field)),
             }
-            let described = serde_json::from_value::<Measurement>(broken).map(|m| m.strategies);
-            assert!(described.is_err(), "{fault}: {described:?}");
+            let read = serde_json::from_value::<Measurement>(broken).map(|m| m.strategies);
+            assert!(read.is_err(), "{fault}: {read:?}");
         }
         let read: Measurement = serde_json::from_value(whole).unwrap();
         assert_eq!(read.strategies[1].comparison, None, "refused");

@@ -115,8 +115,8 @@ mod tests {
             let shown = SceneAtTime::new(&scene);
             match shown.truth() {
                 Ok(_) => assert!(!is_refused, "{count}"),
-                Err(described) => {
-                    assert!(described.to_string().contains("at 255.5"), "{described}")
+                Err(error) => {
+                    assert!(error.to_string().contains("at 255.5"), "{error}")
                 }
             }
         }

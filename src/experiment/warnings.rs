@@ -264,7 +264,7 @@ mod tests {
 
     #[test]
     fn few_rounds_are_heard_where_they_are_far_apart() {
-        for (share, described) in [
+        for (share, expected) in [
             (0.2, &["few-rounds"][..]),
             (0.3, &["few-rounds", "noisy-draw-only", "noisy"]),
         ] {
@@ -272,7 +272,7 @@ mod tests {
             few.rounds = 3;
             few.draw_only_ms = scattered(share, 3);
             few.strategies[0].time_ms.frame = scattered(share, 3);
-            assert_eq!(kinds(&few, 0.1), described, "{share}");
+            assert_eq!(kinds(&few, 0.1), expected, "{share}");
         }
         let few = |is_quick| Warning::FewRounds {
             rounds: 3,

@@ -270,7 +270,7 @@ impl Tally {
 
     /// In words.
     pub fn describe(&self, expected: &Expected) -> String {
-        let mut described = match self.refused == self.pictures {
+        let mut line = match self.refused == self.pictures {
             true => "refused".to_owned(),
             false => format!(
                 "{} decided wrong in {} pictures",
@@ -279,15 +279,15 @@ impl Tally {
             ),
         };
         if self.refused > 0 && self.refused < self.pictures {
-            described += &format!(", {} refused", self.refused);
+            line += &format!(", {} refused", self.refused);
         }
         if self.overflowed > 0 {
-            described += &format!(", {} overflowed", self.overflowed);
+            line += &format!(", {} overflowed", self.overflowed);
         }
         let faults = self.faults_of(expected);
         if let Some(first) = faults.first() {
-            described += &format!("; {} not as expected, the first: {first}", faults.len());
+            line += &format!("; {} not as expected, the first: {first}", faults.len());
         }
-        described
+        line
     }
 }

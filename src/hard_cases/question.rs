@@ -98,19 +98,19 @@ impl Judged {
             (c.crack_px, "crack"),
             (c.odd_parity_px, "odd"),
         ];
-        let mut described: Vec<String> = faults
+        let mut lines: Vec<String> = faults
             .iter()
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!("{count} {what}"))
             .collect();
         if self.outcome != Outcome::Complete {
-            described.push(format!("outcome {:?}", self.outcome));
+            lines.push(format!("outcome {:?}", self.outcome));
         }
-        if described.is_empty() {
+        if lines.is_empty() {
             return None;
         }
-        described.extend(self.first_decided_wrong().map(|i| self.describe(i)));
-        Some(described.join(", "))
+        lines.extend(self.first_decided_wrong().map(|i| self.describe(i)));
+        Some(lines.join(", "))
     }
 
     /// Numbers of the decided pixels that are wrong.

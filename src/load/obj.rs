@@ -404,8 +404,8 @@ mod tests {
             .unwrap();
             assert_eq!(draft.mesh.triangles, [[0, 1, 2]], "{face}");
             assert_eq!(draft.mesh.corner_normals.is_none(), is_noted, "{face}");
-            let described = notes.iter().any(|n| n.starts_with("t.obj:5: "));
-            assert_eq!(described, is_noted, "{face}: {notes:?}");
+            let has_note = notes.iter().any(|n| n.starts_with("t.obj:5: "));
+            assert_eq!(has_note, is_noted, "{face}: {notes:?}");
         }
     }
 

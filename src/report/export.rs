@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn cells_are_no_formulas_and_numbers_stay() {
-        for (cell, described) in [
+        for (cell, expected) in [
             ("=1+1", "'=1+1"),
             ("+x", "'+x"),
             ("-z=50%", "'-z=50%"),
@@ -255,7 +255,7 @@ mod tests {
             ("-2e-3", "-2e-3"),
             ("a=b", "a=b"),
         ] {
-            assert_eq!(inert(cell.to_owned()), described);
+            assert_eq!(inert(cell.to_owned()), expected);
         }
     }
 }

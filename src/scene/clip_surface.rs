@@ -318,17 +318,17 @@ mod tests {
             f(&mut surface);
             surface.defect()
         };
-        for (described, defect) in [
+        for (phrase, defect) in [
             ("origin", change(|s| s.origin.y = f64::NAN)),
             ("scale", change(|s| s.scale.z = f64::INFINITY)),
             ("u is too", change(|s| s.u = DVec3::ZERO)),
             ("v is too", change(|s| s.v *= 1e160)),
             ("orthogonal", change(|s| s.v += s.u * 1e-3)),
         ] {
-            let defect = defect.expect(described);
+            let defect = defect.expect(phrase);
             assert!(
-                defect.contains(described),
-                "{defect} does not speak of {described}"
+                defect.contains(phrase),
+                "{defect} does not speak of {phrase}"
             );
         }
     }

@@ -238,14 +238,14 @@ mod tests {
 
     #[test]
     fn what_is_no_map_is_refused_by_its_texel() {
-        for (texel, described) in [
+        for (texel, phrase) in [
             (f32::NAN, "(1, 2) is NaN"),
             (f32::NEG_INFINITY, "(1, 2) is -inf"),
         ] {
             let mut texels = vec![0.0; 9];
             texels[7] = texel;
             let reason = OffsetMap::new([3, 3], texels).expect_err("not finite");
-            assert!(reason.contains(described), "{reason}");
+            assert!(reason.contains(phrase), "{reason}");
         }
         assert!(OffsetMap::new([0, 4], vec![]).is_err(), "no texels");
         assert!(

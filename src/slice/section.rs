@@ -184,8 +184,8 @@ mod tests {
             (SectionDefect::Plane, false),
         ] {
             assert!(defect.loses_cap(), "{defect}");
-            let described = defect.help().contains("close the mesh");
-            assert_eq!(described, closes, "{defect}");
+            let says_so = defect.help().contains("close the mesh");
+            assert_eq!(says_so, closes, "{defect}");
         }
     }
 

@@ -595,12 +595,12 @@ surfaces = [{ section = "-z=50%" }]
     let ran = folder.run(line).exits(0);
     assert!(!ran.stderr.contains("edges"), "{}", ran.stderr);
 
-    for (line, described) in [
+    for (line, phrase) in [
         ("--fill odd", "even-odd or nonzero"),
         ("--interference=pink", "#rrggbb"),
     ] {
         let ran = folder.run(&format!("{render} {line} -o bad.png")).exits(2);
-        assert!(ran.stderr.contains(described), "{}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{}", ran.stderr);
     }
 }
 

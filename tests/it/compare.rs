@@ -170,8 +170,8 @@ fn an_outline_that_moved_is_no_crack_and_a_back_face_always_is_one() {
     let sky = |x| with(x, 5, |l| *l = Layer::default());
     for (x, cracks) in [(4, 0), (5, 1), (6, 1), (15, 1)] {
         let found = compared(&sky(x));
-        let described = [found.crack_px, found.outline_px];
-        assert_eq!(described, [cracks, 1 - cracks], "background in column {x}");
+        let seen = [found.crack_px, found.outline_px];
+        assert_eq!(seen, [cracks, 1 - cracks], "background in column {x}");
         assert_eq!(found.wrong_px(), 1, "wrong all the same in column {x}");
         let back = compared(&with(x, 5, |l| {
             *l = Layer {

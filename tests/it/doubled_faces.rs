@@ -35,11 +35,8 @@ fn faults(scene: &Scene) -> Vec<String> {
             let method = name.parse::<Method>().expect("a strategy");
             let judged: Judged = question.answer(method);
             if judged.comparison.decided_wrong_px > 0 {
-                let described = judged.fault_of_exact().unwrap_or_default();
-                all.push(format!(
-                    "{} at {azimuth}: {method}: {described}",
-                    scene.name
-                ));
+                let found = judged.fault_of_exact().unwrap_or_default();
+                all.push(format!("{} at {azimuth}: {method}: {found}", scene.name));
             }
         }
     }

@@ -47,8 +47,8 @@ fn faults(question: &Question, what: &str) -> Vec<String> {
         let is_refused = matches!(&judged.outcome, cutaway::session::Outcome::Refused(r) if r.obstacle == Obstacle::NearPlane);
         let wrong = judged.comparison.decided_wrong_px;
         (wrong > 0 && !is_refused).then(|| {
-            let described = judged.fault_of_exact().unwrap_or_default();
-            format!("{what}: {method}: {described}")
+            let found = judged.fault_of_exact().unwrap_or_default();
+            format!("{what}: {method}: {found}")
         })
     };
     methods.iter().filter_map(fault).collect()

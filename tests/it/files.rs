@@ -183,9 +183,9 @@ fn what_is_missing_in_memory_is_named() {
         match (name, opened(&folder, &files)) {
             // A colour is no reason to stop, and frames end where one is missing.
             ("models/pair.mtl", Ok([_, _, notes, _])) => {
-                let described =
+                let message =
                     "material library pair.mtl cannot be read: it is not among the files in memory";
-                assert!(notes.contains(described), "{notes}");
+                assert!(notes.contains(message), "{notes}");
             }
             ("scenes/frames/walk_02.obj", Ok([.., files])) => {
                 assert!(
@@ -195,10 +195,10 @@ fn what_is_missing_in_memory_is_named() {
             }
             (_, Ok(_)) => panic!("it opens without {name}"),
             (_, Err(e)) => {
-                let described = e.to_string();
+                let message = e.to_string();
                 assert!(
-                    described.contains(&*file) && described.contains("help:"),
-                    "{name}: {described}"
+                    message.contains(&*file) && message.contains("help:"),
+                    "{name}: {message}"
                 );
             }
         }
@@ -248,10 +248,10 @@ fn a_clip_surface_takes_its_image_from_memory() {
     let relief = surface_of(memory).expect("a surface").relief;
     assert_eq!(relief.map(|map| map.size), Some([2, 2]));
     for error in [surface_of(Memory::default()), surface().on(&bounds)] {
-        let described = error.expect_err("no image").to_string();
+        let message = error.expect_err("no image").to_string();
         assert!(
-            described.contains("rock.png") && described.contains("help:"),
-            "{described}"
+            message.contains("rock.png") && message.contains("help:"),
+            "{message}"
         );
     }
 }

@@ -139,7 +139,7 @@ fn planes_and_level_reliefs_hear_nothing_of_it() {
 fn what_a_sampler_cannot_do_is_refused_with_the_reason() {
     let hardware = options(HeightFilter::Hardware);
     let alike = ring([8, 8], Wrap::Repeat);
-    for (scene, name, described) in [
+    for (scene, name, phrase) in [
         (&alike, "raycast+mask", "four texels span"),
         (&alike, "raycast+ldi:32", "four texels span"),
         (
@@ -161,7 +161,7 @@ fn what_a_sampler_cannot_do_is_refused_with_the_reason() {
         ),
     ] {
         let reason = recorded(scene, name, &hardware).expect_err(name);
-        assert!(reason.contains(described), "{name}: {reason}");
+        assert!(reason.contains(phrase), "{name}: {reason}");
     }
     // The control: the same scenes are drawn where no sampler is asked for.
     for scene in [ring([8, 4], Wrap::Repeat), ring([8, 8], Wrap::Mirror)] {
@@ -171,13 +171,10 @@ fn what_a_sampler_cannot_do_is_refused_with_the_reason() {
         }
     }
     let by_sampler = plan(&alike, "grid:16+vds:32", HeightFilter::Hardware);
-    let described = by_sampler
+    let error = by_sampler
         .check(&Limits::CORE)
         .expect_err("core WebGPU has no such filter");
-    assert!(
-        described.to_string().contains("float32-filterable"),
-        "{described}"
-    );
+    assert!(error.to_string().contains("float32-filterable"), "{error}");
 }
 
 /// The layers of a plan that was run.
@@ -263,7 +260,7 @@ fn scene_files_and_options_ask_for_it() {
         let ran = folder.run(&line).exits(0);
         assert_eq!(ran.text().contains("relief_sampler"), is_sampled, "{line}");
     }
-    for (line, described) in [
+    for (line, phrase) in [
         ("plan wrong.toml", "wrong.toml:1:1: `height_filter`"),
         (
             "plan usual.toml --height-filter soft",
@@ -275,6 +272,6 @@ fn scene_files_and_options_ask_for_it() {
         ),
     ] {
         let ran = folder.run(line).exits(2);
-        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
     }
 }

@@ -75,7 +75,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
     for Table { scene, slips } in tables() {
         load(&folder, &scene).expect("the negative control");
         for slip in &slips {
-            let [intact, broken, described @ ..] = slip.as_slice() else {
+            let [intact, broken, phrases @ ..] = slip.as_slice() else {
                 panic!("{slip:?} is no slip");
             };
             assert!(scene.contains(intact), "{intact} is not in the scene");
@@ -88,7 +88,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
                 }
             };
             let message = error.to_string();
-            for word in described.iter().map(String::as_str).chain(["help:"]) {
+            for word in phrases.iter().map(String::as_str).chain(["help:"]) {
                 if !message.contains(word) {
                     missed.push(format!("`{broken}` does not tell `{word}`:\n{message}"));
                 }
@@ -140,9 +140,9 @@ fn the_place_is_that_of_the_slip_or_of_what_a_key_moves() {
         else {
             panic!("{error} has no place");
         };
-        let described = text.lines().nth(line - 1).unwrap_or_default();
-        let described: String = described.chars().skip(column - 1).collect();
-        assert!(described.starts_with(at), "{line}:{column}: {described}");
+        let found = text.lines().nth(line - 1).unwrap_or_default();
+        let found: String = found.chars().skip(column - 1).collect();
+        assert!(found.starts_with(at), "{line}:{column}: {found}");
     }
 }
 
@@ -203,7 +203,7 @@ fn sections_that_make_no_sense_are_refused() {
         ClipSurface::parse("z=10", &unit_box()).is_ok(),
         "the negative control"
     );
-    for (text, described) in [
+    for (text, phrase) in [
         ("", "not a number"),
         ("z", "not a number"),
         ("z=", "not a number"),
@@ -231,8 +231,8 @@ fn sections_that_make_no_sense_are_refused() {
             .expect_err(text)
             .to_string();
         let culprit = format!("section `{text}`");
-        for word in [&*culprit, described, "help:", "z=10"] {
-            if word == "z=10" && described == "too far" {
+        for word in [&*culprit, phrase, "help:", "z=10"] {
+            if word == "z=10" && phrase == "too far" {
                 continue;
             }
             assert!(
@@ -250,7 +250,7 @@ fn reliefs_that_make_no_sense_are_refused() {
         apply("fractal:seed=3,size=8x4", unit_box()).is_ok(),
         "the negative control"
     );
-    for (text, described) in [
+    for (text, phrase) in [
         ("", "use one of"),
         ("fractl", "did you mean `fractal`?"),
         ("fractal:7", "fractal"),
@@ -278,7 +278,7 @@ fn reliefs_that_make_no_sense_are_refused() {
     ] {
         let message = apply(text, unit_box()).expect_err(text).to_string();
         assert!(
-            message.contains(described) && message.contains("help:"),
+            message.contains(phrase) && message.contains("help:"),
             "`{text}`:\n{message}"
         );
     }

@@ -244,10 +244,10 @@ fn asked_of(rasteriser: Rasteriser) {
     }
     // Who draws the caps of each part by themselves cannot tell, and says so.
     for name in ["stencil", "grid:8+vds:64"] {
-        let described = plan_of(&asking(&two), name, means).expect_err(name);
+        let message = plan_of(&asking(&two), name, means).expect_err(name);
         assert!(
-            described.contains("does not tell where solids overlap"),
-            "{described}"
+            message.contains("does not tell where solids overlap"),
+            "{message}"
         );
         assert!(plan_of(&two, name, means).is_ok(), "{name}: nobody asked");
     }

@@ -211,7 +211,7 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
         for value in values {
             let document = with(path, &value);
             let at = of_scene(path.path);
-            let described = match document.timeline(&mut assets()) {
+            let message = match document.timeline(&mut assets()) {
                 Ok(_) => continue,
                 Err(e) => e.to_string(),
             };
@@ -223,8 +223,8 @@ fn every_choice_of_a_file_and_every_number_reaches_its_reader() {
                 "does not say where",
                 "no layers",
             ];
-            let is_lack = is_kind && lacks.iter().any(|l| described.contains(l));
-            assert!(is_lack, "{at} = {value:?}: {described}\n{document}");
+            let is_lack = is_kind && lacks.iter().any(|l| message.contains(l));
+            assert!(is_lack, "{at} = {value:?}: {message}\n{document}");
         }
     }
 }
@@ -248,7 +248,7 @@ fn what_is_out_of_range_or_of_another_kind_is_refused_by_its_path() {
         };
         for wrong in wrong {
             let document = with(path, &Value::read(wrong));
-            let described = document
+            let message = document
                 .timeline(&mut assets())
                 .err()
                 .map(|e| e.to_string());
@@ -257,9 +257,8 @@ fn what_is_out_of_range_or_of_another_kind_is_refused_by_its_path() {
             if is_frames {
                 continue;
             }
-            let described =
-                described.unwrap_or_else(|| panic!("{at} = {wrong} was taken\n{document}"));
-            assert!(described.contains("help:"), "{at} = {wrong}: {described}");
+            let message = message.unwrap_or_else(|| panic!("{at} = {wrong} was taken\n{document}"));
+            assert!(message.contains("help:"), "{at} = {wrong}: {message}");
         }
     }
 }
@@ -289,8 +288,8 @@ fn what_can_move_moves_and_what_cannot_is_refused() {
                 Value::List(vec![Node::new(example.clone()), Node::new(example.clone())]),
             )
             .unwrap();
-        let described = document.timeline(&mut assets());
-        match (path.moves, described) {
+        let found = document.timeline(&mut assets());
+        match (path.moves, found) {
             (true, Err(e)) => panic!("{at} does not move: {e}\n{document}"),
             (false, Ok(_)) => panic!("{at} moves"),
             _ => {}

@@ -87,10 +87,10 @@ fn contents(folder: &Scratch) -> Vec<(String, Vec<u8>)> {
 fn is_refused(folder: &Scratch, line: &str, culprit: &str) {
     let before = contents(folder);
     let ran = folder.run(line).exits(2);
-    for described in [culprit, "overwritten"] {
+    for phrase in [culprit, "overwritten"] {
         assert!(
-            ran.stderr.contains(described),
-            "{line}: no `{described}` in {}",
+            ran.stderr.contains(phrase),
+            "{line}: no `{phrase}` in {}",
             ran.stderr
         );
     }
@@ -301,8 +301,8 @@ fn a_report_keeps_the_records_it_is_made_of() {
         folder.write(file, "{}");
     }
     let ran = folder.run("report run --out run/mine").exits(2);
-    for described in ["--out run/mine/report.json", "overwritten"] {
-        assert!(ran.stderr.contains(described), "{}", ran.stderr);
+    for phrase in ["--out run/mine/report.json", "overwritten"] {
+        assert!(ran.stderr.contains(phrase), "{}", ran.stderr);
     }
     assert_eq!(fs::read_dir(folder.path("run/mine")).unwrap().count(), 2);
     // The control: a report beside the records is replaced by the next; that these are no records is found out after that.

@@ -160,13 +160,13 @@ fn what_was_missed_is_loud() {
         .expectations
         .push(reached("grid:256+vds:1024", false));
     let loud = report_of(&folder, &records);
-    let described = "Expectation missed by grid:256+vds:1024. Expected: 0 decided wrong px. Found: what was found.";
+    let missed = "Expectation missed by grid:256+vds:1024. Expected: 0 decided wrong px. Found: what was found.";
     assert!(loud.html.contains("1 of 5 expectations were missed"));
     assert!(
         loud.html
-            .contains(&format!("<p class=\"notice bad\">{described}"))
+            .contains(&format!("<p class=\"notice bad\">{missed}"))
     );
-    assert!(loud.markdown.contains(&format!("> **Wrong**: {described}")));
+    assert!(loud.markdown.contains(&format!("> **Wrong**: {missed}")));
     // A point with something missed is open from the start, although it is not the first.
     assert!(
         loud.html
@@ -355,30 +355,27 @@ fn folders_that_cannot_be_reported_are_refused_by_name() {
             Some(text) => fs::write(&file, text).unwrap(),
             None => fs::remove_file(&file).unwrap(),
         }
-        let described = folder.run("report run --out out").exits(2).stderr;
+        let message = folder.run("report run --out out").exits(2).stderr;
         for word in [path, said, "help: "] {
             assert!(
-                described.contains(word),
-                "{path}: {word} is missing from {described}"
+                message.contains(word),
+                "{path}: {word} is missing from {message}"
             );
         }
     }
     let mut uneven = records();
     uneven[0].figures.pop();
     write(&folder.path("run"), &uneven, None);
-    let described = folder.run("report run").exits(2).stderr;
+    let message = folder.run("report run").exits(2).stderr;
     assert!(
-        described.contains("`figures` has 3 entries for 4 strategies"),
-        "{described}"
+        message.contains("`figures` has 3 entries for 4 strategies"),
+        "{message}"
     );
-    let described = folder.run("report nowhere").exits(2).stderr;
+    let message = folder.run("report nowhere").exits(2).stderr;
     assert!(
-        described.contains("nowhere: there is no such folder"),
-        "{described}"
+        message.contains("nowhere: there is no such folder"),
+        "{message}"
     );
-    let described = folder.run("report run/run.json").exits(2).stderr;
-    assert!(
-        described.contains("it is a file, not a folder"),
-        "{described}"
-    );
+    let message = folder.run("report run/run.json").exits(2).stderr;
+    assert!(message.contains("it is a file, not a folder"), "{message}");
 }

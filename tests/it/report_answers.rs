@@ -242,9 +242,9 @@ fn series_are_called_as_the_experiment_calls_them() {
     }
     all[0].families[1].clear();
     write(&folder.path("run"), &all, None);
-    let described = folder.run("report run").exits(2).stderr;
+    let message = folder.run("report run").exits(2).stderr;
     assert!(
-        described.contains("`makers` has 3 entries for 4"),
-        "{described}"
+        message.contains("`makers` has 3 entries for 4"),
+        "{message}"
     );
 }

@@ -219,8 +219,8 @@ values = [[0, 0, -1], [0, 0, 1]]
         "values of the key"
     );
     let notes = file.notes().join("\n");
-    for described in ["crank was welded", "steel"] {
-        assert!(notes.contains(described), "no note of {described}: {notes}");
+    for phrase in ["crank was welded", "steel"] {
+        assert!(notes.contains(phrase), "no note of {phrase}: {notes}");
     }
 }
 

@@ -113,14 +113,14 @@ fn inputs_that_do_not_fit_the_shader_are_refused() {
     let shader = "@group(0) @binding(0) var<storage, read_write> words: array<u32>;\n\
         @group(0) @binding(1) var<storage, read> given: array<u32>;\n\
         @compute @workgroup_size(1) fn main() { words[0] = given[0]; }";
-    for (inputs, described) in [
+    for (inputs, phrase) in [
         (vec![], "`given` is given no words"),
         (
             vec![("given", vec![1]), ("other", vec![1])],
             "reads no `other`",
         ),
     ] {
-        let refusal = run_words(&GPU, shader, &inputs, 1).expect_err(described);
-        assert!(refusal.to_string().contains(described), "{refusal}");
+        let refusal = run_words(&GPU, shader, &inputs, 1).expect_err(phrase);
+        assert!(refusal.to_string().contains(phrase), "{refusal}");
     }
 }

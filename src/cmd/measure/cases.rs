@@ -71,7 +71,7 @@ pub(super) fn search(
         let strategy = method.to_string();
         let of_it: Vec<String> = (searched.findings.iter())
             .filter(|f| f.strategy == strategy)
-            .map(|f| format!("scene {}: {}, {:?}", f.scene, f.described, f.recipe))
+            .map(|f| format!("scene {}: {}, {:?}", f.scene, f.what, f.recipe))
             .collect();
         let mut found = format!("{drawn} of {} scenes drawn", asked.scenes);
         if !of_it.is_empty() {

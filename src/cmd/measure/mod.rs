@@ -345,7 +345,7 @@ struct Watching<'a> {
     place: String,
     console: &'a Console,
     interrupt: &'a Interrupt,
-    described: Cell<usize>,
+    reported: Cell<usize>,
 }
 
 impl<'a> Watching<'a> {
@@ -354,7 +354,7 @@ impl<'a> Watching<'a> {
             place: job.place(),
             console,
             interrupt,
-            described: Cell::new(0),
+            reported: Cell::new(0),
         }
     }
 
@@ -362,7 +362,7 @@ impl<'a> Watching<'a> {
     fn lost(&self, steps: usize, rounds: usize) -> String {
         let before = steps - rounds;
         // The last round that was reported is not complete.
-        let complete = self.described.get().saturating_sub(before + 1);
+        let complete = self.reported.get().saturating_sub(before + 1);
         format!("{}: {complete} of {rounds} rounds are lost", self.place)
     }
 }
@@ -375,7 +375,7 @@ impl Watcher for Watching<'_> {
     }
 
     fn step(&self, what: String) {
-        self.described.set(self.described.get() + 1);
+        self.reported.set(self.reported.get() + 1);
         self.console.step(format!("{}: {what}", self.place));
     }
 

@@ -158,9 +158,9 @@ fn conditions(table: &Table<'_>, run: &SceneRun) -> Result<Parameters> {
             .flat_map(|a| &a.values)
             .find(|v| Some(&v.is) == is.as_ref());
         let Some(held) = held else {
-            let described = is.map_or_else(String::new, |is| is.to_string());
+            let asked = is.map_or_else(String::new, |is| is.to_string());
             let help = "name a value that [run.sweep] has, written as it is there";
-            return Err(value.fault(format_args!("it is never `{described}`"), help));
+            return Err(value.fault(format_args!("it is never `{asked}`"), help));
         };
         conditions.insert(key.to_owned(), held.is.clone());
     }

@@ -95,7 +95,7 @@ impl Definition {
             let question = question(root)?;
             let analysis = root.need("analysis", "\"\"\"What was asked.\"\"\"")?;
             let analysis = analysis.text()?.trim().to_owned();
-            let (runs, described): (Vec<_>, _) = runs(root, path)?.into_iter().unzip();
+            let (runs, synopses): (Vec<_>, _) = runs(root, path)?.into_iter().unzip();
             let charts = root.tables("chart")?;
             let charts = charts.iter().map(|e| charts::read(e, &runs));
             let synopsis = Synopsis {
@@ -103,7 +103,7 @@ impl Definition {
                 question,
                 analysis,
                 charts: charts.collect::<Result<_>>()?,
-                runs: described,
+                runs: synopses,
                 points: Vec::new(),
                 toml: text.to_owned(),
             };
@@ -180,7 +180,7 @@ fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
         scenes::read(entry, path)?
     };
     let name = name.text()?.to_owned();
-    let described = RunSynopsis {
+    let synopsis = RunSynopsis {
         name: name.clone(),
         about,
         input,
@@ -192,7 +192,7 @@ fn run(entry: &Entry<'_>, path: &Path) -> Result<(DefinedRun, RunSynopsis)> {
         quick,
         has_quick: table.get("quick").is_some(),
     };
-    Ok((run, described))
+    Ok((run, synopsis))
 }
 
 fn input(entry: &Entry<'_>) -> Result<String> {

@@ -30,7 +30,7 @@ pub struct Finding {
     /// Number of the scene in the search.
     pub scene: u64,
     /// What is wrong with the simplest scene that was reached.
-    pub described: String,
+    pub what: String,
     /// That scene.
     pub recipe: Recipe,
 }
@@ -87,10 +87,10 @@ pub fn search(
             }
             let judged = question.answer(session, method)?;
             *drawn += usize::from(judged.outcome == Outcome::Complete);
-            let Some(described) = fault(&question, &judged, method) else {
+            let Some(what) = fault(&question, &judged, method) else {
                 continue;
             };
-            let (recipe, described) = shrunk(recipe.clone(), described, &mut |recipe| {
+            let (recipe, what) = shrunk(recipe.clone(), what, &mut |recipe| {
                 // Without a fault nothing is simpler: the search ends where it stands.
                 if !goes_on() {
                     return Ok(None);
@@ -102,7 +102,7 @@ pub fn search(
             searched.findings.push(Finding {
                 strategy,
                 scene,
-                described,
+                what,
                 recipe,
             });
         }
@@ -131,16 +131,16 @@ pub fn fault(question: &Question, judged: &Judged, method: &Method) -> Option<St
 /// The simplest recipe that can be reached without mending the fault, and its fault.
 pub fn shrunk(
     mut recipe: Recipe,
-    mut described: String,
+    mut what: String,
     fault: &mut dyn FnMut(&Recipe) -> Result<Option<String>>,
 ) -> Result<(Recipe, String)> {
     'again: loop {
         for simpler in recipe.simpler() {
             if let Some(fault) = fault(&simpler)? {
-                (recipe, described) = (simpler, fault);
+                (recipe, what) = (simpler, fault);
                 continue 'again;
             }
         }
-        return Ok((recipe, described));
+        return Ok((recipe, what));
     }
 }

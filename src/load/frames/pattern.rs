@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn what_is_no_pattern_is_told() {
-        for (text, described) in [
+        for (text, phrase) in [
             ("walk.ply", "no number"),
             ("100%%.ply", "no number"),
             ("100%.ply", "no number"),
@@ -192,10 +192,7 @@ mod tests {
         ] {
             assert!(!Pattern::is_in(text), "{text}");
             let error = Pattern::parse(text).expect_err(text).to_string();
-            assert!(
-                error.contains(described) && error.contains("help:"),
-                "{error}"
-            );
+            assert!(error.contains(phrase) && error.contains("help:"), "{error}");
         }
     }
 }

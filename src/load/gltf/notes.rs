@@ -11,12 +11,12 @@ pub(super) fn grouped(said: Vec<(String, String)>) -> Vec<String> {
             None => groups.push((of, format!("{label}: {note}"), 0)),
         }
     }
-    let described = groups.into_iter().map(|(_, note, others)| match others {
+    let notes = groups.into_iter().map(|(_, note, others)| match others {
         0 => note,
         1 => format!("{note} (and another node likewise)"),
         others => format!("{note} (and {others} more nodes likewise)"),
     });
-    described.collect()
+    notes.collect()
 }
 
 #[cfg(test)]

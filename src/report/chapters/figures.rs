@@ -7,7 +7,7 @@ use crate::report::text::milliseconds;
 
 /// The name of a figure for readers; that of the figure where there is no better one.
 pub(super) fn label(name: &str) -> String {
-    let described = match name {
+    let meaning = match name {
         "decided_wrong_px" => "decided wrong px",
         "missed_cap_px" => "missed cap px",
         "leaked_cap_px" => "leaked cap px",
@@ -36,7 +36,7 @@ pub(super) fn label(name: &str) -> String {
         "bytes.solid" => "memory of the solid, bytes",
         name => return name.replace('_', " "),
     };
-    described.to_owned()
+    meaning.to_owned()
 }
 
 /// Pixels that are wrong, none being good.

@@ -64,18 +64,18 @@ fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {
         }
         let situation = Situation::from(run.moves);
         let is_it = |i: &&mut Input<'_>| i.name == name && i.situation == situation;
-        let described = format!("{}: {}", point.experiment.synopsis.name, run.name);
+        let run_name = format!("{}: {}", point.experiment.synopsis.name, run.name);
         match inputs.iter_mut().find(is_it) {
             Some(input) => {
                 input.records.push(point.record);
-                if !input.runs.contains(&described) {
-                    input.runs.push(described);
+                if !input.runs.contains(&run_name) {
+                    input.runs.push(run_name);
                 }
             }
             None => inputs.push(Input {
                 name,
                 situation,
-                runs: vec![described],
+                runs: vec![run_name],
                 records: vec![point.record],
             }),
         }

@@ -65,22 +65,22 @@ fn cell(totals: &StrategyTotals) -> Cell {
     };
     let ratio = totals.ratio.map(|r| format!(" {}", times(r.median)));
     let mark = if totals.overflowed > 0 { " !" } else { "" };
-    let mut described = vec![format!(
+    let mut lines = vec![format!(
         "exact at {} of {} points",
         totals.exact, totals.asked
     )];
     if let Some(r) = totals.ratio {
-        described.push(format!(
+        lines.push(format!(
             "ratio from {} to {}",
             times(r.least),
             times(r.most)
         ));
     }
     if totals.overflowed > 0 {
-        described.push(format!("overflowed at {}", totals.overflowed));
+        lines.push(format!("overflowed at {}", totals.overflowed));
     }
     if totals.refused() > 0 {
-        described.push(format!(
+        lines.push(format!(
             "refused at {}: {}",
             totals.refused(),
             reasons.join("; ")
@@ -92,7 +92,5 @@ fn cell(totals: &StrategyTotals) -> Cell {
     };
     let text = format!("{wrong}{}{mark}", ratio.unwrap_or_default());
     let key = totals.worst_px as f64 + totals.ratio.map_or(0.0, |r| r.median * 1e-6);
-    Cell::number(text, key)
-        .toned(tone)
-        .titled(described.join("; "))
+    Cell::number(text, key).toned(tone).titled(lines.join("; "))
 }

@@ -143,7 +143,7 @@ mod tests {
     fn the_least_wrong_comes_first() {
         let [a, b] = [broken([10, 4], "1%"), broken([2, 6], "5%")];
         let harms = harms(&[&a, &b, &b]);
-        let described: Vec<(&str, f64, f64)> = (harms.iter())
+        let found: Vec<(&str, f64, f64)> = (harms.iter())
             .map(|h| {
                 (
                     h.totals.name.as_str(),
@@ -152,7 +152,7 @@ mod tests {
                 )
             })
             .collect();
-        assert_eq!(described, [("parity", 0.01, 0.05), ("winding", 0.03, 0.03)]);
+        assert_eq!(found, [("parity", 0.01, 0.05), ("winding", 0.03, 0.03)]);
         assert_eq!(harms[1].unmarked_px.unwrap().most, 3.0);
         assert_eq!(harms[1].unmarked.unwrap().most, 0.015);
     }

@@ -86,7 +86,7 @@ mod tests {
         ];
         assert_eq!(rows(&record).len(), 2);
         let all = rows_by_family(&record);
-        let described: Vec<_> = all.iter().map(|r| r.parameter("texels")).collect();
-        assert_eq!(described, [None, Some(&Parameter::Whole(1024)), None]);
+        let found: Vec<_> = all.iter().map(|r| r.parameter("texels")).collect();
+        assert_eq!(found, [None, Some(&Parameter::Whole(1024)), None]);
     }
 }

@@ -158,8 +158,8 @@ mod tests {
         );
         assert_eq!(scale.place(0.0), 300.0);
         assert!(at[0] <= 300.0 - ZERO_STRIP, "{at:?}");
-        let described: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
-        assert_eq!(described, ["0", "1", "10", "100", "1000"]);
+        let labels: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
+        assert_eq!(labels, ["0", "1", "10", "100", "1000"]);
         let without = Scale::of(&[1.0, 10.0], true, false, [300.0, 0.0]);
         assert_eq!(without.zero_px, None);
     }
@@ -168,8 +168,8 @@ mod tests {
     fn linear_axes_have_round_ticks() {
         let scale = Scale::of(&[0.3, 9.7], false, true, [0.0, 100.0]);
         assert_eq!(scale.place(0.0), 0.0);
-        let described: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
-        assert_eq!(described, ["0", "2", "4", "6", "8", "10"]);
+        let labels: Vec<String> = scale.ticks().into_iter().map(|(_, t)| t).collect();
+        assert_eq!(labels, ["0", "2", "4", "6", "8", "10"]);
     }
 
     #[test]

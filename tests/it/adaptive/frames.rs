@@ -374,10 +374,10 @@ fn a_relief_of_too_many_texels_is_refused_with_the_mend() {
     };
     assert_eq!(refusal(100.0), Ok(()), "some 4000 texels along a side");
     for scale in [1000.0, 1e-4] {
-        let described = refusal(scale).expect_err("refused").to_string();
+        let message = refusal(scale).expect_err("refused").to_string();
         assert!(
-            described.contains("raycast") && described.contains("clip-surface 0"),
-            "{described}"
+            message.contains("raycast") && message.contains("clip-surface 0"),
+            "{message}"
         );
     }
 }

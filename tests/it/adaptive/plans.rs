@@ -100,7 +100,7 @@ fn wrong_arguments_are_refused() {
             d.arguments = d.arguments.map(|a| Arguments { offset, ..a });
         }
     };
-    for (described, refused) in [
+    for (phrase, refused) in [
         ("no arguments at byte 4", refusal(&at(4))),
         ("no arguments at byte 2", refusal(&at(2))),
         (
@@ -123,8 +123,8 @@ fn wrong_arguments_are_refused() {
         ),
     ] {
         assert!(
-            refused.contains(described),
-            "`{refused}` does not say `{described}`"
+            refused.contains(phrase),
+            "`{refused}` does not say `{phrase}`"
         );
     }
 }

@@ -32,7 +32,7 @@ fn nothing_found(searched: &Searched) {
     let findings = searched.findings.iter().map(|f| {
         format!(
             "{}, scene {}: {}\n{:?}",
-            f.strategy, f.scene, f.described, f.recipe
+            f.strategy, f.scene, f.what, f.recipe
         )
     });
     let findings: Vec<String> = findings.collect();
@@ -88,18 +88,18 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
             .first_decided_wrong()
             .map(|pixel| judged.describe(pixel)))
     };
-    let (first, described) = (0..SCENES)
+    let (first, what) = (0..SCENES)
         .map(|scene| recipe(SEED, scene))
         .filter(|r| r.solids.len() == 2 && r.cuts.concat().len() > 2)
         .find_map(|r| {
-            let described: cutaway::Result<_> = fault(&r);
-            described.expect("a frame").map(|described| (r, described))
+            let what: cutaway::Result<_> = fault(&r);
+            what.expect("a frame").map(|what| (r, what))
         })
         .expect("a coarse sprite is wrong somewhere");
-    let (simple, described) = shrunk(first, described, &mut |r| fault(r)).expect("frames");
+    let (simple, what) = shrunk(first, what, &mut |r| fault(r)).expect("frames");
     assert!(
         fault(&simple).expect("a frame").is_some(),
-        "the fault was mended on the way: {described}"
+        "the fault was mended on the way: {what}"
     );
     assert_eq!(
         (simple.solids.len(), simple.cuts.concat().len()),

@@ -73,7 +73,7 @@ fn ffmpeg_is_given_every_pixel_of_every_frame() {
         "odd sizes are told of: {}",
         ran.stderr
     );
-    let described = fs::read_to_string(folder.path("told.txt")).unwrap();
+    let arguments = fs::read_to_string(folder.path("told.txt")).unwrap();
     for word in [
         "-video_size 64x48",
         "-framerate 12.5",
@@ -82,7 +82,7 @@ fn ffmpeg_is_given_every_pixel_of_every_frame() {
         "yuv420p",
         "-f mp4",
     ] {
-        assert!(described.contains(word), "no `{word}` in {described}");
+        assert!(arguments.contains(word), "no `{word}` in {arguments}");
     }
     assert_eq!(
         folder.files(),

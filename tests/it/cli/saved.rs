@@ -219,7 +219,7 @@ fn a_scene_that_is_read_is_replaced_by_force_alone() {
             before
         );
     }
-    for (line, described) in [
+    for (line, phrase) in [
         ("render scene.toml -o a.png --save bracket.obj", ".toml"),
         ("render scene.toml -o a.png --save -", "saved to a file"),
         ("render scene.toml -o a.png --save a.png", ".toml"),
@@ -238,9 +238,9 @@ fn a_scene_that_is_read_is_replaced_by_force_alone() {
         ),
     ] {
         let ran = folder.run(line).exits(2);
-        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
         assert!(
-            ran.stderr.contains("help:") || described == "--save",
+            ran.stderr.contains("help:") || phrase == "--save",
             "{}",
             ran.stderr
         );

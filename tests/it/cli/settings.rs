@@ -78,7 +78,7 @@ fn what_is_set_is_what_the_file_could_say() {
 fn what_cannot_be_set_is_refused_by_its_path() {
     let folder = Scratch::new("unset");
     folder.write("scene.toml", SCENE);
-    for (line, described) in [
+    for (line, phrase) in [
         (
             "scene.toml --set cut.frnt.enabled=false",
             "did you mean `front`",
@@ -103,7 +103,7 @@ fn what_cannot_be_set_is_refused_by_its_path() {
         ("shape:cube --set part.1.scale=1", "there is no part `1`"),
     ] {
         let ran = folder.run(&format!("render {line} -o out.png")).exits(2);
-        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
         assert!(ran.stderr.contains("help:"), "{line}: {}", ran.stderr);
     }
     assert_eq!(folder.files(), ["scene.toml"], "nothing is written");

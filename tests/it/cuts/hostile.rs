@@ -65,10 +65,10 @@ fn an_offset_of_no_part_of_the_cut_is_noted() {
         ("solid = 0.1, \"c*\" = 1", "except = [\"solid\"]\n", 1),
     ] {
         let notes = notes(offset, rest);
-        let described = notes
+        let found = notes
             .iter()
             .filter(|n| n.contains("no part of the cut"))
             .count();
-        assert_eq!(described, noted, "{offset}: {notes:?}");
+        assert_eq!(found, noted, "{offset}: {notes:?}");
     }
 }

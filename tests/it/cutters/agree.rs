@@ -78,7 +78,7 @@ fn centre(parts: &[Part]) -> (DVec3, f64) {
 #[test]
 fn shapes_bite_into_a_crank() {
     let (at, size) = centre(&crank());
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for (spec, share) in [
         ("sphere?subdivisions=3", 0.32),
         ("knot?segments=160&sides=12", 0.3),
@@ -95,13 +95,13 @@ fn shapes_bite_into_a_crank() {
             }
             let mut scene = bitten(spec, crank(), vec![bite]);
             scene.camera = cameras::orbit(35.0, 40.0, orthographic);
-            described.extend(faults(
+            found.extend(faults(
                 &format!("{spec}, parallel {orthographic}, flipped {flip}"),
                 &scene,
             ));
         }
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 /// Shells, one in the other, and a ball that bites into them.
@@ -120,23 +120,23 @@ fn shells() -> Scene {
 
 #[test]
 fn several_parts_are_cut_as_their_filters_say() {
-    let mut described = faults("all", &shells());
+    let mut found = faults("all", &shells());
     let names: Vec<String> = shells().parts.iter().map(|p| p.name.clone()).collect();
     // What is spared hides what is cut inside of it: the outermost may be cut alone instead.
     for name in &names[..names.len() - 1] {
         let mut scene = shells();
         scene.cuts[0].except = vec![name.clone()];
-        described.extend(faults(&format!("but {name}"), &scene));
+        found.extend(faults(&format!("but {name}"), &scene));
     }
     let mut scene = shells();
     scene.cuts[0].applies_to = vec![names[names.len() - 1].clone()];
-    described.extend(faults("the outermost alone", &scene));
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    found.extend(faults("the outermost alone", &scene));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
 fn cutters_go_with_planes_reliefs_and_each_other() {
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for orthographic in [false, true] {
         let mut scene = shells();
         scene.camera = cameras::orbit(25.0, 30.0, orthographic);
@@ -152,31 +152,31 @@ fn cutters_go_with_planes_reliefs_and_each_other() {
         );
 
         scene.cuts[0].surfaces = vec![plane.clone()];
-        described.extend(faults("ball and plane", &scene));
+        found.extend(faults("ball and plane", &scene));
         scene.cuts[0].surfaces = vec![rough.clone()];
-        described.extend(faults("ball and relief", &scene));
+        found.extend(faults("ball and relief", &scene));
         scene.cuts[0].surfaces = vec![rough.clone(), plane.clone()];
-        described.extend(faults("ball, relief and plane", &scene));
+        found.extend(faults("ball, relief and plane", &scene));
         scene.cuts = vec![
             Cut::by(ball.clone()),
             Cut::new("rough", vec![rough.clone()]),
         ];
-        described.extend(faults("ball or relief", &scene));
+        found.extend(faults("ball or relief", &scene));
         scene.cuts = vec![Cut::by(ball.clone()), Cut::by(knot.clone())];
-        described.extend(faults("ball or knot", &scene));
+        found.extend(faults("ball or knot", &scene));
         scene.cuts = vec![
             Cut::by(ball.flipped()),
             Cut::by(knot),
             Cut::new("plane", vec![plane]),
         ];
-        described.extend(faults("outside of ball, or knot, or plane", &scene));
+        found.extend(faults("outside of ball, or knot, or plane", &scene));
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
 fn a_box_cuts_as_exactly_as_its_planes_however_it_is_turned() {
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for turn in 0..4 {
         let turn = f64::from(turn);
         let by = DQuat::from_euler(glam::EulerRot::XYZ, 0.3 * turn, 0.2 * turn, 0.5 * turn);
@@ -190,9 +190,9 @@ fn a_box_cuts_as_exactly_as_its_planes_however_it_is_turned() {
             vec![cutter(mesh)],
         );
         scene.camera = cameras::orbit(40.0, 30.0, turn > 1.5);
-        described.extend(faults(&format!("turn {turn}"), &scene));
+        found.extend(faults(&format!("turn {turn}"), &scene));
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 /// A cube with a face in the plane of a cutter's, which is divided otherwise.
@@ -205,7 +205,7 @@ fn shared_face(min: DVec3, max: DVec3) -> Scene {
 
 #[test]
 fn a_shared_face_leaves_nothing_without_thickness() {
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for (min, max) in [
         (DVec3::splat(-0.5), DVec3::splat(0.5)),
         (DVec3::new(-0.25, -0.25, 0.5), DVec3::new(0.25, 0.25, 0.75)),
@@ -220,11 +220,11 @@ fn a_shared_face_leaves_nothing_without_thickness() {
             assert_eq!(caps > 0, is_pocket, "{caps} pixels of caps: {min}");
             for of in EXACT {
                 let judged = question.answer(strategy(of));
-                described.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
+                found.extend(judged.fault_of_exact().map(|f| format!("{of}, {min}: {f}")));
             }
             for of in BY_COMPUTE {
                 let judged = judged_by_compute(&question, of);
-                described.extend(
+                found.extend(
                     judged
                         .fault_of_exact()
                         .map(|f| format!("{of} by compute, {min}: {f}")),
@@ -232,7 +232,7 @@ fn a_shared_face_leaves_nothing_without_thickness() {
             }
         }
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
@@ -243,7 +243,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         block(DVec3::splat(-0.5), DVec3::splat(0.5)),
         vec![void],
     );
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for (from, to, near) in [
         (DVec3::ZERO, DVec3::X, 0.01),
         (DVec3::new(0.1, 0.1, 0.1), DVec3::new(-1.0, 0.3, 0.2), 0.2),
@@ -260,7 +260,7 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         );
         for of in EXACT {
             let judged = question.answer(strategy(of));
-            described.extend(
+            found.extend(
                 judged
                     .fault_of_exact()
                     .map(|f| format!("{of} from {from}: {f}")),
@@ -268,19 +268,19 @@ fn the_eye_may_be_in_the_cutter_and_the_near_plane_cut_it() {
         }
         for of in BY_COMPUTE {
             let judged = judged_by_compute(&question, of);
-            described.extend(
+            found.extend(
                 judged
                     .fault_of_exact()
                     .map(|f| format!("{of} by compute, {from}: {f}")),
             );
         }
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
 fn a_cutter_may_reach_far_beyond_the_parts() {
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for orthographic in [false, true] {
         // All of it but a little is before the near plane, beyond the far plane and beside the picture.
         let wedge = block(DVec3::new(0.1, 0.05, -40.0), DVec3::new(30.0, 20.0, 50.0));
@@ -288,9 +288,9 @@ fn a_cutter_may_reach_far_beyond_the_parts() {
         let mesh = moved(&wedge, turn);
         let mut scene = solid("far", shape("sphere?subdivisions=4"), vec![cutter(mesh)]);
         scene.camera = cameras::orbit(50.0, 35.0, orthographic);
-        described.extend(faults(&format!("parallel {orthographic}"), &scene));
+        found.extend(faults(&format!("parallel {orthographic}"), &scene));
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 fn layers_of(question: &Question, name: &str) -> Layers {

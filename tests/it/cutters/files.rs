@@ -67,16 +67,16 @@ fn a_mesh_that_is_not_closed_is_no_cutter() {
     wild.positions[0].x = f64::NAN;
     let mut lost = cube;
     lost.triangles[0][0] = 99;
-    for (mesh, described) in [
+    for (mesh, phrase) in [
         (open, "3 edges"),
         (of_nothing, "no triangles"),
         (wild, "NaN"),
         (lost, "vertex 99"),
         (Mesh::default(), "no triangles"),
     ] {
-        let message = Cutter::new("it", mesh).expect_err(described).to_string();
+        let message = Cutter::new("it", mesh).expect_err(phrase).to_string();
         assert!(
-            message.contains(described) && message.contains("help:"),
+            message.contains(phrase) && message.contains("help:"),
             "{message}"
         );
     }

@@ -53,7 +53,7 @@ fn scenes_over_time() -> Vec<Scene> {
 #[test]
 fn a_moving_cutter_is_exact_at_every_time() {
     let mut model: Option<Model> = None;
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     let mut pictures: Vec<Layers> = Vec::new();
     for (scene, time) in scenes_over_time().iter().zip(times()) {
         let next = (model.as_ref()).map_or_else(|| Model::new(scene), |m| m.updated(scene));
@@ -65,7 +65,7 @@ fn a_moving_cutter_is_exact_at_every_time() {
         );
         for name in ["raycast+mask", "raycast+abuffer", "grid:64+mask"] {
             let judged = question.answer(strategy(name));
-            described.extend(
+            found.extend(
                 judged
                     .fault_of_exact()
                     .map(|f| format!("{name} at {time}: {f}")),
@@ -75,7 +75,7 @@ fn a_moving_cutter_is_exact_at_every_time() {
             }
         }
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
     pictures.dedup();
     assert_eq!(pictures.len(), 10, "it moves");
 }

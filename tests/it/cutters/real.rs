@@ -32,7 +32,7 @@ fn real_meshes_cut_each_other_exactly() {
     let Some(data) = data() else {
         return;
     };
-    let mut described = Vec::new();
+    let mut found = Vec::new();
     for (solid, bite, share) in [
         ("organic/armadillo.obj", "organic/spot.obj", 0.6),
         ("organic/spot.obj", "cad/spool_base.stl", 0.7),
@@ -51,19 +51,19 @@ fn real_meshes_cut_each_other_exactly() {
         let question = Question::new(&scene, [320, 240]);
         let caps = question.exact.layers.count(Kind::Cap);
         if caps < 300 {
-            described.push(format!("{name}: only {caps} cap pixels"));
+            found.push(format!("{name}: only {caps} cap pixels"));
         }
         for strategy_name in ["raycast+mask", "raycast+abuffer"] {
             let judged = question.answer(strategy(strategy_name));
             let fault = judged.fault_of_exact();
-            described.extend(fault.map(|f| format!("{name}: {strategy_name}: {f}")));
+            found.extend(fault.map(|f| format!("{name}: {strategy_name}: {f}")));
         }
         let judged = judged_by_compute(&question, "raycast+mask");
-        described.extend(
+        found.extend(
             judged
                 .fault_of_exact()
                 .map(|f| format!("{name}: by compute: {f}")),
         );
     }
-    assert!(described.is_empty(), "{}", described.join("\n"));
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }

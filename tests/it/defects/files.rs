@@ -29,8 +29,8 @@ fn the_option_breaks_what_is_inspected_and_says_so() {
             "no face",
         ),
     ] {
-        let described = folder.run(words).exits(2).stderr;
-        assert!(described.contains(said), "{described}");
+        let message = folder.run(words).exits(2).stderr;
+        assert!(message.contains(said), "{message}");
     }
 }
 
@@ -79,11 +79,11 @@ fn scene_files_break_parts_once_and_refuse_what_they_do_not_know() {
         ("[{ kind = \"holes\", seed = 1 }]", key, "broken once"),
     ] {
         file(defects, more);
-        let described = folder.run("inspect scene.toml").exits(2).stderr;
-        assert!(described.contains(said), "{described}");
+        let message = folder.run("inspect scene.toml").exits(2).stderr;
+        assert!(message.contains(said), "{message}");
         assert!(
-            described.contains("scene.toml:"),
-            "the place is missing: {described}"
+            message.contains("scene.toml:"),
+            "the place is missing: {message}"
         );
     }
 }

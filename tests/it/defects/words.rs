@@ -45,15 +45,15 @@ fn nonsense_is_refused_with_a_mend() {
         ("gaps:charts=99999999999", "from 1 to"),
         ("open:axis=w", "use one of: x, y, z"),
     ] {
-        let described = parse_defect(text).unwrap_err().to_string();
-        assert!(described.contains(said), "{text}: {described}");
-        assert!(described.contains("help: "), "{text}: {described}");
+        let message = parse_defect(text).unwrap_err().to_string();
+        assert!(message.contains(said), "{text}: {message}");
+        assert!(message.contains("help: "), "{text}: {message}");
     }
     let all = parse_defect("holes:amount=100%").unwrap();
-    let described = all
+    let message = all
         .apply(&crate::common::meshes::shape("cube"))
         .unwrap_err();
-    assert!(described.to_string().contains("no face"), "{described}");
+    assert!(message.to_string().contains("no face"), "{message}");
 }
 
 #[test]
@@ -64,6 +64,6 @@ fn a_defect_that_makes_too_many_faces_is_refused_before_it_makes_them() {
         parse_defect(&words).unwrap().apply(mesh)
     };
     assert!(broken(2).is_ok(), "a few copies are made");
-    let described = broken(100_000).unwrap_err().to_string();
-    assert!(described.contains("fewer copies"), "{described}");
+    let message = broken(100_000).unwrap_err().to_string();
+    assert!(message.contains("fewer copies"), "{message}");
 }

@@ -88,8 +88,8 @@ fn draw_surfaces(
         clip_from_view,
     } = camera();
     let clip_from_world = (clip_from_view * world_from_view.inverse()).as_mat4();
-    let described = clip_wgsl(1).expect("text");
-    let text = format!("const IS_CLIPPED = {is_clipped};\n{described}\n{HOST_WGSL}");
+    let kept = clip_wgsl(1).expect("text");
+    let text = format!("const IS_CLIPPED = {is_clipped};\n{kept}\n{HOST_WGSL}");
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("host"),
         source: wgpu::ShaderSource::Wgsl(text.into()),

@@ -199,12 +199,12 @@ fn a_device_with_less_than_core_is_refused_by_name() {
     let (device, queue) = pollster::block_on(asked).expect("a device");
     let refused = Gpu::from_device(&adapter.get_info(), device, queue);
     let message = refused.err().expect("too little").to_string();
-    for described in [
+    for phrase in [
         "max_storage_buffers_per_shader_stage",
         "8 are needed, 4",
         "help:",
     ] {
-        assert!(message.contains(described), "{message}");
+        assert!(message.contains(phrase), "{message}");
     }
 }
 
@@ -226,8 +226,8 @@ fn what_the_device_lacks_is_refused_with_what_works() {
         panic!("{:?}", drawn.outcome);
     };
     assert_eq!(refusal.obstacle, Obstacle::Limit, "{refusal}");
-    for described in ["depth32float-stencil8", "raycast+mask", "planar"] {
-        assert!(refusal.reason.contains(described), "{refusal}");
+    for phrase in ["depth32float-stencil8", "raycast+mask", "planar"] {
+        assert!(refusal.reason.contains(phrase), "{refusal}");
     }
     assert!(!refusal.reason.contains("raycast+stencil"), "{refusal}");
 }

@@ -37,12 +37,9 @@ fn every_file_is_an_experiment() {
     planted.write("02-lost.tml", &good);
     planted.write("03-note.md", "of no use");
     planted.write("04-key.toml", good.replace("analysis", "analisis"));
-    let described = strays(&planted.path(""));
-    assert_eq!(described.len(), 3, "{described:?}");
-    assert!(
-        described[2].contains("did you mean `analysis`"),
-        "{described:?}"
-    );
+    let seen = strays(&planted.path(""));
+    assert_eq!(seen.len(), 3, "{seen:?}");
+    assert!(seen[2].contains("did you mean `analysis`"), "{seen:?}");
 }
 
 #[test]
@@ -61,7 +58,7 @@ fn all_words_are_understood() {
     let good = std::fs::read_to_string(folder().join("01-paper.toml")).unwrap();
     scratch.write("01-planted.toml", good.replace("section = ", "sektion = "));
     let ran = run(&[scratch.path("01-planted.toml")], "").exits(2);
-    for described in ["01-planted.toml", "run `crank`", "did you mean `section`"] {
-        assert!(ran.stderr.contains(described), "{}", ran.stderr);
+    for phrase in ["01-planted.toml", "run `crank`", "did you mean `section`"] {
+        assert!(ran.stderr.contains(phrase), "{}", ran.stderr);
     }
 }

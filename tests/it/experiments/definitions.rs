@@ -115,9 +115,9 @@ fn a_file_is_read_and_expanded() {
         families,
         ["raycast+mask", "grid:{cells}+vds:64", "grid:{cells}+mask"]
     );
-    let described = &definition.synopsis.runs[0];
+    let found = &definition.synopsis.runs[0];
     assert_eq!(
-        (described.input.as_deref(), described.moves),
+        (found.input.as_deref(), found.moves),
         (Some("relief cuts"), Moves::Cut)
     );
     assert_eq!(full.rounds, 5);
@@ -177,7 +177,7 @@ quick = { random = { scenes = 20 } }
     });
     assert_eq!((search.scenes, search.seed), (200, 3));
     assert_eq!((quick.scenes, quick.seed), (20, 3));
-    for (from, to, described) in [
+    for (from, to, phrase) in [
         ("[64, 256]", "[]", "sizes"),
         ("scenes = 200", "scenes = 0", "at least 1"),
         ("sizes = [64, 256]", "resolution = [1, 1]", "resolution"),
@@ -185,7 +185,7 @@ quick = { random = { scenes = 20 } }
     ] {
         assert!(text.contains(from), "{from}");
         let message = read(&text.replacen(from, to, 1)).unwrap_err().to_string();
-        assert!(message.contains(described), "{message}");
+        assert!(message.contains(phrase), "{message}");
     }
 }
 
@@ -193,7 +193,7 @@ quick = { random = { scenes = 20 } }
 fn what_makes_no_sense_is_refused_by_name() {
     let good = GOOD;
     read(good).expect("the control");
-    for (from, to, described) in [
+    for (from, to, phrase) in [
         ("cost?", "cost", "question mark"),
         ("\"cut\"", "\"cuts\"", "did you mean `cut`"),
         ("\"cut\"", "\"wind\"", "use one of: view, cut, mesh"),
@@ -311,7 +311,7 @@ fn what_makes_no_sense_is_refused_by_name() {
                 .try_for_each(|p| p.scene.check(&Assets::default()))
         });
         let message = checked.expect_err(&format!("{from} -> {to}")).to_string();
-        assert!(message.contains(described), "{to}: {message}");
+        assert!(message.contains(phrase), "{to}: {message}");
         for always in ["here/01-test.toml:", "help: "] {
             assert!(message.contains(always), "{to}: {message}");
         }
@@ -354,10 +354,10 @@ fn nothing_is_called_like_what_stands_beside_records() {
         ("experiment.toml", "b"),
         ("a.toml", "experiment"),
     ] {
-        let described = read(file, run).unwrap_err().to_string();
+        let message = read(file, run).unwrap_err().to_string();
         assert!(
-            described.contains("neither `experiment` nor `peers`"),
-            "{described}"
+            message.contains("neither `experiment` nor `peers`"),
+            "{message}"
         );
     }
 }
@@ -396,7 +396,7 @@ fn what_two_texts_come_to_is_asked_once_and_belongs_to_both() {
 
 #[test]
 fn what_two_axes_set_or_nobody_hears_is_refused() {
-    for (sweep, described) in [
+    for (sweep, phrase) in [
         (
             "\"part.0.scale\" = [1, 2]\nother = { path = \"part.cube.scale\", values = [3, 4] }",
             "axis `other` sets `part.0.scale` too",
@@ -413,7 +413,7 @@ fn what_two_axes_set_or_nobody_hears_is_refused() {
         let told_by = read(&swept("[\"raycast+mask\"]", sweep))
             .unwrap_err()
             .to_string();
-        assert!(told_by.contains(described), "{told_by}");
+        assert!(told_by.contains(phrase), "{told_by}");
     }
     let apart = "\"part.0.scale\" = [1, 2]\nsupersample = [1, 2]";
     assert_eq!(
@@ -430,13 +430,13 @@ fn sweeps_without_end_are_refused_at_once() {
         .map(|i| format!("a{i} = {{ path = \"camera.near\", values = [1, 2] }}\n"))
         .collect();
     let text = swept("[\"raycast+mask\"]", &axes);
-    let described = read(&text).unwrap_err().to_string();
-    assert!(described.contains("too many points"), "{described}");
+    let message = read(&text).unwrap_err().to_string();
+    assert!(message.contains("too many points"), "{message}");
     let values: Vec<String> = (1..=300).map(|n| n.to_string()).collect();
     let text = swept(
         "[\"grid:{cells}+mask\"]",
         &format!("cells = [{}]", values.join(", ")),
     );
-    let described = read(&text).unwrap_err().to_string();
-    assert!(described.contains("at most 200"), "{described}");
+    let message = read(&text).unwrap_err().to_string();
+    assert!(message.contains("at most 200"), "{message}");
 }

@@ -176,9 +176,9 @@ fn what_was_refused_does_not_fall_and_what_is_0_throughout_has_nothing_to_fall()
         .map(|r| (r.strategy.as_str(), r.holds))
         .collect();
     assert_eq!(steps, [("grid:16+mask", false), ("grid:16+vds:64", false)]);
-    let described = reached.iter().find(|r| r.strategy == "grid:16+mask");
+    let seen = reached.iter().find(|r| r.strategy == "grid:16+mask");
     assert!(
-        described.unwrap().found.contains("nothing to fall"),
+        seen.unwrap().found.contains("nothing to fall"),
         "{reached:?}"
     );
 }

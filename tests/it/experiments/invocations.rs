@@ -279,13 +279,13 @@ fn a_dry_run_lists_what_would_be_measured_and_leaves_nothing() {
     let ran = folder
         .run("measure 01-cube.toml --dry-run --out out")
         .exits(0);
-    for described in [
+    for phrase in [
         "amplitude = 2%",
         "amplitude = 5%",
         "grid:8+vds:64",
         "cutaway measure 01-cube.toml --only=cube:2_",
     ] {
-        assert!(ran.text().contains(described), "{}", ran.text());
+        assert!(ran.text().contains(phrase), "{}", ran.text());
     }
     assert_eq!(folder.files(), ["01-cube.toml"]);
 }
@@ -306,7 +306,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
         folder.path("other/01-cube.toml"),
     )
     .unwrap();
-    for (line, described) in [
+    for (line, phrase) in [
         ("measure nowhere.toml", "nowhere.toml"),
         ("measure 03-spong.toml --dry-run", "did you mean `sponge`"),
         ("measure 01-cube.toml --only cub", "did you mean `cube`"),
@@ -329,7 +329,7 @@ fn bad_input_is_refused_before_anything_is_measured() {
         ),
     ] {
         let ran = folder.run(line).exits(2);
-        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
         assert!(!folder.path("out").exists(), "{line}");
     }
 }
@@ -422,14 +422,14 @@ fn a_point_is_asked_for_by_the_name_of_its_files() {
         [0, 3],
         "of the last alone"
     );
-    for (only, described) in [
+    for (only, phrase) in [
         ("cube:7_", "no point of the run"),
         ("cubs:5_", "did you mean `cube`"),
     ] {
         let ran = folder
             .run(&format!("measure 01-cube.toml --only={only}"))
             .exits(2);
-        assert!(ran.stderr.contains(described), "{}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{}", ran.stderr);
     }
 }
 
@@ -447,15 +447,15 @@ fn an_interrupt_says_what_is_lost() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let mut described = BufReader::new(child.stderr.take().unwrap()).lines();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
     assert!(
-        described.any(|l| l.unwrap().ends_with("round 3 of 10000")),
+        lines.any(|l| l.unwrap().ends_with("round 3 of 10000")),
         "it got there"
     );
     let pid = child.id().to_string();
     let killed = Command::new("kill").args(["-INT", &pid]).status();
     assert!(killed.unwrap().success());
-    described.for_each(|l| drop(l.unwrap()));
+    lines.for_each(|l| drop(l.unwrap()));
     let ran = Ran::of(line, child.wait_with_output().unwrap()).exits(130);
     let lost =
         (ran.text().lines()).find_map(|l| l.strip_prefix("lost: 01-cube, cube, amplitude = 2%: "));

@@ -11,14 +11,14 @@ use super::{common, read, scenes};
 
 /// Writes down what it is told, and says stop after so many steps.
 struct Writes {
-    described: RefCell<Vec<String>>,
+    reported: RefCell<Vec<String>>,
     remarks: RefCell<Vec<Remark>>,
     stops_after: usize,
 }
 
 impl Watcher for Writes {
     fn step(&self, what: String) {
-        self.described.borrow_mut().push(what);
+        self.reported.borrow_mut().push(what);
     }
 
     fn opened(&self, remark: &Remark) {
@@ -26,12 +26,12 @@ impl Watcher for Writes {
     }
 
     fn reached(&self, reached: &Reached) {
-        let described = format!("{} holds: {}", reached.strategy, reached.holds);
-        self.described.borrow_mut().push(described);
+        let reported = format!("{} holds: {}", reached.strategy, reached.holds);
+        self.reported.borrow_mut().push(reported);
     }
 
     fn goes_on(&self) -> bool {
-        self.described.borrow().len() < self.stops_after
+        self.reported.borrow().len() < self.stops_after
     }
 }
 
@@ -49,7 +49,7 @@ fn measured(
     );
     let run = scenes(&read(&text).unwrap(), false);
     let watcher = Writes {
-        described: RefCell::default(),
+        reported: RefCell::default(),
         remarks: RefCell::default(),
         stops_after,
     };
@@ -74,15 +74,15 @@ fn measured(
     once.dedup();
     assert_eq!(texts, once, "scene and truth say the same but once");
     assert!(!texts.is_empty(), "a warning has words");
-    (measured, watcher.described.into_inner())
+    (measured, watcher.reported.into_inner())
 }
 
 #[test]
 fn expectations_are_told_before_any_time_is_taken() {
-    let (found, described) = measured("cube", "", "", usize::MAX);
+    let (found, reported) = measured("cube", "", "", usize::MAX);
     let found = found.unwrap().unwrap();
     assert_eq!(
-        described[1..],
+        reported[1..],
         [
             "exact",
             "raycast+mask",
@@ -118,9 +118,9 @@ fn expectations_are_told_before_any_time_is_taken() {
 #[test]
 fn whoever_says_stop_is_heard_between_rounds() {
     // After the seventh word, the first round.
-    let (found, described) = measured("cube", "", "", 7);
+    let (found, reported) = measured("cube", "", "", 7);
     assert!(found.unwrap().is_none(), "what is not complete is not kept");
-    assert_eq!(described.last().unwrap(), "round 1 of 2");
+    assert_eq!(reported.last().unwrap(), "round 1 of 2");
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn a_declaration_that_is_stale_is_a_fault() {
 #[test]
 fn a_failure_that_gets_worse_or_better_is_told() {
     let failing = Expected::FailsWithin("planted", 0.1, 0.4);
-    for (wrong_px, described) in [
+    for (wrong_px, phrase) in [
         (5, Some("better")),
         (10, None),
         (40, None),
@@ -164,9 +164,9 @@ fn a_failure_that_gets_worse_or_better_is_told() {
             ..Tally::default()
         };
         let faults = tally.faults_of(&failing);
-        assert_eq!(faults.len(), usize::from(described.is_some()), "{faults:?}");
-        let is_told = |described: &str| faults.iter().any(|f| f.contains(described));
-        assert!(described.is_none_or(is_told), "{faults:?}");
+        assert_eq!(faults.len(), usize::from(phrase.is_some()), "{faults:?}");
+        let is_told = |phrase: &str| faults.iter().any(|f| f.contains(phrase));
+        assert!(phrase.is_none_or(is_told), "{faults:?}");
     }
 }
 
@@ -232,8 +232,8 @@ fn what_is_asked_is_found_by_number_and_told() {
     };
     let cases = found(&mut session(), &asked, &mut |s| steps.push(s), &|| true);
     let cases = cases.expect("frames").expect("nobody ends it");
-    let described: Vec<&str> = cases.iter().map(|c| c.id.as_str()).collect();
-    assert_eq!(described, ["1", "35", "B10", "B11", "B12", "B13", "B14"]);
+    let listed: Vec<&str> = cases.iter().map(|c| c.id.as_str()).collect();
+    assert_eq!(listed, ["1", "35", "B10", "B11", "B12", "B13", "B14"]);
     assert!(steps.iter().all(|s| s.contains("at 32 px")), "{steps:?}");
     for case in &cases {
         let failed = case.reached.iter().find(|r| !r.holds);
@@ -245,10 +245,10 @@ fn what_is_asked_is_found_by_number_and_told() {
     let held_by = cases[1].held_by.clone().unwrap_or_default();
     assert!(held_by.contains("case_35"), "{held_by}");
     let unknown = check_ids(&["1".to_owned(), "99".to_owned()]);
-    let described = unknown.expect_err("no such case").to_string();
+    let message = unknown.expect_err("no such case").to_string();
     assert!(
-        described.contains("99") && described.contains("B14"),
-        "{described}"
+        message.contains("99") && message.contains("B14"),
+        "{message}"
     );
     assert!(check_ids(&ids).is_ok(), "all of them are there");
 }

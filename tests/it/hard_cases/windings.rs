@@ -117,8 +117,8 @@ fn case_18_winding_is_the_index_of_the_profile() {
                     continue;
                 }
                 let winding = index(&profile, at);
-                let described = format!("{name}, {fill}: pixel ({x}, {y}), winding {winding}");
-                assert_eq!(layer.kind == Kind::Cap, fill.holds(winding), "{described}");
+                let label = format!("{name}, {fill}: pixel ({x}, {y}), winding {winding}");
+                assert_eq!(layer.kind == Kind::Cap, fill.holds(winding), "{label}");
                 inside += usize::from(winding != 0);
                 twice += usize::from(winding.abs() == 2);
             }

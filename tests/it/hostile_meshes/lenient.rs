@@ -51,8 +51,8 @@ fn a_line_with_an_unknown_first_word_is_told_once() {
         let [note] = notes.as_slice() else {
             panic!("one note, not {notes:?}");
         };
-        for described in [&format!("unknown.obj:{line}: "), word, "1 more"] {
-            assert!(note.contains(described), "{note} lacks {described}");
+        for phrase in [&format!("unknown.obj:{line}: "), word, "1 more"] {
+            assert!(note.contains(phrase), "{note} lacks {phrase}");
         }
     }
 }
@@ -71,8 +71,8 @@ fn faces_need_no_normals_and_no_texture() {
         let path = folder.write("bare.obj", text.as_bytes());
         must_load(&path);
         let notes = load_mesh_file(&path).unwrap().notes;
-        let described = notes.iter().any(|n| n.contains("bare.obj:5: "));
-        assert_eq!(described, is_told, "{face}: {notes:?}");
+        let has_note = notes.iter().any(|n| n.contains("bare.obj:5: "));
+        assert_eq!(has_note, is_told, "{face}: {notes:?}");
     }
 }
 

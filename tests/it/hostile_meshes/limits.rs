@@ -164,11 +164,11 @@ fn many_open_parts_are_one_note() {
     let [note] = loaded.notes.as_slice() else {
         panic!("one note, not {:?}", loaded.notes);
     };
-    for described in [
+    for phrase in [
         "many.obj: 19 parts, 11 open (worst: part7, 4 open edges)",
         "inspect",
     ] {
-        assert!(note.contains(described), "{note}");
+        assert!(note.contains(phrase), "{note}");
     }
     // The control: of one part it is said where.
     let open = stl();

@@ -62,11 +62,11 @@ fn case_45_slots_for_all_are_enough_and_one_less_is_told() {
             let Outcome::Overflowed(reason) = outcome else {
                 panic!("{}: {scarce} is {outcome:?}", scene.name);
             };
-            let described = format!(
+            let expected = format!(
                 "fragments per pixel and part (the K of kbuffer:K) need {most}, there are {}",
                 most - 1
             );
-            assert_eq!(*reason, described, "{scarce}");
+            assert_eq!(*reason, expected, "{scarce}");
             let found = session.layers(scarce).unwrap_or_else(|e| panic!("{e}"));
             let (marks, unmarked) = marked(&found, &right);
             assert!(
@@ -105,8 +105,8 @@ fn case_46_a_pool_too_small_by_one_is_told_and_grows_to_what_is_needed() {
         assert_eq!(roomy, right, "{}: room for all", scene.name);
         let (exact, again) = with_room(&question, "raycast+abuffer", need);
         assert_eq!((&exact, again), (&right, need), "{}", scene.name);
-        let (short, described) = with_room(&question, "raycast+abuffer", need - 1);
-        assert_eq!(described, need, "{}: what is needed is told", scene.name);
+        let (short, found) = with_room(&question, "raycast+abuffer", need - 1);
+        assert_eq!(found, need, "{}: what is needed is told", scene.name);
         let (marks, unmarked) = marked(&short, &right);
         assert_eq!((marks, unmarked), (1, 0), "{}: by one", scene.name);
         let (half, _) = with_room(&question, "raycast+abuffer", need / 2);
@@ -152,8 +152,8 @@ fn images_that_do_not_fit_mark_who_asks_them() {
             right,
             "{name}: just enough"
         );
-        let (short, described) = with_room(&question, name, need / 2);
-        assert_eq!(described, need, "{name}");
+        let (short, found) = with_room(&question, name, need / 2);
+        assert_eq!(found, need, "{name}");
         let (marks, unmarked) = marked(&short, &right);
         assert!(marks > 10 && unmarked == 0, "{name}: {marks}, {unmarked}");
     }

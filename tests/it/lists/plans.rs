@@ -98,7 +98,7 @@ fn owners_are_kept_where_there_are_several() {
 fn what_no_binding_holds_is_refused_by_name() {
     let question = Question::new(&row(), SIZE);
     let large = Question::new(&row(), [1600, 1200]);
-    for (question, name, fragments, described) in [
+    for (question, name, fragments, phrase) in [
         (
             &question,
             "raycast+abuffer",
@@ -122,7 +122,7 @@ fn what_no_binding_holds_is_refused_by_name() {
         let plan = plan(question, name, Some(fragments));
         let refusal = plan.check(&Limits::CORE).expect_err(name).to_string();
         assert!(
-            refusal.contains(described) && refusal.contains("limit"),
+            refusal.contains(phrase) && refusal.contains("limit"),
             "{refusal}"
         );
     }

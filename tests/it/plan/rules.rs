@@ -120,8 +120,8 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
         assert_eq!(refusal.obstacle, Obstacle::Pairing, "{refusal}");
     }
     let cuts = (0..33).map(|_| planes(0.1, 1)).collect();
-    let described = refusal(&scene_of(&["cube"], cuts), "raycast+mask");
-    assert!(described.contains("more than 32"), "{described}");
+    let message = refusal(&scene_of(&["cube"], cuts), "raycast+mask");
+    assert!(message.contains("more than 32"), "{message}");
     // 32 are not too many.
     let cuts = (0..32).map(|_| planes(0.1, 1)).collect();
     let plan = plan_of(&scene_of(&["cube"], cuts), &Strategy::RAYCAST_MASK);
@@ -131,8 +131,8 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
     let missing = || planes(-100.0, 1);
     let mut cuts: Vec<Cut> = (0..255).map(|_| missing()).collect();
     cuts.push(planes(0.1, 1));
-    let described = refusal(&scene_of(&["cube"], cuts.clone()), "raycast+mask");
-    assert!(described.contains("clip-surface 255"), "{described}");
+    let message = refusal(&scene_of(&["cube"], cuts.clone()), "raycast+mask");
+    assert!(message.contains("clip-surface 255"), "{message}");
     cuts.swap(254, 255);
     let plan = plan_of(&scene_of(&["cube"], cuts), &Strategy::RAYCAST_MASK);
     assert_eq!(broken_limit(&plan), None, "clip-surface 254");
@@ -142,10 +142,10 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
         change(&mut cut.surfaces[0]);
         refusal(&scene_of(&["cube"], vec![cut]), "raycast+mask")
     };
-    let described = with(&|s| s.scale.x = 1e9);
-    assert!(described.contains("texels across"), "{described}");
-    let described = with(&|s| s.scale.z = 1e30);
-    assert!(described.contains("high"), "{described}");
+    let message = with(&|s| s.scale.x = 1e9);
+    assert!(message.contains("texels across"), "{message}");
+    let message = with(&|s| s.scale.z = 1e30);
+    assert!(message.contains("high"), "{message}");
 }
 
 #[test]
@@ -166,8 +166,8 @@ fn more_parts_than_a_layer_can_name_are_refused() {
     };
     assert_eq!(recorded(&scene), Ok(()), "65536 parts");
     scene.parts.push(scene.parts[0].clone());
-    let described = recorded(&scene).expect_err("65537 parts").reason;
-    assert!(described.contains("65537 parts"), "{described}");
+    let message = recorded(&scene).expect_err("65537 parts").reason;
+    assert!(message.contains("65537 parts"), "{message}");
 }
 
 /// Why a plan that was good is refused once it is broken.
@@ -196,10 +196,10 @@ fn id_of(plan: &Plan, name: &str) -> ResourceId {
 }
 
 #[track_caller]
-fn tells(refusal: &str, described: &str) {
+fn tells(refusal: &str, phrase: &str) {
     assert!(
-        refusal.contains(described),
-        "`{refusal}` does not say `{described}`"
+        refusal.contains(phrase),
+        "`{refusal}` does not say `{phrase}`"
     );
 }
 
@@ -301,8 +301,8 @@ fn limits_are_checked() {
         ("vertices", Role::Vertex, 256 << 20),
         ("indices", Role::Index, 256 << 20),
     ] {
-        let described = refusal(mask, set(name, buffer(most + 4, role)));
-        tells(&described, &format!("{name} needs {} bytes", most + 4));
+        let message = refusal(mask, set(name, buffer(most + 4, role)));
+        tells(&message, &format!("{name} needs {} bytes", most + 4));
         // At the limit it is good.
         let scene = scene_of(&["cube"], vec![planes(0.1, 1)]);
         let mut plan = plan_of(&scene, &Strategy::RAYCAST_MASK);
@@ -332,8 +332,8 @@ fn limits_are_checked() {
         storage_buffers_per_stage: 5,
         ..Limits::CORE
     };
-    let described = plan.check(&fewer).expect_err("resolve has 7").to_string();
-    tells(&described, "storage buffers in one stage");
+    let message = plan.check(&fewer).expect_err("resolve has 7").to_string();
+    tells(&message, "storage buffers in one stage");
 }
 
 #[test]

@@ -138,7 +138,7 @@ fn the_classic_refuses_what_is_beyond_one_plane() {
         },
         ..Camera::default()
     };
-    for (scene, described) in [
+    for (scene, phrase) in [
         (cut_cubes(1, reliefs(0.1, 1)), "has a relief"),
         (cut_cubes(1, planes(0.1, 2)), "2 clip-surfaces"),
         (
@@ -148,7 +148,7 @@ fn the_classic_refuses_what_is_beyond_one_plane() {
         (inside, "the near plane meets `cube 0`"),
     ] {
         let reason = refusal(&scene, "stencil");
-        assert!(reason.contains(described), "{reason}");
+        assert!(reason.contains(phrase), "{reason}");
     }
     // The control: a flat relief is a plane, and a second clip-surface that meets nothing is none.
     let mut flat = planes(0.1, 1);
@@ -178,13 +178,13 @@ fn a_device_without_such_a_texture_refuses_by_name() {
         (Strategy::STENCIL, "surface_depth"),
     ] {
         let plan = plan_of(&scene, &strategy);
-        let described = plan
+        let message = plan
             .check(&Limits::CORE)
             .expect_err("core WebGPU")
             .to_string();
         assert!(
-            described.contains(texture) && described.contains("depth32float-stencil8"),
-            "{described}"
+            message.contains(texture) && message.contains("depth32float-stencil8"),
+            "{message}"
         );
         plan.check(&WITH_STENCIL).unwrap_or_else(|e| panic!("{e}"));
     }
@@ -207,13 +207,13 @@ fn what_a_stencil_reads_and_writes_is_told() {
     );
     // Without the pass that lays the depth down the plan is no plan.
     plan.passes.retain(|p| p.name != "lay 0");
-    let described = plan
+    let message = plan
         .check(&WITH_STENCIL)
         .expect_err("nothing is laid down")
         .to_string();
     assert!(
-        described.contains("reads stencil before anything wrote it"),
-        "{described}"
+        message.contains("reads stencil before anything wrote it"),
+        "{message}"
     );
 }
 

@@ -134,8 +134,8 @@ fn it_agrees_with_exact_and_with_the_mask_wherever_planes_cut() {
             }
         }
     }
-    let described = faults.join("\n");
-    assert!(faults.is_empty(), "{} faults:\n{described}", faults.len());
+    let lines = faults.join("\n");
+    assert!(faults.is_empty(), "{} faults:\n{lines}", faults.len());
     assert_eq!(asked, 11 * 8 * 2, "scenes");
     assert!(caps > asked * 200, "{caps} cap pixels ask too little");
 }

@@ -185,15 +185,15 @@ fn what_is_no_section_is_refused_with_the_reason() {
     inside.camera = Camera {
         ..scenes::looking(DVec3::ZERO, DVec3::X, 40.0)
     };
-    for (scene, described) in [
+    for (scene, phrase) in [
         (
             cubes(1, vec![Cut::new("front", vec![plane(0.2), ragged.clone()])]),
             "clip-surface 1 of cut `front` has a relief",
         ),
         (inside, "the near plane meets `cube 0`"),
     ] {
-        let reason = plan(&scene, Rasteriser::Hardware).expect_err(described);
-        assert!(reason.contains(described), "{reason}");
+        let reason = plan(&scene, Rasteriser::Hardware).expect_err(phrase);
+        assert!(reason.contains(phrase), "{reason}");
     }
     // The controls: a relief that meets nothing is none, a flat one is a plane, and without its cap the near plane is none.
     let far = {

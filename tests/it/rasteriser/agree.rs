@@ -120,32 +120,32 @@ pub(crate) fn scenes_and_cameras() -> impl Iterator<Item = (String, Scene, Camer
                 let scene = scene_of(shape, cutting);
                 let orthographic = (i + shape.len()) % 2 == 0;
                 let camera = scenes::orbit(30.0, 25.0, orthographic);
-                let described = format!("{shape}, {name}, orthographic: {orthographic}");
-                (described, scene, camera)
+                let label = format!("{shape}, {name}, orthographic: {orthographic}");
+                (label, scene, camera)
             })
     })
 }
 
 fn questions() -> impl Iterator<Item = (String, Question)> {
     scenes_and_cameras()
-        .map(|(described, scene, camera)| (described, Question::through(&scene, &camera, SIZE)))
+        .map(|(label, scene, camera)| (label, Question::through(&scene, &camera, SIZE)))
 }
 
 #[test]
 fn frames_are_exact_and_those_of_the_hardware() {
     let mut faults = Vec::new();
     let (mut compared, mut open_bits) = (0, 0);
-    for (described, question) in questions() {
+    for (label, question) in questions() {
         let (hardware, hardware_mask) = answer(&question, Means::default());
         let (compute, compute_mask) = answer(&question, COMPUTE);
-        assert_eq!(compute.outcome, Outcome::Complete, "{described}");
+        assert_eq!(compute.outcome, Outcome::Complete, "{label}");
         if let Some(fault) = compute.fault_of_exact() {
-            faults.push(format!("{described}: {fault}"));
+            faults.push(format!("{label}: {fault}"));
         }
         assert_eq!(
             hardware_mask.words.len(),
             compute_mask.words.len(),
-            "{described}: lanes"
+            "{label}: lanes"
         );
         let pixels = compute.layers.pixels.len();
         for (i, (a, b)) in (hardware_mask.words.iter().zip(&compute_mask.words)).enumerate() {
@@ -153,10 +153,7 @@ fn frames_are_exact_and_those_of_the_hardware() {
             let decided = !question.exact.undecided[i % pixels];
             open_bits += usize::from(a != b && decided);
             if decided && (a ^ b) & compute_mask.totals() != 0 {
-                faults.push(format!(
-                    "{described}: totals of pixel {} differ",
-                    i % pixels
-                ));
+                faults.push(format!("{label}: totals of pixel {} differ", i % pixels));
             }
         }
         for (i, (a, b)) in hardware
@@ -171,16 +168,13 @@ fn frames_are_exact_and_those_of_the_hardware() {
             }
             if class_of(a) != class_of(b) || a.back_face != b.back_face {
                 faults.push(format!(
-                    "{described}: {} by hardware {}",
+                    "{label}: {} by hardware {}",
                     compute.describe(i),
                     hardware.describe(i)
                 ));
             }
             if a.depth.is_finite() && (a.depth - b.depth).abs() > depth_bound(&question, a) {
-                faults.push(format!(
-                    "{described}: pixel {i} at {} and {}",
-                    a.depth, b.depth
-                ));
+                faults.push(format!("{label}: pixel {i} at {} and {}", a.depth, b.depth));
             }
         }
     }

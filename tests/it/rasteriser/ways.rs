@@ -114,14 +114,14 @@ fn one_sweep_is_as_good_as_two() {
         return;
     }
     let mut noticed = 0;
-    for (described, scene, camera) in agree::scenes_and_cameras() {
+    for (label, scene, camera) in agree::scenes_and_cameras() {
         let model = Model::new(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let two = frame(&model, &view, false, as_recorded);
         let one = frame(&model, &view, true, as_recorded);
-        assert!(one == two, "{described}: {}", one.describe(&two));
+        assert!(one == two, "{label}: {}", one.describe(&two));
         // What is in front of a crossing has the parity of what is behind it, since all of it is even.
-        assert_eq!(one.odd_words(), 0, "{described}: odd totals");
+        assert_eq!(one.odd_words(), 0, "{label}: odd totals");
         noticed += usize::from(frame(&model, &view, false, claiming_little) != two);
     }
     assert!(
@@ -132,24 +132,21 @@ fn one_sweep_is_as_good_as_two() {
 
 #[test]
 fn a_workgroup_covers_what_an_invocation_covers() {
-    for (described, scene, camera) in agree::scenes_and_cameras().step_by(4) {
+    for (label, scene, camera) in agree::scenes_and_cameras().step_by(4) {
         let model = Model::new(&scene);
         let view = model.prepared.view_of(&camera, SIZE);
         let by_size = frame(&model, &view, false, as_recorded);
         let by_groups = frame(&model, &view, false, small(0.0));
         assert!(
             by_groups == by_size,
-            "{described}: {}",
+            "{label}: {}",
             by_groups.describe(&by_size)
         );
         let lost = frame(&model, &view, false, |plan| {
             small(0.0)(plan);
             without("mark large")(plan);
         });
-        assert!(
-            lost.mask != by_size.mask,
-            "{described}: no triangle was queued"
-        );
+        assert!(lost.mask != by_size.mask, "{label}: no triangle was queued");
     }
 }
 

@@ -27,13 +27,13 @@ fn points_that_are_not_there_are_said_aloud() {
     });
     let whole = report(&[&folder.path("run")], PictureOptions::MOST_BYTES);
     assert!(!whole.markdown.contains(" missing in "), "the control");
-    for (file, described) in [
+    for (file, wanted) in [
         ("crank.2", "1 of 2 points of 01-fixture is missing in "),
         ("crank.10", "2 of 2 points of 01-fixture are missing in "),
     ] {
         fs::remove_file(folder.path(&format!("run/{NAME}/{file}.json"))).unwrap();
         let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
-        assert_eq!(page.matches(described).count(), 2, "{page}");
+        assert_eq!(page.matches(wanted).count(), 2, "{page}");
         let command = "```sh\ncutaway measure 01-fixture.toml --out here\n```";
         assert_eq!(page.matches(command).count(), 3, "{page}");
         assert!(page.contains(file), "{page}");
@@ -46,7 +46,7 @@ fn areas_that_disagree_count_as_missed() {
     let folder = Scratch::new("report-peers");
     write(&folder.path("run"), &records(), None);
     let file = folder.path("run/peers/planar.json");
-    for (holds, described) in [
+    for (holds, phrase) in [
         (true, "All 3 expectations were reached"),
         (false, "1 of 3 expectations were missed"),
     ] {
@@ -55,7 +55,7 @@ fn areas_that_disagree_count_as_missed() {
                 "bound_is": "1e-6 of the area", "holds": holds }]);
         });
         let page = report(&[&folder.path("run")], PictureOptions::MOST_BYTES).markdown;
-        assert!(page.contains(described), "{page}");
+        assert!(page.contains(phrase), "{page}");
         assert_eq!(page.contains("2.500000 (missed)"), !holds, "{page}");
         assert_eq!(page.contains("torus, x: the area of vtk is off by"), !holds);
     }

@@ -52,10 +52,10 @@ fn floats_and_whole_numbers_of_all_kinds_are_heights() {
 fn heights_that_are_no_numbers_are_refused_by_their_place() {
     let folder = Scratch::new("tiff-nan");
     let path = folder.path("odd.tiff");
-    for (bad, described) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+    for (bad, phrase) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
         write::<Gray32Float>(&path, [2, 2], &[0.0, 1.0, bad, 2.0]);
         let message = read_offset_map(&path).unwrap_err().to_string();
-        for word in ["odd.tiff", "texel (0, 1)", described] {
+        for word in ["odd.tiff", "texel (0, 1)", phrase] {
             assert!(message.contains(word), "{message}");
         }
     }

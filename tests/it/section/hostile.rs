@@ -6,7 +6,7 @@ use super::command::Scratch;
 fn slips_are_refused_by_name() {
     let folder = Scratch::new("section-hostile");
     folder.write("ragged.toml", "[relief.r]\nkind = \"fractal\"\n[[part]]\nshape = \"cube\"\n[[cut]]\nname = \"torn\"\nsurfaces = [{ section = \"z=50%\", relief = \"r\", amplitude = \"4%\" }]\n");
-    for (line, described) in [
+    for (line, phrase) in [
         ("shape:cube", "there is no plane to cut by"),
         (
             "shape:cube --section z=50% --relief waves",
@@ -51,7 +51,7 @@ fn slips_are_refused_by_name() {
         ("shape:cube --section z=50% --fill both", "--fill"),
     ] {
         let ran = folder.run(&format!("section {line}")).exits(2);
-        assert!(ran.stderr.contains(described), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains(phrase), "{line}: {}", ran.stderr);
         assert!(ran.stdout.is_empty(), "{line}: standard output");
         assert_eq!(folder.files(), ["ragged.toml"], "{line}");
     }

@@ -54,22 +54,22 @@ fn a_drawing_has_the_areas_that_are_told() {
         "shape:shells --section y=40%",
     ] {
         let (drawing, json) = drawn(&folder, line);
-        let described: Vec<f64> = (json["sections"].as_array().unwrap().iter())
+        let expected: Vec<f64> = (json["sections"].as_array().unwrap().iter())
             .flat_map(|s| s["parts"].as_array().unwrap())
             .map(|p| number(&p["area"]))
             .collect();
         let found = areas(&drawing);
-        assert_eq!(found.len(), described.len(), "one path per part: {line}");
-        for (found, described) in found.iter().zip(&described) {
+        assert_eq!(found.len(), expected.len(), "one path per part: {line}");
+        for (found, expected) in found.iter().zip(&expected) {
             assert!(
-                (found - described).abs() < 1e-7 * described,
-                "{line}: {found} for {described}"
+                (found - expected).abs() < 1e-7 * expected,
+                "{line}: {found} for {expected}"
             );
         }
         // The control: a point elsewhere is another area.
         let moved = drawing.replacen("\"M", "\"M9 7L", 1);
         assert!(
-            (areas(&moved)[0] - described[0]).abs() > 1e-3 * described[0],
+            (areas(&moved)[0] - expected[0]).abs() > 1e-3 * expected[0],
             "{line}"
         );
         let rules = attributes(&drawing, "fill-rule");

@@ -43,8 +43,8 @@ fn a_pool_too_small_by_a_few_marks_no_more_pixels() {
             // A pixel beside the cut solids loses what nobody asks for: it need not be marked, until many are short.
             let mut most = 0;
             for missing in [1, 64, need / 4] {
-                let (short, described) = with_room(&question, name, need - missing);
-                assert_eq!(described, need, "{}: what is needed is told", scene.name);
+                let (short, found) = with_room(&question, name, need - missing);
+                assert_eq!(found, need, "{}: what is needed is told", scene.name);
                 let (marks, unmarked) = marked(&short, &right);
                 assert!(
                     marks <= missing as usize && unmarked == 0,

@@ -53,9 +53,9 @@ fn areas_of_closed_meshes_are_what_their_loops_enclose() {
                 let plane = plane(origin, normal);
                 for rule in [Fill::EvenOdd, Fill::Nonzero] {
                     let section = slicer.section_by(&plane, rule);
-                    let described = format!("{name} at {share} of {normal} {rule:?}");
-                    assert!(section.is_whole(), "{described}: {:?}", section.defects);
-                    assert_eq!(fault(&section, rule), None, "{described}");
+                    let label = format!("{name} at {share} of {normal} {rule:?}");
+                    assert!(section.is_whole(), "{label}: {:?}", section.defects);
+                    assert_eq!(fault(&section, rule), None, "{label}");
                     if rule == Fill::EvenOdd {
                         let [p, n] = [plane.origin, plane.frame.normal];
                         println!(

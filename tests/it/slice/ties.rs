@@ -145,7 +145,7 @@ fn what_is_open_is_told_and_the_rest_is_capped() {
     let cube = shape("cube");
     let other = moved(&cube, glam::DAffine3::from_translation(DVec3::X * 3.0));
     // A triangle of the wall x = -1/2 or such: some one of them is crossed.
-    let mut described = 0;
+    let mut walls = 0;
     for gone in 0..cube.triangles.len() {
         let mesh = joined(&[without(&cube, gone), other.clone()]);
         let section = section(&mesh, DVec3::Z * 0.1, DVec3::Z);
@@ -154,11 +154,11 @@ fn what_is_open_is_told_and_the_rest_is_capped() {
             near(section.area(), 2.0, "the lost triangle is not met");
             continue;
         }
-        described += 1;
+        walls += 1;
         near(section.area(), 1.0, "the other cube");
         assert_eq!(section.open.len(), 1, "one chain");
-        let described = section.defects[0].to_string();
-        assert!(described.contains("1 curves"), "{described}");
+        let message = section.defects[0].to_string();
+        assert!(message.contains("1 curves"), "{message}");
     }
-    assert_eq!(described, 8, "triangles of the four walls");
+    assert_eq!(walls, 8, "triangles of the four walls");
 }

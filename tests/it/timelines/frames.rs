@@ -173,7 +173,7 @@ fn sequences_of_the_command_line_join_a_scene() {
 #[test]
 fn broken_frames_are_named() {
     let nan = "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n";
-    for (name, text, described) in [
+    for (name, text, phrase) in [
         ("nan", nan, "walk_004.obj"),
         ("empty", "", "walk_004.obj"),
         ("no faces", "v 0 0 0\n", "walk_004.obj"),
@@ -184,13 +184,13 @@ fn broken_frames_are_named() {
         folder.write("walk_004.obj", text);
         let error = folder.load(SCENE).expect_err(name).to_string();
         assert!(
-            error.contains(described) && error.contains("help:"),
+            error.contains(phrase) && error.contains("help:"),
             "{name}: {error}"
         );
     }
     let folder = Scratch::new("patterns");
     changing(&folder);
-    for (intact, broken, culprit, described) in [
+    for (intact, broken, culprit, phrase) in [
         ("first = 3", "first = 1", "part.walker.mesh", "walk_001.obj"),
         ("first = 3", "", "part.walker.mesh", "neither"),
         ("first = 3", "first = -3", "part.walker.first", "whole"),
@@ -211,23 +211,20 @@ fn broken_frames_are_named() {
     ] {
         let text = SCENE.replacen(intact, broken, 1);
         let error = folder.load(&text).expect_err(broken).to_string();
-        for word in [culprit, described, "help:", "scene.toml:"] {
+        for word in [culprit, phrase, "help:", "scene.toml:"] {
             assert!(
                 error.contains(word),
                 "`{broken}` does not tell `{word}`:\n{error}"
             );
         }
     }
-    for (pattern, fps, described) in [
+    for (pattern, fps, phrase) in [
         ("nowhere/%d.ply", 24.0, "nowhere/0.ply"),
         ("walk.ply", 24.0, "no number"),
     ] {
         let opened = Sequence::open(pattern, fps, &mut Assets::default());
         let error = opened.expect_err(pattern).to_string();
-        assert!(
-            error.contains(described) && error.contains("help:"),
-            "{error}"
-        );
+        assert!(error.contains(phrase) && error.contains("help:"), "{error}");
     }
     let pattern = folder.path("walk_00%d.obj");
     assert!(!Path::new(&pattern).exists(), "it is a pattern");

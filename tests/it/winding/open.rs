@@ -109,12 +109,11 @@ fn every_defect_leaves_nearly_the_cap_of_the_whole() {
                 share(differing(&whole, &wound)),
                 share(differing(&whole, &counted)),
             );
-            let described =
+            let line =
                 format!("{shape} {defect}: {by_winding:.4} by winding, {by_parity:.4} by parity");
-            println!("{described}");
+            println!("{line}");
             faults.extend(
-                (by_winding > most || beats_parity && by_winding > by_parity / 2.0)
-                    .then_some(described),
+                (by_winding > most || beats_parity && by_winding > by_parity / 2.0).then_some(line),
             );
         }
     }

@@ -34,10 +34,10 @@ fn winding_is_listed_as_any_other() {
     for file in ["wrong/winding.png", "wrong/winding.heatmap.png"] {
         assert!(folder.path(file).is_file(), "{file}");
     }
-    let described = folder
+    let ran = folder
         .run("compare shape:cube --strategies windings")
         .exits(2);
-    assert!(!described.stderr.is_empty());
+    assert!(!ran.stderr.is_empty());
 }
 
 /// Wrong pixels of renderers, marked and unmarked, by the truth of another scene.
@@ -97,10 +97,10 @@ fn a_truth_in_another_frame_is_refused() {
         means: Means::default(),
         command: String::new(),
     };
-    let described = errors(&mut session(), &question, &[], &mut |_| ());
-    let described = described.err().unwrap().to_string();
+    let message = errors(&mut session(), &question, &[], &mut |_| ());
+    let message = message.err().unwrap().to_string();
     assert!(
-        described.contains("another box") && described.contains("help"),
-        "{described}"
+        message.contains("another box") && message.contains("help"),
+        "{message}"
     );
 }

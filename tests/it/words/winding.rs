@@ -118,7 +118,7 @@ fn what_ends_beyond_a_byte_is_vouched_for_by_nobody() {
     };
     let cases: Vec<Case> = [127, 128, -127, -128, 300, -300].map(beyond).into();
     let found = found(&cases, "count_at(counts, i)");
-    let described: Vec<u32> = found.iter().map(|w| w[6]).collect();
-    assert_eq!(described, [0, 1, 0, 1, 1, 1], "127 are the most");
+    let seen: Vec<u32> = found.iter().map(|w| w[6]).collect();
+    assert_eq!(seen, [0, 1, 0, 1, 1, 1], "127 are the most");
     assert_ne!(found[4][0], 300, "300 do not fit a byte");
 }
