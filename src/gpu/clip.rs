@@ -8,9 +8,11 @@
 //! passes do; say of a pixel that its list was too short ([`Session::poll`](crate::Session::poll) does); show caps behind surfaces that
 //! the host leaves out or draws as glass.
 
+use std::sync::Arc;
+
 use super::Gpu;
 use super::program::Program;
-use crate::shader::{self, BindingKind, ShaderBinding};
+use crate::shader::{self, BindingKind, Composed};
 use crate::{Error, Result};
 
 /// The shader that asks.
@@ -35,7 +37,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
         name: KEPT.to_owned(),
         what,
     };
-    let mut module = shader::compose(&KEPT.into())?;
+    let mut module = shader::compose(&KEPT.into())?.module.clone();
     module.entry_points.clear();
     for (_, variable) in module.global_variables.iter_mut() {
         if let Some(binding) = &mut variable.binding {
@@ -49,7 +51,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
 
 /// What the shader binds, and the layout of that; found out once.
 pub(super) struct ClipLayout {
-    bindings: Vec<ShaderBinding>,
+    composed: Arc<Composed>,
     layout: wgpu::BindGroupLayout,
 }
 
@@ -64,8 +66,8 @@ impl Gpu {
         if let Some(known) = self.clip.get() {
             return Ok(known);
         }
-        let bindings = shader::bindings(&shader::compose(&KEPT.into())?);
-        let entries: Vec<wgpu::BindGroupLayoutEntry> = (bindings.iter())
+        let composed = shader::compose(&KEPT.into())?;
+        let entries: Vec<wgpu::BindGroupLayoutEntry> = (composed.bindings.iter())
             .map(|b| wgpu::BindGroupLayoutEntry {
                 binding: b.binding,
                 visibility: wgpu::ShaderStages::VERTEX_FRAGMENT | wgpu::ShaderStages::COMPUTE,
@@ -85,7 +87,7 @@ impl Gpu {
             entries: &entries,
         };
         let layout = self.device.create_bind_group_layout(&descriptor);
-        Ok(self.clip.get_or_init(|| ClipLayout { bindings, layout }))
+        Ok(self.clip.get_or_init(|| ClipLayout { composed, layout }))
     }
 }
 
@@ -145,12 +147,12 @@ impl Program {
                 mapped_at_creation: false,
             })
         };
-        let ClipLayout { bindings, layout } = gpu.clip()?;
+        let ClipLayout { composed, layout } = gpu.clip()?;
         gpu.scoped(|| {
             let buffer = new_buffer(TABLE, words.len() as u64 * 4);
             (gpu.queue).write_buffer(&buffer, 0, bytemuck::cast_slice(&words));
             let nothing = new_buffer("nothing is cut", NOTHING_BYTES);
-            let entries: Vec<wgpu::BindGroupEntry<'_>> = (bindings.iter())
+            let entries: Vec<wgpu::BindGroupEntry<'_>> = (composed.bindings.iter())
                 .map(|b| wgpu::BindGroupEntry {
                     binding: b.binding,
                     resource: match b.name.as_str() {

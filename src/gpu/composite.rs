@@ -232,7 +232,7 @@ fn pipeline(gpu: &Gpu, attachments: Attachments) -> Result<wgpu::RenderPipeline>
     let count = colors.iter().flatten().count();
     let composed = shader::compose(&shader)?;
     gpu.scoped(|| {
-        let module = gpu.module(shader.path, composed);
+        let module = gpu.module(shader.path, composed.module.clone());
         Ok(gpu
             .device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {

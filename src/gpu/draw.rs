@@ -53,8 +53,8 @@ struct Depth {
 
 impl Step {
     pub(super) fn new(gpu: &Gpu, plan: &Plan, pass: &Pass, real: &Reals) -> Result<Self> {
-        let (pipeline, bindings) = gpu.pipelines().get(gpu, plan, pass)?;
-        let groups = bind_groups(gpu, plan, pass, &pipeline, &bindings, real)?;
+        let (pipeline, composed) = gpu.pipelines().get(gpu, plan, pass)?;
+        let groups = bind_groups(gpu, plan, pass, &pipeline, &composed.bindings, real)?;
         let work = match &pass.work {
             Work::Compute { groups } => RealWork::Compute(*groups),
             Work::Draw {

@@ -14,7 +14,7 @@ use super::real::texel_format;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,
 };
-use crate::shader::{self, Shader, ShaderBinding};
+use crate::shader::{self, Composed, Shader};
 use crate::{Error, Result};
 
 /// A pipeline of either kind.
@@ -29,7 +29,7 @@ const MOST_IDLE: usize = 256;
 /// Pipelines by everything they are made of.
 #[derive(Default)]
 pub(super) struct Pipelines {
-    made: BTreeMap<Recipe, (Arc<Pipeline>, Arc<[ShaderBinding]>)>,
+    made: BTreeMap<Recipe, (Arc<Pipeline>, Arc<Composed>)>,
 }
 
 /// All that a pipeline is made of.
@@ -85,23 +85,20 @@ impl Pipelines {
         gpu: &Gpu,
         plan: &Plan,
         pass: &Pass,
-    ) -> Result<(Arc<Pipeline>, Arc<[ShaderBinding]>)> {
+    ) -> Result<(Arc<Pipeline>, Arc<Composed>)> {
         let recipe = Recipe::of(plan, pass);
         if let Some(made) = self.made.get(&recipe) {
             return Ok(made.clone());
         }
-        let fault = |what: String| Error::Shader {
-            name: pass.shader.to_string(),
-            what,
-        };
         let composed = shader::compose(&pass.shader)?;
-        let info = shader::validate(&composed).map_err(fault)?;
-        let bindings: Arc<[ShaderBinding]> = shader::bindings_by(&composed, Some(&info)).into();
         let constants: PipelineConstants = (pass.constants.iter())
             .map(|(name, value)| ((*name).to_owned(), *value))
             .collect();
-        let (resolved, _) = process_overrides(&composed, &info, None, &constants)
-            .map_err(|e| fault(e.to_string()))?;
+        let (resolved, _) = process_overrides(&composed.module, &composed.info, None, &constants)
+            .map_err(|e| Error::Shader {
+            name: pass.shader.to_string(),
+            what: e.to_string(),
+        })?;
         let made = gpu.scoped(|| {
             let module = gpu.module(pass.shader.path, resolved.into_owned());
             Ok(match pass.work {
@@ -124,7 +121,7 @@ impl Pipelines {
                 self.made.retain(|_, (p, _)| is_held(p));
             }
         }
-        let made = (Arc::new(made), bindings);
+        let made = (Arc::new(made), composed);
         self.made.insert(recipe, made.clone());
         Ok(made)
     }

@@ -44,7 +44,11 @@ pub fn run_words_with(
     output_words: usize,
 ) -> Result<Vec<u32>> {
     let composed = shader::compose_text_with("words", wgsl, with)?;
-    let wanted = shader::bindings(&composed);
+    let info = shader::validate(&composed).map_err(|what| Error::Shader {
+        name: "words".to_owned(),
+        what,
+    })?;
+    let wanted = shader::bindings(&composed, &info);
     let module = gpu.module("words", composed);
     let pipeline = gpu
         .device

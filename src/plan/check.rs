@@ -281,15 +281,15 @@ impl Plan {
     }
 
     fn check_bindings(&self, pass: &super::Pass, limits: &Limits) -> Result<()> {
-        if shader::is_native(&pass.shader) && !limits.wide_atomics {
+        let composed = shader::compose(&pass.shader)?;
+        if composed.is_native && !limits.wide_atomics {
             return Err(Error::Limit(format!(
                 "{} needs atomics of 64 bits, which this adapter does not offer",
                 pass.name
             )));
         }
-        let wanted = shader::bindings(&shader::compose(&pass.shader)?);
         for b in &pass.bindings {
-            let Some(w) = wanted.iter().find(|w| w.name == b.name) else {
+            let Some(w) = composed.bindings.iter().find(|w| w.name == b.name) else {
                 return Err(Error::Plan(format!(
                     "{}: {} binds no `{}`",
                     pass.name, pass.shader, b.name
@@ -316,7 +316,7 @@ impl Plan {
                 )));
             }
         }
-        if let Some(w) = wanted
+        if let Some(w) = (composed.bindings)
             .iter()
             .find(|w| !pass.bindings.iter().any(|b| b.name == w.name))
         {
@@ -332,7 +332,7 @@ impl Plan {
             )
         };
         for stage in 0..3 {
-            let count = wanted
+            let count = (composed.bindings)
                 .iter()
                 .filter(is_storage)
                 .filter(|w| w.stages[stage])

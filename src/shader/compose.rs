@@ -6,13 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
 
+use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, NATIVE, SHADERS, source};
 use crate::{Error, Result};
 
@@ -61,23 +62,47 @@ impl fmt::Display for Shader {
     }
 }
 
-/// Modules composed so far: plans are checked, reflected and compiled from the same one.
-static COMPOSED: Mutex<BTreeMap<Shader, naga::Module>> = Mutex::new(BTreeMap::new());
+/// A shader of the tree with all that it imports.
+#[derive(Debug)]
+pub struct Composed {
+    /// Validated with naga's default capabilities: what core WebGPU offers. Only shaders with a file of [`NATIVE`] get 64-bit atomics
+    /// as well.
+    pub module: naga::Module,
+    /// What naga found out about it.
+    pub info: ModuleInfo,
+    /// What its entry points bind, by group and number.
+    pub bindings: Vec<ShaderBinding>,
+    /// It needs atomics of 64 bits.
+    pub is_native: bool,
+}
 
-/// The composed and validated module of a shader, validated with naga's default capabilities: what core WebGPU offers. Only
-/// shaders with a file of [`NATIVE`] get 64-bit atomics as well.
-pub fn compose(shader: &Shader) -> Result<naga::Module> {
-    let mut composed = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(module) = composed.get(shader) {
-        return Ok(module.clone());
+/// Shaders composed so far: plans are checked, reflected and compiled from the same one.
+static COMPOSED: Mutex<BTreeMap<Shader, Arc<Composed>>> = Mutex::new(BTreeMap::new());
+
+/// Composes a shader, or gives it back if it was composed before.
+pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
+    let mut known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(composed) = known.get(shader) {
+        return Ok(Arc::clone(composed));
     }
     let text = source(shader.path).ok_or_else(|| Error::Shader {
         name: shader.path.to_owned(),
         what: "there is no such shader".to_owned(),
     })?;
-    let module = compose_text_with(&shader.to_string(), text, &shader.with)?;
-    composed.insert(shader.clone(), module.clone());
-    Ok(module)
+    let (module, is_native) = compose_source(&shader.to_string(), text, &shader.with)?;
+    let info = validate(&module).map_err(|what| Error::Shader {
+        name: shader.to_string(),
+        what,
+    })?;
+    let bindings = bindings(&module, &info);
+    let composed = Arc::new(Composed {
+        module,
+        info,
+        bindings,
+        is_native,
+    });
+    known.insert(shader.clone(), Arc::clone(&composed));
+    Ok(composed)
 }
 
 /// What naga finds out about a composed shader; its report where that is unsound. What core WebGPU lacks is let pass: composing has
@@ -95,11 +120,16 @@ pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
 
 /// As [`compose_text`], with files that fill open modules.
 pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::Module> {
+    compose_source(name, text, with).map(|(module, _)| module)
+}
+
+/// The module of a text, and whether it needs atomics of 64 bits.
+fn compose_source(name: &str, text: &str, with: &[&str]) -> Result<(naga::Module, bool)> {
     let mut files = Vec::new();
     let mut idle: BTreeSet<&str> = with.iter().copied().collect();
     let gathered = gather(text, with, &mut files, &mut idle);
-    let native = files.iter().any(|(path, _)| is_listed(path));
-    let mut composer = Composer::default().with_capabilities(capabilities(native));
+    let is_native = (files.iter()).any(|(path, _)| NATIVE.iter().any(|(listed, _)| listed == path));
+    let mut composer = Composer::default().with_capabilities(capabilities(is_native));
     let report = |composer: &Composer, e: ComposerError| Error::Shader {
         name: name.to_owned(),
         what: e.emit_to_string(composer),
@@ -130,21 +160,10 @@ pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::
         file_path: name,
         ..NagaModuleDescriptor::default()
     };
-    composer
-        .make_naga_module(descriptor)
-        .map_err(|e| report(&composer, e))
-}
-
-/// Whether a shader needs atomics of 64 bits.
-pub fn is_native(shader: &Shader) -> bool {
-    let mut files = Vec::new();
-    let text = source(shader.path).unwrap_or_default();
-    gather(text, &shader.with, &mut files, &mut BTreeSet::new()).is_ok()
-        && files.iter().any(|(path, _)| is_listed(path))
-}
-
-fn is_listed(path: &str) -> bool {
-    NATIVE.iter().any(|(listed, _)| *listed == path)
+    match composer.make_naga_module(descriptor) {
+        Ok(module) => Ok((module, is_native)),
+        Err(e) => Err(report(&composer, e)),
+    }
 }
 
 /// What naga allows.
@@ -176,14 +195,21 @@ pub fn compositions() -> Vec<Shader> {
 
 type File = (&'static str, &'static str);
 
+/// The files of the library by the module that they define.
+static MODULES: LazyLock<BTreeMap<&str, Vec<File>>> = LazyLock::new(|| {
+    let mut modules = BTreeMap::<&str, Vec<File>>::new();
+    for file in LIBRARY {
+        let mut names = (file.1.lines()).filter_map(|l| l.strip_prefix("#define_import_path "));
+        if let Some(module) = names.next() {
+            modules.entry(module.trim()).or_default().push(*file);
+        }
+    }
+    modules
+});
+
 /// The files of the library that define a module.
-fn files_of(module: &str) -> Vec<File> {
-    let defines = |text: &str| {
-        text.lines()
-            .any(|l| l.strip_prefix("#define_import_path ").map(str::trim) == Some(module))
-    };
-    let files = LIBRARY.iter().filter(|(_, text)| defines(text));
-    files.copied().collect()
+fn files_of(module: &str) -> &'static [File] {
+    MODULES.get(module).map_or(&[], Vec::as_slice)
 }
 
 /// The modules that a text imports: `cutaway::NAME` of each import.
@@ -210,7 +236,7 @@ fn gather<'a>(
         let chosen = with
             .iter()
             .find_map(|w| candidates.iter().find(|(path, _)| path == w));
-        let file = match (chosen, candidates.as_slice()) {
+        let file = match (chosen, candidates) {
             (Some(file), _) => {
                 idle.remove(file.0);
                 *file
@@ -244,7 +270,7 @@ fn first_open(
     for module in imports(text) {
         let candidates = files_of(module);
         let chosen = candidates.iter().find(|(path, _)| with.contains(path));
-        let file = match (chosen, candidates.as_slice()) {
+        let file = match (chosen, candidates) {
             (Some(file), _) => file,
             (None, [only]) => only,
             (None, several) => return Some(several.iter().map(|(path, _)| *path).collect()),

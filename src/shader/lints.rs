@@ -60,7 +60,7 @@ pub fn lint(module: &Module) -> Result<Vec<Finding>> {
         in_function(module, &entry.function, info, &entry.name, &mut found);
     }
     unused_bindings(module, &info, &mut found);
-    of_stages(module, &mut found);
+    of_stages(module, &info, &mut found);
     Ok(found)
 }
 
@@ -113,8 +113,8 @@ fn unused_bindings(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>)
     }
 }
 
-fn of_stages(module: &Module, found: &mut Vec<Finding>) {
-    let bound = bindings(module);
+fn of_stages(module: &Module, info: &ModuleInfo, found: &mut Vec<Finding>) {
+    let bound = bindings(module, info);
     for (stage, name) in ["vertex", "fragment", "compute"].into_iter().enumerate() {
         let is_storage = |kind| {
             matches!(

@@ -10,8 +10,8 @@ mod reflect;
 mod tree;
 
 pub use compose::{
-    Shader, compose, compose_text, compose_text_with, compositions, is_native, validate,
+    Composed, Shader, compose, compose_text, compose_text_with, compositions, validate,
 };
 pub use lints::{Finding, INVOCATIONS_PER_WORKGROUP, Rule, STORAGE_BUFFERS_PER_STAGE, lint};
-pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, bindings_by, struct_layout};
+pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};
 pub use tree::{FILES, LIBRARY, NATIVE, SHADERS, source};

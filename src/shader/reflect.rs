@@ -3,8 +3,6 @@
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
-use super::compose::validate;
-
 /// What kind of resource a binding takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
@@ -37,12 +35,7 @@ pub struct ShaderBinding {
 }
 
 /// The bindings that the entry points of a module use, by group and number.
-pub fn bindings(module: &Module) -> Vec<ShaderBinding> {
-    bindings_by(module, validate(module).ok().as_ref())
-}
-
-/// As [`bindings`], by what naga has found out about the module; without that, every entry point is taken to use every variable.
-pub fn bindings_by(module: &Module, info: Option<&ModuleInfo>) -> Vec<ShaderBinding> {
+pub fn bindings(module: &Module, info: &ModuleInfo) -> Vec<ShaderBinding> {
     let mut found: Vec<ShaderBinding> = module
         .global_variables
         .iter()
@@ -66,7 +59,7 @@ pub fn bindings_by(module: &Module, info: Option<&ModuleInfo>) -> Vec<ShaderBind
             };
             let mut stages = [false; 3];
             for (index, entry) in module.entry_points.iter().enumerate() {
-                let used = info.is_none_or(|info| !info.get_entry_point(index)[handle].is_empty());
+                let used = !info.get_entry_point(index)[handle].is_empty();
                 let stage = match entry.stage {
                     naga::ShaderStage::Vertex => 0,
                     naga::ShaderStage::Fragment => 1,

@@ -2,6 +2,7 @@
 //! struct and constant as the Rust that fills it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use cutaway::generate::shapes;
 use cutaway::layers::{Kind, NEAR_PLANE};
@@ -14,7 +15,7 @@ use cutaway::plan::pack::{
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap};
-use cutaway::shader::{self, Finding, Rule, StructLayout, lint};
+use cutaway::shader::{self, Composed, Finding, Rule, StructLayout, lint};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
 use naga::{ArraySize, Expression, Literal, Module, TypeInner};
@@ -36,7 +37,7 @@ const MEANT_EQUALITIES: &[(&str, &str)] = &[
     ),
 ];
 
-fn composed() -> Vec<(&'static str, Module)> {
+fn composed() -> Vec<(&'static str, Arc<Composed>)> {
     shader::compositions()
         .iter()
         .map(|s| (s.path, shader::compose(s).unwrap_or_else(|e| panic!("{e}"))))
@@ -53,8 +54,8 @@ fn every_shader_composes() {
     let all = shader::compositions();
     for shader in &all {
         match shader::compose(shader) {
-            Ok(module) => assert!(
-                !module.entry_points.is_empty(),
+            Ok(composed) => assert!(
+                !composed.module.entry_points.is_empty(),
                 "{shader} has no entry point"
             ),
             Err(e) => faults.push(e.to_string()),
@@ -74,9 +75,9 @@ fn every_shader_composes() {
 
 #[test]
 fn only_the_listed_files_are_more_than_core() {
-    let native: BTreeSet<&str> = (shader::compositions().iter())
-        .filter(|s| shader::is_native(s))
-        .map(|s| s.path)
+    let native: BTreeSet<&str> = (composed().iter())
+        .filter(|(_, composed)| composed.is_native)
+        .map(|(path, _)| *path)
         .collect();
     assert_eq!(
         native,
@@ -150,7 +151,7 @@ fn is_invariant(module: &Module) -> bool {
 
 #[test]
 fn passes_that_must_meet_have_invariant_positions() {
-    for (path, module) in composed() {
+    for (path, composed) in composed() {
         let meets = [
             "passes/surface.wgsl",
             "passes/solid.wgsl",
@@ -161,7 +162,7 @@ fn passes_that_must_meet_have_invariant_positions() {
             "strategies/inside/stencil/mark.wgsl",
         ];
         assert!(
-            !meets.contains(&path) || is_invariant(&module),
+            !meets.contains(&path) || is_invariant(&composed.module),
             "{path}: another pipeline may move its vertices"
         );
     }
@@ -197,10 +198,10 @@ fn layout_faults<T: Layout>(module: &Module) -> Option<Vec<String>> {
     Some(faults)
 }
 
-fn holds_in_all_shaders<T: Layout>(modules: &[(&str, Module)]) {
+fn holds_in_all_shaders<T: Layout>(modules: &[(&str, Arc<Composed>)]) {
     let mut met = 0;
-    for (path, module) in modules {
-        if let Some(faults) = layout_faults::<T>(module) {
+    for (path, composed) in modules {
+        if let Some(faults) = layout_faults::<T>(&composed.module) {
             met += 1;
             assert!(faults.is_empty(), "{path}: {}", faults.join("\n"));
         }
@@ -247,7 +248,7 @@ fn shared_structs_are_laid_out_alike() {
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
-        .find_map(|(_, m)| shader::struct_layout(m, "RayTable"));
+        .find_map(|(_, c)| shader::struct_layout(&c.module, "RayTable"));
     let size = table.expect("a shader with a RayTable").size;
     assert_eq!(
         size as usize,
@@ -365,8 +366,8 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
 fn constants_have_one_value_on_both_sides() {
     let modules = composed();
     let mut all: BTreeMap<String, BTreeSet<u32>> = BTreeMap::new();
-    for (_, module) in &modules {
-        for (name, value) in constants(module) {
+    for (_, composed) in &modules {
+        for (name, value) in constants(&composed.module) {
             all.entry(name).or_default().insert(value);
         }
     }
@@ -462,8 +463,10 @@ fn constants_have_one_value_on_both_sides() {
         "constants that nothing holds: {unchecked:?}"
     );
 
-    let lengths: BTreeMap<(String, String), u32> =
-        modules.iter().flat_map(|(_, m)| array_lengths(m)).collect();
+    let lengths: BTreeMap<(String, String), u32> = modules
+        .iter()
+        .flat_map(|(_, c)| array_lengths(&c.module))
+        .collect();
     for (of, field, length) in [
         ("CutTable", "surfaces", MAX_SURFACES as u32),
         ("CutTable", "surfaces_of_cut", MAX_CUTS as u32 / 4),
@@ -504,8 +507,9 @@ fn a_constant_that_drifted_is_noticed() {
 fn every_shader_keeps_the_rules() {
     let mut meant: BTreeSet<&str> = BTreeSet::new();
     let mut faults = Vec::new();
-    for (path, module) in composed() {
-        for Finding { rule, place, what } in lint(&module).unwrap_or_else(|e| panic!("{path}: {e}"))
+    for (path, composed) in composed() {
+        for Finding { rule, place, what } in
+            lint(&composed.module).unwrap_or_else(|e| panic!("{path}: {e}"))
         {
             let allowed = MEANT_EQUALITIES.iter().find(|(p, _)| *p == place);
             match (rule, allowed) {
@@ -529,8 +533,8 @@ fn every_shader_keeps_the_rules() {
 fn every_binding_of_the_library_has_a_reader() {
     let used: BTreeSet<String> = composed()
         .iter()
-        .flat_map(|(_, m)| shader::bindings(m))
-        .map(|b| b.name)
+        .flat_map(|(_, c)| &c.bindings)
+        .map(|b| b.name.clone())
         .collect();
     for (path, text) in shader::LIBRARY {
         for line in text.lines().filter(|l| l.starts_with("@group")) {
