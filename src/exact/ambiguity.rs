@@ -242,7 +242,6 @@ impl Case<'_> {
                         source: u32::MAX,
                     });
                 }
-                scratch.events.sort_unstable_by(by_depth);
             }
             self.change(scratch, rounding(self.view, graze.depth))
         }))
@@ -354,7 +353,7 @@ impl Case<'_> {
     /// Repeats the walk with the events in `scratch`; `reach` is how far they were moved.
     fn change(&self, scratch: &mut Scratch, reach: f64) -> Openness {
         let Scratch { events, state, .. } = scratch;
-        events.sort_unstable_by(by_depth);
+        restore_order(events);
         state.set(self.start);
         let other = walk(
             self.prepared,
@@ -376,6 +375,18 @@ impl Case<'_> {
                 }
             }
             _ => Openness::All,
+        }
+    }
+}
+
+/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
+/// the few are moved by.
+fn restore_order(events: &mut [Event]) {
+    for unplaced in 1..events.len() {
+        let mut at = unplaced;
+        while at > 0 && by_depth(&events[at], &events[at - 1]).is_lt() {
+            events.swap(at, at - 1);
+            at -= 1;
         }
     }
 }
