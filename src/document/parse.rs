@@ -2,11 +2,11 @@
 
 use std::cell::Cell;
 use std::iter;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml_edit::{Item, TableLike, Value as Toml};
 
 use super::node::{Node, Number, Origin, Value};
 use crate::error::{Error, Result};
@@ -14,13 +14,13 @@ use crate::error::{Error, Result};
 /// The tree of a text that a file holds; `path` is for errors.
 pub(crate) fn parse(path: &Path, text: &str) -> Result<Node> {
     let lines = Lines::of(text);
-    let root = DeTable::parse(text).map_err(|e| {
+    let root = toml_edit::Document::parse(text).map_err(|e| {
         let (line, column) = lines.place(e.span().map_or(0, |s| s.start));
-        let help = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets]";
+        let help = "correct the TOML: `key = value`, texts in double quotes, tables in [brackets], numbers of 64 bits";
         Error::file_line(path, line, e.message().trim_end(), help).at_column(column)
     })?;
     Ok(Node {
-        value: lines.table(root.get_ref()),
+        value: lines.table(root.as_table()),
         origin: Origin::Text { line: 1, column: 1 },
     })
 }
@@ -55,23 +55,7 @@ impl<'a> Lines<'a> {
         (line, 1 + counted)
     }
 
-    fn node(&self, at: usize, value: &DeValue<'_>) -> Node {
-        let value = match value {
-            DeValue::Boolean(flag) => Value::Flag(*flag),
-            DeValue::Integer(i) => {
-                let whole = i64::from_str_radix(i.as_str(), i.radix()).ok();
-                let value = whole.map_or(f64::NAN, |w| w as f64);
-                Value::Number(Number { value, whole })
-            }
-            DeValue::Float(f) => Value::Number(f.as_str().parse().unwrap_or(f64::NAN).into()),
-            DeValue::String(text) => Value::Text(Arc::from(text.as_ref())),
-            DeValue::Datetime(date) => Value::Date(date.to_string().into()),
-            DeValue::Array(list) => {
-                let nodes = list.iter().map(|v| self.node(v.span().start, v.get_ref()));
-                Value::List(nodes.collect())
-            }
-            DeValue::Table(table) => self.table(table),
-        };
+    fn node(&self, at: usize, value: Value) -> Node {
         let (line, column) = self.place(at);
         Node {
             value,
@@ -79,14 +63,51 @@ impl<'a> Lines<'a> {
         }
     }
 
-    fn table(&self, table: &DeTable<'_>) -> Value {
-        let mut entries: Vec<_> = table.iter().collect();
-        entries.sort_by_key(|(key, _)| key.span().start);
-        let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
-            let name: &std::borrow::Cow<'_, str> = key.get_ref();
-            let node = self.node(key.span().start, value.get_ref());
-            (Arc::from(name.as_ref()), node)
-        };
+    fn table(&self, table: &dyn TableLike) -> Value {
+        let entries = (table.iter()).filter_map(|(name, _)| table.get_key_value(name));
+        let entries = entries.map(|(key, item)| (begin(key.span()), key.get(), item));
+        let mut entries: Vec<_> = entries.collect();
+        entries.sort_by_key(|(at, ..)| *at);
+        let entry = |(at, name, item)| (Arc::from(name), self.node(at, self.item(item)));
         Value::Table(entries.into_iter().map(entry).collect())
     }
+
+    fn item(&self, item: &Item) -> Value {
+        match item {
+            // Of what is taken out of a document, which none of this is.
+            Item::None => Value::List(Vec::new()),
+            Item::Value(value) => self.value(value),
+            Item::Table(table) => self.table(table),
+            Item::ArrayOfTables(tables) => {
+                let nodes = (tables.iter()).map(|t| self.node(begin(t.span()), self.table(t)));
+                Value::List(nodes.collect())
+            }
+        }
+    }
+
+    fn value(&self, value: &Toml) -> Value {
+        match value {
+            Toml::Boolean(flag) => Value::Flag(*flag.value()),
+            Toml::Integer(i) => {
+                let whole = *i.value();
+                Value::Number(Number {
+                    value: whole as f64,
+                    whole: Some(whole),
+                })
+            }
+            Toml::Float(f) => Value::Number((*f.value()).into()),
+            Toml::String(text) => Value::Text(Arc::from(text.value().as_str())),
+            Toml::Datetime(date) => Value::Date(date.value().to_string().into()),
+            Toml::Array(list) => {
+                let nodes = (list.iter()).map(|v| self.node(begin(v.span()), self.value(v)));
+                Value::List(nodes.collect())
+            }
+            Toml::InlineTable(table) => self.table(table),
+        }
+    }
+}
+
+/// Where something begins that was parsed, which has a place.
+fn begin(span: Option<Range<usize>>) -> usize {
+    span.map_or(0, |span| span.start)
 }

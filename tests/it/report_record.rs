@@ -117,14 +117,14 @@ fn titles_name_no_scene_that_the_chart_does_not_show() {
     let read = |file: &Path| fs::read_to_string(file).unwrap();
     for entry in fs::read_dir(root().join("experiments/curated")).unwrap() {
         let file = entry.unwrap().path();
-        let curated: Value = toml::from_str(&read(&file)).unwrap();
+        let curated: Value = toml_edit::de::from_str(&read(&file)).unwrap();
         assert_eq!(misnamed(&curated), None, "{}", file.display());
         let recorded = root().join(RECORD).join(file.file_stem().unwrap());
         let recorded: Value =
             serde_json::from_str(&read(&recorded.join("experiment.json"))).unwrap();
         // Of late the file is told as it is.
         let recorded = match recorded["toml"].as_str() {
-            Some(text) => toml::from_str(text).unwrap(),
+            Some(text) => toml_edit::de::from_str(text).unwrap(),
             None => recorded,
         };
         assert_eq!(
