@@ -7,9 +7,7 @@
 use super::pose::pose_parts;
 use super::{Input, Lanes, Refusal};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
-use crate::plan::{
-    Binding, Clock, Contents, Draw, Format, Plan, Resource, ResourceId, Role, Vertices,
-};
+use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, Role, Vertices};
 
 /// What passes bind of a scene.
 #[derive(Clone, Debug)]
@@ -43,7 +41,7 @@ pub(crate) struct SceneBuffers<'a> {
     /// Depths at the resolution of the view.
     pub depth: ResourceId,
     /// Indices of the triangle that covers the picture.
-    screen_indices: ResourceId,
+    pub screen_indices: ResourceId,
 }
 
 impl<'a> SceneBuffers<'a> {
@@ -83,9 +81,8 @@ impl<'a> SceneBuffers<'a> {
         let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
         let places = places_of_parts(input);
         let place_of_part = upload("place_of_part", Role::Storage, Clock::Cut, places);
-        let settled = input
-            .settles()
-            .then(|| upload("settled", Role::Uniform, Clock::Cut, input.settled_table()));
+        let settled = (input.settled.as_ref())
+            .map(|_| upload("settled", Role::Uniform, Clock::Cut, input.settled_table()));
         let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
         let filtered_heights = match input.sampled() {
             None => vec![heights.clone()],
@@ -135,18 +132,6 @@ impl<'a> SceneBuffers<'a> {
             Binding::read("vertices", self.vertices),
             Binding::read("indices", indices),
         ]
-    }
-
-    /// Indices and draw of a triangle that covers the picture.
-    pub(crate) fn full_screen(&self, instance: u32) -> (ResourceId, Vec<Draw>) {
-        let draw = Draw {
-            indices: 0..3,
-            base_vertex: 0,
-            vertex_count: 0,
-            instance,
-            arguments: None,
-        };
-        (self.screen_indices, vec![draw])
     }
 }
 

@@ -1,8 +1,9 @@
 //! What a frame is recorded from. Nothing of it changes while a plan is made; what passes make and read are handles beside it.
 
+use super::settled::GroupOfPart;
 use super::{Model, Rasteriser, Refusal, Relevance, ReliefWalk};
 use crate::plan::{Capacities, Draw};
-use crate::scene::{Fill, HeightFilter, View};
+use crate::scene::{Fill, HeightFilter, PreparedPart, View};
 
 /// What a frame is recorded from.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub(crate) struct Input<'a> {
     pub relief_walk: Option<ReliefWalk>,
     /// Who interpolates heights at points.
     pub height_filter: HeightFilter,
+    /// The groups of settled triangles; none where the frame settles nothing.
+    pub settled: Option<Vec<GroupOfPart<'a>>>,
 }
 
 impl<'a> Input<'a> {
@@ -31,7 +34,7 @@ impl<'a> Input<'a> {
         view: &'a View,
         capacities: &'a Capacities,
     ) -> Result<Self, Refusal> {
-        Ok(Self {
+        let mut input = Self {
             model,
             view,
             relevance: Relevance::new(&model.prepared, view)?,
@@ -40,7 +43,10 @@ impl<'a> Input<'a> {
             wide_atomics: false,
             relief_walk: None,
             height_filter: HeightFilter::Exact,
-        })
+            settled: None,
+        };
+        input.settled = input.find_settled();
+        Ok(input)
     }
 
     /// Pixels of the picture.
@@ -65,6 +71,13 @@ impl<'a> Input<'a> {
         let parts = &self.model.prepared.parts;
         let mut ranks = self.relevance.cut_parts().iter();
         ranks.any(|r| parts[*r].fill == Fill::Nonzero)
+    }
+
+    /// A part that needs an inside test whose box the near plane meets, which goes on beyond the picture.
+    pub(crate) fn cut_part_in_near_plane(&self) -> Option<&PreparedPart> {
+        let parts = &self.model.prepared.parts;
+        let mut cut = self.relevance.cut_parts().iter().map(|r| &parts[*r]);
+        cut.find(|p| self.view.near_plane_meets(&p.bounds))
     }
 
     /// Whether anything asks where solids overlap, and two are there that could.

@@ -185,15 +185,14 @@ impl Input<'_> {
         settles: bool,
         first_vertex: u32,
     ) -> (Vec<DrawnPart>, u32) {
-        let groups = if settles {
-            self.settled_groups()
-        } else {
-            Vec::new()
+        let groups = match settles {
+            true => self.settled_groups(),
+            false => &[],
         };
         let of_rank = |rank: &usize| {
             let mut indices = self.model.ranges[*rank].indices.clone();
-            if let Some((_, first)) = groups.iter().find(|(r, _)| r == rank) {
-                indices.end = first.indices.start;
+            if settles {
+                indices.end = self.end_of_rest(*rank);
             }
             (*rank, indices)
         };

@@ -136,15 +136,8 @@ fn wanted(input: &Input<'_>) -> Vec<Wanted> {
     let prepared = &input.model.prepared;
     let mut wanted = Vec::new();
     for (place, rank) in input.relevance.cut_parts().iter().enumerate() {
-        let cuts = input.relevance.cuts_of(*rank);
-        let bits = (input.relevance.cuts.iter().enumerate())
-            .filter(|(cut, _)| cuts >> cut & 1 == 1)
-            .fold(0, |bits, (_, of_cut)| bits | of_cut);
-        for (slot, number) in input.relevance.surfaces.iter().enumerate() {
-            if bits >> slot & 1 == 0 {
-                continue;
-            }
-            let surface = &prepared.surfaces[*number];
+        for slot in input.relevance.surfaces_of(*rank) {
+            let surface = &prepared.surfaces[input.relevance.surfaces[slot]];
             let lift = surface.flat_height().unwrap_or(0.0);
             wanted.push(Wanted {
                 part: prepared.parts[*rank].clone(),

@@ -67,7 +67,7 @@ struct Lie {
 
 /// Triangles of a part that lie alike.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Group {
+pub(crate) struct Group {
     lie: Lie,
     pub(super) indices: Range<u32>,
 }
@@ -226,36 +226,37 @@ fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
         .collect()
 }
 
-impl Input<'_> {
-    /// Whether triangles that are drawn are settled by clip-surfaces that matter, or lie on each other.
-    pub(crate) fn settles(&self) -> bool {
-        self.relevance.order.iter().any(|rank| {
-            let mut groups = self.groups_of(*rank).iter();
-            groups.any(|g| {
-                let [surfaces, _, cutters, _] = self.bits_of(g);
-                g.lie.is_doubled || surfaces | cutters != 0
-            })
-        })
-    }
+/// A group of settled triangles, with the rank of its part.
+pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
 
-    /// The groups of a part, by rank.
-    fn groups_of(&self, rank: usize) -> &[Group] {
-        let settled = self.model.settled.as_ref();
-        settled.map_or(&[], |s| s.groups[rank].as_slice())
-    }
-
-    /// The groups of the parts that are drawn, with their ranks, in table order: of as many parts as there are numbers for.
-    pub(super) fn settled_groups(&self) -> Vec<(usize, &Group)> {
+impl<'a> Input<'a> {
+    /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
+    /// matters settles a triangle of these parts, and none lie on each other.
+    pub(super) fn find_settled(&self) -> Option<Vec<GroupOfPart<'a>>> {
+        let (model, order) = (self.model, &self.relevance.order);
+        let of_parts = &model.settled.as_ref()?.groups;
+        let settles = |group: &Group| {
+            let [surfaces, _, cutters, _] = self.bits_of(group);
+            group.lie.is_doubled || surfaces | cutters != 0
+        };
+        if !order.iter().any(|rank| of_parts[*rank].iter().any(settles)) {
+            return None;
+        }
         // Of a part all groups or none; with the parts themselves no more than the compute rasteriser has rows for.
-        let most = MOST_SETTLED_GROUPS.saturating_sub(self.relevance.order.len());
+        let most = MOST_SETTLED_GROUPS.saturating_sub(order.len());
         let mut all = Vec::new();
-        for rank in &self.relevance.order {
-            let groups = self.groups_of(*rank);
+        for rank in order {
+            let groups = &of_parts[*rank];
             if all.len() + groups.len() <= most {
                 all.extend(groups.iter().map(|g| (*rank, g)));
             }
         }
-        all
+        Some(all)
+    }
+
+    /// The groups that the frame settles.
+    pub(super) fn settled_groups(&self) -> &[GroupOfPart<'a>] {
+        self.settled.as_deref().unwrap_or_default()
     }
 
     /// Bits of the clip-surfaces that settle a group, of those it lies on the removed side of, of cutters that it shares faces with, and
@@ -288,7 +289,7 @@ impl Input<'_> {
             let [surfaces, removed, cutters, flush] = self.bits_of(group);
             let [x, y, z] = group.lie.normal.map(|n| n as f32 / NORMAL_STEPS);
             *row = SettledGroup {
-                place: self.relevance.place_of(rank) as u32,
+                place: self.relevance.place_of(*rank) as u32,
                 surfaces,
                 removed,
                 flush,
@@ -303,38 +304,42 @@ impl Input<'_> {
 
     /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.
     pub(super) fn sorted_indices(&self) -> Option<&Contents> {
-        let settled = self.model.settled.as_ref().filter(|_| self.settles());
-        settled.map(|s| &s.indices)
+        let settled = self.model.settled.as_ref();
+        settled
+            .filter(|_| self.settled.is_some())
+            .map(|s| &s.indices)
     }
 
     /// The draws of some parts less their groups, by rank; the instance is the part's place in the table.
     pub(crate) fn draws_of_rest(&self, ranks: &[usize]) -> Vec<Draw> {
         let mut draws = self.draws_of(ranks);
-        if self.settles() {
-            let groups = self.settled_groups();
-            for (draw, rank) in draws.iter_mut().zip(ranks) {
-                let first = groups.iter().find(|(r, _)| r == rank);
-                if let Some((_, group)) = first {
-                    draw.indices.end = group.indices.start;
-                }
-            }
+        for (draw, rank) in draws.iter_mut().zip(ranks) {
+            draw.indices.end = self.end_of_rest(*rank);
+        }
+        if self.settled.is_some() {
             draws.retain(|d| !d.indices.is_empty());
         }
         draws
     }
 
+    /// The end of the indices of a part less its groups, by rank.
+    pub(super) fn end_of_rest(&self, rank: usize) -> u32 {
+        let mut groups = self.settled_groups().iter();
+        let first = groups.find(|(r, _)| *r == rank);
+        first.map_or(self.model.ranges[rank].indices.end, |(_, g)| {
+            g.indices.start
+        })
+    }
+
     /// The draws of the groups of some parts, by rank; the instance is the number of the group.
     pub(crate) fn draws_of_groups(&self, ranks: &[usize]) -> Vec<Draw> {
-        if !self.settles() {
-            return Vec::new();
-        }
-        let numbered = self.settled_groups().into_iter().enumerate();
+        let numbered = self.settled_groups().iter().enumerate();
         numbered
             .filter(|(_, (rank, _))| ranks.contains(rank))
             .map(|(number, (rank, group))| Draw {
                 indices: group.indices.clone(),
                 instance: number as u32,
-                ..self.draws_of(&[rank]).remove(0)
+                ..self.draws_of(&[*rank]).remove(0)
             })
             .collect()
     }

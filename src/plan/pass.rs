@@ -204,6 +204,19 @@ pub struct Draw {
     pub arguments: Option<Arguments>,
 }
 
+impl Draw {
+    /// The triangle that covers the picture, of three indices.
+    pub fn full_screen(instance: u32) -> Self {
+        Self {
+            indices: 0..3,
+            base_vertex: 0,
+            vertex_count: 0,
+            instance,
+            arguments: None,
+        }
+    }
+}
+
 /// What a pass does.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Work {

@@ -481,16 +481,7 @@ fn bad_usage_names_the_culprit_and_the_mend_and_leaves_no_file() {
         ("demo --out file", vec!["--out file", "not a folder"]),
         ("redner shape:cube", vec!["redner", "render"]),
     ] {
-        let ran = folder.run(line).exits(2);
-        assert!(ran.stderr.contains("error:"), "{line}\n{}", ran.stderr);
-        for said in said {
-            assert!(
-                ran.stderr.contains(said),
-                "{line}: no `{said}` in\n{}",
-                ran.stderr
-            );
-        }
-        assert!(ran.stdout.is_empty(), "{line}: {}", ran.text());
+        folder.run(line).must_refuse(&said);
         assert_eq!(
             folder.files(),
             ["broken.obj", "file", "scene.toml"],

@@ -14,7 +14,7 @@ use super::tessellation::{Tessellation, instance};
 use crate::passes::{
     DrawPass, Input, Lanes, Picture, Refusal, SceneBuffers, Surfaces, Volume, counted, gather,
 };
-use crate::plan::{Plan, Vertices};
+use crate::plan::{Draw, Plan, Vertices};
 use crate::shader::Shader;
 
 /// Records the frame: the triangles that `tessellate` makes, and each image of volumes that `images` makes with the places of the parts
@@ -89,9 +89,6 @@ fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Opti
     ];
     bindings.extend(scene.filtered_heights.iter().cloned());
     bindings.extend(volume.bindings.iter().cloned());
-    let (indices, draws): (Vec<_>, Vec<_>) = (places.iter())
-        .map(|place| scene.full_screen(*place))
-        .unzip();
     Some(DrawPass {
         name: format!("near cap {first}"),
         reason: format!(
@@ -104,8 +101,8 @@ fn near_caps(scene: &SceneBuffers<'_>, ranks: &[usize], volume: &Volume) -> Opti
         bindings,
         constants: Vec::new(),
         vertices: Vertices::None,
-        indices: indices[0],
-        draws: draws.concat(),
+        indices: scene.screen_indices,
+        draws: places.iter().map(|p| Draw::full_screen(*p)).collect(),
     })
 }
 
@@ -161,13 +158,7 @@ fn caps(
 
 /// The instances of a part: one for each clip-surface that cuts it.
 fn instances_of(input: &Input<'_>, rank: usize) -> Vec<u32> {
-    let relevance = &input.relevance;
-    let place = relevance.place_of(rank) as u32;
-    let bits = (0..relevance.cuts.len())
-        .filter(|c| relevance.cuts_of(rank) >> c & 1 == 1)
-        .fold(0, |b, c| b | relevance.cuts[c]);
-    (0..relevance.surfaces.len() as u32)
-        .filter(|s| bits >> s & 1 == 1)
-        .map(|s| instance(place, s))
-        .collect()
+    let place = input.relevance.place_of(rank) as u32;
+    let surfaces = input.relevance.surfaces_of(rank);
+    surfaces.map(|s| instance(place, s as u32)).collect()
 }

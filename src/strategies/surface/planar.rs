@@ -140,10 +140,10 @@ fn draw(
 
 /// Refuses a near plane that opens what is cut.
 fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
-    let (prepared, view) = (&input.model.prepared, input.view);
-    let cut = input.relevance.cut_parts();
-    let mut parts = cut.iter().map(|r| &prepared.parts[*r]);
-    match parts.find(|p| view.near_cap && view.near_plane_meets(&p.bounds)) {
+    match input
+        .cut_part_in_near_plane()
+        .filter(|_| input.view.near_cap)
+    {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
             Obstacle::NearPlane,

@@ -108,6 +108,27 @@ impl Ran {
         self
     }
 
+    /// That it was refused, by an error that says all of this, with nothing on standard output.
+    #[track_caller]
+    pub(crate) fn must_refuse(self, said: &[&str]) {
+        let ran = self.exits(2);
+        assert!(
+            ran.stderr.contains("error:"),
+            "{}\n{}",
+            ran.line,
+            ran.stderr
+        );
+        for said in said {
+            assert!(
+                ran.stderr.contains(said),
+                "{}: no `{said}` in\n{}",
+                ran.line,
+                ran.stderr
+            );
+        }
+        assert!(ran.stdout.is_empty(), "{}: {}", ran.line, ran.text());
+    }
+
     pub(crate) fn text(&self) -> &str {
         std::str::from_utf8(&self.stdout).unwrap()
     }

@@ -1,10 +1,5 @@
 //! The meshes of the hard cases.
 
-#![allow(
-    unused_imports,
-    reason = "each test binary uses its own share of what is here"
-)]
-
 pub(crate) use cutaway::hard_cases::meshes::*;
 
 /// Every kind of shape, in small detail: the number of triangles changes nothing about which pixels are right.

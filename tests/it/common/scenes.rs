@@ -2,10 +2,6 @@
 
 use std::path::Path;
 
-#[allow(
-    unused_imports,
-    reason = "each test binary uses its own share of what is here"
-)]
 pub(crate) use cutaway::hard_cases::scenes::*;
 
 /// A scene file of the gears of an assembly: two are turned against each other in four seconds, by so many degrees.

@@ -11,6 +11,7 @@ use super::common::scenes;
 use super::host::{DEPTH, Host};
 
 const SIZE_PX: [u32; 2] = [160, 120];
+const NORMALS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// What of a layer the third attachment holds.
 fn word_of(layer: &Layer) -> u32 {
@@ -27,8 +28,8 @@ fn it_holds_what_the_layers_say() {
     scene.parts[0].material.color = glam::Vec3::new(0.2, 0.4, 0.6);
     let model = Model::new(&scene);
     let view_of_all = model.prepared.view(SIZE_PX);
-    let normals = host.attachment(wgpu::TextureFormat::Rgba16Float);
-    let words = host.attachment(wgpu::TextureFormat::R32Uint);
+    let normals = host.attachment(SIZE_PX, NORMALS);
+    let words = host.attachment(SIZE_PX, wgpu::TextureFormat::R32Uint);
     let [normal_view, word_view] =
         [&normals, &words].map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
     let [color, depth] = &host.views();
@@ -66,7 +67,7 @@ fn it_holds_what_the_layers_say() {
     let layers = session.layers(method).expect("layers");
     let (colors, depths) = host.read();
     let of_words: Vec<u32> = bytemuck::pod_collect_to_vec(&host.bytes_of(&words));
-    let of_normals: Vec<u16> = bytemuck::pod_collect_to_vec(&host.bytes_of(&normals));
+    let of_normals: Vec<f32> = bytemuck::pod_collect_to_vec(&host.bytes_of(&normals));
     let mut seen = [0, 0];
     for (i, layer) in layers.pixels.iter().enumerate() {
         let color = &colors[4 * i..4 * i + 3];
@@ -87,7 +88,7 @@ fn it_holds_what_the_layers_say() {
             color.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 1),
             "pixel {i}: {color:?} for {expected:?}"
         );
-        let normal = [0, 1, 2].map(|axis| half(of_normals[4 * i + axis]));
+        let normal = [0, 1, 2].map(|axis| of_normals[4 * i + axis]);
         let off = (glam::Vec3::from(normal) - layer.normal).length();
         assert!(off < 2e-3, "pixel {i}: {normal:?} for {:?}", layer.normal);
         let distance = layer.depth / model.prepared.scale;
@@ -95,7 +96,7 @@ fn it_holds_what_the_layers_say() {
         assert!((ratio - 1.0).abs() < 1e-5, "pixel {i}: {ratio}");
     }
     // What would fail when the host finishes its encoder is refused by name.
-    let small = host.attachment_of([80, 60], wgpu::TextureFormat::Rgba16Float);
+    let small = host.attachment([80, 60], NORMALS);
     let small_view = small.create_view(&wgpu::TextureViewDescriptor::default());
     let unsigned = wgpu::TextureFormat::Rgba8Unorm;
     let wrong = [
@@ -116,14 +117,4 @@ fn it_holds_what_the_layers_say() {
     }
     // The control: both kinds are there to be compared.
     assert!(seen.iter().all(|count| *count > 200), "{seen:?}");
-}
-
-/// The value of a half float.
-fn half(bits: u16) -> f32 {
-    let (sign, exponent, fraction) = (bits >> 15, (bits >> 10) & 31, bits & 1023);
-    let magnitude = match exponent {
-        0 => f32::from(fraction) * 2_f32.powi(-24),
-        e => (1.0 + f32::from(fraction) / 1024.0) * 2_f32.powi(i32::from(e) - 15),
-    };
-    if sign == 1 { -magnitude } else { magnitude }
 }

@@ -65,13 +65,8 @@ impl Host {
         Session::new(Gpu::from_device(&self.info, device, queue).expect("a device that will do"))
     }
 
-    /// Another attachment of the same size.
-    pub(crate) fn attachment(&self, format: wgpu::TextureFormat) -> wgpu::Texture {
-        texture(&self.device, self.size_px, format)
-    }
-
     /// Another attachment, of some size.
-    pub(crate) fn attachment_of(
+    pub(crate) fn attachment(
         &self,
         size_px: [u32; 2],
         format: wgpu::TextureFormat,

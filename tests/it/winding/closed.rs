@@ -49,18 +49,7 @@ fn agrees(name: &str, scene: &Scene, least_cap_px: usize) {
 
 #[test]
 fn closed_meshes_are_drawn_as_exact_draws_them() {
-    for shape in [
-        "cube",
-        "sphere?subdivisions=3",
-        "torus?segments=40&sides=20",
-        "knot?segments=160&sides=12",
-        "comb?teeth=8",
-        "sponge?level=2",
-        "earth?subdivisions=3",
-        "shells?subdivisions=3",
-        "gears?flank=2",
-        "crank?throws=2&detail=16",
-    ] {
+    for shape in meshes::SHAPES {
         for (section, relief) in [
             ("-1,-2,-1.5@50%,45%,60%", None),
             (

@@ -16,7 +16,7 @@
 use crate::passes::{
     DrawPass, Input, Lanes, Obstacle, Picture, Refusal, SceneBuffers, Surfaces, gather,
 };
-use crate::plan::{CpuWork, Plan, Stencil, StencilStep, Vertices};
+use crate::plan::{CpuWork, Draw, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
 
@@ -100,7 +100,6 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
         surfaces.draw_with(plan, settled, Some(counts));
     }
 
-    let (indices, draws) = scene.full_screen(place);
     let cap = DrawPass {
         name: format!("cap {place}"),
         reason: format!("the plane, where it is inside `{name}`"),
@@ -113,8 +112,8 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
         ],
         constants: Vec::new(),
         vertices: Vertices::None,
-        indices,
-        draws,
+        indices: scene.screen_indices,
+        draws: vec![Draw::full_screen(place)],
     };
     let takes = Stencil {
         clear: false,
@@ -130,9 +129,7 @@ fn draw_part(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &mut Surfaces,
 
 /// Refuses a near plane that meets what is cut.
 fn near_plane_is_free(input: &Input<'_>) -> Result<(), Refusal> {
-    let parts = &input.model.prepared.parts;
-    let mut cut = input.relevance.cut_parts().iter().map(|r| &parts[*r]);
-    match cut.find(|p| input.view.near_plane_meets(&p.bounds)) {
+    match input.cut_part_in_near_plane() {
         None => Ok(()),
         Some(met) => Err(Refusal::new(
             Obstacle::NearPlane,

@@ -21,7 +21,7 @@ use crate::passes::{
     Crossings, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
 use crate::plan::{
-    Binding, Capacities, Clock, DepthCompare, DepthTarget, Format, Pass, Plan, Resource,
+    Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
     ResourceId, Stencil, StencilStep, Vertices, Work,
 };
 use crate::scene::Fill;
@@ -231,7 +231,6 @@ impl Marks<'_> {
 
     /// The pass that lays the depth of a crossing down.
     fn lay(&self, fill: Fill, crossing: u32) -> Pass {
-        let (indices, draws) = self.scene.full_screen(0);
         let again = match fill {
             Fill::EvenOdd => "",
             Fill::Nonzero => " to wind",
@@ -255,8 +254,8 @@ impl Marks<'_> {
                     stencil: None,
                 },
                 vertices: Vertices::None,
-                indices,
-                draws,
+                indices: self.scene.screen_indices,
+                draws: vec![Draw::full_screen(0)],
             },
         );
         pass.with_constants(vec![("crossing", f64::from(crossing))])
