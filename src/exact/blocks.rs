@@ -41,20 +41,23 @@ fn both([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
 impl Blocks {
     /// All levels up to a single block.
     pub(super) fn of(map: &OffsetMap, wrap: Wrap) -> Self {
-        let size = map.size.map(i64::from);
-        let columns = map.size[0] as usize;
+        let size = map.size().map(i64::from);
+        let columns = map.size()[0] as usize;
         let count = |texels: u32, level: u32| texels.div_ceil(1 << level) as usize;
         let spanned = |block: usize, axis: usize| {
             let first = (block as i64) << SMALLEST;
             let last = (first + (1 << SMALLEST)).min(size[axis]);
-            (first..=last).map(move |i| wrap.texel(i, map.size[axis]) as usize)
+            (first..=last).map(move |i| wrap.texel(i, map.size()[axis]) as usize)
         };
-        let (width, height) = (count(map.size[0], SMALLEST), count(map.size[1], SMALLEST));
+        let (width, height) = (
+            count(map.size()[0], SMALLEST),
+            count(map.size()[1], SMALLEST),
+        );
         let lowest = |i: usize| {
             let mut range = [f32::INFINITY, f32::NEG_INFINITY];
             for y in spanned(i / width, 1) {
                 for x in spanned(i % width, 0) {
-                    range = both(range, [map.texels[y * columns + x]; 2]);
+                    range = both(range, [map.texels()[y * columns + x]; 2]);
                 }
             }
             range

@@ -62,7 +62,7 @@ struct Cell {
 impl Relief {
     /// Prepares a relief for rays within a ball around the origin of scene space.
     pub(super) fn of(surface: &PreparedSurface, map: Arc<OffsetMap>, radius: f64) -> Self {
-        let size = map.size.map(f64::from);
+        let size = map.size().map(f64::from);
         let axes = [
             surface.frame.u_hat * (surface.map_per_unit[0] * size[0]),
             surface.frame.v_hat * (surface.map_per_unit[1] * size[1]),
@@ -70,7 +70,12 @@ impl Relief {
         let ends = map.range().map(|h| f64::from(h) * surface.height_scale);
         let table = |i: usize| {
             let centre = -surface.origin.dot(axes[i]) - 0.5;
-            Table::of(surface.wrap, map.size[i], centre, axes[i].length() * radius)
+            Table::of(
+                surface.wrap,
+                map.size()[i],
+                centre,
+                axes[i].length() * radius,
+            )
         };
         Self {
             tables: [table(0), table(1)],
@@ -85,11 +90,11 @@ impl Relief {
     }
 
     fn cell(&self, x: i64, y: i64) -> Cell {
-        let width = self.map.size[0] as usize;
+        let width = self.map.size()[0] as usize;
         let columns = [self.tables[0].texel(x), self.tables[0].texel(x + 1)];
         let rows = [self.tables[1].texel(y), self.tables[1].texel(y + 1)];
         let h = |i: usize, j: usize| {
-            f64::from(self.map.texels[rows[j] * width + columns[i]]) * self.height
+            f64::from(self.map.texels()[rows[j] * width + columns[i]]) * self.height
         };
         let (h00, h10, h01, h11) = (h(0, 0), h(1, 0), h(0, 1), h(1, 1));
         Cell {

@@ -42,8 +42,8 @@ impl Input<'_> {
     pub(crate) fn unfiltered(&self) -> Option<String> {
         let first = self.sampled()?;
         for (map, wrap) in self.maps() {
-            if map.size != first.size {
-                let [[w, h], [v, g]] = [first.size, map.size];
+            if map.size() != first.size {
+                let [[w, h], [v, g]] = [first.size, map.size()];
                 return Some(format!(
                     "height_filter = \"hardware\" reads all reliefs from one texture, and there are maps of {w} x {h} and of {v} x {g} texels"
                 ));
@@ -71,7 +71,7 @@ impl Input<'_> {
         let is_asked = self.height_filter == HeightFilter::Hardware && self.has_reliefs();
         let (map, wrap) = self.maps().next().filter(|_| is_asked)?;
         Some(SampledMaps {
-            size: map.size,
+            size: map.size(),
             wrap,
         })
     }

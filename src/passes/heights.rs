@@ -50,10 +50,10 @@ impl Heights {
                 let packed = old.iter().find(is_it).cloned();
                 maps.push(packed.unwrap_or_else(|| PackedMap {
                     map: map.clone(),
-                    bytes: bytemuck::cast_slice(&map.texels).into(),
+                    bytes: bytemuck::cast_slice(map.texels()).into(),
                 }));
                 starts.push(end);
-                end += map.texels.len() as u32;
+                end += map.texels().len() as u32;
             }
             starts[number]
         });

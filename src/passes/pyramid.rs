@@ -67,8 +67,8 @@ impl Input<'_> {
             };
             let mut row = Pyramid {
                 first_texel: self.model.first_texel[*number],
-                levels: levels_of(map.size),
-                map_size: map.size,
+                levels: levels_of(map.size()),
+                map_size: map.size(),
                 repeats: u32::from(surface.wrap == Wrap::Repeat),
                 is_own: 1,
                 padding: [0; 2],
@@ -87,7 +87,7 @@ impl Input<'_> {
             for level in LOWEST..=row.levels {
                 let [i, j] = [(level - 1) / 4, (level - 1) % 4].map(|i| i as usize);
                 row.first_node[i][j] = u32::try_from(nodes).unwrap_or(u32::MAX);
-                let [x, y] = map.size.map(|s| u64::from(nodes_of(s, level)));
+                let [x, y] = map.size().map(|s| u64::from(nodes_of(s, level)));
                 nodes += x * y;
             }
             rows.push(row);

@@ -156,6 +156,15 @@ impl Relevance {
         }
     }
 
+    /// Clip-surfaces of the cuts that reach a part, by rank: their indices in the table.
+    pub fn surfaces_of(&self, rank: usize) -> impl Iterator<Item = usize> {
+        let cuts = self.cuts_of(rank);
+        let bits = (self.cuts.iter().enumerate())
+            .filter(|(cut, _)| cuts >> cut & 1 == 1)
+            .fold(0, |bits, (_, of_cut)| bits | of_cut);
+        (0..self.surfaces.len()).filter(move |slot| bits >> slot & 1 == 1)
+    }
+
     /// Of each part, by its index in the scene, the bits of the cuts that reach it, and whether a cut removes all of it.
     pub(crate) fn clips_of_parts(&self, prepared: &Prepared) -> Vec<(u32, bool)> {
         let mut clips = vec![(0, false); prepared.parts.len()];
@@ -201,7 +210,7 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     let mut steepest = 1.0_f64;
     for (i, axis) in axes.into_iter().enumerate() {
-        let per_unit = surface.map_per_unit[i].abs() * f64::from(map.size[i]);
+        let per_unit = surface.map_per_unit[i].abs() * f64::from(map.size()[i]);
         let reach = cut_box
             .corners()
             .map(|c| ((c - surface.origin).dot(axis) * per_unit).abs())

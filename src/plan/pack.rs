@@ -305,7 +305,7 @@ pub fn clip_surface(
     } else {
         0.0
     };
-    let texels = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    let texels = surface.relief.as_ref().map_or([1, 1], |m| m.size());
     let texels_per_unit = texels_per_unit(surface);
     let range = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
         m.range().map(|h| f64::from(h) * surface.height_scale)
@@ -375,7 +375,7 @@ pub fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
 }
 
 fn texels_per_unit(surface: &PreparedSurface) -> [f64; 2] {
-    let size = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    let size = surface.relief.as_ref().map_or([1, 1], |m| m.size());
     [
         surface.map_per_unit[0] * f64::from(size[0]),
         surface.map_per_unit[1] * f64::from(size[1]),

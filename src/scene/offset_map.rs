@@ -53,10 +53,9 @@ impl Wrap {
 /// Heights on a grid, finite, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OffsetMap {
-    /// Width and height in texels, at least 1.
-    pub size: [u32; 2],
-    /// `width * height` heights, the first row at `t = 0`.
-    pub texels: Vec<f32>,
+    size: [u32; 2],
+    texels: Vec<f32>,
+    range: [f32; 2],
 }
 
 impl OffsetMap {
@@ -82,16 +81,33 @@ impl OffsetMap {
             .into_iter()
             .map(|h| if h.is_subnormal() { 0.0 } else { h })
             .collect();
-        Ok(Self { size, texels })
+        Ok(Self::of_finite(size, texels))
+    }
+
+    /// A map from `width * height` heights that are finite and none of them subnormal.
+    pub(super) fn of_finite(size: [u32; 2], texels: Vec<f32>) -> Self {
+        let none = [f32::INFINITY, f32::NEG_INFINITY];
+        let range = (texels.iter()).fold(none, |[lo, hi], h| [lo.min(*h), hi.max(*h)]);
+        Self {
+            size,
+            texels,
+            range,
+        }
+    }
+
+    /// Width and height in texels, at least 1.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// `width * height` heights, the first row at `t = 0`.
+    pub fn texels(&self) -> &[f32] {
+        &self.texels
     }
 
     /// Least and greatest height: the slab that holds the relief.
     pub fn range(&self) -> [f32; 2] {
-        self.texels
-            .iter()
-            .fold([f32::INFINITY, f32::NEG_INFINITY], |[lo, hi], h| {
-                [lo.min(*h), hi.max(*h)]
-            })
+        self.range
     }
 
     /// The texel at an address, wrapped.

@@ -246,7 +246,7 @@ fn a_clip_surface_takes_its_image_from_memory() {
     let surface_of =
         |memory: Memory| surface().on_from(&bounds, &mut Assets::from_files(Arc::new(memory)));
     let relief = surface_of(memory).expect("a surface").relief;
-    assert_eq!(relief.map(|map| map.size), Some([2, 2]));
+    assert_eq!(relief.map(|map| map.size()), Some([2, 2]));
     for error in [surface_of(Memory::default()), surface().on(&bounds)] {
         let message = error.expect_err("no image").to_string();
         assert!(

@@ -309,7 +309,7 @@ fn images_cut_short_are_refused() {
             fs::write(&path, &whole[..keep]).expect(name);
             let message = match read_offset_map(&path) {
                 Err(error) => error.to_string(),
-                Ok(map) => panic!("{keep} bytes of {name} gave {:?}", map.size),
+                Ok(map) => panic!("{keep} bytes of {name} gave {:?}", map.size()),
             };
             assert!(
                 message.contains(name) && message.contains("help:"),

@@ -187,7 +187,7 @@ values = [[0, 0, -1], [0, 0, 1]]
     let cut: Vec<bool> = scene.parts.iter().map(|p| front.applies_to(p)).collect();
     assert_eq!(cut, [false, true, false, false], "parts that `front` cuts");
     let map = front.surfaces[0].relief.as_ref().expect("a relief");
-    assert_eq!(map.size, [32, 16], "size of the blend");
+    assert_eq!(map.size(), [32, 16], "size of the blend");
     assert_eq!(front.surfaces[0].wrap, Wrap::Mirror, "wrap");
     assert_eq!(front.surfaces[0].scale, DVec3::new(4.0, 4.0, 0.1), "scale");
     assert_eq!(
@@ -286,7 +286,7 @@ mod images {
 
     fn heights(path: &Path) -> ([u32; 2], Vec<f32>) {
         let map = read_offset_map(path).expect("a sound image");
-        (map.size, map.texels)
+        (map.size(), map.texels().to_vec())
     }
 
     #[test]

@@ -52,10 +52,10 @@ impl BlendOp {
     /// Blends two maps at the larger width and the larger height; a smaller map is interpolated, as a repeating one.
     /// What is wrong, if a sum or product leaves the range of f32.
     pub fn blend(self, a: &OffsetMap, b: &OffsetMap) -> Result<OffsetMap, String> {
-        let size = [a.size[0].max(b.size[0]), a.size[1].max(b.size[1])];
+        let size = [a.size()[0].max(b.size()[0]), a.size()[1].max(b.size()[1])];
         let extent = DVec2::new(f64::from(size[0]), f64::from(size[1]));
         let height = |map: &OffsetMap, x: u32, y: u32| {
-            if map.size == size {
+            if map.size() == size {
                 // At texel centres interpolation gives the texel, but for rounding.
                 return map.texel(Wrap::Repeat, i64::from(x), i64::from(y));
             }
@@ -91,7 +91,7 @@ mod tests {
         ] {
             let op = BlendOp::named(name).expect(name);
             let blended = op.blend(&a, &b).expect(name);
-            assert_eq!(blended.texels, expected, "{name}");
+            assert_eq!(blended.texels(), expected, "{name}");
         }
     }
 
@@ -102,8 +102,8 @@ mod tests {
             map([1, 3], &[0.0, 10.0, 20.0]),
         );
         let sum = BlendOp::Add.blend(&wide, &tall).expect("finite");
-        assert_eq!(sum.size, [4, 3], "size of the sum");
-        for (i, height) in sum.texels.iter().enumerate() {
+        assert_eq!(sum.size(), [4, 3], "size of the sum");
+        for (i, height) in sum.texels().iter().enumerate() {
             let expected = (i % 4) as f32 + 10.0 * (i / 4) as f32;
             assert!(
                 (height - expected).abs() < 1e-5,

@@ -26,10 +26,7 @@ impl Procedure {
                     .collect(),
             ),
         };
-        OffsetMap {
-            size: self.size,
-            texels: heights.into_iter().map(|h| h as f32).collect(),
-        }
+        OffsetMap::of_finite(self.size, heights.into_iter().map(|h| h as f32).collect())
     }
 
     fn centre(&self, x: u32, y: u32) -> DVec2 {
@@ -197,7 +194,7 @@ mod tests {
     fn the_step_over_the_seam_is_no_larger_than_those_inside() {
         for procedure in all() {
             let map = procedure.map();
-            let [w, h] = map.size.map(i64::from);
+            let [w, h] = map.size().map(i64::from);
             let step = |x: i64, y: i64, dx: i64, dy: i64| {
                 let here = map.texel(Wrap::Repeat, x, y);
                 (map.texel(Wrap::Repeat, x + dx, y + dy) - here).abs()
@@ -230,8 +227,8 @@ mod tests {
                     let texels = size.map(f64::from);
                     procedure.set("size", &texels).expect("a plain size");
                     let map = procedure.map();
-                    assert_eq!(map.size, size, "{procedure:?}");
-                    OffsetMap::new(map.size, map.texels).expect("finite and complete");
+                    assert_eq!(map.size(), size, "{procedure:?}");
+                    OffsetMap::new(map.size(), map.texels().to_vec()).expect("finite and complete");
                 }
             }
         }

@@ -22,8 +22,8 @@ pub fn between_layers(
     let Some(first) = layers.first() else {
         return Err("it has no layer".into());
     };
-    if let Some(odd) = layers.iter().position(|l| l.size != first.size) {
-        let [[w, h], [other_w, other_h]] = [first.size, layers[odd].size];
+    if let Some(odd) = layers.iter().position(|l| l.size() != first.size()) {
+        let [[w, h], [other_w, other_h]] = [first.size(), layers[odd].size()];
         return Err(format!(
             "its layers differ in size: {w} x {h} of the first, {other_w} x {other_h} of number {odd}, counted from 0"
         ));
@@ -35,12 +35,12 @@ pub fn between_layers(
     if share == 0.0 || Arc::ptr_eq(low, high) {
         return Ok(Arc::clone(low));
     }
-    let pairs = low.texels.par_iter().zip(&high.texels);
+    let pairs = low.texels().par_iter().zip(high.texels());
     let mixed = pairs.map(|(a, b)| {
         let (a, b) = (f64::from(*a), f64::from(*b));
         (a * (1.0 - share) + b * share) as f32
     });
-    OffsetMap::new(first.size, mixed.collect()).map(Arc::new)
+    OffsetMap::new(first.size(), mixed.collect()).map(Arc::new)
 }
 
 #[cfg(test)]

@@ -167,7 +167,7 @@ mod tests {
             ("four".to_owned(), blend("two", "two")),
         ]);
         let map = resolve("four", &reliefs, &mut BTreeMap::new()).expect("no ring");
-        assert_eq!(map.texels, [2.0], "four halves");
+        assert_eq!(map.texels(), [2.0], "four halves");
 
         reliefs.insert("two".to_owned(), blend("one", "four"));
         let error = resolve("four", &reliefs, &mut BTreeMap::new()).expect_err("a ring");

@@ -56,7 +56,7 @@ impl Placement {
 /// The period in percent of the diagonal where none is given: one clamped map over all of the model, about ten teeth of
 /// a saw-tooth, whose map is 2 x 2, and little more than one repeat of the others.
 fn usual_period(map: &OffsetMap, wrap: Wrap) -> f64 {
-    match (wrap, map.size) {
+    match (wrap, map.size()) {
         (Wrap::Clamp, _) => 100.0,
         (_, [2, 2]) => 10.0,
         _ => 60.0,
@@ -99,7 +99,7 @@ pub(crate) fn place_map(
     let amplitude = of_diagonal(placement.amplitude);
     let usual = Amount::Percent(usual_period(&map, placement.wrap));
     let period = of_diagonal(placement.period.unwrap_or(usual));
-    let [w, h] = map.size.map(f64::from);
+    let [w, h] = map.size().map(f64::from);
     let lengths = [
         period,
         if w > 1.0 && h > 1.0 {

@@ -17,7 +17,7 @@ const MISSED: f64 = 4.0 / (4.0 * (SAMPLES * SAMPLES) as f64);
 
 /// Greatest deviation of the map, over points of a triangle in texels of the domain.
 fn deviation(sheet: &Sheet, map: &OffsetMap, wrap: Wrap, [apex, a, b]: Triangle) -> f64 {
-    let size = DVec2::new(f64::from(map.size[0]), f64::from(map.size[1]));
+    let size = DVec2::new(f64::from(map.size()[0]), f64::from(map.size()[1]));
     let first = DVec2::from(sheet.domain.first_texel.map(f64::from));
     let height = |p: DVec2| map.sample(wrap, (first + p + 0.5) / size).0;
     let [c, a, b] = [apex, a, b].map(|v| DVec2::from(v.map(f64::from)));

@@ -173,7 +173,7 @@ impl Sheet {
     /// Texture coordinates of a point, in steps.
     pub(crate) fn texture(&self, surface: &PreparedSurface, at: DVec2) -> DVec2 {
         let map = surface.relief.as_ref().expect("a relief");
-        let size = DVec2::new(f64::from(map.size[0]), f64::from(map.size[1]));
+        let size = DVec2::new(f64::from(map.size()[0]), f64::from(map.size()[1]));
         let [x, y] = self.domain.first_texel.map(f64::from);
         (DVec2::new(x, y) + at / f64::from(self.steps()) + 0.5) / size
     }
@@ -187,7 +187,7 @@ impl Sheet {
     /// A point of the plane, moved by a height.
     pub(crate) fn point(&self, surface: &PreparedSurface, at: DVec2, height: f64) -> DVec3 {
         let map = surface.relief.as_ref().expect("a relief");
-        let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map.size[i]));
+        let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map.size()[i]));
         let texel =
             DVec2::from(self.domain.first_texel.map(f64::from)) + at / f64::from(self.steps());
         surface.origin

@@ -24,8 +24,8 @@ fn a_profile_is_one_row_of_heights() {
     let folder = Scratch::new("profile");
     let text = "[relief.steps]\nkind = \"profile\"\nheights = [0, 0.25, 1, -2]\n".to_owned();
     let map = map(&folder.scene(&(text + &cut_by("steps"))));
-    assert_eq!(map.size, [4, 1]);
-    assert_eq!(map.texels, [0.0, 0.25, 1.0, -2.0]);
+    assert_eq!(map.size(), [4, 1]);
+    assert_eq!(map.texels(), [0.0, 0.25, 1.0, -2.0]);
     // It is the same all along V.
     for x in [0.1, 0.4, 0.77] {
         let height = |y: f64| map.sample(Wrap::Repeat, glam::DVec2::new(x, y)).0;
@@ -60,7 +60,7 @@ fn layers_are_met_at_whole_numbers_and_mixed_between() {
         ("at = -0.25", "wrap = \"repeat\"", 1.75),
     ] {
         let found = map(&folder.scene(&text(at, wrap)));
-        assert_eq!(found.texels, [height, height * 3.0], "{at} {wrap}");
+        assert_eq!(found.texels(), [height, height * 3.0], "{at} {wrap}");
     }
 }
 
@@ -83,15 +83,15 @@ fn layers_may_be_images() {
     let timeline = folder.timeline(&(text("") + keys));
     for (time_s, height) in [(0.0, 0.0), (0.5, 0.1), (1.0, 0.2), (1.5, 0.6), (2.0, 1.0)] {
         let found = map(&at(&timeline, time_s));
-        let off = (f64::from(found.texels[0]) - height).abs();
-        assert!(off < 1e-7, "{} at {time_s} s", found.texels[0]);
+        let off = (f64::from(found.texels()[0]) - height).abs();
+        assert!(off < 1e-7, "{} at {time_s} s", found.texels()[0]);
     }
     // The same time gives the same object, and whole layers are those that were read.
     let [a, b] = [1.0, 1.0].map(|t| map(&at(&timeline, t)));
     assert!(Arc::ptr_eq(&a, &b), "a layer was read again");
     let later = folder.scene(&text("first = 2"));
     assert_eq!(
-        map(&later).texels[0],
+        map(&later).texels()[0],
         0.2,
         "the first layer is that of the first number"
     );
@@ -99,7 +99,7 @@ fn layers_may_be_images() {
     for number in 1..=3 {
         std::fs::remove_file(folder.path(&format!("h_{number:03}.png"))).expect("the picture");
     }
-    assert_eq!(map(&at(&timeline, 1.0)).texels, a.texels);
+    assert_eq!(map(&at(&timeline, 1.0)).texels(), a.texels());
 }
 
 #[test]

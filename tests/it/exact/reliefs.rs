@@ -91,7 +91,7 @@ fn caps_lie_on_their_surface_and_face_along_its_slope() {
 
 fn crease(surface: &ClipSurface, point: DVec3) -> bool {
     let map = surface.relief.as_ref().expect("only reliefs have creases");
-    let size = map.size.map(f64::from);
+    let size = map.size().map(f64::from);
     let texel = surface.map_from_world(point) * DVec2::from(size) - 0.5;
     (texel - texel.round()).abs().min_element() < 1e-3
 }

@@ -105,7 +105,7 @@ fn case_22_a_flat_map_is_the_plane_bit_for_bit() {
             let height = surface
                 .relief
                 .take()
-                .map_or(0.0, |map| f64::from(map.texels[0]));
+                .map_or(0.0, |map| f64::from(map.texels()[0]));
             surface.origin -= surface.frame().normal * height * surface.scale.z;
             for name in ["raycast+mask", "grid:64+vds:256"] {
                 let strategy = strategy(name);

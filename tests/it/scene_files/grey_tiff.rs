@@ -29,8 +29,8 @@ fn floats_and_whole_numbers_of_all_kinds_are_heights() {
     let floats = [-3.5_f32, 0.0, 1e-3, 1234.5, 2.0, 3.0];
     let read = || {
         let map = read_offset_map(&path).unwrap();
-        assert_eq!(map.size, [3, 2]);
-        map.texels
+        assert_eq!(map.size(), [3, 2]);
+        map.texels().to_vec()
     };
     write::<Gray32Float>(&path, [3, 2], &floats);
     assert_eq!(read(), floats, "32 bits");

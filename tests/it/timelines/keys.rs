@@ -175,7 +175,7 @@ fn what_does_not_change_stays_the_same_object() {
     );
     // The negative control: a blend of the relief that moves is another one.
     assert!(
-        map(&first, 0).texels != map(&later, 0).texels,
+        map(&first, 0).texels() != map(&later, 0).texels(),
         "the moving relief stood still"
     );
     let [a, b] = [5.0, 6.0].map(|t| at(&timeline, t));

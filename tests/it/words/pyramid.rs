@@ -6,10 +6,11 @@ use cutaway::Model;
 use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::plan::{Capacities, Contents, Plan};
-use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Projection, Scene, Viewpoint, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Scene, Wrap};
 use cutaway::strategies::{self, Means, Method, ReliefWalk, Strategy};
 use glam::{DMat3, DVec3};
 
+use crate::common::scenes::orbit;
 use crate::words::{GPU, Random};
 
 const SEED: u64 = 0x9_7a3d;
@@ -18,8 +19,8 @@ const SIZE: [u32; 2] = [96, 64];
 /// A relief over a plane aslant, so that no ray runs along it by chance; one repeat of the map is `period` long.
 fn relief(map: &Arc<OffsetMap>, wrap: Wrap, period: f64, amplitude: f64) -> ClipSurface {
     let turn = DMat3::from_rotation_z(0.4);
-    let longest = f64::from(map.size[0].max(map.size[1]));
-    let [u, v] = map.size.map(|s| f64::from(s) / longest * period);
+    let longest = f64::from(map.size()[0].max(map.size()[1]));
+    let [u, v] = map.size().map(|s| f64::from(s) / longest * period);
     ClipSurface {
         u: turn * DVec3::X * u,
         v: turn * DVec3::Y * v,
@@ -41,33 +42,18 @@ fn scene(surfaces: Vec<ClipSurface>) -> Scene {
     }
 }
 
-fn camera(azimuth_deg: f64, elevation_deg: f64, orthographic: bool) -> Camera {
-    Camera {
-        viewpoint: Viewpoint::Orbit {
-            azimuth_deg,
-            elevation_deg,
-        },
-        projection: if orthographic {
-            Projection::Orthographic { height: None }
-        } else {
-            Projection::Perspective { fov_y_deg: 30.0 }
-        },
-        ..Camera::default()
-    }
-}
-
 /// Along the normal, aslant, grazing from either side, along the rows and the columns of the map.
 fn cameras() -> [Camera; 8] {
     let turn_deg = 0.4_f64.to_degrees();
     [
-        camera(2.0, 1.0, false),
-        camera(35.0, 25.0, false),
-        camera(80.0, 3.0, false),
-        camera(87.0, 60.0, true),
-        camera(-93.0, 8.0, true),
-        camera(215.0, -25.0, false),
-        camera(88.0, turn_deg, true),
-        camera(88.0, turn_deg - 90.0, true),
+        orbit(2.0, 1.0, false),
+        orbit(35.0, 25.0, false),
+        orbit(80.0, 3.0, false),
+        orbit(87.0, 60.0, true),
+        orbit(-93.0, 8.0, true),
+        orbit(215.0, -25.0, false),
+        orbit(88.0, turn_deg, true),
+        orbit(88.0, turn_deg - 90.0, true),
     ]
 }
 
@@ -238,7 +224,7 @@ fn a_wrong_node_is_noticed() {
     let scene = scene(vec![relief(&plain, Wrap::Repeat, 1.0, 0.2)]);
     let model = Model::new(&scene);
     // Low over a plain with one peak and one pit, where rays come a long way through the slab and climb to the largest blocks.
-    let camera = camera(84.0, 4.0, false);
+    let camera = orbit(84.0, 4.0, false);
     let mut program = Program::default();
     let right = lists(&mut program, plan(&model, &camera, ReliefWalk::Pyramid));
     let mut given = Program::default();

@@ -115,7 +115,7 @@ fn tables(surface: &PreparedSurface, is_relief: bool) -> (CutTable, Vec<f32>) {
     let number = if is_relief { first } else { NO_RELIEF };
     table.surfaces[0] = pack::clip_surface(surface, 0, number, 2.0);
     let mut heights = vec![1e6; first as usize];
-    heights.extend(surface.relief.iter().flat_map(|m| &m.texels));
+    heights.extend(surface.relief.iter().flat_map(|m| m.texels()));
     (table, heights)
 }
 
@@ -153,7 +153,7 @@ fn wrong_heights(height_at: &str, surface: &PreparedSurface) -> (usize, usize) {
         1,
     );
     let map = surface.relief.as_ref().expect("a relief");
-    let size = DVec2::from(map.size.map(f64::from));
+    let size = DVec2::from(map.size().map(f64::from));
     let wrong = texels
         .iter()
         .zip(given)
@@ -247,7 +247,7 @@ fn faults_at_points(functions: &str, surface: &PreparedSurface, is_relief: bool)
     );
     let frame = surface.frame;
     let map = surface.relief.as_ref().expect("a relief");
-    let size = DVec2::from(map.size.map(f64::from));
+    let size = DVec2::from(map.size().map(f64::from));
     let per_unit = DVec2::from(surface.map_per_unit);
     // Neighbouring texels differ by at most 2, their differences by at most 4.
     let rise = 2.0 * surface.height_scale.abs();

@@ -10,12 +10,11 @@ use cutaway::Model;
 use cutaway::generate::shapes;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::plan::{Capacities, pack};
-use cutaway::scene::{
-    Camera, ClipSurface, Cut, OffsetMap, Prepared, Projection, Scene, Viewpoint, Wrap,
-};
+use cutaway::scene::{Camera, ClipSurface, Cut, OffsetMap, Prepared, Scene, Wrap};
 use cutaway::strategies::{self, Strategy};
 use glam::{DVec2, DVec3};
 
+use crate::common::scenes::orbit;
 use crate::words::{GPU, Random};
 
 const SEED: u64 = 0x3a1c;
@@ -75,7 +74,7 @@ fn faults(scene: &Scene, judge: &Prepared, camera: &Camera) -> (Vec<String>, usi
     let frame = pack::frame(&view, &bounds);
     let s = &judge.surfaces[0];
     // How fast the height can change along a ray of a direction no longer than 2: the plane's part and the map's.
-    let size = s.relief.as_ref().expect("a relief").size.map(f64::from);
+    let size = s.relief.as_ref().expect("a relief").size().map(f64::from);
     let per_unit = s.map_per_unit[0].abs() * size[0] + s.map_per_unit[1].abs() * size[1];
     let steepness = 2.0 + 4.0 * per_unit * s.height_scale.abs();
     // Crossings are moved by 2^-20 of their depth, at most 8 here, and as much again is left to f32.
@@ -162,21 +161,6 @@ fn interval(frame: &pack::Frame, origin: DVec3, direction: DVec3) -> Option<[f64
     (leave > enter + 1e-4).then_some([enter, leave])
 }
 
-fn camera(azimuth_deg: f64, elevation_deg: f64, orthographic: bool) -> Camera {
-    Camera {
-        viewpoint: Viewpoint::Orbit {
-            azimuth_deg,
-            elevation_deg,
-        },
-        projection: if orthographic {
-            Projection::Orthographic { height: None }
-        } else {
-            Projection::Perspective { fov_y_deg: 30.0 }
-        },
-        ..Camera::default()
-    }
-}
-
 /// Aslant, grazing, parallel to N, parallel to U and V inside the slab, and along the diagonal of the texels.
 fn cameras() -> Vec<Camera> {
     let mut all = Vec::new();
@@ -190,7 +174,7 @@ fn cameras() -> Vec<Camera> {
             (90.0, 45.0),
             (215.0, -10.0),
         ] {
-            all.push(camera(azimuth, elevation, orthographic));
+            all.push(orbit(azimuth, elevation, orthographic));
         }
     }
     all
@@ -236,7 +220,7 @@ fn a_surface_that_moved_is_noticed() {
         scene(Wrap::Repeat, noise, -0.2),
     ] {
         let judge = Prepared::new(&judge);
-        let (found, ..) = faults(&scene_here, &judge, &camera(35.0, 25.0, false));
+        let (found, ..) = faults(&scene_here, &judge, &orbit(35.0, 25.0, false));
         assert!(found.len() > 300, "only {} faults", found.len());
     }
 }

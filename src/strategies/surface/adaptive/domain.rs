@@ -90,7 +90,7 @@ fn of_relief(
     surface: &PreparedSurface,
     cut_box: &Bounds,
 ) -> Result<Domain, Refusal> {
-    let map = surface.relief.as_ref().map_or([1, 1], |m| m.size);
+    let map = surface.relief.as_ref().map_or([1, 1], |m| m.size());
     let per_unit = [0, 1].map(|i| surface.map_per_unit[i] * f64::from(map[i]));
     if per_unit.iter().any(|t| t.abs() * LONGEST_TEXEL < 1.0) {
         return Err(Refusal::amount(format!(

@@ -117,7 +117,7 @@ fn passed(
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     let per_depth: f64 = (0..2)
         .map(|i| {
-            let texels_per_unit = surface.map_per_unit[i] * f64::from(map.size[i]);
+            let texels_per_unit = surface.map_per_unit[i] * f64::from(map.size()[i]);
             (direction.dot(axes[i]) * texels_per_unit).abs()
         })
         .sum();
