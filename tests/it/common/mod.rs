@@ -13,6 +13,7 @@ pub(crate) mod refined;
 pub(crate) mod scenes;
 pub(crate) mod tolerances;
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use cutaway::Model;
@@ -27,10 +28,16 @@ use cutaway::strategies::{Method, Strategy};
 
 pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
 
-/// The session of this test binary, on the software adapter: the same everywhere.
+/// How many tests draw at a time: what they do beside that keeps the cores busy that a frame leaves idle.
+const SESSIONS: usize = 2;
+
+/// The session of this test, which others use in turn; on the software adapter, the same everywhere.
 pub(crate) fn session() -> MutexGuard<'static, Session> {
-    static SESSION: OnceLock<Mutex<Session>> = OnceLock::new();
-    SESSION
+    static ALL: [OnceLock<Mutex<Session>>; SESSIONS] = [const { OnceLock::new() }; SESSIONS];
+    static TESTS: AtomicUsize = AtomicUsize::new(0);
+    // Each test has a thread of its own.
+    thread_local!(static MINE: usize = TESTS.fetch_add(1, Ordering::Relaxed) % SESSIONS);
+    ALL[MINE.with(|mine| *mine)]
         .get_or_init(|| {
             let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
             Mutex::new(Session::new(gpu))
