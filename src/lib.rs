@@ -49,7 +49,7 @@
 //! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
 //! imports  scene <- generate <- load <- document <- hard_cases <- experiment <- report <- cmd
 //!          scene <- exact
-//!          scene <- slice <- shader <- plan <- passes <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
+//!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; `exact` shares nothing with the strategies
@@ -70,6 +70,7 @@ pub mod cmd;
 pub mod compare;
 #[cfg(feature = "io")]
 pub mod document;
+mod effects;
 pub mod error;
 #[cfg(feature = "lab")]
 pub mod exact;

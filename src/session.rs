@@ -9,11 +9,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::effects;
 use crate::gpu::{
     BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Gpu, Program, RunTimes, Target,
 };
 use crate::layers::Layers;
-use crate::passes::{self, Model};
+use crate::passes::Model;
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::View;
 use crate::strategies::{self, Method, Obstacle, Refusal, Strategy};
@@ -21,9 +22,11 @@ use crate::{Error, Result};
 
 mod bands;
 mod encode;
+mod rows;
 
 use bands::{Band, Slot};
 pub use encode::{Encoded, Overflow};
+use rows::Rows;
 
 /// How often a frame is drawn until its buffers are large enough.
 pub const MOST_TRIES: usize = 4;
@@ -290,8 +293,9 @@ impl Session {
         let slot = self.slot(method)?;
         let mut pixels = Vec::new();
         for band in &slot.bands {
-            let layers = band.program.layers(&self.gpu, band.size_px(slot.size_px))?;
-            pixels.extend(layers.pixels);
+            let width = slot.size_px[0];
+            let layers = (band.program).layers(&self.gpu, band.drawn_px(width))?;
+            pixels.extend(band.rows.own(&layers.pixels, width as usize));
         }
         Ok(Layers {
             size_px: slot.size_px,
@@ -301,9 +305,11 @@ impl Session {
 
     /// The picture of the last frame by a method: RGBA8, rows from the top.
     pub fn picture(&self, method: impl Into<Method>) -> Result<Vec<u8>> {
+        let slot = self.slot(method)?;
         let mut picture = Vec::new();
-        for band in &self.slot(method)?.bands {
-            picture.extend(band.program.picture(&self.gpu)?);
+        for band in &slot.bands {
+            let drawn = band.program.picture(&self.gpu)?;
+            picture.extend(band.rows.own(&drawn, slot.size_px[0] as usize * 4));
         }
         Ok(picture)
     }
@@ -336,26 +342,29 @@ impl Session {
         Ok(bands.map(|b| b.program.allocated_on(clock, is_scene)).sum())
     }
 
-    /// Shades layers that come from elsewhere, by the same pass as a strategy's; in halves, where they are too large in one piece.
+    /// Makes a picture of layers that come from elsewhere, by the same passes as a strategy's; in bands, where they are too large in one
+    /// piece.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
-        let rows = layers.size_px[1];
-        match self.shade_at_once(model, view, layers) {
-            Err(Error::Limit(_)) if rows > Capacities::FEWEST_ROWS => {
-                let upper = rows / 2;
-                let mut picture = Vec::new();
-                for (first, count) in [(0, upper), (upper, rows - upper)] {
-                    let (view, layers) = (view.rows(first, count), layers.rows(first, count));
-                    picture.extend(self.shade(model, &view, &layers)?);
-                }
-                Ok(picture)
+        let [width, rows] = layers.size_px;
+        let halo = effects::halo_rows(&model.prepared.style, view);
+        let mut bands = 1;
+        loop {
+            let all = Rows::bands(rows, bands, halo).map(|band| {
+                let (first, count) = band.drawn();
+                let shaded =
+                    self.shade_at_once(model, &band.view(view), &layers.rows(first, count));
+                Ok(band.own(&shaded?, width as usize * 4))
+            });
+            match all.collect::<Result<Vec<_>>>() {
+                Err(Error::Limit(_)) if rows / bands > Capacities::FEWEST_ROWS => bands *= 2,
+                shaded => return Ok(shaded?.concat()),
             }
-            shaded => shaded,
         }
     }
 
     fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let words = crate::gpu::words_from_layers(layers);
-        let plan = passes::shading_of(model, view, &words).map_err(|r| Error::Plan(r.reason))?;
+        let plan = effects::finish_of(model, view, &words).map_err(|r| Error::Plan(r.reason))?;
         let mut program = Program::default();
         program.load(&self.gpu, plan)?;
         program.run(&self.gpu, ClockSet::ALL)?;

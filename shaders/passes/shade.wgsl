@@ -4,7 +4,7 @@
 #import cutaway::background::background
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of, part_of}
-#import cutaway::light::color_of
+#import cutaway::lit::color_of
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 // Place of each part of the scene in the table.

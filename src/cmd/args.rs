@@ -12,7 +12,7 @@ use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
-use crate::scene::{Fill, HeightFilter, parse_color};
+use crate::scene::{Fill, HeightFilter, Style, parse_color};
 use crate::session::Session;
 use crate::strategies::Rasteriser;
 
@@ -78,9 +78,10 @@ impl SceneArgs {
         &self,
         document: Document,
         at_s: Option<f64>,
+        usual_style: Style,
         console: &Console,
     ) -> Result<Subject> {
-        let subject = Subject::open(document, at_s, &self.edits, console)?;
+        let subject = Subject::open(document, at_s, usual_style, &self.edits, console)?;
         subject.must_be_cut_by(&self.sections)?;
         subject.doubt(console)?;
         Ok(subject)

@@ -18,6 +18,7 @@ use crate::compare::legend;
 use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime};
 use crate::layers::Layer;
 use crate::report;
+use crate::scene::Style;
 use crate::session::Session;
 use crate::strategies::Means;
 use crate::{Error, Result};
@@ -89,7 +90,9 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let mut document = args.scene.document(None)?;
     args.when.amend(&mut document)?;
     args.means.amend(&mut document)?;
-    let subject = args.scene.open(document, None, &console)?;
+    let subject = args
+        .scene
+        .open(document, None, Style::default(), &console)?;
     check_memory(subject.size_px(), renderers.len())?;
     let written = args
         .heatmaps

@@ -12,7 +12,7 @@ use super::args::{AdapterArgs, MeansArgs};
 use super::console::{Console, ConsoleArgs};
 use super::measure::{self, MeasureArgs};
 use super::output::{checked_folder, write_file, write_stdout};
-use super::picture::{self, Backdrop, Style};
+use super::picture;
 use super::report::{self, ReportArgs};
 use crate::experiment::{Record, Renderer, SceneAtTime, means};
 use crate::load::Assets;
@@ -122,10 +122,6 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
 
 /// Draws the pictures of a record again, with four samples in a pixel.
 fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
-    let style = Style {
-        supersample: 2,
-        backdrop: Backdrop::Gradient,
-    };
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
     let shown = SceneAtTime::new(&timeline.scene()?);
@@ -135,7 +131,7 @@ fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
         console.step(format!("picture by {}", picture.drawer));
         let renderer: Renderer = picture.drawer.parse()?;
         let renderer = renderer.or(means(timeline.settings())?);
-        let drawn = picture::draw(&mut session, &shown, &view, renderer, style)?;
+        let drawn = picture::draw(&mut session, &shown, &view, renderer, 2)?;
         let file = args.out.join(NAME).join(&picture.file);
         write_file(&file, &picture::png(&drawn.image)?)?;
     }

@@ -2,10 +2,19 @@
 
 use super::args::say;
 use crate::Result;
-use crate::document::{Document, Value};
+use crate::document::{Document, Value, named_style, style_names};
 use crate::experiment::Renderer;
+use crate::scene::{Style, parse_color};
 use crate::strategies::{Strategy, table};
 use clap::Args;
+
+/// The style of pictures where nobody names one.
+const USUAL_STYLE: &str = "technical";
+
+/// The same, read.
+pub(super) fn usual_style() -> Result<Style> {
+    named_style(USUAL_STYLE)
+}
 
 /// How pictures are drawn.
 #[derive(Args)]
@@ -20,9 +29,30 @@ pub(super) struct LookArgs {
         help_heading = "Output"
     )]
     supersample: Option<u32>,
-    /// Leave what shows no model transparent
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
+    style: Option<String>,
+    /// What is behind the model: paper, as the style has it, gradient, none, or a colour [default: that of the scene, or paper]
+    #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
+    background: Option<String>,
+    /// Leave what shows no model transparent: --background none
+    #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(super) no_background: bool,
+}
+
+fn style_help() -> String {
+    format!(
+        "How the picture looks: {}, or a file of a style (.toml) [default: that of the scene, or {USUAL_STYLE}]",
+        style_names().collect::<Vec<_>>().join(", ")
+    )
+}
+
+fn parse_background(text: &str) -> Result<String, String> {
+    match text {
+        "none" => Ok("transparent".to_owned()),
+        "paper" | "gradient" | "transparent" => Ok(text.to_owned()),
+        _ if parse_color(text).is_some() => Ok(text.to_owned()),
+        _ => Err("it is no background\n  help: write paper, gradient, none or #rrggbb".to_owned()),
+    }
 }
 
 fn strategy_help() -> String {
@@ -43,7 +73,13 @@ impl LookArgs {
         say(document, "strategy.name", "--strategy", strategy)?;
         let fineness = self.supersample.map(|n| i64::from(n).into());
         say(document, "supersample", "--supersample", fineness)?;
-        let background = self.no_background.then(|| "transparent".into());
-        say(document, "background", "--no-background", background)
+        if let Some(style) = &self.style {
+            document.set_style(style, "--style")?;
+        }
+        let (option, background) = match (self.no_background, &self.background) {
+            (true, _) => ("--no-background", Some("transparent".into())),
+            (false, asked) => ("--background", asked.as_deref().map(Value::from)),
+        };
+        say(document, "background", option, background)
     }
 }

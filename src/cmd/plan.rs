@@ -12,6 +12,7 @@ use super::when::TimeArgs;
 use crate::document::Value;
 use crate::experiment::{Renderer, SceneAtTime};
 use crate::plan::Capacities;
+use crate::scene::Style;
 use crate::strategies::{self, Method, Strategy, table};
 use crate::{Error, Result};
 
@@ -72,7 +73,9 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
         "--strategy",
         asked.map(Value::from),
     )?;
-    let subject = args.scene.open(document, None, &console)?;
+    let subject = args
+        .scene
+        .open(document, None, Style::default(), &console)?;
     let method = passes_of(subject.renderer()?)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);

@@ -6,15 +6,14 @@ use std::path::{Path, PathBuf};
 use super::console::Console;
 use super::edits::EditArgs;
 use super::output::write_file;
-use super::picture::{Backdrop, Style};
 use super::places::InputFiles;
 use super::sections::SectionArgs;
-use crate::document::{Background, Document, Timeline, part};
+use crate::document::{Document, Timeline, part};
 use crate::experiment::{Renderer, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
-use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
+use crate::scene::{Bounds, Prepared, Scene, SceneSpace, Style, View, doubts};
 use crate::strategies::{Means, Strategy};
 use crate::{Error, Result};
 
@@ -35,16 +34,18 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    /// Opens a document that options have amended, at a time or at the moment that it asks for itself.
+    /// Opens a document that options have amended, at a time or at the moment that it asks for itself, with a style for where it has none.
     pub(super) fn open(
         mut document: Document,
         at_s: Option<f64>,
+        usual_style: Style,
         edits: &EditArgs,
         console: &Console,
     ) -> Result<Self> {
         edits.amend(&mut document)?;
         let saved = edits.place(&document)?;
         let timeline = document.timeline(&mut Assets::default())?;
+        let timeline = timeline.with_usual_style(usual_style)?;
         let name = document.path().display().to_string();
         let notes = timeline.notes().iter().map(|note| match name.as_str() {
             "" => note.clone(),
@@ -124,18 +125,6 @@ impl Subject {
             None => Renderer::from(Strategy::RAYCAST_MASK),
         };
         Ok(renderer.or(self.means()?))
-    }
-
-    /// How pictures are drawn.
-    pub(super) fn style(&self) -> Style {
-        Style {
-            supersample: self.supersample(),
-            backdrop: match self.timeline.settings().background {
-                Some(Background::Color(color)) => Backdrop::Color(color),
-                Some(Background::Transparent) => Backdrop::Transparent,
-                None => Backdrop::Gradient,
-            },
-        }
     }
 
     /// The view of the scene.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::build::{CutDraft, PartDraft, Table, put};
 use super::node::{Node, Origin, Value};
-use super::{Document, files};
+use super::{Document, files, read};
 use crate::error::Result;
 
 impl Document {
@@ -20,6 +20,22 @@ impl Document {
         let value = Value::Table(self.seen_from_here(draft.table, &["mesh"]));
         let origin = draft.origin;
         self.push("part", Node { value, origin })
+    }
+
+    /// Puts a style, by its name or its file, under the changes that the document has on it.
+    ///
+    /// # Errors
+    ///
+    /// A document whose text cannot be edited.
+    pub fn set_style(&mut self, name_or_file: &str, option: &str) -> Result<()> {
+        let from_here = read::is_style_file(name_or_file)
+            .then(|| files::renamed(name_or_file, Path::new(""), self.folder()))
+            .flatten();
+        let name = from_here.unwrap_or_else(|| name_or_file.to_owned());
+        let is_table = (self.get("style")).is_ok_and(|n| matches!(n.value, Value::Table(_)));
+        let path = if is_table { "style.base" } else { "style" };
+        let origin = Origin::Option(option.into());
+        self.set_node(path, Node::new(name).said(&origin))
     }
 
     /// Adds a cut, and the reliefs of its surfaces.

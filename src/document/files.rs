@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::Document;
 use super::node::{Node, Place, Value};
+use super::{Document, read};
 use crate::error::Result;
 use crate::load::frames::Pattern;
 use crate::load::{Files, companions};
@@ -69,6 +69,10 @@ fn names(root: &Node) -> Vec<Named<'_>> {
         return names;
     };
     for (at, (key, entries)) in entries.iter().enumerate() {
+        if **key == *"style" {
+            names.extend(style(at, entries));
+            continue;
+        }
         let keys: &[&str] = match &**key {
             "part" => &["mesh"],
             "cut" => &["volume"],
@@ -96,6 +100,23 @@ fn names(root: &Node) -> Vec<Named<'_>> {
         }
     }
     names
+}
+
+/// The file of a style, in the place of its name or of that of its base.
+fn style(at: usize, node: &Node) -> Option<Named<'_>> {
+    let (place, node) = match &node.value {
+        Value::Table(fields) => {
+            let field = fields.iter().position(|(key, _)| **key == *"base")?;
+            (vec![at, field], node.child(field)?)
+        }
+        _ => (vec![at], node),
+    };
+    let name = node.text().filter(|name| read::is_style_file(name))?;
+    Some(Named {
+        place,
+        name,
+        first: None,
+    })
 }
 
 /// A file that is named from one folder, as it is named from another; none if it is named alike.

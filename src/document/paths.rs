@@ -90,6 +90,11 @@ const REAL: Takes = Number(-ANY, ANY);
 const SIZE: Takes = Number(0.0, ANY);
 const WRAP: Takes = Choice(&["repeat", "mirror", "clamp"]);
 
+/// Width of a stroke.
+const WIDTH: Takes = Number(0.0, 50.0);
+/// Unit of the lengths of a style.
+const MIL: &str = "1/1000 of the height";
+
 /// A value that keys move, or that is no number.
 const fn moved(
     path: &'static str,
@@ -126,7 +131,7 @@ const fn fixed(
 #[rustfmt::skip]
 pub const PATHS: &[Path] = &[
     fixed("resolution", Numbers(2), "px", "[1024, 768]", "width and height of the picture"),
-    fixed("background", Color, "", "\"#ffffff\"", "what is behind the model; or \"transparent\""),
+    fixed("background", Color, "", "\"#ffffff\"", "what is behind the model; or \"paper\", \"gradient\", \"transparent\""),
     fixed("interference", Color, "", "\"#ff00aa\"", "hatches caps that several solids share"),
     fixed("height_filter", Choice(&["exact", "hardware"]), "", "\"exact\"", "who interpolates heights where a strategy asks for them at points"),
     fixed("supersample", Whole(1.0, 4.0), "", "2", "how many times as fine the picture is drawn along each side"),
@@ -134,6 +139,33 @@ pub const PATHS: &[Path] = &[
     fixed("clip", Text, "", "\"walk\"", "the animation that is played, by its name or its number"),
     fixed("strategy.name", Text, "", "\"raycast+mask\"", "who draws; `cutaway render --help` lists them"),
     fixed("strategy.rasteriser", Choice(&["hardware", "compute"]), "", "\"compute\"", "who rasterises the mesh"),
+
+    fixed("style.base", Text, "", "\"technical\"", "a style by its name, or a file of one, on which the rest are changes; alone: style = \"technical\""),
+    fixed("style.paper", Color, "", "\"#ffffff\"", "what is behind the model; or \"gradient\", \"transparent\""),
+    fixed("style.ink", Color, "", "\"#20262e\"", "colour of strokes"),
+    fixed("style.shading", Choice(&["lit", "calm", "flat", "gooch", "toon", "clay"]), "", "\"calm\"", "how light becomes colour"),
+    fixed("style.surface.color", Color, "", "\"#d8d4cc\"", "one colour for the surfaces of all parts"),
+    moved("style.surface.lightness", Number(0.0, 1.0), "", "0.8", "OKLab lightness of surfaces, in the hues of their parts"),
+    moved("style.surface.chroma", Number(0.0, 0.4), "", "0.024", "their greatest OKLab chroma"),
+    moved("style.surface.warmth", Numbers(2), "", "[0, 0]", "added to OKLab a and b"),
+    fixed("style.cap.color", Color, "", "\"#e8552d\"", "one colour for the caps of all parts"),
+    moved("style.cap.lightness", Number(0.0, 1.0), "", "0.955", "as of surfaces"),
+    moved("style.cap.chroma", Number(0.0, 0.4), "", "0.014", "as of surfaces"),
+    moved("style.cap.warmth", Numbers(2), "", "[0.003, 0.022]", "as of surfaces"),
+    moved("style.cap.light", Number(0.0, 1.0), "", "1", "how much of the light caps take (calm)"),
+    moved("style.cap.relief", Number(0.0, 1.0), "", "0.6", "how much of that hangs on where they face (calm)"),
+    moved("style.gooch.blue", Number(0.0, 1.0), "", "0.4", "of what the light does not reach (gooch)"),
+    moved("style.gooch.yellow", Number(0.0, 1.0), "", "0.3", "of what it reaches (gooch)"),
+    moved("style.gooch.of_cool", Number(0.0, 1.0), "", "0.25", "share of the own colour in cool (gooch)"),
+    moved("style.gooch.of_warm", Number(0.0, 1.0), "", "0.55", "share of the own colour in warm (gooch)"),
+    moved("style.strokes.outline", WIDTH, MIL, "2.1", "width of strokes around the model; 0 for none"),
+    moved("style.strokes.cut", WIDTH, MIL, "2.1", "where caps end"),
+    moved("style.strokes.part", WIDTH, MIL, "1.5", "between parts"),
+    moved("style.strokes.face", WIDTH, MIL, "1.3", "between caps of one part by two clip-surfaces"),
+    moved("style.strokes.contour", WIDTH, MIL, "1.3", "where a part hides more of itself"),
+    moved("style.strokes.crease", WIDTH, MIL, "1", "where a surface is folded"),
+    moved("style.strokes.crease_deg", Number(1.0, 180.0), "degrees", "30", "the least fold that is a crease"),
+    moved("style.strokes.depth_px", Number(0.0, 1e6), "px", "8", "the least jump in depth that is a contour, in widths of a pixel"),
 
     moved("camera.azimuth_deg", REAL, "degrees", "35", "turn around the up axis; or \"auto\", to where the cuts are seen"),
     moved("camera.elevation_deg", REAL, "degrees", "25", "height above the horizon; or \"auto\""),

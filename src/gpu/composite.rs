@@ -103,18 +103,19 @@ impl Compositor {
         self.attachments == attachments(target)
     }
 
-    /// Draws a frame of some pixels, whose first row is so many rows below the corner of the target, of a scene that is `scale` times as
-    /// large as the host's world.
+    /// Draws rows of a frame, of a scene that is `scale` times as large as the host's world. Of the rows that the buffers hold, some are
+    /// drawn: the first of each, counted from the corner of the target, and how many.
     pub(crate) fn encode(
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         target: &Destination<'_>,
-        first_row: u32,
-        size_px: [u32; 2],
+        (held, drawn): ((u32, u32), (u32, u32)),
+        width: u32,
         scale: f64,
     ) {
-        let origin_px = [target.origin_px[0], target.origin_px[1] + first_row];
+        let origin_px = [target.origin_px[0], target.origin_px[1] + held.0];
+        let size_px = [width, held.1];
         let composite = composite(target, origin_px, size_px, scale);
         if self.written != Some(composite) {
             gpu.queue
@@ -158,9 +159,9 @@ impl Compositor {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.group, &[]);
         let [x, y] = origin_px.map(|p| p as f32);
-        let [width, height] = size_px.map(|p| p as f32);
-        pass.set_viewport(x, y, width, height, 0.0, 1.0);
-        pass.set_scissor_rect(origin_px[0], origin_px[1], size_px[0], size_px[1]);
+        let height = held.1 as f32;
+        pass.set_viewport(x, y, width as f32, height, 0.0, 1.0);
+        pass.set_scissor_rect(origin_px[0], target.origin_px[1] + drawn.0, width, drawn.1);
         pass.draw(0..3, 0..1);
     }
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::meshes;
 use crate::document;
 use crate::scene::{
-    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, Scene, Viewpoint, Wrap,
+    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Projection, Scene, Style, Viewpoint, Wrap,
 };
 
 /// A scene of one mesh and one cut, seen from the usual place.
@@ -29,6 +29,7 @@ pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Sce
         camera: Camera::default(),
         stage: None,
         interference: None,
+        style: Style::default(),
     }
 }
 

@@ -57,7 +57,7 @@ impl<'a> SceneBuffers<'a> {
     }
 
     /// The same for passes that look at no vertex.
-    pub(super) fn unposed(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Self {
+    pub(crate) fn unposed(plan: &mut Plan, input: &'a Input<'a>, lanes: Lanes) -> Self {
         let model = input.model;
         let mut upload = |name: &'static str, role, clock, contents| {
             let id = plan.add_resource(Resource::upload(name, role, contents, clock));
@@ -161,7 +161,7 @@ fn ray_table(input: &Input<'_>) -> Contents {
 }
 
 fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
-    let relevance = &input.relevance;
+    let (relevance, style) = (&input.relevance, &input.model.prepared.style);
     let rows: Vec<Part> = (relevance.order.iter().enumerate())
         .map(|(place, rank)| {
             let part = &input.model.prepared.parts[*rank];
@@ -171,8 +171,8 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
                 lane_word,
                 lane_shift,
                 part: part.part as u32,
-                color: part.material.color.extend(1.0).to_array(),
-                cap_color: part.material.cap_color().extend(1.0).to_array(),
+                color: style.surface_color(&part.material).extend(1.0).to_array(),
+                cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
             }
         })
         .collect();

@@ -85,6 +85,11 @@ impl<'a> Input<'a> {
         self.model.prepared.interference.is_some() && self.relevance.lanes > 1
     }
 
+    /// Whether the picture is one that is made of layers alone, a pixel at a time.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.model.prepared.style.is_plain()
+    }
+
     /// The draws of some parts, by rank; the instance is the part's place in the table.
     pub(crate) fn draws_of(&self, ranks: &[usize]) -> Vec<Draw> {
         ranks

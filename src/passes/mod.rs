@@ -5,7 +5,7 @@
 //! - `Crossings` are the one list of depths per pixel; `Sheets` add those of surfaces made of triangles.
 //! - `over_mesh` goes over the mesh by either rasteriser and returns the nearest kept surfaces; a `Store` says what each fragment
 //!   leaves for the inside test, `FragmentLists` among others. A `Volume` answers for points.
-//! - `resolve` or `gather` makes the `Picture` that a frame ends with.
+//! - `resolve` or `gather` makes the layers, of which [`effects`](crate::effects) make a picture.
 
 mod buffers;
 mod crossings;
@@ -16,10 +16,10 @@ mod heights;
 mod input;
 mod kept;
 mod lanes;
+mod layers;
 mod model;
 mod need;
 mod packed;
-mod picture;
 mod pose;
 mod probe;
 mod pyramid;
@@ -45,10 +45,10 @@ pub(crate) use fragments::{FragmentLists, leave_fragments};
 pub(crate) use input::{Input, counted, pixels};
 pub(crate) use kept::KeptContents;
 pub(crate) use lanes::Lanes;
+pub(crate) use layers::{Layered, gather, overlap, picture};
 pub use model::{MeshRange, Model};
 pub(crate) use need::{NEED_OF_CELLS, NEED_OF_SPRITES, need};
 pub use need::{NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_TRIANGLES};
-pub(crate) use picture::{Picture, gather, shading_of};
 pub(crate) use probe::Volume;
 pub use pyramid::ReliefWalk;
 pub(crate) use pyramid::pyramids;

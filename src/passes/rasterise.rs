@@ -6,10 +6,10 @@
 //!
 //! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
 
-use super::picture::{Picture, layers, overlap, picture};
+use super::layers::{layers, overlap, picture};
 use super::resolve::{cap_normal, constants_of_decision};
 use super::sweep::GROUP;
-use super::{Crossings, Inside, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep};
+use super::{Crossings, Inside, Layered, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep};
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -23,8 +23,8 @@ pub(crate) struct Swept {
     nearest: ResourceId,
     /// The list of pixels that show something.
     painted: ResourceId,
-    /// The picture, all background.
-    picture: ResourceId,
+    /// The picture, all background, where it is made along with the layers.
+    picture: Option<ResourceId>,
     /// How the screen of the frame was gone over, and the table of the parts on it.
     sweep: ResourceId,
     drawn_parts: ResourceId,
@@ -43,7 +43,12 @@ pub(super) fn rasterise(
         |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
     let nearest = of_pixels("nearest", input.pixel_count() * 8);
     let painted = of_pixels("painted", input.pixel_count() * 4 + 4);
-    let picture = picture(plan, input);
+    let picture = input.is_plain().then(|| picture(plan, input));
+    let mut freshened = vec![
+        Binding::write("nearest", nearest),
+        Binding::write("painted", painted),
+    ];
+    freshened.extend(picture.map(|p| Binding::write("picture", p)));
     let of = ScreenOf {
         name: "",
         view: input.view,
@@ -51,12 +56,11 @@ pub(super) fn rasterise(
         clock: Clock::Frame,
         ranks: &input.relevance.order,
         settles: true,
-        fresh: "lib/fresh/frame.wgsl",
-        freshened: vec![
-            Binding::write("nearest", nearest),
-            Binding::write("painted", painted),
-            Binding::write("picture", picture),
-        ],
+        fresh: match picture {
+            Some(_) => "lib/fresh/picture.wgsl",
+            None => "lib/fresh/layers.wgsl",
+        },
+        freshened,
     };
     let screen = Screen::record(plan, scene, of)?;
     let marking = Sweep {
@@ -101,7 +105,7 @@ pub(super) fn decide_and_paint(
     swept: Swept,
     inside: Inside,
     crossings: &Crossings,
-) -> Picture {
+) -> Layered {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![
         scene.frame.clone(),
@@ -125,38 +129,47 @@ pub(super) fn decide_and_paint(
     paint(plan, scene, swept, layers)
 }
 
-fn paint(plan: &mut Plan, scene: &SceneBuffers<'_>, swept: Swept, layers: ResourceId) -> Picture {
+/// Completes the layers of what is not background, and colours it where that is all that the style asks for.
+fn paint(plan: &mut Plan, scene: &SceneBuffers<'_>, swept: Swept, layers: ResourceId) -> Layered {
     let groups = scene.input.pixel_count().div_ceil(u64::from(GROUP));
     let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
     let [vertices, indices] = scene.mesh_in_storage(Clock::Frame);
     let mut bindings = vec![
         scene.frame.clone(),
         scene.cut_table.clone(),
-        scene.parts.clone(),
         vertices,
         indices,
-        scene.place_of_part.clone(),
         Binding::read("painted", swept.painted),
         Binding::update("layers", layers),
-        Binding::update("picture", swept.picture),
         Binding::read("sweep", swept.sweep),
         Binding::read("drawn_parts", swept.drawn_parts),
     ];
     let cap_normal = cap_normal(scene, &mut bindings);
-    let overlap = overlap(plan, scene.input, &mut bindings);
+    let mut shader = Shader::from("passes/rasterise/paint.wgsl").with(cap_normal);
+    let mut reason =
+        "the triangle that claimed a pixel gives it part, side and normal, a cap has its own";
+    shader = match swept.picture {
+        Some(picture) => {
+            reason = "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both";
+            let colouring = [scene.parts.clone(), scene.place_of_part.clone()];
+            bindings.extend(colouring);
+            bindings.push(Binding::update("picture", picture));
+            let overlap = overlap(plan, scene.input, &mut bindings);
+            shader.with("lib/coloring/lit.wgsl").with(overlap)
+        }
+        None => shader.with("lib/coloring/none.wgsl"),
+    };
     let pass = Pass::new(
         "paint",
-        "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both",
-        Shader::from("passes/rasterise/paint.wgsl")
-            .with(cap_normal)
-            .with(overlap),
+        reason,
+        shader,
         bindings,
         Work::Compute {
             groups: [groups, 1, 1],
         },
     );
     plan.add_pass(pass.with_constants(vec![("stride", f64::from(groups * GROUP))]));
-    Picture {
+    Layered {
         layers,
         picture: swept.picture,
     }

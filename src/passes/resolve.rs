@@ -4,9 +4,9 @@
 //! and, where they have crossings, to cut parts. After the GPU's own rasteriser it is one pass; the compute rasteriser has
 //! `decide` and `paint` in its place.
 
-use super::picture::{Picture, layers, shade};
+use super::layers::layers;
 use super::rasterise::decide_and_paint;
-use super::{Crossings, NearestKept, SceneBuffers, Surfaces};
+use super::{Crossings, Layered, NearestKept, SceneBuffers, Surfaces};
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -37,14 +37,14 @@ impl Inside {
     }
 }
 
-/// Records the passes that decide and shade.
+/// Records the passes that decide.
 pub(crate) fn resolve(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     nearest: NearestKept,
     inside: Inside,
     crossings: &Crossings,
-) -> Picture {
+) -> Layered {
     match nearest {
         NearestKept::Drawn(surfaces) => resolve_drawn(plan, scene, &surfaces, inside, crossings),
         NearestKept::Swept(swept) => decide_and_paint(plan, scene, swept, inside, crossings),
@@ -57,7 +57,7 @@ fn resolve_drawn(
     surfaces: &Surfaces,
     inside: Inside,
     crossings: &Crossings,
-) -> Picture {
+) -> Layered {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![
         scene.frame.clone(),
@@ -79,7 +79,10 @@ fn resolve_drawn(
         Work::over(scene.input.view.size_px),
     );
     plan.add_pass(pass.with_constants(constants_of_decision(scene)));
-    shade(plan, scene, layers)
+    Layered {
+        layers,
+        picture: None,
+    }
 }
 
 /// The constants of a pass that decides.

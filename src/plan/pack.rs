@@ -15,6 +15,7 @@ pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
+pub use style::Style;
 
 /// A shared struct's fields, for the layout test: name, offset, size.
 pub trait Layout: Pod {
@@ -47,6 +48,7 @@ mod pose;
 mod pyramid;
 mod refinement;
 mod sprite;
+mod style;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
 pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement, SHARED};

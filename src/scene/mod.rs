@@ -8,6 +8,7 @@ mod bounds;
 mod camera;
 mod clip_surface;
 mod coincide;
+mod color;
 mod cut;
 mod cutter;
 mod doubled;
@@ -30,6 +31,7 @@ mod regions;
 pub mod relief;
 mod settled;
 mod smooth;
+pub mod style;
 pub(crate) mod topology;
 mod upright;
 pub(crate) mod weld;
@@ -41,6 +43,7 @@ pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub(crate) use coincide::lies_in;
+pub(crate) use color::{linear_from_srgb, map_channels, srgb_from_linear};
 pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
 pub use cutter::Cutter;
@@ -67,6 +70,7 @@ pub use regions::{Block, Face, Wedge};
 pub(crate) use regions::{in_common, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
 pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
+pub use style::Style;
 pub(crate) use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
 
@@ -86,6 +90,8 @@ pub struct Scene {
     pub stage: Option<Bounds>,
     /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
     pub interference: Option<glam::Vec3>,
+    /// How it looks.
+    pub style: Style,
 }
 
 impl Scene {

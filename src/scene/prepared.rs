@@ -20,7 +20,8 @@ use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, SurfaceFrame, View, Wrap, who_wins,
+    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, Style, SurfaceFrame, View, Wrap,
+    who_wins,
 };
 
 mod cuts;
@@ -126,6 +127,8 @@ pub struct Prepared {
     pub scale: f64,
     /// As of the scene.
     pub interference: Option<Vec3>,
+    /// How it looks.
+    pub style: Style,
     camera: Camera,
 }
 
@@ -172,6 +175,7 @@ impl Prepared {
             centre_in_world: space.centre_in_world,
             scale: space.scale,
             interference: scene.interference,
+            style: scene.style,
             camera: scene.camera,
         }
     }

@@ -6,7 +6,9 @@
 //! structures of its own: sprites and posed vertices are made once for each, and the mesh is read once for each.
 
 use super::encode::Last;
+use super::rows::Rows;
 use super::{Drawn, MOST_TRIES, Outcome};
+use crate::effects;
 use crate::gpu::{Clip, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
@@ -15,24 +17,17 @@ use crate::strategies::{Obstacle, Refusal};
 use crate::{Error, Result};
 
 /// Some rows of the frame.
-#[derive(Default)]
 pub(super) struct Band {
     pub(super) program: Program,
-    pub(super) first_row: u32,
-    pub(super) rows: u32,
+    pub(super) rows: Rows,
     /// What puts it into the attachments of a host, with the generation of the program that it was made for.
     pub(super) compositor: Option<(u64, Compositor)>,
 }
 
 impl Band {
-    /// Width and height, in a picture of a size.
-    pub(super) fn size_px(&self, of: [u32; 2]) -> [u32; 2] {
-        [of[0], self.rows]
-    }
-
-    /// Its rows of a view.
-    pub(super) fn view(&self, of: &View) -> View {
-        of.rows(self.first_row, self.rows)
+    /// Width and height of what it draws, in a picture of a width.
+    pub(super) fn drawn_px(&self, width: u32) -> [u32; 2] {
+        [width, self.rows.drawn().1]
     }
 }
 
@@ -42,6 +37,8 @@ pub(super) struct Slot {
     /// From the top.
     pub(super) bands: Vec<Band>,
     pub(super) size_px: [u32; 2],
+    /// Rows around a band that its effects look at.
+    halo_rows: u32,
     pub(super) capacities: Option<Capacities>,
     /// The model that the capacities were learnt from.
     model: Option<Model>,
@@ -99,9 +96,13 @@ impl Slot {
             // What one solid needed at one size says nothing of another.
             self.capacities = None;
         }
+        let halo_rows = effects::halo_rows(&model.prepared.style, view);
         if self.size_px != view.size_px || self.bands.is_empty() {
-            self.size_px = view.size_px;
+            (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
             self.cut_into(1);
+        } else if self.halo_rows != halo_rows {
+            self.halo_rows = halo_rows;
+            self.cut_into(self.bands.len() as u32);
         }
         self.model = Some(model.clone());
         self.refused = Some("it has drawn no frame".to_owned());
@@ -111,7 +112,11 @@ impl Slot {
 
     /// Cuts the picture into twice as many bands, if they may be smaller.
     pub(super) fn cut_smaller(&mut self) -> bool {
-        if self.bands.iter().any(|b| b.rows <= Capacities::FEWEST_ROWS) {
+        if self
+            .bands
+            .iter()
+            .any(|b| b.rows.count <= Capacities::FEWEST_ROWS)
+        {
             // The next frame begins in one piece: this one says nothing of how many pieces would do.
             self.cut_into(1);
             return false;
@@ -136,15 +141,10 @@ impl Slot {
     }
 
     fn cut_into(&mut self, count: u32) {
-        let row = |band: u32| {
-            let rows = u64::from(self.size_px[1]) * u64::from(band) / u64::from(count);
-            rows as u32
-        };
-        let bands = (0..count).map(|band| Band {
+        let bands = Rows::bands(self.size_px[1], count, self.halo_rows).map(|rows| Band {
             program: Program::default(),
+            rows,
             compositor: None,
-            first_row: row(band),
-            rows: row(band + 1) - row(band),
         });
         self.bands = bands.collect();
     }
@@ -173,7 +173,7 @@ impl Slot {
             times: RunTimes::default(),
         };
         for band in &mut self.bands {
-            let view = band.view(view);
+            let view = band.rows.view(view);
             match band.draw(gpu, is_timed, capacities, |capacities| {
                 record(&view, capacities)
             })? {

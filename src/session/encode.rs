@@ -136,7 +136,7 @@ impl Slot {
         'cut: loop {
             let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
             for band in &mut self.bands {
-                let recorded = match record(&band.view(view), capacities) {
+                let recorded = match record(&band.rows.view(view), capacities) {
                     Ok(recorded) => recorded,
                     Err(refusal) => return Ok(Err(refusal)),
                 };
@@ -196,8 +196,8 @@ impl Band {
             Some(made) => made,
             None => (generation, self.program.compositor(gpu, target)?),
         };
-        let size_px = [width, self.rows];
-        (made.1).encode(gpu, encoder, target, self.first_row, size_px, scale);
+        let rows = (self.rows.drawn(), (self.rows.first, self.rows.count));
+        (made.1).encode(gpu, encoder, target, rows, width, scale);
         self.compositor = Some(made);
         Ok(())
     }

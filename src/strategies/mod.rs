@@ -19,7 +19,8 @@ pub(crate) use row::{Answers, Caps};
 
 use std::fmt::Display;
 
-use crate::passes::{Input, Lanes, Model, Picture, SceneBuffers, Surfaces, gather};
+use crate::effects::{Picture, finish};
+use crate::passes::{Input, Lanes, Model, SceneBuffers, Surfaces, gather};
 use crate::plan::{Capacities, CpuWork, Plan, Recorded};
 use crate::scene::{HeightFilter, View};
 
@@ -88,7 +89,8 @@ fn record_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> 
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
     let mut surfaces = Surfaces::new(plan, &scene);
     surfaces.draw_plain_parts(plan, &scene, false);
-    Ok(gather(plan, &scene, &surfaces))
+    let layered = gather(plan, &scene, &surfaces);
+    Ok(finish(plan, &scene, layered))
 }
 
 /// The passes where a cut opens some part.

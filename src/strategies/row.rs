@@ -9,7 +9,8 @@ use std::hash::{Hash, Hasher};
 use std::ops::Range;
 
 use super::surface::tessellation::Tessellation;
-use crate::passes::{Crossings, Input, Picture, Refusal, SceneBuffers, Store, Volume};
+use crate::effects::Picture;
+use crate::passes::{Crossings, Input, Refusal, SceneBuffers, Store, Volume};
 use crate::plan::{CpuWork, Plan};
 
 /// A parameter that follows the name of a row, as in `grid:256`.

@@ -196,6 +196,7 @@ fn every_module_is_declared_and_on_the_map() {
         "shader",
         "plan",
         "passes",
+        "effects",
         "strategies",
         "gpu",
         "session",

@@ -45,6 +45,7 @@ mod shapes;
 mod sheets;
 mod slice;
 mod strategies;
+mod style;
 mod timelines;
 mod winding;
 mod words;

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use command::Scratch;
-use cutaway::document::{Background, Settings, Timeline, section};
+use cutaway::document::{Settings, Timeline, section};
 use cutaway::error::Result;
 use cutaway::load::{Assets, Loaded, read_offset_map};
 use cutaway::scene::relief::{Procedure, ProcedureKind};
+use cutaway::scene::style::Paper;
 use cutaway::scene::{Fill, Mesh, Part, Projection, Role, Up, Viewpoint, Wrap};
 use glam::{DVec3, Vec3};
 
@@ -125,12 +126,12 @@ values = [[0, 0, -1], [0, 0, 1]]
     assert_eq!(scene.name, "scene", "name of the scene");
     let expected = Settings {
         size_px: Some([640, 480]),
-        background: Some(Background::Color(Vec3::ONE)),
         strategy: Some("raycast+mask".to_owned()),
         ..Settings::default()
     };
     assert_eq!(file.settings(), &expected);
     assert_eq!(scene.interference, Some(Vec3::Z));
+    assert_eq!(scene.style.paper, Paper::Color(Vec3::ONE));
 
     let camera = scene.camera;
     assert_eq!(

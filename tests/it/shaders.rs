@@ -14,7 +14,7 @@ use cutaway::plan::pack::{
     Sweep,
 };
 use cutaway::plan::{Capacities, Work};
-use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Wrap};
+use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
 use cutaway::shader::{self, Composed, Finding, Rule, StructLayout, lint};
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
@@ -341,6 +341,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
         camera: Camera::default(),
         stage: None,
         interference: None,
+        style: Style::default(),
         name: String::new(),
     };
     let model = Model::new(&scene);

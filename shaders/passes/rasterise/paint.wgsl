@@ -1,21 +1,18 @@
-// Completes the layers of the pixels that are not background, and colours them: part, side and normal of the triangle that claimed a
-// surface, the normal of a cap. Invocations share the list of pixels.
+// Completes the layers of the pixels that are not background: part, side and normal of the triangle that claimed a surface, the normal
+// of a cap. The open module `coloring` colours them, or leaves that to others. Invocations share the list of pixels.
 //
 // Weights of the corners are found in scene space, where the ray through the pixel centre meets the triangle's plane: right in
 // perspective, and for clipped triangles as well. They shade; they decide nothing.
 
 #import cutaway::cap_normal::packed_cap_normal
 #import cutaway::claims::{is_front, triangle_of}
+#import cutaway::coloring::color_pixel
 #import cutaway::frame::{Ray, frame, centre_of, ray_through}
-#import cutaway::layers::{BACK_FACE, NEAR_PLANE, SURFACE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal, part_of, unpack_normal}
-#import cutaway::light::color_of
+#import cutaway::layers::{BACK_FACE, NEAR_PLANE, SURFACE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::facing
 #import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
 
 @group(1) @binding(0) var<storage, read_write> layers: array<u32>;
-// Place of each part of the scene in the table.
-@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
-@group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 // How many pixels there are, then their numbers.
 @group(1) @binding(6) var<storage, read> painted: array<u32>;
 @group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
@@ -79,7 +76,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             }
             layers[first] = word;
             layers[first + 1u] = normal;
-            picture[pixel] = color_of(at, word, normal, place_of_part[part_of(word)]);
+            color_pixel(pixel, at, word, normal);
         }
     }
 }

@@ -60,8 +60,8 @@ impl Film<'_> {
         };
         let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
-        let style = subject.style();
-        let drawn = picture::draw(session, &self.shown, &view, self.renderer, style)?;
+        let fineness = subject.supersample();
+        let drawn = picture::draw(session, &self.shown, &view, self.renderer, fineness)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
         if let (0, Renderer::Method(method), Outcome::Complete) =
             (frame, self.renderer, &report.outcome)

@@ -14,7 +14,7 @@ use crate::error::{Result, did_you_mean};
 static KEYS: Keys = Keys::below("key.*");
 
 /// Tables whose numbers can move: the rest of a file is no part of the scene.
-const MOVABLE: [&str; 4] = ["camera", "part", "cut", "relief"];
+const MOVABLE: [&str; 5] = ["camera", "part", "cut", "relief", "style"];
 
 /// What lies between two values of a key.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -72,7 +72,8 @@
 //!
 //! ```toml
 //! resolution = [1024, 768]
-//! background = "#ffffff"                 # or "transparent"
+//! background = "#ffffff"                 # or "paper", "gradient", "transparent"
+//! style = "technical"                    # or [style] with base = "technical" and changes
 //! interference = "#ff00aa"               # hatches caps that several solids share
 //! supersample = 2                        # so many times as fine along each side, 1 to 4
 //! time_s = 0.5                           # the moment that is shown
@@ -122,6 +123,7 @@
 //! ```
 
 mod camera;
+mod check;
 mod cuts;
 mod cutters;
 mod defects;
@@ -133,31 +135,31 @@ mod regions;
 mod reliefs;
 mod settings;
 mod stock;
+mod style;
 mod table;
 mod target;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use glam::DVec3;
-
 pub(super) use camera::Seen;
+pub(super) use check::check;
 pub use keys::{Interpolation, Key};
 pub(super) use keys::{Keyed, Moment};
 use reader::{Entry, Source, Table};
 pub(super) use reliefs::{Images, Resolved};
-pub use settings::{Background, Settings};
+pub use settings::Settings;
 use stock::Opening;
 pub(super) use stock::PartSource;
+pub(super) use style::is_file as is_style_file;
+pub use style::{named_style, style_names};
 
 use super::node::Node;
-use super::paths::{Keys, keys_below};
+use super::paths::Keys;
 use crate::error::Result;
 use crate::generate::defects::Defect;
-use crate::generate::shapes;
 use crate::load::Assets;
-use crate::load::frames::Pattern;
-use crate::scene::{Bounds, ClipSurface, Outwards, Part, Scene, Up};
+use crate::scene::{Bounds, ClipSurface, Outwards, Part, Scene, Style, Up};
 
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");
@@ -170,6 +172,8 @@ pub(super) struct Stock {
     /// Of each cut.
     cutters: Vec<Option<cutters::CutterSource>>,
     images: Images,
+    /// On which the style of the document are changes, if it has one.
+    pub(super) style: Option<Style>,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
     /// All that were read.
@@ -203,87 +207,16 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
     let parts = stock::open(&parts, &mut opening)?;
     let cutters = cutters::open(&cuts, &mut opening)?;
     let images = reliefs::open(root, folder, opening.assets)?;
+    let style = style::open(root, &mut opening)?;
     opening.files.extend(images.files().cloned());
     Ok(Stock {
         parts,
         cutters,
         images,
+        style,
         notes: opening.notes,
         files: opening.files,
     })
-}
-
-/// Checks what can be checked before anything is opened.
-pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
-    must_be_known(&root.entry, "")?;
-    settings::read(root)?;
-    keys::read(root)?;
-    // Where it looks is known when what it looks at is.
-    let is_whole = |camera: &Entry<'_>| {
-        let has = |key: &str| camera.node.get(key).is_some();
-        has("focal_point") || !has("position")
-    };
-    if let Some(camera) = root.get("camera").filter(is_whole) {
-        camera::read(&camera, &Bounds::from_points([DVec3::ZERO, DVec3::ONE]))?;
-    }
-    for entry in root.tables("part")? {
-        let table = entry.table(parts::KEYS.all())?;
-        match (table.get("shape"), table.get("mesh")) {
-            (Some(shape), _) => {
-                shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;
-            }
-            (None, Some(mesh)) => must_be_there(&mesh, folder, assets)?,
-            (None, None) => {}
-        }
-    }
-    for entry in root.tables("cut")? {
-        let volume = entry.table(cuts::KEYS.all())?.get("volume");
-        match volume {
-            Some(shape) if shape.text()?.starts_with("shape:") => {
-                shapes::check(shape.text()?).map_err(|e| shape.place(e))?;
-            }
-            Some(mesh) => must_be_there(&mesh, folder, assets)?,
-            None => {}
-        }
-    }
-    Ok(())
-}
-
-/// Refuses keys that no reader knows, all the way down.
-fn must_be_known(entry: &Entry<'_>, above: &str) -> Result<()> {
-    let below = |key: &str| match above {
-        "" => key.to_owned(),
-        above => format!("{above}.{key}"),
-    };
-    let known = keys_below(above);
-    let is_named = known.contains(&"*");
-    if entry.is_list() && !known.is_empty() {
-        // A `box` may be a list of some, which paths do not tell.
-        let above = if is_named {
-            below("*")
-        } else {
-            above.to_owned()
-        };
-        return (entry.list()?.into_iter()).try_for_each(|e| must_be_known(&e.named(), &above));
-    }
-    if !entry.is_table() || known.is_empty() {
-        return Ok(());
-    }
-    let table = if is_named {
-        entry.open_table()?
-    } else {
-        entry.table(&known)?
-    };
-    let mut all = table.all();
-    all.try_for_each(|(key, e)| must_be_known(&e, &below(if is_named { "*" } else { key })))
-}
-
-fn must_be_there(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result<()> {
-    let path = folder.join(entry.text()?);
-    if assets.has_mesh(&path) || Pattern::is_in(entry.text()?) {
-        return Ok(());
-    }
-    Err(stock::missing(entry, &path))
 }
 
 /// What a document asks for beside the scene itself.
@@ -311,6 +244,11 @@ pub(super) fn parts(
     Ok(all)
 }
 
+/// How it looks.
+pub(super) fn style(root: &Table<'_>, stock: &Stock) -> Result<Style> {
+    style::read(root, stock.style.unwrap_or_default())
+}
+
 /// The scene of some parts, and its camera.
 pub(super) fn scene(
     root: &Table<'_>,
@@ -323,6 +261,7 @@ pub(super) fn scene(
         parts,
         stage,
         interference: settings::interference(root)?,
+        style: style(root, stock)?,
         ..Scene::default()
     };
     let bounds = scene.bounds();

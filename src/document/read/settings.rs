@@ -16,8 +16,6 @@ pub struct Settings {
     pub rasteriser: Option<String>,
     /// Width and height of the picture in pixels.
     pub size_px: Option<[u32; 2]>,
-    /// What is behind the model.
-    pub background: Option<Background>,
     /// Who interpolates the heights of reliefs.
     pub height_filter: Option<HeightFilter>,
     /// How many times as fine it is drawn along each side.
@@ -38,15 +36,6 @@ impl Settings {
     }
 }
 
-/// What is behind the model.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Background {
-    /// One colour, as sRGB in 0..=1.
-    Color(Vec3),
-    /// Nothing.
-    Transparent,
-}
-
 static STRATEGY: Keys = Keys::below("strategy");
 
 pub(super) fn read(root: &Table<'_>) -> Result<Settings> {
@@ -61,7 +50,6 @@ pub(super) fn read(root: &Table<'_>) -> Result<Settings> {
             .map(str::to_owned);
     }
     settings.size_px = root.get("resolution").map(|e| size_px(&e)).transpose()?;
-    settings.background = root.get("background").map(|e| background(&e)).transpose()?;
     interference(root)?;
     if let Some(entry) = root.get("height_filter") {
         let [exact, hardware] = [HeightFilter::Exact, HeightFilter::Hardware];
@@ -99,13 +87,6 @@ fn clip(entry: &Entry<'_>) -> Result<String> {
 /// The colour of caps that several solids share, where they are to be shown.
 pub(super) fn interference(root: &Table<'_>) -> Result<Option<Vec3>> {
     root.get("interference").map(|e| color(&e)).transpose()
-}
-
-fn background(entry: &Entry<'_>) -> Result<Background> {
-    match entry.text()? {
-        "transparent" => Ok(Background::Transparent),
-        _ => color(entry).map(Background::Color),
-    }
 }
 
 /// `#rrggbb` or `#rgb`.

@@ -23,7 +23,7 @@ use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{Bounds, Clip, Outwards, Part, Scene, Viewpoint};
+use crate::scene::{Bounds, Clip, Outwards, Part, Scene, Style, Viewpoint};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -95,6 +95,17 @@ impl Timeline {
         timeline.settings = settings;
         timeline.try_keys()?;
         Ok(timeline)
+    }
+
+    /// The same, which looks otherwise where the document names no style.
+    ///
+    /// # Errors
+    ///
+    /// Changes on a style that make no sense of this one.
+    pub fn with_usual_style(mut self, style: Style) -> Result<Self> {
+        self.stock.style.get_or_insert(style);
+        self.rest.style = self.read_at(0.0, |root| read::style(root, &self.stock))?;
+        Ok(self)
     }
 
     /// What is drawn where nobody asks for a time: the moment that the document asks for, or else what it shows at rest, the numbers as

@@ -1,7 +1,9 @@
 //! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
 //! numbered regression as they print.
 
-use crate::scene::{Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Viewpoint, Wrap};
+use crate::scene::{
+    Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Style, Viewpoint, Wrap,
+};
 use glam::{DAffine3, DVec3};
 
 use crate::hard_cases::numbers::Numbers;
@@ -143,6 +145,7 @@ impl Recipe {
             },
             stage: None,
             interference: None,
+            style: Style::default(),
         }
     }
 

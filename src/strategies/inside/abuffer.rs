@@ -13,9 +13,10 @@
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice; where
 //! they are more than a storage binding holds, in bands of rows.
 
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    FragmentLists, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, leave_fragments, need,
-    over_mesh, resolve,
+    FragmentLists, Input, Inside, Lanes, Refusal, SceneBuffers, leave_fragments, need, over_mesh,
+    resolve,
 };
 use crate::plan::{Binding, Clock, Pass, Plan, Work};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
@@ -90,5 +91,6 @@ fn record(
     );
     plan.add_pass(reduce.with_constants(vec![scene.lanes.constant()]));
     let inside = Inside::mask(mask);
-    Ok(resolve(plan, &scene, nearest, inside, &crossings))
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok(finish(plan, &scene, layered))
 }

@@ -11,9 +11,9 @@
 //! Cannot: tell what lies behind the K-th. There it marks the pixel, and the frame reports how many it would have needed; K is
 //! the user's number and does not grow by itself.
 
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    Input, Inside, Lanes, NEED_OF_FRAGMENTS, Picture, Refusal, SceneBuffers, Store, need,
-    over_mesh, resolve,
+    Input, Inside, Lanes, NEED_OF_FRAGMENTS, Refusal, SceneBuffers, Store, need, over_mesh, resolve,
 };
 use crate::plan::pack::Cascade;
 use crate::plan::{Binding, Bounded, Clock, Contents, Pass, Plan, Resource, Role, Work};
@@ -100,5 +100,6 @@ fn record(
         exact: false,
     });
     let inside = Inside::mask(mask);
-    Ok(resolve(plan, &scene, nearest, inside, &crossings))
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok(finish(plan, &scene, layered))
 }

@@ -23,9 +23,8 @@
 //! do not agree on what is out make as well. Where the near plane meets a part's box an odd
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
-use crate::passes::{
-    Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
-};
+use crate::effects::{Picture, finish};
+use crate::passes::{Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve};
 use crate::plan::{Binding, Plan};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
@@ -78,5 +77,6 @@ fn record(
         true => Inside::winding(mask),
         false => Inside::mask(mask),
     };
-    Ok(resolve(plan, &scene, nearest, inside, &crossings))
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok(finish(plan, &scene, layered))
 }

@@ -14,8 +14,9 @@ use std::ops::Range;
 
 use super::row::CapSurface;
 use super::surface;
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, Volume, over_mesh, resolve,
+    Input, Inside, Lanes, Refusal, SceneBuffers, Store, Volume, over_mesh, resolve,
 };
 use crate::plan::{Binding, Plan};
 
@@ -38,5 +39,6 @@ pub(super) fn probed(
         volume.probe(plan, &scene, places, mask, &crossings);
     }
     let inside = Inside::mask(mask);
-    Ok(resolve(plan, &scene, nearest, inside, &crossings))
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok(finish(plan, &scene, layered))
 }

@@ -11,8 +11,9 @@
 use std::ops::Range;
 
 use super::tessellation::{Tessellation, instance};
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    DrawPass, Input, Lanes, Picture, Refusal, SceneBuffers, Surfaces, Volume, counted, gather,
+    DrawPass, Input, Lanes, Refusal, SceneBuffers, Surfaces, Volume, counted, gather,
 };
 use crate::plan::{Draw, Plan, Vertices};
 use crate::shader::Shader;
@@ -69,7 +70,8 @@ pub(crate) fn record(
             surfaces.draw(plan, pass);
         }
     }
-    Ok(gather(plan, &scene, &surfaces))
+    let layered = gather(plan, &scene, &surfaces);
+    Ok(finish(plan, &scene, layered))
 }
 
 /// The caps that the near plane makes in the parts that an image of volumes answers for, by rank.

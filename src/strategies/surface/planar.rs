@@ -23,9 +23,10 @@
 //! thus all pixels that parity would draw otherwise, and many that are right: also those where something nearer hides the plane. An
 //! open mesh whose sections close is drawn unmarked, for they are known; what its holes let through to is what there is.
 
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    Crossings, Input, Inside, Lanes, NearestKept, Obstacle, Picture, Refusal, SceneBuffers,
-    Sections, Store, counted, over_mesh, resolve,
+    Crossings, Input, Inside, Lanes, NearestKept, Obstacle, Refusal, SceneBuffers, Sections, Store,
+    counted, over_mesh, resolve,
 };
 use crate::plan::{Binding, CpuWork, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
 use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
@@ -80,7 +81,8 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>),
         draw(plan, &scene, &nearest, &sections, mask, &crossings);
     }
     let inside = Inside::mask(mask);
-    let picture = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let picture = finish(plan, &scene, layered);
     Ok((picture, on_cpu))
 }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use cutaway::exact::{Exact, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{
-    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Prepared, Projection, Scene, Viewpoint, Wrap,
+    Camera, ClipSurface, Cut, Mesh, OffsetMap, Part, Prepared, Projection, Scene, Style, Viewpoint,
+    Wrap,
 };
 use glam::{DVec3, dvec3};
 
@@ -130,6 +131,7 @@ pub(crate) fn scene(meshes: Vec<Mesh>, cuts: Vec<Vec<ClipSurface>>, camera: Came
             .map(|(i, s)| Cut::new(format!("c{i}"), s))
             .collect(),
         camera,
+        style: Style::default(),
         stage: None,
         interference: None,
     }

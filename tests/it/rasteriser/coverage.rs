@@ -4,7 +4,7 @@
 
 use cutaway::Model;
 use cutaway::plan::Clock;
-use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Part, Scene};
+use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Part, Scene, Style};
 use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::DVec3;
@@ -45,6 +45,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         camera: *camera,
         stage: None,
         interference: None,
+        style: Style::default(),
     };
     let model = Model::new(&scene);
     let view = model.prepared.view_of(camera, SIZE);

@@ -13,9 +13,8 @@
 //! which it draws streaks unmarked; count beyond 255 shells. It refuses where the near plane, which goes on beyond the picture, meets the box of a part that is cut, though nothing
 //! of that be seen.
 
-use crate::passes::{
-    DrawPass, Input, Lanes, Obstacle, Picture, Refusal, SceneBuffers, Surfaces, gather,
-};
+use crate::effects::{Picture, finish};
+use crate::passes::{DrawPass, Input, Lanes, Obstacle, Refusal, SceneBuffers, Surfaces, gather};
 use crate::plan::{CpuWork, Draw, Plan, Stencil, StencilStep, Vertices};
 use crate::scene::Fill;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
@@ -52,7 +51,8 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>),
         draw_part(plan, &scene, &mut surfaces, *rank);
     }
     surfaces.draw_plain_parts(plan, &scene, false);
-    Ok((gather(plan, &scene, &surfaces), Vec::new()))
+    let layered = gather(plan, &scene, &surfaces);
+    Ok((finish(plan, &scene, layered), Vec::new()))
 }
 
 /// Draws what the plane leaves of a part, by rank, and its cap.

@@ -17,8 +17,9 @@
 
 pub(crate) mod alone;
 
+use crate::effects::{Picture, finish};
 use crate::passes::{
-    Crossings, Input, Inside, Lanes, Picture, Refusal, SceneBuffers, Store, over_mesh, resolve,
+    Crossings, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
@@ -112,7 +113,8 @@ fn record(
         }
     }
     let inside = Inside::mask(mask);
-    Ok(resolve(plan, &scene, nearest, inside, &crossings))
+    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    Ok(finish(plan, &scene, layered))
 }
 
 /// What the batches share.

@@ -1,0 +1,136 @@
+// Finds the borders of a picture from its layers. One invocation owns a pixel, with the borders on its right and below it.
+//
+// Depth: on a plane, 1 / depth is linear in the picture (depth is, where rays are parallel). Each of two samples is predicted from its
+// own side; a border is where both predictions and the samples themselves miss by more than some widths of a pixel. So a plane at a
+// grazing angle has none. Where a ball ends, its last sample may lie far behind the one before it: there is no border either where the
+// tangent plane of the farther of two samples goes as far.
+//
+// A sample whose two opposite neighbours agree with each other and not with it is a sliver: it is taken for what it lies in, for
+// strokes around it would be a row of dots. Where neither of two samples is reliable there is no stroke between them.
+
+#import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART}
+#import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
+#import cutaway::layers::{BACKGROUND, CAP, SURFACE, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, part_of, unpack_normal}
+#import cutaway::style::style
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+@group(1) @binding(1) var<storage, read_write> borders: array<u32>;
+
+// What makes two samples alike: kind, clip-surface, part.
+const LIKENESS: u32 = 0xffffff03u;
+
+fn is_in_picture(at: vec2<i32>) -> bool {
+    return all(at >= vec2<i32>(0)) && all(at < vec2<i32>(frame.size_px));
+}
+
+fn first_word(at: vec2<i32>) -> u32 {
+    return pixel_index(vec2<u32>(at)) * WORDS_PER_PIXEL;
+}
+
+fn word_at(at: vec2<i32>) -> u32 {
+    return layers[first_word(at)];
+}
+
+fn depth_at(at: vec2<i32>) -> f32 {
+    return bitcast<f32>(layers[first_word(at) + 2u]);
+}
+
+// What is linear on planes.
+fn reach_at(at: vec2<i32>) -> f32 {
+    let depth = depth_at(at);
+    return select(1.0 / depth, depth, frame.orthographic != 0u);
+}
+
+fn is_sliver_along(at: vec2<i32>, step: vec2<i32>) -> bool {
+    if !is_in_picture(at - step) || !is_in_picture(at + step) {
+        return false;
+    }
+    let before = word_at(at - step) & LIKENESS;
+    let behind = word_at(at + step) & LIKENESS;
+    return before == behind && kind_of(before) != BACKGROUND && (word_at(at) & LIKENESS) != before;
+}
+
+fn is_sliver(at: vec2<i32>) -> bool {
+    return is_sliver_along(at, vec2<i32>(1, 0)) || is_sliver_along(at, vec2<i32>(0, 1));
+}
+
+// The value of a sample as the plane through the two samples before it has it, or what it is next to where there are no two.
+fn predicted(origin: vec2<i32>, step: vec2<i32>) -> f32 {
+    let near = reach_at(origin);
+    let behind = origin - step;
+    if is_in_picture(behind) && ((word_at(behind) ^ word_at(origin)) & LIKENESS) == 0u {
+        return 2.0 * near - reach_at(behind);
+    }
+    return near;
+}
+
+fn jumps(at: vec2<i32>, next: vec2<i32>, step: vec2<i32>) -> bool {
+    let here = reach_at(at);
+    let there = reach_at(next);
+    let missed = min(abs(predicted(at, step) - there), abs(predicted(next, -step) - here));
+    let pixel = length(frame.ray_step[0].xyz) * select(min(here, there), 1.0, frame.orthographic != 0u);
+    return min(missed, abs(here - there)) > style.depth_px * pixel;
+}
+
+// Whether the tangent plane of the farther of two samples explains most of the way between them, or is edge-on between them.
+fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
+    let depths = vec2<f32>(depth_at(at), depth_at(next));
+    let is_first = depths.x > depths.y;
+    let far = select(next, at, is_first);
+    let far_ray = ray_through(centre_of(vec2<u32>(far)));
+    let near_ray = ray_through(centre_of(vec2<u32>(select(at, next, is_first))));
+    let normal = unpack_normal(layers[first_word(far) + 1u]);
+    let towards = vec2<f32>(dot(normal, far_ray.direction), dot(normal, near_ray.direction));
+    // A normal that is smoothed may face away where the surface ends.
+    if max(towards.x, towards.y) >= 0.0 {
+        return true;
+    }
+    let depth = max(depths.x, depths.y);
+    let met = dot(normal, far_ray.origin + depth * far_ray.direction - near_ray.origin) / towards.y;
+    return depth - met > 0.67 * abs(depths.x - depths.y);
+}
+
+// The class of the border between a sample and the next one.
+fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
+    let next = at + step;
+    if !is_in_picture(next) {
+        return NO_BORDER;
+    }
+    let here = word_at(at);
+    let there = word_at(next);
+    let kinds = vec2<u32>(kind_of(here), kind_of(there));
+    if (here & there & UNRELIABLE) != 0u || all(kinds == vec2<u32>(BACKGROUND)) || is_sliver(at) || is_sliver(next) {
+        return NO_BORDER;
+    }
+    if any(kinds == vec2<u32>(BACKGROUND)) {
+        return OUTLINE;
+    }
+    let differ = part_of(here) != part_of(there);
+    if any(kinds == vec2<u32>(CAP)) {
+        if kinds.x != kinds.y || differ {
+            return CUT;
+        }
+        if clip_surface_of(here) != clip_surface_of(there) {
+            return FACE;
+        }
+    } else if differ {
+        return PART;
+    }
+    if jumps(at, next, step) && !is_one_surface(at, next) {
+        return CONTOUR;
+    }
+    if kinds.x == SURFACE {
+        let bend = dot(unpack_normal(layers[first_word(at) + 1u]), unpack_normal(layers[first_word(next) + 1u]));
+        return select(NO_BORDER, CREASE, bend < style.crease_cos);
+    }
+    return NO_BORDER;
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let at = vec2<i32>(id.xy);
+    borders[pixel_index(id.xy)] = border(at, vec2<i32>(1, 0)) | (border(at, vec2<i32>(0, 1)) << 4u);
+}

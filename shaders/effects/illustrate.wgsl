@@ -1,0 +1,37 @@
+// Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `shading`,
+// `strokes`, `backdrop`, and `overlap` for caps that several solids share.
+
+#import cutaway::backdrop::backdrop
+#import cutaway::base::base_of
+#import cutaway::color::srgb_from_linear
+#import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
+#import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
+#import cutaway::shading::shaded
+#import cutaway::strokes::stroked
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+// Place of each part of the scene in the table.
+@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
+@group(1) @binding(2) var<storage, read_write> picture: array<u32>;
+
+// Linear light, and how much of the pixel is covered.
+fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
+    let first = pixel * WORDS_PER_PIXEL;
+    let word = layers[first];
+    if kind_of(word) == BACKGROUND {
+        return backdrop(at.y);
+    }
+    let base = base_of(at, word, place_of_part[part_of(word)]);
+    let gaze = normalize(ray_through(centre_of(at)).direction);
+    return vec4<f32>(shaded(base, unpack_normal(layers[first + 1u]), gaze, kind_of(word) == CAP), 1.0);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    let color = stroked(color_at(id.xy, pixel), id.xy);
+    picture[pixel] = pack4x8unorm(vec4<f32>(srgb_from_linear(color.rgb), color.a));
+}

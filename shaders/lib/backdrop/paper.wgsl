@@ -1,0 +1,9 @@
+// Behind the model is the paper of the style, or nothing.
+
+#define_import_path cutaway::backdrop
+
+#import cutaway::style::style
+
+fn backdrop(row: u32) -> vec4<f32> {
+    return style.paper;
+}

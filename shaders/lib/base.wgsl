@@ -1,0 +1,17 @@
+// Colours of parts, before any light.
+// The open module `overlap` says how caps that several solids share differ.
+
+#define_import_path cutaway::base
+
+#import cutaway::color::linear_from_srgb
+#import cutaway::cuts::parts
+#import cutaway::layers::{CAP, kind_of}
+#import cutaway::overlap::cap_base
+
+// The own colour of a pixel with a surface or a cap, in linear light: the first word of its layer, and the place of its part in the
+// table.
+fn base_of(at: vec2<u32>, word: u32, place: u32) -> vec3<f32> {
+    let is_cap = kind_of(word) == CAP;
+    let own = linear_from_srgb(select(parts[place].color.rgb, parts[place].cap_color.rgb, is_cap));
+    return cap_base(own, word, at);
+}

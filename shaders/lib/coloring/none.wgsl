@@ -1,0 +1,6 @@
+// Pixels are coloured by later passes, of which some look at the neighbours.
+
+#define_import_path cutaway::coloring
+
+fn color_pixel(pixel: u32, at: vec2<u32>, word: u32, normal: u32) {
+}

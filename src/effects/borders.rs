@@ -1,0 +1,28 @@
+//! Borders: between which neighbouring samples a stroke belongs, and of what class. One pass over the layers; 4 bytes a pixel.
+
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
+
+/// Finds the borders of layers.
+pub(super) fn borders(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    style: &Binding,
+    layers: ResourceId,
+) -> ResourceId {
+    let bytes = scene.input.pixel_count() * 4;
+    let borders = plan.add_resource(Resource::storage("borders", bytes, Clock::Frame));
+    plan.add_pass(Pass::new(
+        "find borders",
+        "strokes are drawn where neighbouring samples differ in kind, part, clip-surface, depth or fold",
+        "effects/borders.wgsl",
+        vec![
+            scene.frame.clone(),
+            style.clone(),
+            Binding::read("layers", layers),
+            Binding::write("borders", borders),
+        ],
+        Work::over(scene.input.view.size_px),
+    ));
+    borders
+}

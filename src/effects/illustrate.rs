@@ -1,0 +1,116 @@
+//! Illustration: a picture as a style asks, by one pass over the layers and one for each effect that looks at neighbours.
+//!
+//! Cannot: shade what layers do not have, such as what is behind glass.
+
+use glam::Vec3;
+
+use super::Picture;
+use super::borders::borders;
+use crate::passes::{SceneBuffers, overlap, picture};
+use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work, pack};
+use crate::scene::style::{Paper, Shading, Style};
+use crate::scene::{linear_from_srgb, map_channels};
+use crate::shader::Shader;
+
+/// Makes the picture.
+pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
+    let style = scene.input.model.prepared.style;
+    let rows = scene.input.view.band[1];
+    let numbers = Contents::from_values(&[numbers(&style, rows)]);
+    let numbers = Resource::upload("style", Role::Uniform, numbers, Clock::Cut);
+    let numbers = Binding::read("style", plan.add_resource(numbers));
+    let borders = (style.strokes.widest() > 0.0).then(|| borders(plan, scene, &numbers, layers));
+    let picture = picture(plan, scene.input);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        scene.parts.clone(),
+        Binding::read("layers", layers),
+        scene.place_of_part.clone(),
+        Binding::write("picture", picture),
+    ];
+    let overlap = overlap(plan, scene.input, &mut bindings);
+    let mut shader = Shader::from("effects/illustrate.wgsl")
+        .with(overlap)
+        .with(shading(style.shading))
+        .with(match style.paper {
+            Paper::Gradient => "lib/backdrop/gradient.wgsl",
+            Paper::Color(_) | Paper::None => "lib/backdrop/paper.wgsl",
+        });
+    shader = match borders {
+        Some(borders) => {
+            bindings.push(Binding::read("borders", borders));
+            shader.with("lib/strokes/drawn.wgsl")
+        }
+        None => shader.with("lib/strokes/none.wgsl"),
+    };
+    // Gradient, light and no strokes ask for no number of the style.
+    let reads_style = borders.is_some()
+        || style.paper != Paper::Gradient
+        || matches!(style.shading, Shading::Calm | Shading::Gooch);
+    if reads_style {
+        bindings.push(numbers);
+    }
+    let pass = Pass::new(
+        "illustrate",
+        "the style turns layers into a picture",
+        shader,
+        bindings,
+        Work::over(scene.input.view.size_px),
+    );
+    plan.add_pass(pass);
+    Picture { layers, picture }
+}
+
+/// How many rows around a band are looked at, of a picture of so many.
+pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
+    match style.strokes.widest() > 0.0 {
+        // A border two samples beyond a stroke's reach is judged by the sample next to it.
+        true => reach_px(style, rows) as u32 + 4,
+        false => 0,
+    }
+}
+
+/// The file that fills `cutaway::shading`.
+fn shading(shading: Shading) -> &'static str {
+    match shading {
+        Shading::Lit => "lib/shading/lit.wgsl",
+        Shading::Calm => "lib/shading/calm.wgsl",
+        Shading::Flat => "lib/shading/flat.wgsl",
+        Shading::Gooch => "lib/shading/gooch.wgsl",
+        Shading::Toon => "lib/shading/toon.wgsl",
+        Shading::Clay => "lib/shading/clay.wgsl",
+    }
+}
+
+/// How many pixels away a border may be whose stroke is seen.
+fn reach_px(style: &Style, rows: u32) -> i32 {
+    (Style::px(style.strokes.widest(), rows) / 2.0).ceil() as i32 + 1
+}
+
+fn numbers(style: &Style, rows: u32) -> pack::Style {
+    let linear = |color: Vec3| map_channels(color, linear_from_srgb);
+    let strokes = &style.strokes;
+    let mut halves = [0.0; 8];
+    for (half, width) in halves.iter_mut().zip(strokes.widths()) {
+        *half = Style::px(width, rows) / 2.0;
+    }
+    let [a, b, c, d, rest @ ..] = halves;
+    let gooch = &style.gooch;
+    pack::Style {
+        ink: linear(style.ink).extend(1.0).to_array(),
+        paper: match style.paper {
+            Paper::Color(color) => linear(color).extend(1.0).to_array(),
+            Paper::Gradient | Paper::None => [0.0; 4],
+        },
+        gooch: [gooch.blue, gooch.yellow, gooch.of_cool, gooch.of_warm],
+        stroke_halves: [[a, b, c, d], rest],
+        crease_cos: strokes.crease_deg.to_radians().cos(),
+        depth_px: strokes.depth_px,
+        cap_light: style.cap.light,
+        cap_relief: style.cap.relief,
+        stroke_reach_px: reach_px(style, rows),
+        padding_a: 0,
+        padding_b: 0,
+        padding_c: 0,
+    }
+}

@@ -1,0 +1,55 @@
+//! Effects: the end of every plan, from layers to a picture as the [`Style`](crate::scene::Style) of the scene asks. The same for every
+//! strategy and for the exact reference.
+//!
+//! The plain style is one pass, or none after the compute rasteriser, which colours what it completes. Any other is `illustrate`, with
+//! passes before it for what it needs of the neighbourhood of a pixel; what a style does not ask for adds no pass, no binding and no
+//! instruction, for each effect fills an open module.
+
+mod borders;
+mod illustrate;
+mod shade;
+
+use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
+use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
+use crate::scene::{Style, View};
+
+/// What a frame ends with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Picture {
+    /// Three words per pixel.
+    pub layers: ResourceId,
+    /// One RGBA8 word per pixel.
+    pub picture: ResourceId,
+}
+
+/// How many rows around a band the effects of a style look at.
+pub(crate) fn halo_rows(style: &Style, view: &View) -> u32 {
+    illustrate::halo_rows(style, view.band[1])
+}
+
+/// Makes the picture.
+pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered) -> Picture {
+    let Layered { layers, picture } = layered;
+    match picture {
+        Some(picture) => Picture { layers, picture },
+        None if scene.input.is_plain() => shade::shade(plan, scene, layers),
+        None => illustrate::illustrate(plan, scene, layers),
+    }
+}
+
+/// The plan that makes a picture of layers which come from elsewhere, as words: what the exact reference found. The reason where the scene
+/// is too much.
+pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
+    let capacities = Capacities::UNKNOWN;
+    let input = Input::new(model, view, &capacities)?;
+    let mut plan = Plan::default();
+    let scene = SceneBuffers::unposed(&mut plan, &input, Lanes::none());
+    let layers = Contents::from_values(layers);
+    let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
+    let layered = Layered {
+        layers: plan.add_resource(layers),
+        picture: None,
+    };
+    plan.picture = Some(finish(&mut plan, &scene, layered).picture);
+    Ok(plan.without_unused())
+}

@@ -1,0 +1,81 @@
+//! Colours of parts as a style has them.
+
+use glam::Vec3;
+
+use super::oklab::{oklab_from_srgb, srgb_from_oklab};
+
+/// What becomes of the colour of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Tint {
+    /// It stays.
+    #[default]
+    Material,
+    /// All parts have this one, sRGB in 0..=1.
+    Color(Vec3),
+    /// Its hue stays, in OKLab (Ottosson 2020).
+    Hue {
+        /// Lightness of all, 0 to 1.
+        lightness: f32,
+        /// The greatest chroma; what has less keeps it.
+        chroma: f32,
+        /// Added to both axes of hue: green to red, blue to yellow.
+        warmth: [f32; 2],
+    },
+}
+
+impl Tint {
+    /// The colour of a part in a colour of its own; what the part is given for this very place comes before all.
+    pub(super) fn of(self, color: Vec3, given: Option<Vec3>) -> Vec3 {
+        if let Some(given) = given {
+            return given;
+        }
+        match self {
+            Self::Material => color,
+            Self::Color(one) => one,
+            Self::Hue {
+                lightness,
+                chroma,
+                warmth: [a, b],
+            } => {
+                let own = oklab_from_srgb(color);
+                let share = (chroma / own.y.hypot(own.z).max(1e-6)).min(1.0);
+                let lab = Vec3::new(lightness, own.y * share + a, own.z * share + b);
+                srgb_from_oklab(lab)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hue_stays_and_lightness_is_set() {
+        let tint = Tint::Hue {
+            lightness: 0.8,
+            chroma: 0.024,
+            warmth: [0.0, 0.0],
+        };
+        for color in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::new(0.3, 0.2, 0.1)] {
+            let [own, made] = [color, tint.of(color, None)].map(oklab_from_srgb);
+            assert!((made.x - 0.8).abs() < 1e-4, "lightness of {color}");
+            assert!(
+                (made.y.hypot(made.z) - 0.024).abs() < 1e-4,
+                "chroma of {color}"
+            );
+            let turned = (own.y * made.z - own.z * made.y) / (own.y.hypot(own.z) * 0.024);
+            assert!(turned.abs() < 1e-2, "hue of {color} is off by {turned}");
+        }
+        let grey = oklab_from_srgb(tint.of(Vec3::splat(0.5), None));
+        assert!(grey.y.hypot(grey.z) < 1e-4, "grey stays grey");
+    }
+
+    #[test]
+    fn what_is_given_comes_first() {
+        let red = Tint::Color(Vec3::X);
+        assert_eq!(red.of(Vec3::Y, None), Vec3::X);
+        assert_eq!(red.of(Vec3::Y, Some(Vec3::Z)), Vec3::Z);
+        assert_eq!(Tint::Material.of(Vec3::Y, None), Vec3::Y);
+    }
+}

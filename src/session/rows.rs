@@ -1,0 +1,78 @@
+//! Rows of a picture that is drawn in bands: those that a band owns, and those around them that its effects look at.
+
+use crate::scene::View;
+
+/// Some rows of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Rows {
+    /// The first that is its own.
+    pub(super) first: u32,
+    /// How many are.
+    pub(super) count: u32,
+    /// How many are drawn above these, for what looks at neighbours.
+    pub(super) above: u32,
+    /// And below.
+    below: u32,
+}
+
+impl Rows {
+    /// The rows of a picture in so many bands, from the top; `halo` more are drawn around each, as far as there are some.
+    pub(super) fn bands(rows: u32, bands: u32, halo: u32) -> impl Iterator<Item = Self> {
+        let begin = move |band: u32| {
+            let row = u64::from(rows) * u64::from(band) / u64::from(bands);
+            row as u32
+        };
+        (0..bands).map(move |band| {
+            let (first, end) = (begin(band), begin(band + 1));
+            Self {
+                first,
+                count: end - first,
+                above: halo.min(first),
+                below: halo.min(rows - end),
+            }
+        })
+    }
+
+    /// The first row that is drawn, and how many are.
+    pub(super) fn drawn(&self) -> (u32, u32) {
+        let (above, below) = (self.above, self.below);
+        (self.first - above, above + self.count + below)
+    }
+
+    /// The view of all that is drawn.
+    pub(super) fn view(&self, of: &View) -> View {
+        let (first, count) = self.drawn();
+        of.rows(first, count)
+    }
+
+    /// What is its own of all that was drawn, with so many values in a row.
+    pub(super) fn own<T: Copy>(&self, drawn: &[T], in_a_row: usize) -> Vec<T> {
+        let before = self.above as usize * in_a_row;
+        drawn[before..before + self.count as usize * in_a_row].to_vec()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bands_own_every_row_once_and_see_beyond_it() {
+        for (rows, bands, halo) in [(100, 1, 5), (100, 4, 5), (97, 8, 20), (64, 2, 64)] {
+            let mut next = 0;
+            for band in Rows::bands(rows, bands, halo) {
+                assert_eq!(band.first, next, "{rows} rows in {bands}");
+                next += band.count;
+                let (first, count) = band.drawn();
+                assert!(first + count <= rows, "{band:?} is within {rows} rows");
+                assert_eq!(first, band.first.saturating_sub(halo), "{band:?}");
+                assert_eq!(first + count, (next + halo).min(rows), "{band:?}");
+                let drawn: Vec<u32> = (first..first + count).flat_map(|r| [r, r]).collect();
+                let own = band.own(&drawn, 2);
+                assert_eq!(own.first().copied(), Some(band.first), "{band:?}");
+                assert_eq!(own.last().copied(), Some(next - 1), "{band:?}");
+            }
+            assert_eq!(next, rows);
+        }
+    }
+}
