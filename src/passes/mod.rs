@@ -5,7 +5,7 @@
 //! - `Crossings` are the one list of depths per pixel; `Sheets` add those of surfaces made of triangles.
 //! - `over_mesh` goes over the mesh by either rasteriser and returns the nearest kept surfaces; a `Store` says what each fragment
 //!   leaves for the inside test, `FragmentLists` among others. A `Volume` answers for points.
-//! - `resolve` or `gather` makes the layers, of which [`effects`](crate::effects) make a picture.
+//! - `resolve` or `gather` makes the layers, of which `effects` make a picture.
 
 mod buffers;
 mod crossings;
