@@ -1,8 +1,9 @@
 // Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `shading`,
-// `strokes`, `backdrop`, and `overlap` for caps that several solids share.
+// `cap_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::base::base_of
+#import cutaway::cap_pattern::patterned
 #import cutaway::color::srgb_from_linear
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
@@ -21,9 +22,12 @@ fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
     if kind_of(word) == BACKGROUND {
         return backdrop(at.y);
     }
-    let base = base_of(at, word, place_of_part[part_of(word)]);
+    let place = place_of_part[part_of(word)];
+    let base = base_of(at, word, place);
     let gaze = normalize(ray_through(centre_of(at)).direction);
-    return vec4<f32>(shaded(base, unpack_normal(layers[first + 1u]), gaze, kind_of(word) == CAP), 1.0);
+    let normal = unpack_normal(layers[first + 1u]);
+    let color = shaded(base, normal, gaze, kind_of(word) == CAP);
+    return vec4<f32>(patterned(color, at, word, bitcast<f32>(layers[first + 2u]), normal, place), 1.0);
 }
 
 @compute @workgroup_size(16, 16)

@@ -20,9 +20,10 @@ struct Style {
     cap_relief: f32,
     // How many pixels away a border may be whose stroke is seen: half the greatest width, rounded up, and one for the edge.
     stroke_reach_px: i32,
+    // How many samples a pixel of the picture has along each side: each sees so much less of it.
+    fineness: f32,
     padding_a: i32,
     padding_b: i32,
-    padding_c: i32,
 }
 
 @group(2) @binding(0) var<uniform> style: Style;

@@ -37,7 +37,10 @@ pub(super) fn draw(
     let mut frames = Vec::new();
     for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
         let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(n);
-        let view = view.sampled_at(at);
+        let view = View {
+            fineness: n,
+            ..view.sampled_at(at)
+        };
         let rgba = match renderer {
             Renderer::Cpu(evaluator) => {
                 let layers = evaluator.evaluate(shown.truth()?, &view).layers;

@@ -6,17 +6,17 @@ use glam::Vec3;
 
 use super::Picture;
 use super::borders::borders;
+use super::hatch::hatch;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work, pack};
 use crate::scene::style::{Paper, Shading, Style};
-use crate::scene::{linear_from_srgb, map_channels};
+use crate::scene::{View, linear_from_srgb, map_channels};
 use crate::shader::Shader;
 
 /// Makes the picture.
 pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
     let style = scene.input.model.prepared.style;
-    let rows = scene.input.view.band[1];
-    let numbers = Contents::from_values(&[numbers(&style, rows)]);
+    let numbers = Contents::from_values(&[numbers(&style, scene.input.view)]);
     let numbers = Resource::upload("style", Role::Uniform, numbers, Clock::Cut);
     let numbers = Binding::read("style", plan.add_resource(numbers));
     let borders = (style.strokes.widest() > 0.0).then(|| borders(plan, scene, &numbers, layers));
@@ -36,6 +36,11 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
             Paper::Gradient => "lib/backdrop/gradient.wgsl",
             Paper::Color(_) | Paper::None => "lib/backdrop/paper.wgsl",
         });
+    let hatch = hatch(plan, scene, &style);
+    shader = match &hatch {
+        Some(_) => shader.with("lib/cap_pattern/hatch.wgsl"),
+        None => shader.with("lib/cap_pattern/plain.wgsl"),
+    };
     shader = match borders {
         Some(borders) => {
             bindings.push(Binding::read("borders", borders));
@@ -45,11 +50,13 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     };
     // Gradient, light and no strokes ask for no number of the style.
     let reads_style = borders.is_some()
+        || hatch.is_some()
         || style.paper != Paper::Gradient
         || matches!(style.shading, Shading::Calm | Shading::Gooch);
     if reads_style {
         bindings.push(numbers);
     }
+    bindings.extend(hatch.into_iter().flatten());
     let pass = Pass::new(
         "illustrate",
         "the style turns layers into a picture",
@@ -87,7 +94,8 @@ fn reach_px(style: &Style, rows: u32) -> i32 {
     (Style::px(style.strokes.widest(), rows) / 2.0).ceil() as i32 + 1
 }
 
-fn numbers(style: &Style, rows: u32) -> pack::Style {
+fn numbers(style: &Style, view: &View) -> pack::Style {
+    let (rows, fineness) = (view.band[1], view.fineness);
     let linear = |color: Vec3| map_channels(color, linear_from_srgb);
     let strokes = &style.strokes;
     let mut halves = [0.0; 8];
@@ -109,8 +117,8 @@ fn numbers(style: &Style, rows: u32) -> pack::Style {
         cap_light: style.cap.light,
         cap_relief: style.cap.relief,
         stroke_reach_px: reach_px(style, rows),
+        fineness: fineness as f32,
         padding_a: 0,
         padding_b: 0,
-        padding_c: 0,
     }
 }

@@ -6,6 +6,7 @@
 //! instruction, for each effect fills an open module.
 
 mod borders;
+mod hatch;
 mod illustrate;
 mod shade;
 

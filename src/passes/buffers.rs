@@ -189,7 +189,7 @@ fn places_of_parts(input: &Input<'_>) -> Contents {
 }
 
 /// WebGPU has no empty bindings: a table with no rows gets one of zeros.
-fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
+pub(crate) fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
     if rows.is_empty() {
         rows.push(T::zeroed());
     }

@@ -7,6 +7,7 @@
 //!   leaves for the inside test, `FragmentLists` among others. A `Volume` answers for points.
 //! - `resolve` or `gather` makes the layers, of which `effects` make a picture.
 
+mod at_rest;
 mod buffers;
 mod crossings;
 mod cutters;
@@ -39,7 +40,7 @@ mod solid;
 mod surface;
 mod sweep;
 
-pub(crate) use buffers::SceneBuffers;
+pub(crate) use buffers::{SceneBuffers, or_one};
 pub(crate) use crossings::Crossings;
 pub(crate) use fragments::{FragmentLists, leave_fragments};
 pub(crate) use input::{Input, counted, pixels};

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::KeptContents;
+use super::at_rest::AtRest;
 use super::cutters::Cutters;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
@@ -66,6 +67,8 @@ pub struct Model {
     pub(super) settled: Option<SettledParts>,
     /// The indices of grids, which go with no scene but are asked for in every frame.
     pub grid_indices: Arc<KeptContents>,
+    /// What its hatches hang on.
+    pub(crate) at_rest: Arc<AtRest>,
     lineage: Arc<()>,
     /// Of this model and its copies alone.
     identity: Arc<()>,
@@ -157,6 +160,7 @@ impl Model {
             rooms,
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
+            at_rest: AtRest::of(scene, world, before.map(|b| &b.at_rest)),
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
             identity: Arc::default(),
             prepared,

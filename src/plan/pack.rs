@@ -11,6 +11,7 @@ use crate::scene::{Bounds, PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
+pub use hatch::{HatchPlane, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
@@ -43,6 +44,7 @@ macro_rules! shared {
 
 // After the macro, which they use.
 mod composite;
+mod hatch;
 mod lists;
 mod pose;
 mod pyramid;

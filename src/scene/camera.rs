@@ -127,6 +127,8 @@ pub struct View {
     pub near_cap: bool,
     /// The first row and all rows of the picture that this is a band of, by [`View::rows`]; of a whole picture 0 and its height.
     pub band: [u32; 2],
+    /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
+    pub fineness: u32,
 }
 
 impl View {
@@ -245,6 +247,7 @@ impl Camera {
             far: near + 2.0 * (farthest - near).max(radius),
             near_cap: self.near_cap,
             band: [0, size_px[1]],
+            fineness: 1,
         }
     }
 }
@@ -278,7 +281,7 @@ impl View {
         (self.centre_px.y - y_px) * self.plane_per_px()
     }
 
-    fn plane_per_px(&self) -> f64 {
+    pub(crate) fn plane_per_px(&self) -> f64 {
         2.0 * self.half_height / f64::from(self.size_px[1])
     }
 

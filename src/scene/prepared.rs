@@ -211,6 +211,11 @@ impl Prepared {
         }
     }
 
+    /// Which way is up in the world.
+    pub(crate) fn up(&self) -> DVec3 {
+        self.camera.up.axis()
+    }
+
     /// Whether the vertices of all parts are here; what a device places is not.
     pub fn is_whole(&self) -> bool {
         !self.parts.iter().any(|p| p.is_on_device)

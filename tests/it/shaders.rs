@@ -9,9 +9,9 @@ use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
-    Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS,
-    NO_RELIEF, Part, Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup, Sprite,
-    Sweep,
+    Frame, HatchPlane, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS,
+    MOST_SETTLED_GROUPS, NO_RELIEF, Part, PartHatch, Pose, Pyramid, Quad, RayRow, RaySurface,
+    Refinement, SettledGroup, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
@@ -231,10 +231,15 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Refinement>(&modules);
     holds_in_all_shaders::<Pyramid>(&modules);
     holds_in_all_shaders::<Composite>(&modules);
+    holds_in_all_shaders::<pack::Style>(&modules);
+    holds_in_all_shaders::<HatchPlane>(&modules);
+    holds_in_all_shaders::<PartHatch>(&modules);
     // The list above is all there is: a struct added to the files must be added here.
     let files = [
         include_str!("../../src/plan/pack.rs"),
         include_str!("../../src/plan/pack/composite.rs"),
+        include_str!("../../src/plan/pack/hatch.rs"),
+        include_str!("../../src/plan/pack/style.rs"),
         include_str!("../../src/plan/pack/lists.rs"),
         include_str!("../../src/plan/pack/pose.rs"),
         include_str!("../../src/plan/pack/refinement.rs"),
@@ -244,7 +249,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 19, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 22, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -446,6 +451,15 @@ fn constants_have_one_value_on_both_sides() {
         ("BEYOND_BORDERS", 31),
         ("LOWEST", pack::LOWEST),
         ("SIDE", pack::SIDE),
+        // Classes of borders, in the order of `Strokes::widths` and one more, and what makes samples alike: known to the shaders alone.
+        ("NO_BORDER", 0),
+        ("OUTLINE", 1),
+        ("CUT", 2),
+        ("PART", 3),
+        ("FACE", 4),
+        ("CONTOUR", 5),
+        ("CREASE", 6),
+        ("LIKENESS", 0xffff_ff03),
     ];
     for (name, value) in expected {
         assert_eq!(

@@ -3,6 +3,7 @@
 
 mod borders;
 mod files;
+mod hatch;
 mod plans;
 
 use crate::common;

@@ -12,6 +12,7 @@ mod fixed_point;
 mod height_filter;
 mod lists;
 mod normals;
+mod pulses;
 mod pyramid;
 mod quadratic;
 mod reliefs;

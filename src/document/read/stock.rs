@@ -2,7 +2,7 @@
 //!
 //! The numbers of a document may change from time to time, its texts may not: whatever is named by text is opened when the document
 //! is. All parts have names of their own: of those that a file gives, a name that is taken gets a number. Parts that neither their
-//! file nor the document colours differ in colour.
+//! file nor the document colours have colours by their shape.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -119,16 +119,48 @@ impl PartSource {
         self.names = names;
     }
 
-    /// Colours the parts that their file has not, as those of a scene that has `count` parts already. How many it has now.
-    fn colour(&mut self, count: usize) -> usize {
+    /// Colours the parts that their file has not by their shape, of which `shapes` are known: a hundred equal screws are alike. Later
+    /// frames have the colours of the first.
+    fn colour(&mut self, shapes: &mut Vec<Form>) {
+        let mut colours = Vec::new();
         for frame in &mut self.frames {
             for (i, part) in frame.parts.iter_mut().enumerate() {
+                if i == colours.len() {
+                    let form = Form::of(part);
+                    let known = shapes.iter().position(|known| known.is_like(&form));
+                    colours.push(known.unwrap_or(shapes.len()));
+                    shapes.extend(known.is_none().then_some(form));
+                }
                 if part.material == Material::of_index(i) {
-                    part.material = Material::of_index(count + i);
+                    part.material = Material::of_index(colours[i]);
                 }
             }
         }
-        count + self.frames.iter().map(|f| f.parts.len()).max().unwrap_or(0)
+    }
+}
+
+/// What equal solids have in common wherever they are.
+struct Form {
+    triangles: usize,
+    volume: f64,
+    area: f64,
+}
+
+impl Form {
+    fn of(part: &Part) -> Self {
+        Self {
+            triangles: part.mesh.triangles.len(),
+            volume: part.mesh.volume(),
+            area: part.mesh.area(),
+        }
+    }
+
+    /// To a ten thousandth, for files round the corners of each copy for themselves.
+    fn is_like(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-4 * a.abs().max(b.abs());
+        self.triangles == other.triangles
+            && near(self.volume, other.volume)
+            && near(self.area, other.area)
     }
 }
 
@@ -155,7 +187,8 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
             .filter(|(_, name)| name.is_some() == is_given)
             .for_each(|(held, name)| held.call(*name, &mut taken));
     }
-    stock.iter_mut().fold(0, |count, held| held.colour(count));
+    let mut shapes = Vec::new();
+    stock.iter_mut().for_each(|held| held.colour(&mut shapes));
     Ok(stock)
 }
 

@@ -10,12 +10,13 @@ use super::stock::Opening;
 use super::table::with_table;
 use crate::document::Keys;
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::style::{Paper, Shading, Style, Tint};
+use crate::scene::style::{Hatch, Paper, Shading, Style, Tint};
 
 static KEYS: Keys = Keys::below("style");
 static STROKES: Keys = Keys::below("style.strokes");
 static SURFACE: Keys = Keys::below("style.surface");
 static CAP: Keys = Keys::below("style.cap");
+static HATCH: Keys = Keys::below("style.hatch");
 static GOOCH: Keys = Keys::below("style.gooch");
 
 /// The styles that come with the program, beside `lit`, which is the default of the library.
@@ -160,6 +161,9 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
             set(slot, &table, key, 1.0)?;
         }
     }
+    if let Some(entry) = table.get("hatch") {
+        hatch(&mut style.hatch, &entry.table(HATCH.all())?)?;
+    }
     if let Some(entry) = table.get("strokes") {
         let table = entry.table(STROKES.all())?;
         let strokes = &mut style.strokes;
@@ -175,6 +179,31 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
         ] {
             set(slot, &table, key, most)?;
         }
+    }
+    Ok(())
+}
+
+fn hatch(hatch: &mut Hatch, table: &Table<'_>) -> Result<()> {
+    if let Some(entry) = table.get("color") {
+        hatch.color = Some(color(&entry)?);
+    }
+    if let Some(entry) = table.get("angle_deg") {
+        hatch.angle_deg = entry.number()? as f32;
+    }
+    for (slot, key, most) in [
+        (&mut hatch.width, "width", WIDEST),
+        (&mut hatch.alpha, "alpha", 1.0),
+        (&mut hatch.per_thickness, "per_thickness", 10.0),
+        (&mut hatch.least, "least", 1000.0),
+        (&mut hatch.most, "most", 1000.0),
+        (&mut hatch.solid_below, "solid_below", 1000.0),
+    ] {
+        set(slot, table, key, most)?;
+    }
+    if !(hatch.least >= 0.1 && hatch.most >= hatch.least) {
+        let help = "write for example `least = 5.2, most = 9.5`";
+        let what = "its least distance must be 0.1 or more, and the greatest no less";
+        return Err(table.entry.fault(what, help));
     }
     Ok(())
 }

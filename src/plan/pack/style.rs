@@ -25,11 +25,11 @@ shared! {
         cap_relief: f32,
         /// How many pixels away a border may be whose stroke is seen.
         stroke_reach_px: i32,
+        /// How many samples a pixel of the picture has along each side.
+        fineness: f32,
         /// Unused.
         padding_a: i32,
         /// Unused.
         padding_b: i32,
-        /// Unused.
-        padding_c: i32,
     }
 }

@@ -211,5 +211,6 @@ pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
         far: 2.0 * half,
         near_cap: false,
         band: [0, resolution],
+        fineness: 1,
     }
 }

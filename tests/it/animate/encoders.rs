@@ -103,7 +103,10 @@ fn numbered_pictures_are_the_frames() {
 #[test]
 fn transparent_pixels_stay_so_in_every_frame() {
     let folder = Scratch::new("animate-clear");
-    let line = format!("animate {CUT_CUBE} --turntable --frames 5 --no-background --supersample 1");
+    // Without strokes, whose edges are soft: a GIF has pixels or has none.
+    let line = format!(
+        "animate {CUT_CUBE} --turntable --frames 5 --no-background --supersample 1 --style lit"
+    );
     folder.run(&format!("{line} -o out.gif")).exits(0);
     folder.run(&format!("{line} -o out.png")).exits(0);
     let (gif, apng) = (
