@@ -5,8 +5,8 @@
 // grazing angle has none. Where a ball ends, its last sample may lie far behind the one before it: there is no border either where the
 // tangent plane of the farther of two samples goes as far.
 //
-// A sample whose two opposite neighbours agree with each other and not with it is a sliver: it is taken for what it lies in, for
-// strokes around it would be a row of dots. Where neither of two samples is reliable there is no stroke between them.
+// A sample whose two opposite neighbours agree with each other and not with it is a sliver: it has no border, for strokes around it would
+// be a row of dots. Nor is it a fold where one sample has another normal than two beside it that agree. Where neither of two samples is reliable there is no stroke between them.
 
 #import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
@@ -54,6 +54,29 @@ fn is_sliver(at: vec2<i32>) -> bool {
     return is_sliver_along(at, vec2<i32>(1, 0)) || is_sliver_along(at, vec2<i32>(0, 1));
 }
 
+fn normal_at(at: vec2<i32>) -> vec3<f32> {
+    return unpack_normal(layers[first_word(at) + 1u]);
+}
+
+fn is_speck_along(at: vec2<i32>, step: vec2<i32>) -> bool {
+    if !is_in_picture(at - step) || !is_in_picture(at + step) {
+        return false;
+    }
+    let word = word_at(at);
+    if (((word_at(at - step) ^ word) | (word_at(at + step) ^ word)) & LIKENESS) != 0u {
+        return false;
+    }
+    let before = normal_at(at - step);
+    let behind = normal_at(at + step);
+    let own = normal_at(at);
+    return dot(before, behind) >= style.crease_cos && max(dot(own, before), dot(own, behind)) < style.crease_cos;
+}
+
+// Whether the normal of a sample is another than that of both its neighbours, which agree: a fold that is finer than the picture.
+fn is_speck(at: vec2<i32>) -> bool {
+    return is_speck_along(at, vec2<i32>(1, 0)) || is_speck_along(at, vec2<i32>(0, 1));
+}
+
 // The value of a sample as the plane through the two samples before it has it, or what it is next to where there are no two.
 fn predicted(origin: vec2<i32>, step: vec2<i32>) -> f32 {
     let near = reach_at(origin);
@@ -79,7 +102,7 @@ fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
     let far = select(next, at, is_first);
     let far_ray = ray_through(centre_of(vec2<u32>(far)));
     let near_ray = ray_through(centre_of(vec2<u32>(select(at, next, is_first))));
-    let normal = unpack_normal(layers[first_word(far) + 1u]);
+    let normal = normal_at(far);
     let towards = vec2<f32>(dot(normal, far_ray.direction), dot(normal, near_ray.direction));
     // A normal that is smoothed may face away where the surface ends.
     if max(towards.x, towards.y) >= 0.0 {
@@ -120,8 +143,10 @@ fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
         return CONTOUR;
     }
     if kinds.x == SURFACE {
-        let bend = dot(unpack_normal(layers[first_word(at) + 1u]), unpack_normal(layers[first_word(next) + 1u]));
-        return select(NO_BORDER, CREASE, bend < style.crease_cos);
+        let is_folded = dot(normal_at(at), normal_at(next)) < style.crease_cos;
+        if is_folded && !is_speck(at) && !is_speck(next) {
+            return CREASE;
+        }
     }
     return NO_BORDER;
 }

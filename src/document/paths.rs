@@ -91,7 +91,7 @@ const SIZE: Takes = Number(0.0, ANY);
 const WRAP: Takes = Choice(&["repeat", "mirror", "clamp"]);
 
 /// Width of a stroke.
-const WIDTH: Takes = Number(0.0, 50.0);
+const WIDTH: Takes = Number(0.0, 20.0);
 /// Unit of the lengths of a style.
 const MIL: &str = "1/1000 of the height";
 
@@ -162,10 +162,10 @@ pub const PATHS: &[Path] = &[
     moved("style.hatch.alpha", Number(0.0, 1.0), "", "0.6", "how much of the ink they have"),
     fixed("style.hatch.color", Color, "", "\"#9cc4ff\"", "their colour, in the place of ink"),
     moved("style.hatch.angle_deg", REAL, "degrees", "45", "their direction on the first of parts that touch"),
-    fixed("style.hatch.per_thickness", Number(0.0, 10.0), "", "0.2", "distance from line to line over the mean thickness of the part"),
-    fixed("style.hatch.least", Number(0.1, 1000.0), MIL, "5.2", "the least such distance"),
-    fixed("style.hatch.most", Number(0.1, 1000.0), MIL, "9.5", "the greatest"),
-    fixed("style.hatch.solid_below", SIZE, MIL, "2.9", "parts that are thinner on the mean are filled"),
+    moved("style.hatch.per_thickness", Number(0.0, 10.0), "", "0.2", "distance from line to line over the mean thickness of the part"),
+    moved("style.hatch.least", Number(0.1, 1000.0), MIL, "5.2", "the least such distance"),
+    moved("style.hatch.most", Number(0.1, 1000.0), MIL, "9.5", "the greatest"),
+    moved("style.hatch.solid_below", Number(0.0, 1000.0), MIL, "2.9", "parts that are thinner on the mean are filled"),
     moved("style.strokes.outline", WIDTH, MIL, "2.1", "width of strokes around the model; 0 for none"),
     moved("style.strokes.cut", WIDTH, MIL, "2.1", "where caps end"),
     moved("style.strokes.part", WIDTH, MIL, "1.5", "between parts"),

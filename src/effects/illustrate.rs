@@ -13,6 +13,9 @@ use crate::scene::style::{Paper, Shading, Style};
 use crate::scene::{View, linear_from_srgb, map_channels};
 use crate::shader::Shader;
 
+/// The widest strokes have 32 pixels.
+const MOST_HALF_PX: f32 = 16.0;
+
 /// Makes the picture.
 pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
     let style = scene.input.model.prepared.style;
@@ -91,7 +94,12 @@ fn shading(shading: Shading) -> &'static str {
 
 /// How many pixels away a border may be whose stroke is seen.
 fn reach_px(style: &Style, rows: u32) -> i32 {
-    (Style::px(style.strokes.widest(), rows) / 2.0).ceil() as i32 + 1
+    (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
+}
+
+/// Half the width of a stroke in pixels: its cost grows with the square, and wider ones are cut.
+fn half_px(width: f32, rows: u32) -> f32 {
+    (Style::px(width, rows) / 2.0).min(MOST_HALF_PX)
 }
 
 fn numbers(style: &Style, view: &View) -> pack::Style {
@@ -100,7 +108,7 @@ fn numbers(style: &Style, view: &View) -> pack::Style {
     let strokes = &style.strokes;
     let mut halves = [0.0; 8];
     for (half, width) in halves.iter_mut().zip(strokes.widths()) {
-        *half = Style::px(width, rows) / 2.0;
+        *half = half_px(width, rows);
     }
     let [a, b, c, d, rest @ ..] = halves;
     let gooch = &style.gooch;

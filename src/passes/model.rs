@@ -160,7 +160,7 @@ impl Model {
             rooms,
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
-            at_rest: AtRest::of(scene, world, before.map(|b| &b.at_rest)),
+            at_rest: AtRest::of(scene, &prepared, before.map(|b| &b.at_rest)),
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
             identity: Arc::default(),
             prepared,

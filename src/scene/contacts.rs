@@ -6,6 +6,8 @@
 //!
 //! Cannot: see contacts of parts that meet only in another pose.
 
+use std::cmp::Reverse;
+
 use glam::{DAffine3, DVec3, IVec3};
 use rayon::prelude::*;
 
@@ -15,10 +17,15 @@ use super::{Bounds, Mesh};
 const MOST_STEPS: f64 = 512.0;
 
 /// The neighbours of each of some placed meshes, by index, where cells are `cell` wide in the world.
-pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], bounds: &Bounds, cell: f64) -> Vec<Vec<usize>> {
+pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], cell: f64) -> Vec<Vec<usize>> {
+    let corners = parts.iter().flat_map(|(mesh, placed)| {
+        let corners = mesh.bounds().corners();
+        corners.map(|c| placed.transform_point3(c))
+    });
+    let origin = Bounds::from_points(corners).min;
     let mut cells: Vec<(u64, u32)> = (parts.par_iter().enumerate())
         .flat_map_iter(|(index, (mesh, placed))| {
-            let mut of_part = cells_of(mesh, placed, bounds.min, cell);
+            let mut of_part = cells_of(mesh, placed, origin, cell);
             of_part.sort_unstable();
             of_part.dedup();
             of_part.into_iter().map(move |key| (key, index as u32))
@@ -30,7 +37,8 @@ pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], bounds: &Bounds, cell: f64) 
             let near = AHEAD.into_iter().map(|step| key.wrapping_add_signed(step));
             let near = near.flat_map(|key| {
                 let first = cells.partition_point(|c| c.0 < key);
-                cells[first..].iter().take_while(move |c| c.0 == key)
+                let same = cells[first..].iter().take_while(move |c| c.0 == key);
+                same.take(MOST_IN_A_CELL)
             });
             near.filter(|other| other.1 != *part)
                 .map(|other| (*part.min(&other.1), *part.max(&other.1)))
@@ -45,6 +53,12 @@ pub(crate) fn contacts(parts: &[(&Mesh, DAffine3)], bounds: &Bounds, cell: f64) 
     }
     neighbours
 }
+
+/// Of so many parts of a cell it is asked whether they are neighbours: where hundreds are within one, directions tell none apart.
+const MOST_IN_A_CELL: usize = 32;
+
+/// So many things take their classes in the best order; of more, whoever comes first.
+const MOST_IN_ORDER: usize = 4096;
 
 /// Bits of a coordinate in the key of a cell.
 const BITS: u32 = 20;
@@ -104,12 +118,12 @@ fn cells_of(mesh: &Mesh, placed: &DAffine3, origin: DVec3, cell: f64) -> Vec<u64
 pub(crate) fn classes(neighbours: &[Vec<usize>]) -> Vec<u16> {
     let mut classes: Vec<Option<u16>> = vec![None; neighbours.len()];
     let mut about: Vec<Vec<u16>> = vec![Vec::new(); neighbours.len()];
-    for _ in 0..neighbours.len() {
+    for place in 0..neighbours.len() {
         let open = (0..neighbours.len()).filter(|i| classes[*i].is_none());
-        let next =
-            open.max_by_key(|i| (about[*i].len(), neighbours[*i].len(), std::cmp::Reverse(*i)));
-        let Some(next) = next else {
-            break;
+        let best = open.max_by_key(|i| (about[*i].len(), neighbours[*i].len(), Reverse(*i)));
+        let next = match neighbours.len() > MOST_IN_ORDER {
+            true => place,
+            false => best.unwrap_or(place),
         };
         let class = (0..).find(|class| !about[next].contains(class));
         classes[next] = class;
@@ -137,13 +151,9 @@ mod tests {
         let cube = shape("cube").expect("a shape")[0].mesh.clone();
         let size = cube.bounds().size().x;
         let all = [0.0, size, 2.2 * size, 3.2 * size].map(|x| (&*cube, placed(x)));
-        let bounds = (all.iter()).fold(Bounds::EMPTY, |b, (m, p)| {
-            let corners = m.bounds().corners().map(|c| p.transform_point3(c));
-            b.union(Bounds::from_points(corners))
-        });
-        let found = contacts(&all, &bounds, size / 50.0);
+        let found = contacts(&all, size / 50.0);
         assert_eq!(found, [vec![1], vec![0], vec![3], vec![2]]);
-        let coarse = contacts(&all, &bounds, size / 4.0);
+        let coarse = contacts(&all, size / 4.0);
         assert_eq!(coarse[1], [0, 2], "a gap within a cell is none");
     }
 

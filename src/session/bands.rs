@@ -102,7 +102,10 @@ impl Slot {
             self.cut_into(1);
         } else if self.halo_rows != halo_rows {
             self.halo_rows = halo_rows;
-            self.cut_into(self.bands.len() as u32);
+            // One band has nothing around it.
+            if self.bands.len() > 1 {
+                self.cut_into(self.bands.len() as u32);
+            }
         }
         self.model = Some(model.clone());
         self.refused = Some("it has drawn no frame".to_owned());

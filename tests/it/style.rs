@@ -93,12 +93,16 @@ fn styles_differ_from_each_other() {
 
 #[test]
 fn bands_make_the_picture_of_one_piece() {
+    ["toon", "technical"].into_iter().for_each(bands_make_one);
+}
+
+fn bands_make_one(name: &str) {
     let options = GpuOptions {
         adapter: None,
         prefer_software: true,
     };
     let method = Method::from(Strategy::RAYCAST_MASK);
-    let scene = scene_in(style("toon"));
+    let scene = scene_in(style(name));
     let model = Model::new(&scene);
     let view = model.prepared.view([160, 400]);
     let held = |storage_binding_bytes| {
@@ -123,16 +127,26 @@ fn bands_make_the_picture_of_one_piece() {
     let (several, banded, of_bands, mut in_bands) = held(160 * 200 * 12);
     assert_eq!(one, 1, "the control");
     assert!(several > 2, "{several} bands");
-    // Layers may differ by the rounding of a rasteriser; what is made of them may not.
+    // Layers may differ by the rounding of a rasteriser, what is made of them by that of rays, which each band rounds for itself.
+    let is_like = |a: &[u8], b: &[u8]| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= 1);
     let made_of = |session: &mut Session, layers| {
         let made = session.shade(&model, &view, layers);
         made.expect("a picture")
     };
-    assert!(made_of(&mut in_one, &of_bands) == banded, "bands are seen");
-    assert!(made_of(&mut in_bands, &of_whole) == whole, "bands are seen");
+    assert!(
+        is_like(&made_of(&mut in_one, &of_bands), &banded),
+        "{name}: bands are seen"
+    );
+    assert!(
+        is_like(&made_of(&mut in_bands, &of_whole), &whole),
+        "{name}: bands are seen"
+    );
     let mut shifted = of_whole.clone();
     shifted.pixels.rotate_left(1);
-    assert!(made_of(&mut in_bands, &shifted) != whole, "the control");
+    assert!(
+        !is_like(&made_of(&mut in_bands, &shifted), &whole),
+        "the control"
+    );
 }
 
 #[test]

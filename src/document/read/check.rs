@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::reader::{Entry, Table};
-use super::{camera, cuts, keys, parts, settings, stock};
+use super::{camera, cuts, keys, parts, settings, stock, style};
 use crate::document::paths::keys_below;
 use crate::error::Result;
 use crate::generate::shapes;
@@ -17,6 +17,7 @@ use crate::scene::Bounds;
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
     must_be_known(&root.entry, "")?;
     settings::read(root)?;
+    style::check(root, folder, assets)?;
     keys::read(root)?;
     // Where it looks is known when what it looks at is.
     let is_whole = |camera: &Entry<'_>| {

@@ -6,10 +6,11 @@ use std::path::Path;
 
 use super::reader::{Entry, Table};
 use super::settings::color;
-use super::stock::Opening;
+use super::stock::{self, Opening};
 use super::table::with_table;
 use crate::document::Keys;
 use crate::error::{Error, Result, did_you_mean};
+use crate::load::Assets;
 use crate::scene::style::{Hatch, Paper, Shading, Style, Tint};
 
 static KEYS: Keys = Keys::below("style");
@@ -78,15 +79,8 @@ pub(in crate::document) fn is_file(base: &str) -> bool {
 
 /// The base of a document, if it names one.
 pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option<Style>> {
-    let Some(entry) = root.get("style") else {
+    let Some(base) = base(root)? else {
         return Ok(None);
-    };
-    let base = match entry.is_text() {
-        true => entry,
-        false => match entry.table(KEYS.all())?.get("base") {
-            Some(base) => base,
-            None => return Ok(None),
-        },
     };
     let name = base.text()?;
     if !is_file(name) {
@@ -106,6 +100,28 @@ pub(super) fn open(root: &Table<'_>, opening: &mut Opening<'_>) -> Result<Option
     let style = of_text(&path, &text)?;
     opening.files.insert(path);
     Ok(Some(style))
+}
+
+/// Checks what can be checked before a file is opened.
+pub(super) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
+    if let Some(base) = base(root)? {
+        let name = base.text()?;
+        if !is_file(name) {
+            named_style(name).map_err(|e| base.place(e))?;
+        } else if !assets.store().is_file(&folder.join(name)) {
+            return Err(stock::missing(&base, &folder.join(name)));
+        }
+    }
+    read(root, Style::default()).map(|_| ())
+}
+
+/// The name of the base, if there is one.
+fn base<'a>(root: &Table<'a>) -> Result<Option<Entry<'a>>> {
+    match root.get("style") {
+        Some(entry) if entry.is_text() => Ok(Some(entry)),
+        Some(entry) => Ok(entry.table(KEYS.all())?.get("base")),
+        None => Ok(None),
+    }
 }
 
 /// The style of a document on its base, at the time of its numbers.
@@ -179,6 +195,8 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
         ] {
             set(slot, &table, key, most)?;
         }
+        // Less would take the rounding of normals for folds.
+        strokes.crease_deg = strokes.crease_deg.max(1.0);
     }
     Ok(())
 }
@@ -209,7 +227,7 @@ fn hatch(hatch: &mut Hatch, table: &Table<'_>) -> Result<()> {
 }
 
 /// The greatest width of a stroke, in thousandths of the height.
-const WIDEST: f32 = 50.0;
+const WIDEST: f32 = 20.0;
 
 /// Sets a number between 0 and a greatest one, if the table has it.
 fn set(slot: &mut f32, table: &Table<'_>, key: &str, most: f32) -> Result<()> {

@@ -37,7 +37,7 @@ pub struct Style {
 }
 
 /// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.
-/// Lengths are in thousandths of the picture's height, of the first picture of a scene that is made.
+/// Lengths are in thousandths of the picture's height, as the scene was first seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hatch {
     /// Width of a line; 0 draws none.
@@ -52,7 +52,7 @@ pub struct Hatch {
     pub per_thickness: f32,
     /// The least distance from line to line.
     pub least: f32,
-    /// The greatest.
+    /// The greatest; what touches many others may have more.
     pub most: f32,
     /// Parts that are thinner on the mean have their caps filled.
     pub solid_below: f32,

@@ -78,7 +78,7 @@ fn nonsense_names_its_place_and_what_helps() {
             "style = \"wrong.toml\"",
             &["wrong.toml:2", "outlien", "outline"],
         ),
-        ("style = \"bad.toml\"", &["bad.toml:2", "from 0 to 50"]),
+        ("style = \"bad.toml\"", &["bad.toml:2", "from 0 to 20"]),
         ("style = \"none.toml\"", &["none.toml", "cannot be read"]),
         ("[style]\nshading = \"calmer\"", &["scene.toml:2", "calm"]),
         (
