@@ -390,7 +390,8 @@ impl Session {
         first.ok_or_else(|| Error::Plan(format!("{method} has no band")))
     }
 
-    /// The words of a buffer of the last frame by a method, by name: for tests. Of the first band, if there are several.
+    /// The words of a buffer of the last frame by a method, by name: for tests. Of the first band, if there are several, with the
+    /// rows below it that its effects look at.
     pub fn words(&self, method: impl Into<Method>, buffer: &str) -> Result<Vec<u32>> {
         self.first_band(method)?.program.words(&self.gpu, buffer)
     }

@@ -114,8 +114,9 @@ fn part_hatches(scene: &SceneBuffers<'_>, style: &Style) -> Vec<pack::PartHatch>
 fn spacing_of(thickness: f64, hatch: &Hatch) -> f64 {
     let [share, least, most] = [hatch.per_thickness, hatch.least, hatch.most].map(f64::from);
     let wanted = (share * thickness).clamp(least, most);
-    // In steps of the root of two from the least.
-    least * 2.0_f64.powf(((wanted / least).log2() * 2.0).floor() / 2.0)
+    // In steps of the root of two from the greatest.
+    let steps = ((wanted / most).log2() * 2.0).round() / 2.0;
+    (most * 2.0_f64.powf(steps)).max(least)
 }
 
 /// Across the lines of a class of parts, in periods per scene unit.
