@@ -1,5 +1,5 @@
-// Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `shading`,
-// `cap_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
+// Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `shading`, `occlusion`,
+// `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::base::base_of
@@ -7,8 +7,10 @@
 #import cutaway::color::srgb_from_linear
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
+#import cutaway::occlusion::occluded
 #import cutaway::shading::shaded
 #import cutaway::strokes::stroked
+#import cutaway::surface_pattern::engraved
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 // Place of each part of the scene in the table.
@@ -26,8 +28,13 @@ fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
     let base = base_of(at, word, place);
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let normal = unpack_normal(layers[first + 1u]);
-    let color = shaded(base, normal, gaze, kind_of(word) == CAP);
-    return vec4<f32>(patterned(color, at, word, bitcast<f32>(layers[first + 2u]), normal, place), 1.0);
+    let depth = bitcast<f32>(layers[first + 2u]);
+    let is_cap = kind_of(word) == CAP;
+    let color = occluded(shaded(base, normal, gaze, is_cap), pixel, is_cap);
+    if is_cap {
+        return vec4<f32>(patterned(color, at, word, depth, normal, place), 1.0);
+    }
+    return vec4<f32>(engraved(color, base, at, depth, normal), 1.0);
 }
 
 @compute @workgroup_size(16, 16)

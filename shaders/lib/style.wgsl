@@ -22,8 +22,11 @@ struct Style {
     stroke_reach_px: i32,
     // How many samples a pixel of the picture has along each side: each sees so much less of it.
     fineness: f32,
-    padding_a: i32,
-    padding_b: i32,
+    // How much of occlusion surfaces and caps have.
+    occlusion_surface: f32,
+    occlusion_cap: f32,
+    // Unit vectors across the lines of engraving, and about the distance from line to line in pixels.
+    engraving: array<vec4<f32>, 2>,
 }
 
 @group(2) @binding(0) var<uniform> style: Style;

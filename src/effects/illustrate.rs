@@ -7,6 +7,7 @@ use glam::Vec3;
 use super::Picture;
 use super::borders::borders;
 use super::hatch::hatch;
+use super::occlusion::occlusion;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work, pack};
 use crate::scene::style::{Paper, Shading, Style};
@@ -23,6 +24,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     let numbers = Resource::upload("style", Role::Uniform, numbers, Clock::Cut);
     let numbers = Binding::read("style", plan.add_resource(numbers));
     let borders = (style.strokes.widest() > 0.0).then(|| borders(plan, scene, &numbers, layers));
+    let visibility = occlusion(plan, scene, layers);
     let picture = picture(plan, scene.input);
     let mut bindings = vec![
         scene.frame.clone(),
@@ -35,6 +37,10 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     let mut shader = Shader::from("effects/illustrate.wgsl")
         .with(overlap)
         .with(shading(style.shading))
+        .with(match style.shading {
+            Shading::Engraved => "lib/surface_pattern/engraving.wgsl",
+            _ => "lib/surface_pattern/plain.wgsl",
+        })
         .with(match style.paper {
             Paper::Gradient => "lib/backdrop/gradient.wgsl",
             Paper::Color(_) | Paper::None => "lib/backdrop/paper.wgsl",
@@ -51,11 +57,22 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
         }
         None => shader.with("lib/strokes/none.wgsl"),
     };
+    shader = match visibility {
+        Some(visibility) => {
+            bindings.push(Binding::read("visibility", visibility));
+            shader.with("lib/occlusion/drawn.wgsl")
+        }
+        None => shader.with("lib/occlusion/none.wgsl"),
+    };
     // Gradient, light and no strokes ask for no number of the style.
     let reads_style = borders.is_some()
         || hatch.is_some()
+        || visibility.is_some()
         || style.paper != Paper::Gradient
-        || matches!(style.shading, Shading::Calm | Shading::Gooch);
+        || matches!(
+            style.shading,
+            Shading::Calm | Shading::Gooch | Shading::Engraved
+        );
     if reads_style {
         bindings.push(numbers);
     }
@@ -89,6 +106,7 @@ fn shading(shading: Shading) -> &'static str {
         Shading::Gooch => "lib/shading/gooch.wgsl",
         Shading::Toon => "lib/shading/toon.wgsl",
         Shading::Clay => "lib/shading/clay.wgsl",
+        Shading::Engraved => "lib/shading/engraved.wgsl",
     }
 }
 
@@ -126,7 +144,12 @@ fn numbers(style: &Style, view: &View) -> pack::Style {
         cap_relief: style.cap.relief,
         stroke_reach_px: reach_px(style, rows),
         fineness: fineness as f32,
-        padding_a: 0,
-        padding_b: 0,
+        occlusion_surface: style.occlusion.surface,
+        occlusion_cap: style.occlusion.cap,
+        engraving: [style.engraving.across, style.engraving.across_dark].map(|across| {
+            let across = Vec3::from(across).normalize_or(Vec3::X);
+            let spacing_px = Style::px(style.engraving.spacing, rows);
+            across.extend(spacing_px).to_array()
+        }),
     }
 }

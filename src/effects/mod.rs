@@ -7,8 +7,11 @@
 
 mod borders;
 mod hatch;
+mod horizon;
 mod illustrate;
+mod occlusion;
 mod shade;
+mod unsharp;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
@@ -25,7 +28,8 @@ pub(crate) struct Picture {
 
 /// How many rows around a band the effects of a style look at.
 pub(crate) fn halo_rows(style: &Style, view: &View) -> u32 {
-    illustrate::halo_rows(style, view.band[1])
+    let strokes = illustrate::halo_rows(style, view.band[1]);
+    strokes.max(occlusion::halo_rows(&style.occlusion, view))
 }
 
 /// Makes the picture.

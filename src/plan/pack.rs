@@ -14,6 +14,7 @@ pub use composite::Composite;
 pub use hatch::{HatchPlane, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
+pub use occlusion::{Horizon, Unsharp};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
 pub use style::Style;
@@ -46,6 +47,7 @@ macro_rules! shared {
 mod composite;
 mod hatch;
 mod lists;
+mod occlusion;
 mod pose;
 mod pyramid;
 mod refinement;

@@ -6,7 +6,7 @@
 #define_import_path cutaway::cap_pattern
 
 #import cutaway::frame::{centre_of, frame, ray_through}
-#import cutaway::layers::{CAP, NEAR_PLANE, OVERLAP, clip_surface_of, kind_of}
+#import cutaway::layers::{NEAR_PLANE, OVERLAP, clip_surface_of}
 #import cutaway::pulses::pulse_cover
 #import cutaway::style::style
 
@@ -67,7 +67,7 @@ fn patterned(color: vec3<f32>, at: vec2<u32>, word: u32, depth: f32, normal: vec
     let hatch = part_hatches[place];
     let number = clip_surface_of(word);
     let is_bare = number != NEAR_PLANE && number >= arrayLength(&hatch_planes);
-    if kind_of(word) != CAP || (word & OVERLAP) != 0u || hatch.alpha <= 0.0 || is_bare {
+    if (word & OVERLAP) != 0u || hatch.alpha <= 0.0 || is_bare {
         return color;
     }
     if hatch.is_solid != 0u {

@@ -11,7 +11,9 @@ use super::table::with_table;
 use crate::document::Keys;
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
-use crate::scene::style::{Hatch, Paper, Shading, Style, Tint};
+use crate::scene::style::{
+    Engraving, Hatch, Occlusion, OcclusionKind, Paper, Shading, Style, Tint,
+};
 
 static KEYS: Keys = Keys::below("style");
 static STROKES: Keys = Keys::below("style.strokes");
@@ -19,13 +21,16 @@ static SURFACE: Keys = Keys::below("style.surface");
 static CAP: Keys = Keys::below("style.cap");
 static HATCH: Keys = Keys::below("style.hatch");
 static GOOCH: Keys = Keys::below("style.gooch");
+static OCCLUSION: Keys = Keys::below("style.occlusion");
+static ENGRAVING: Keys = Keys::below("style.engraving");
 
 /// The styles that come with the program, beside `lit`, which is the default of the library.
-const STYLES: [(&str, &str); 7] = [
+const STYLES: [(&str, &str); 8] = [
     ("technical", include_str!("../styles/technical.toml")),
     ("drafting", include_str!("../styles/drafting.toml")),
     ("gooch", include_str!("../styles/gooch.toml")),
     ("toon", include_str!("../styles/toon.toml")),
+    ("ink", include_str!("../styles/ink.toml")),
     ("blueprint", include_str!("../styles/blueprint.toml")),
     ("clay", include_str!("../styles/clay.toml")),
     ("vivid", include_str!("../styles/vivid.toml")),
@@ -180,6 +185,12 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     if let Some(entry) = table.get("hatch") {
         hatch(&mut style.hatch, &entry.table(HATCH.all())?)?;
     }
+    if let Some(entry) = table.get("occlusion") {
+        occlusion(&mut style.occlusion, &entry.table(OCCLUSION.all())?)?;
+    }
+    if let Some(entry) = table.get("engraving") {
+        engraving(&mut style.engraving, &entry.table(ENGRAVING.all())?)?;
+    }
     if let Some(entry) = table.get("strokes") {
         let table = entry.table(STROKES.all())?;
         let strokes = &mut style.strokes;
@@ -222,6 +233,58 @@ fn hatch(hatch: &mut Hatch, table: &Table<'_>) -> Result<()> {
         let help = "write for example `least = 5.2, most = 9.5`";
         let what = "its least distance must be 0.1 or more, and the greatest no less";
         return Err(table.entry.fault(what, help));
+    }
+    Ok(())
+}
+
+fn occlusion(occlusion: &mut Occlusion, table: &Table<'_>) -> Result<()> {
+    if let Some(entry) = table.get("kind") {
+        occlusion.kind = entry.choice(&OcclusionKind::ALL)?;
+    }
+    for (slot, key, most) in [
+        (&mut occlusion.slices, "slices", 32),
+        (&mut occlusion.steps, "steps", 64),
+    ] {
+        if let Some(entry) = table.get(key) {
+            let count = entry.number()?.round();
+            if !(1.0..=f64::from(most)).contains(&count) {
+                let help = format!("write for example `{key} = {slot}`");
+                return Err(entry.fault(format_args!("it must be from 1 to {most}"), help));
+            }
+            *slot = count as u32;
+        }
+    }
+    for (slot, key, most) in [
+        (&mut occlusion.radius_percent, "radius_percent", 100.0),
+        (&mut occlusion.blur_percent, "blur_percent", 10.0),
+        (&mut occlusion.strength, "strength", 100.0),
+        (&mut occlusion.surface, "surface", 1.0),
+        (&mut occlusion.cap, "cap", 1.0),
+    ] {
+        set(slot, table, key, most)?;
+    }
+    Ok(())
+}
+
+fn engraving(engraving: &mut Engraving, table: &Table<'_>) -> Result<()> {
+    set(&mut engraving.spacing, table, "spacing", 1000.0)?;
+    if let Some(entry) = table.get("spacing").filter(|_| engraving.spacing < 1.0) {
+        let help = "write for example `spacing = 6.7`";
+        return Err(entry.fault("lines would be finer than any picture", help));
+    }
+    for (slot, key) in [
+        (&mut engraving.across, "across"),
+        (&mut engraving.across_dark, "across_dark"),
+    ] {
+        if let Some(entry) = table.get(key) {
+            *slot = entry.vector::<3>()?.map(|x| x as f32);
+            if slot.iter().all(|x| *x == 0.0) {
+                return Err(entry.fault(
+                    "it has no direction",
+                    format!("write for example `{key} = [1, 0, 0]`"),
+                ));
+            }
+        }
     }
     Ok(())
 }

@@ -27,9 +27,11 @@ shared! {
         stroke_reach_px: i32,
         /// How many samples a pixel of the picture has along each side.
         fineness: f32,
-        /// Unused.
-        padding_a: i32,
-        /// Unused.
-        padding_b: i32,
+        /// How much of occlusion surfaces have.
+        occlusion_surface: f32,
+        /// How much of it caps have.
+        occlusion_cap: f32,
+        /// Unit vectors across the lines of engraving, and about the distance from line to line in pixels.
+        engraving: [[f32; 4]; 2],
     }
 }

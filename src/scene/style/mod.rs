@@ -6,9 +6,13 @@
 //!
 //! The default is `lit`, which is what measurements take. The others are files (`document::styles`).
 
+mod engraving;
+mod occlusion;
 mod oklab;
 mod tint;
 
+pub use engraving::Engraving;
+pub use occlusion::{Occlusion, OcclusionKind};
 pub use tint::Tint;
 
 use glam::Vec3;
@@ -34,6 +38,10 @@ pub struct Style {
     pub strokes: Strokes,
     /// Lines on caps.
     pub hatch: Hatch,
+    /// Lines on surfaces, where shading asks for them.
+    pub engraving: Engraving,
+    /// Darkening of what lies deep.
+    pub occlusion: Occlusion,
 }
 
 /// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.
@@ -129,6 +137,8 @@ pub enum Shading {
     Toon,
     /// A matte material.
     Clay,
+    /// Tone as lines on surfaces ([`Engraving`]); caps without light.
+    Engraved,
 }
 
 /// Light from cool to warm: cool is a blue and a share of the own colour, warm a yellow and a share of it (Gooch et al. 1998, b, y, alpha
@@ -159,13 +169,14 @@ impl Default for Gooch {
 
 impl Shading {
     /// All, by their names.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("lit", Self::Lit),
         ("calm", Self::Calm),
         ("flat", Self::Flat),
         ("gooch", Self::Gooch),
         ("toon", Self::Toon),
         ("clay", Self::Clay),
+        ("engraved", Self::Engraved),
     ];
 }
 

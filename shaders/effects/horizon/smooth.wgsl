@@ -1,0 +1,51 @@
+// The mean of what was found of the sky over 4 x 4 samples, as large as the pattern of the search, of those that lie on about the same
+// plane. One invocation owns a pixel.
+
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::layers::{BACKGROUND, kind_of, unpack_normal}
+#import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+@group(1) @binding(1) var<storage, read> sky: array<f32>;
+@group(1) @binding(2) var<storage, read_write> visibility: array<f32>;
+
+// How far from the tangent plane another sample may be, in widths of a pixel.
+const LEVEL_PX: f32 = 4.0;
+// The least cosine between normals.
+const ALIKE: f32 = 0.7;
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let first = first_word_of(id.xy);
+    let pixel = pixel_index(id.xy);
+    if kind_of(layers[first]) == BACKGROUND {
+        visibility[pixel] = 1.0;
+        return;
+    }
+    let depth = bitcast<f32>(layers[first + 2u]);
+    let point = shown_point(id.xy, layers[first], depth).xyz;
+    let normal = unpack_normal(layers[first + 1u]);
+    let level = LEVEL_PX * pixel_width(depth);
+    var sum = sky[pixel];
+    var count = 1.0;
+    for (var y = -2; y < 2; y++) {
+        for (var x = -2; x < 2; x++) {
+            let near = vec2<i32>(id.xy) + vec2<i32>(x, y);
+            if !is_in_frame(near) || (x == 0 && y == 0) {
+                continue;
+            }
+            let other = first_word_of(vec2<u32>(near));
+            let shown = shown_point(vec2<u32>(near), layers[other], bitcast<f32>(layers[other + 2u]));
+            let is_level = abs(dot(normal, shown.xyz - point)) <= level;
+            if shown.w == 0.0 || !is_level || dot(normal, unpack_normal(layers[other + 1u])) < ALIKE {
+                continue;
+            }
+            sum += sky[pixel_index(vec2<u32>(near))];
+            count += 1.0;
+        }
+    }
+    visibility[pixel] = sum / count;
+}

@@ -1,0 +1,33 @@
+// Depth, blurred along columns, and how much light there is by its difference to depth itself: less where what is around lies nearer
+// (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
+
+#import cutaway::depth_blur::{depth_share, unsharp, weight_at}
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+@group(1) @binding(1) var<storage, read> blurred: array<f32>;
+@group(1) @binding(2) var<storage, read_write> visibility: array<f32>;
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    let first = pixel * WORDS_PER_PIXEL;
+    if kind_of(layers[first]) == BACKGROUND {
+        visibility[pixel] = 1.0;
+        return;
+    }
+    var sum = 0.0;
+    var weights = 0.0;
+    let y = i32(id.y);
+    for (var off = max(-unsharp.reach_px, -y); off <= min(unsharp.reach_px, i32(frame.size_px.y) - 1 - y); off++) {
+        let weight = weight_at(off);
+        sum += weight * blurred[pixel_index(vec2<u32>(id.x, u32(y + off)))];
+        weights += weight;
+    }
+    let depth = depth_share(layers[first], bitcast<f32>(layers[first + 2u]));
+    visibility[pixel] = clamp(1.0 + unsharp.strength * min(sum / weights - depth, 0.0), 0.0, 1.0);
+}

@@ -1,0 +1,50 @@
+// Tone as lines: where a surface meets a family of parallel planes of the scene there is a line, the wider the darker (tone as a threshold:
+// Freudenberg, Masuch and Strothotte 2002; here it is the width). Dark tones have a second family.
+//
+// Planes are a power of two apart, the one at which lines are about as far from each other in the picture as the style says; between two
+// such scales every second line thins out, so that a camera that goes away moves no line.
+
+#define_import_path cutaway::surface_pattern
+
+#import cutaway::frame::{centre_of, frame, ray_through}
+#import cutaway::pulses::pulse_cover
+#import cutaway::style::style
+
+// From the tone at which a family begins to the one at which it is densest.
+const LIGHT_FAMILY: vec2<f32> = vec2<f32>(0.80, 0.15);
+const DARK_FAMILY: vec2<f32> = vec2<f32>(0.42, 0.0);
+
+// How much of a pixel the lines of a family cover: `across` in units of the scene and the distance from line to line in pixels, `per_px` how
+// far a pixel goes across.
+fn family_cover(place: f32, per_px: f32, spacing_px: f32, darkness: f32) -> f32 {
+    let scale = log2(max(spacing_px * per_px, 1e-12));
+    let spacing = exp2(floor(scale));
+    let between = fract(scale);
+    // Half the distance is ink where it is darkest.
+    let width = 0.25 * darkness * spacing_px * per_px / spacing;
+    let at = 0.5 * place / spacing;
+    let footprint = 0.5 * per_px / spacing / style.fineness;
+    let kept = pulse_cover(at, min(width, 1.0), footprint);
+    let thinning = pulse_cover(at + 0.5, min(width * (1.0 - between), 1.0), footprint);
+    return min(kept + thinning, 1.0);
+}
+
+fn engraved(color: vec3<f32>, base: vec3<f32>, at: vec2<u32>, depth: f32, normal: vec3<f32>) -> vec3<f32> {
+    let ray = ray_through(centre_of(at));
+    let point = ray.origin + depth * ray.direction;
+    let reach = select(depth, 1.0, frame.orthographic != 0u);
+    // At grazing angles a footprint would be infinite.
+    let towards = min(dot(ray.direction, normal), -0.03 * length(ray.direction));
+    let right = reach * (frame.ray_step[0].xyz - ray.direction * (dot(frame.ray_step[0].xyz, normal) / towards));
+    let down = reach * (frame.ray_step[1].xyz - ray.direction * (dot(frame.ray_step[1].xyz, normal) / towards));
+    let tone = dot(color, vec3<f32>(0.2126, 0.7152, 0.0722));
+    var bare = 1.0;
+    for (var i = 0u; i < 2u; i++) {
+        let across = style.engraving[i];
+        let range = select(LIGHT_FAMILY, DARK_FAMILY, i == 1u);
+        let darkness = clamp((range.x - tone) / (range.x - range.y), 0.0, 1.0);
+        let per_px = length(vec2<f32>(dot(across.xyz, right), dot(across.xyz, down)));
+        bare *= 1.0 - family_cover(dot(across.xyz, point), per_px, across.w, darkness);
+    }
+    return mix(style.ink.rgb, base, bare);
+}

@@ -1,0 +1,75 @@
+//! Occlusion by horizons: the share of the sky over what the picture shows around a pixel (Jimenez, Wu, Pesce and Jarabo 2016).
+//!
+//! Two passes, 8 bytes a pixel. A search costs slices x steps x 2 samples of layers and as many arc cosines as slices x 2.
+//!
+//! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
+
+use super::occlusion::{numbers, over_pixels, per_pixel};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Plan, ResourceId, pack};
+use crate::scene::View;
+use crate::scene::style::Occlusion;
+
+/// The farthest sample, in thousandths of the picture's height: near the eye a radius would be all of it.
+const REACH: f64 = 160.0;
+/// How far the mean of the pattern reaches.
+const SMOOTH_PX: u32 = 2;
+
+/// Finds what of the sky each pixel sees.
+pub(super) fn horizon(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    style: &Occlusion,
+    layers: ResourceId,
+) -> ResourceId {
+    let diagonal = 2.0 * scene.input.model.prepared.bounds.radius();
+    let horizon = pack::Horizon {
+        radius: (f64::from(style.radius_percent) / 100.0 * diagonal) as f32,
+        reach_px: reach_px(scene.input.view) as f32,
+        slices: style.slices,
+        steps: style.steps,
+    };
+    let numbers = numbers(plan, "horizon", horizon);
+    let sky = per_pixel(plan, scene, "sky");
+    over_pixels(
+        plan,
+        scene,
+        (
+            "find horizons",
+            "the sky that a point sees lies over the highest samples around it",
+        ),
+        "effects/horizon/find.wgsl",
+        vec![
+            scene.frame.clone(),
+            Binding::read("layers", layers),
+            Binding::write("sky", sky),
+            numbers,
+        ],
+    );
+    let visibility = per_pixel(plan, scene, "visibility");
+    over_pixels(
+        plan,
+        scene,
+        (
+            "smooth occlusion",
+            "the mean over the pattern by which the search was turned",
+        ),
+        "effects/horizon/smooth.wgsl",
+        vec![
+            scene.frame.clone(),
+            Binding::read("layers", layers),
+            Binding::read("sky", sky),
+            Binding::write("visibility", visibility),
+        ],
+    );
+    visibility
+}
+
+fn reach_px(view: &View) -> f64 {
+    REACH / 1000.0 * f64::from(view.band[1])
+}
+
+/// How many rows around a band are looked at.
+pub(super) fn halo_rows(view: &View) -> u32 {
+    reach_px(view).ceil() as u32 + SMOOTH_PX + 1
+}

@@ -1,0 +1,67 @@
+//! Occlusion: how much of the sky is seen, a number for each pixel, by what the style asks for.
+
+use super::{horizon, unsharp};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::scene::View;
+use crate::scene::style::{Occlusion, OcclusionKind};
+
+/// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
+pub(super) fn occlusion(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    layers: ResourceId,
+) -> Option<ResourceId> {
+    let style = &scene.input.model.prepared.style.occlusion;
+    if !style.is_drawn() {
+        return None;
+    }
+    match style.kind {
+        OcclusionKind::None => None,
+        OcclusionKind::Horizon => Some(horizon::horizon(plan, scene, style, layers)),
+        OcclusionKind::Unsharp => Some(unsharp::unsharp(plan, scene, style, layers)),
+    }
+}
+
+/// How many rows around a band are looked at.
+pub(super) fn halo_rows(style: &Occlusion, view: &View) -> u32 {
+    match style.kind {
+        _ if !style.is_drawn() => 0,
+        OcclusionKind::None => 0,
+        OcclusionKind::Horizon => horizon::halo_rows(view),
+        OcclusionKind::Unsharp => unsharp::reach_px(style, view) as u32,
+    }
+}
+
+/// A buffer of a number for each pixel.
+pub(super) fn per_pixel(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    name: &'static str,
+) -> ResourceId {
+    let bytes = scene.input.pixel_count() * 4;
+    plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
+}
+
+/// Numbers of an effect.
+pub(super) fn numbers<T: bytemuck::Pod>(
+    plan: &mut Plan,
+    name: &'static str,
+    numbers: T,
+) -> Binding {
+    let contents = Contents::from_values(&[numbers]);
+    let uniform = Resource::upload(name, Role::Uniform, contents, Clock::Cut);
+    Binding::read(name, plan.add_resource(uniform))
+}
+
+/// Adds a pass that goes over all pixels.
+pub(super) fn over_pixels(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    (name, help): (&'static str, &'static str),
+    shader: &'static str,
+    bindings: Vec<Binding>,
+) {
+    let work = Work::over(scene.input.view.size_px);
+    plan.add_pass(Pass::new(name, help, shader, bindings, work));
+}

@@ -1,0 +1,33 @@
+//! The numbers of occlusion.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::Layout;
+
+shared! {
+    /// The search for horizons: `shaders/effects/horizon/find.wgsl`.
+    Horizon {
+        /// How far away something may be that hides the sky, in scene units.
+        radius: f32,
+        /// The greatest distance of a sample in pixels.
+        reach_px: f32,
+        /// Planes through the line of sight.
+        slices: u32,
+        /// Samples to each side of each.
+        steps: u32,
+    }
+}
+
+shared! {
+    /// Depth and blurred depth: `shaders/lib/depth_blur.wgsl`.
+    Unsharp {
+        /// The length that is 1, in scene units.
+        diagonal: f32,
+        /// Standard deviation in pixels.
+        sigma_px: f32,
+        /// Samples to each side.
+        reach_px: i32,
+        /// How much darker it is where depth is greater than around by 1.
+        strength: f32,
+    }
+}
