@@ -9,9 +9,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::effects;
 use crate::gpu::{
-    BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Gpu, Program, RunTimes, Target,
+    BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Gpu, RunTimes, Target,
 };
 use crate::layers::Layers;
 use crate::passes::Model;
@@ -22,10 +21,12 @@ use crate::{Error, Result};
 
 mod bands;
 mod encode;
+mod finish;
 mod rows;
 
 use bands::{Band, Slot};
 pub use encode::{Encoded, Overflow};
+pub use finish::StyleChannels;
 use rows::Rows;
 
 /// How often a frame is drawn until its buffers are large enough.
@@ -340,35 +341,6 @@ impl Session {
     ) -> Result<u64> {
         let bands = self.slot(method)?.bands.iter();
         Ok(bands.map(|b| b.program.allocated_on(clock, is_scene)).sum())
-    }
-
-    /// Makes a picture of layers that come from elsewhere, by the same passes as a strategy's; in bands, where they are too large in one
-    /// piece.
-    pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
-        let [width, rows] = layers.size_px;
-        let halo = effects::halo_rows(&model.prepared.style, view);
-        let mut bands = 1;
-        loop {
-            let all = Rows::bands(rows, bands, halo).map(|band| {
-                let (first, count) = band.drawn();
-                let shaded =
-                    self.shade_at_once(model, &band.view(view), &layers.rows(first, count));
-                Ok(band.own(&shaded?, width as usize * 4))
-            });
-            match all.collect::<Result<Vec<_>>>() {
-                Err(Error::Limit(_)) if rows / bands > Capacities::FEWEST_ROWS => bands *= 2,
-                shaded => return Ok(shaded?.concat()),
-            }
-        }
-    }
-
-    fn shade_at_once(&self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
-        let words = crate::gpu::words_from_layers(layers);
-        let plan = effects::finish_of(model, view, &words).map_err(|r| Error::Plan(r.reason))?;
-        let mut program = Program::default();
-        program.load(&self.gpu, plan)?;
-        program.run(&self.gpu, ClockSet::ALL)?;
-        program.picture(&self.gpu)
     }
 
     fn slot(&self, method: impl Into<Method>) -> Result<&Slot> {

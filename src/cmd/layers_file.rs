@@ -5,6 +5,10 @@
 //! `normal.X`, `.Y`, `.Z` is a unit vector in the axes of the model, and `unreliable` is 1 where the pixel may be wrong
 //! ([`super::doubt`]). Numbers are exact: no channel is quantised.
 //!
+//! A style that draws more than colours adds what it drew: `stroke` and `hatch` are the share of the pixel that strokes and lines of hatches
+//! cover, `cap.U` and `cap.V` where the pixel is on the plane that carries its hatch, to the right and up, and `occlusion` the share of the
+//! light that is left.
+//!
 //! Attributes say what the numbers mean: `parts` are names by number, `clip_surfaces` the names of the cuts that they belong
 //! to, `units` says what is measured in what, and `camera.*` is where the picture was taken from, in the space of the model.
 
@@ -19,6 +23,7 @@ use glam::DVec3;
 
 use crate::layers::{Kind, Layer as Pixel, Layers};
 use crate::scene::{Prepared, Scene, View};
+use crate::session::StyleChannels;
 use crate::{Error, Result};
 
 /// What layers are of.
@@ -30,6 +35,8 @@ pub(super) struct About<'a> {
     pub(super) view: &'a View,
     /// Of the pixels in order.
     pub(super) may_be_wrong: &'a [bool],
+    /// What the style drew over them.
+    pub(super) drawn: &'a StyleChannels,
 }
 
 impl About<'_> {
@@ -70,7 +77,7 @@ impl About<'_> {
             (
                 "units",
                 text(
-                    "depth: units of the model, along camera.forward; normal: axes of the model; angles: degrees",
+                    "depth: units of the model, along camera.forward; normal: axes of the model; angles: degrees; cap: units of the model",
                 ),
             ),
             ("camera.position", vector(position)),
@@ -96,7 +103,7 @@ pub(super) fn exr(layers: &Layers, about: &About<'_>) -> Result<Vec<u8>> {
     let unreliable = about.may_be_wrong.iter().map(|w| f32::from(u8::from(*w)));
     let unreliable: Vec<f32> = unreliable.collect();
     let or_none = |there: bool, number: f32| if there { number } else { -1.0 };
-    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = [
+    let mut channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = [
         channel("depth", &|p| (p.depth / scale) as f32),
         channel("kind", &|p| f32::from(p.kind as u8)),
         channel("part", &|p| {
@@ -112,6 +119,24 @@ pub(super) fn exr(layers: &Layers, about: &About<'_>) -> Result<Vec<u8>> {
     ]
     .into_iter()
     .collect();
+    let drawn = about.drawn;
+    let on_cap = |axis: usize| {
+        let places = drawn.cap_uv.iter();
+        places
+            .map(|uv| (f64::from(uv[axis]) / scale) as f32)
+            .collect()
+    };
+    for (name, samples) in [
+        ("stroke", drawn.stroke.clone()),
+        ("hatch", drawn.hatch.clone()),
+        ("cap.U", on_cap(0)),
+        ("cap.V", on_cap(1)),
+        ("occlusion", drawn.visibility.clone()),
+    ] {
+        if !samples.is_empty() {
+            channels.push(AnyChannel::new(name, FlatSamples::F32(samples)));
+        }
+    }
     let [width, height] = layers.size_px.map(|s| s as usize);
     let mut attributes = LayerAttributes::named("layers");
     let named = about.attributes().into_iter();
@@ -156,11 +181,15 @@ mod tests {
         let scale = prepared.scale;
         let mut may_be_wrong = vec![false; 6];
         may_be_wrong[4] = true;
+        let mut drawn = StyleChannels::default();
+        drawn.hatch = vec![0.25; 6];
+        drawn.cap_uv = vec![[1.0, -2.0]; 6];
         let about = About {
             scene: &scene,
             prepared: &prepared,
             view: &prepared.view([3, 2]),
             may_be_wrong: &may_be_wrong,
+            drawn: &drawn,
         };
         let bytes = exr(&layers, &about).unwrap();
         let image = read()
@@ -188,6 +217,9 @@ mod tests {
             ("normal.Y", 0.0),
             ("normal.Z", -0.8),
             ("unreliable", 1.0),
+            ("hatch", 0.25),
+            ("cap.U", (1.0 / scale) as f32),
+            ("cap.V", (-2.0 / scale) as f32),
         ];
         for (name, v) in expected {
             assert_eq!(value(name, 4), v, "{name}");

@@ -117,11 +117,13 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
+        let drawn = session.style_channels(&shown.model, &view, layers)?;
         let about = layers_file::About {
             scene: &subject.scene,
             prepared: &shown.model.prepared,
             view: &view,
             may_be_wrong: &facts.may_be_wrong,
+            drawn: &drawn,
         };
         output.write(&layers_file::exr(layers, &about)?)?;
     }

@@ -217,7 +217,7 @@ pub const PATHS: &[Path] = &[
     fixed("part.*.fill", Choice(&["even-odd", "nonzero"]), "", "\"nonzero\"", "which points the mesh encloses"),
     fixed("part.*.material.color", Color, "", "\"#8a94a6\"", "colour of the mesh"),
     fixed("part.*.material.cap_color", Color, "", "\"#d9773f\"", "colour of its caps"),
-    fixed("part.*.material.hatch", Text, "", "\"steel\"", "hatch of its caps, read but not drawn yet"),
+    fixed("part.*.material.hatch", Text, "", "\"steel\"", "hatch of its caps: general, none, solid, a material, or a pattern of a file, mine.pat#NAME"),
     fixed("part.*.defects.*.kind", Choice(&["holes", "flipped", "duplicated", "t-junctions", "gaps", "overlap", "open", "soup"]), "", "\"holes\"", "how the mesh is broken on purpose"),
     fixed("part.*.defects.*.amount", Amount, "", "\"5%\"", "how much of it"),
     fixed("part.*.defects.*.seed", Whole(0.0, ANY), "", "1", "which faces"),

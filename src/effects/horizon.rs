@@ -4,7 +4,7 @@
 //!
 //! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
 
-use super::occlusion::{numbers, over_pixels, per_pixel};
+use super::occlusion::{VISIBILITY, numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
@@ -46,7 +46,7 @@ pub(super) fn horizon(
             numbers,
         ],
     );
-    let visibility = per_pixel(plan, scene, "visibility");
+    let visibility = per_pixel(plan, scene, VISIBILITY);
     over_pixels(
         plan,
         scene,

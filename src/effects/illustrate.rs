@@ -7,9 +7,9 @@ use glam::Vec3;
 use super::Picture;
 use super::borders::borders;
 use super::hatch::hatch;
-use super::occlusion::occlusion;
+use super::occlusion::{self, occlusion};
 use crate::passes::{SceneBuffers, overlap, picture};
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work, pack};
+use crate::plan::{Binding, Pass, Plan, ResourceId, Work, pack};
 use crate::scene::style::{Paper, Shading, Style};
 use crate::scene::{View, linear_from_srgb, map_channels};
 use crate::shader::Shader;
@@ -20,9 +20,7 @@ const MOST_HALF_PX: f32 = 16.0;
 /// Makes the picture.
 pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
     let style = scene.input.model.prepared.style;
-    let numbers = Contents::from_values(&[numbers(&style, scene.input.view)]);
-    let numbers = Resource::upload("style", Role::Uniform, numbers, Clock::Cut);
-    let numbers = Binding::read("style", plan.add_resource(numbers));
+    let numbers = style_numbers(plan, scene);
     let borders = (style.strokes.widest() > 0.0).then(|| borders(plan, scene, &numbers, layers));
     let visibility = occlusion(plan, scene, layers);
     let picture = picture(plan, scene.input);
@@ -86,6 +84,12 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     );
     plan.add_pass(pass);
     Picture { layers, picture }
+}
+
+/// The numbers of the style, as a binding.
+pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Binding {
+    let style = &scene.input.model.prepared.style;
+    occlusion::numbers(plan, "style", numbers(style, scene.input.view))
 }
 
 /// How many rows around a band are looked at, of a picture of so many.

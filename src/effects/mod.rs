@@ -6,12 +6,16 @@
 //! instruction, for each effect fills an open module.
 
 mod borders;
+mod channels;
 mod hatch;
+mod hatch_lines;
 mod horizon;
 mod illustrate;
 mod occlusion;
 mod shade;
 mod unsharp;
+
+pub(crate) use channels::Channels;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
@@ -42,17 +46,41 @@ pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered
     }
 }
 
+/// The plan of what a style draws over layers which come from elsewhere, as words. The reason where the scene is too much.
+pub(crate) fn channels_of(
+    model: &Model,
+    view: &View,
+    layers: &[u32],
+) -> Result<(Plan, Channels), Refusal> {
+    let capacities = Capacities::UNKNOWN;
+    let input = Input::new(model, view, &capacities)?;
+    let mut plan = Plan::default();
+    let (scene, layers) = over_layers(&mut plan, &input, layers);
+    let channels = channels::channels(&mut plan, &scene, layers);
+    Ok((plan.without_unused(), channels))
+}
+
+/// The scene, and layers that come from elsewhere.
+fn over_layers<'a>(
+    plan: &mut Plan,
+    input: &'a Input<'a>,
+    layers: &[u32],
+) -> (SceneBuffers<'a>, ResourceId) {
+    let scene = SceneBuffers::unposed(plan, input, Lanes::none());
+    let layers = Contents::from_values(layers);
+    let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
+    (scene, plan.add_resource(layers))
+}
+
 /// The plan that makes a picture of layers which come from elsewhere, as words: what the exact reference found. The reason where the scene
 /// is too much.
 pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
     let mut plan = Plan::default();
-    let scene = SceneBuffers::unposed(&mut plan, &input, Lanes::none());
-    let layers = Contents::from_values(layers);
-    let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
+    let (scene, layers) = over_layers(&mut plan, &input, layers);
     let layered = Layered {
-        layers: plan.add_resource(layers),
+        layers,
         picture: None,
     };
     plan.picture = Some(finish(&mut plan, &scene, layered).picture);

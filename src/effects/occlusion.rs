@@ -6,6 +6,9 @@ use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Ro
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
 
+/// The buffer of what occlusion finds.
+pub(super) const VISIBILITY: &str = "visibility";
+
 /// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
 pub(super) fn occlusion(
     plan: &mut Plan,

@@ -4,7 +4,7 @@
 //!
 //! Cannot: darken narrow gaps between what lies equally deep.
 
-use super::occlusion::{numbers, over_pixels, per_pixel};
+use super::occlusion::{VISIBILITY, numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
@@ -38,7 +38,7 @@ pub(super) fn unsharp(
             numbers.clone(),
         ],
     );
-    let visibility = per_pixel(plan, scene, "visibility");
+    let visibility = per_pixel(plan, scene, VISIBILITY);
     over_pixels(
         plan,
         scene,

@@ -19,6 +19,7 @@ mod image;
 pub(crate) mod input_file;
 mod mtl;
 mod obj;
+mod pat;
 mod ply;
 mod stl;
 mod welded;
@@ -33,6 +34,7 @@ pub use assets::Assets;
 pub use companions::companions;
 pub use files::{Disk, Files, Memory};
 pub use image::{read_offset_map, read_offset_map_from};
+pub use pat::read_patterns;
 
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::{Driver, Edges, Material, Mesh, Part, range};

@@ -96,7 +96,7 @@ impl Model {
             .collect();
         let place = |index: usize, part: &Part, _: &SceneSpace, cuts: Vec<usize>| PreparedPart {
             name: part.name.clone(),
-            material: part.material,
+            material: part.material.clone(),
             fill: part.fill,
             cuts,
             ..packed[index].part.clone()

@@ -11,7 +11,7 @@ use crate::scene::{Bounds, PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
-pub use hatch::{HatchPlane, PartHatch};
+pub use hatch::{HatchLine, HatchPlane, HatchPlanes, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use occlusion::{Horizon, Unsharp};

@@ -2,13 +2,17 @@
 
 use glam::Vec3;
 
+use super::CapHatch;
+
 /// Colours of a part, as sRGB in 0..=1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// Colour of the mesh.
     pub color: Vec3,
     /// Colour of the cap; `None` derives a warm, lighter tone from `color`.
     pub cap_color: Option<Vec3>,
+    /// Hatch of the cap, where a style has hatches.
+    pub hatch: CapHatch,
 }
 
 impl Default for Material {
@@ -16,6 +20,7 @@ impl Default for Material {
         Self {
             color: Vec3::new(0.56, 0.62, 0.70),
             cap_color: None,
+            hatch: CapHatch::General,
         }
     }
 }
@@ -37,7 +42,7 @@ impl Material {
         let tone = |shift: f32| 0.60 + 0.22 * (hue + shift).cos();
         Self {
             color: Vec3::new(tone(0.0), tone(-2.094), tone(2.094)),
-            cap_color: None,
+            ..Self::default()
         }
     }
 }

@@ -177,20 +177,60 @@ fn capabilities(native: bool) -> Capabilities {
     }
 }
 
-/// Every way to compose a shader of the tree: each file in each open module that it needs.
+/// Ways to compose the shaders of the tree: each file in each open module that it needs. Of a shader with more than [`FEW`] ways so many
+/// that any two files that can be together are in one.
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
     for (path, text) in SHADERS {
         let mut open = vec![Shader::from(*path)];
+        let mut ways = Vec::new();
         while let Some(shader) = open.pop() {
             match first_open(text, &shader.with, &mut BTreeSet::new()) {
                 Some(files) => open.extend(files.into_iter().map(|f| shader.clone().with(f))),
-                None => all.push(shader),
+                None => ways.push(shader),
             }
         }
+        ways.sort();
+        all.extend(if ways.len() > FEW {
+            with_all_pairs(&ways)
+        } else {
+            ways
+        });
     }
     all.sort();
     all
+}
+
+/// So many compositions of one shader are all looked at.
+const FEW: usize = 128;
+
+/// A few of many compositions that have all pairs of files that the many have, each the one that adds most.
+fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
+    let pairs = |shader: &Shader| -> Vec<[&'static str; 2]> {
+        let with = &shader.with;
+        let firsts = with.iter().enumerate();
+        firsts
+            .flat_map(|(i, a)| with[i + 1..].iter().map(move |b| [*a, *b]))
+            .collect()
+    };
+    let mut missing: BTreeSet<[&str; 2]> = ways.iter().flat_map(pairs).collect();
+    let mut chosen = Vec::new();
+    while !missing.is_empty() {
+        let added = |shader: &&Shader| {
+            pairs(shader)
+                .iter()
+                .filter(|p| missing.contains(*p))
+                .count()
+        };
+        let Some(best) = ways.iter().max_by_key(added) else {
+            break;
+        };
+        pairs(best).iter().for_each(|pair| {
+            missing.remove(pair);
+        });
+        chosen.push(best.clone());
+    }
+    chosen
 }
 
 type File = (&'static str, &'static str);

@@ -233,6 +233,8 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Composite>(&modules);
     holds_in_all_shaders::<pack::Style>(&modules);
     holds_in_all_shaders::<HatchPlane>(&modules);
+    holds_in_all_shaders::<pack::HatchPlanes>(&modules);
+    holds_in_all_shaders::<pack::HatchLine>(&modules);
     holds_in_all_shaders::<PartHatch>(&modules);
     holds_in_all_shaders::<pack::Horizon>(&modules);
     holds_in_all_shaders::<pack::Unsharp>(&modules);
@@ -252,7 +254,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 24, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 26, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -495,6 +497,7 @@ fn constants_have_one_value_on_both_sides() {
         ("Domains", "surfaces", MAX_SURFACES as u32),
         ("Refinements", "surfaces", MAX_SURFACES as u32),
         ("Refinement", "borders", pack::BORDERS_OF_DOMAIN as u32),
+        ("HatchPlanes", "planes", MAX_SURFACES as u32),
     ] {
         let found = lengths.get(&(of.to_owned(), field.to_owned()));
         assert_eq!(found, Some(&length), "length of {of}.{field}");

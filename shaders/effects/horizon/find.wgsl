@@ -57,7 +57,7 @@ fn horizon_along(centre: Centre, along: vec2<f32>, least: f32, moved: f32) -> f3
         let way = shown.xyz - centre.point;
         let square = dot(way, way);
         let weight = 1.0 - square / (horizon.radius * horizon.radius);
-        if shown.w == 0.0 || square < 1e-18 || weight <= 0.0 {
+        if shown.w < 0.5 || square < 1e-18 || weight <= 0.0 {
             continue;
         }
         let height = dot(way, centre.to_eye) * inverseSqrt(square);

@@ -40,7 +40,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             let other = first_word_of(vec2<u32>(near));
             let shown = shown_point(vec2<u32>(near), layers[other], bitcast<f32>(layers[other + 2u]));
             let is_level = abs(dot(normal, shown.xyz - point)) <= level;
-            if shown.w == 0.0 || !is_level || dot(normal, unpack_normal(layers[other + 1u])) < ALIKE {
+            if shown.w < 0.5 || !is_level || dot(normal, unpack_normal(layers[other + 1u])) < ALIKE {
                 continue;
             }
             sum += sky[pixel_index(vec2<u32>(near))];

@@ -1,57 +1,12 @@
-// Strokes along borders: of a width, in ink, smooth at their edges. Bound as @group(2) @binding(1).
-//
-// A border is a unit segment between two samples. The distance to a stroke is that to its segment less half its width; the least over
-// all borders nearby is one distance for all classes, so that lines of unlike widths join at corners.
+// Strokes along borders, over what covers a share of the pixel, or nothing.
 
 #define_import_path cutaway::strokes
 
-#import cutaway::borders::{NO_BORDER, below_of, right_of}
-#import cutaway::frame::{frame, pixel_index}
+#import cutaway::stroke_cover::stroke_cover
 #import cutaway::style::style
-
-@group(2) @binding(1) var<storage, read> borders: array<u32>;
-
-const FAR_AWAY: f32 = 1000.0;
-
-fn half_px_of(border: u32) -> f32 {
-    return style.stroke_halves[(border - 1u) / 4u][(border - 1u) % 4u];
-}
-
-// Distance to the stroke on a border, negative inside, of a pixel that is `off` from the centre of the border across it and along it.
-fn distance_to(border: u32, across: f32, along: f32) -> f32 {
-    if border == NO_BORDER {
-        return FAR_AWAY;
-    }
-    let half_px = half_px_of(border);
-    let distance = length(vec2<f32>(across, max(abs(along) - 0.5, 0.0))) - half_px;
-    return select(FAR_AWAY, distance, half_px > 0.0);
-}
-
-// The share of a pixel that strokes cover.
-fn stroke_cover(at: vec2<u32>) -> f32 {
-    let size = vec2<i32>(frame.size_px);
-    var nearest = FAR_AWAY;
-    for (var y = -style.stroke_reach_px - 1; y <= style.stroke_reach_px; y++) {
-        for (var x = -style.stroke_reach_px - 1; x <= style.stroke_reach_px; x++) {
-            let near = vec2<i32>(at) + vec2<i32>(x, y);
-            if any(near < vec2<i32>(0)) || any(near >= size) {
-                continue;
-            }
-            let word = borders[pixel_index(vec2<u32>(near))];
-            if word == 0u {
-                continue;
-            }
-            let off = vec2<f32>(f32(x), f32(y));
-            nearest = min(nearest, distance_to(right_of(word), off.x + 0.5, off.y));
-            nearest = min(nearest, distance_to(below_of(word), off.y + 0.5, off.x));
-        }
-    }
-    return clamp(0.5 - nearest, 0.0, 1.0);
-}
 
 fn stroked(color: vec4<f32>, at: vec2<u32>) -> vec4<f32> {
     let cover = stroke_cover(at);
-    // Over what covers a share of the pixel, or nothing.
     let alpha = cover + color.a * (1.0 - cover);
     let mixed = style.ink.rgb * cover + color.rgb * color.a * (1.0 - cover);
     return vec4<f32>(mixed / max(alpha, 1e-6), alpha);

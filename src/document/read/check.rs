@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::reader::{Entry, Table};
-use super::{camera, cuts, keys, parts, settings, stock, style};
+use super::{camera, cuts, hatches, keys, parts, settings, stock, style};
 use crate::document::paths::keys_below;
 use crate::error::Result;
 use crate::generate::shapes;
@@ -29,6 +29,9 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
     }
     for entry in root.tables("part")? {
         let table = entry.table(parts::KEYS.all())?;
+        if let Some(hatch) = stock::hatch_of(&table)? {
+            hatches::check(&hatch, folder, assets)?;
+        }
         match (table.get("shape"), table.get("mesh")) {
             (Some(shape), _) => {
                 shapes::check(&stock::spec_of(&shape)?).map_err(|e| shape.place(e))?;

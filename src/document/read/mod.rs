@@ -128,6 +128,7 @@ mod cuts;
 mod cutters;
 mod defects;
 mod deform;
+mod hatches;
 mod keys;
 mod parts;
 pub(crate) mod reader;
@@ -235,11 +236,10 @@ pub(super) fn parts(
     stock: &Stock,
     time_s: f64,
     outwards: &Outwards,
-    notes: &mut Vec<String>,
 ) -> Result<Vec<Part>> {
     let mut all = Vec::new();
     for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
-        all.extend(parts::read(entry, held, time_s, outwards, notes)?);
+        all.extend(parts::read(entry, held, time_s, outwards)?);
     }
     Ok(all)
 }

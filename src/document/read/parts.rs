@@ -7,27 +7,11 @@ use super::reader::{Entry, Table};
 use super::settings::color;
 use super::stock::PartSource;
 use crate::document::Keys;
-use crate::error::{Result, did_you_mean};
+use crate::error::Result;
 use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
 
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
-
-/// Hatches of ISO 128-50 and the habits around it.
-const HATCHES: &[&str] = &[
-    "general",
-    "steel",
-    "iron",
-    "aluminium",
-    "copper",
-    "brass",
-    "plastic",
-    "rubber",
-    "glass",
-    "wood",
-    "concrete",
-    "earth",
-];
 
 /// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
 pub(super) fn read(
@@ -35,7 +19,6 @@ pub(super) fn read(
     held: &PartSource,
     time_s: f64,
     outwards: &Outwards,
-    notes: &mut Vec<String>,
 ) -> Result<Vec<Part>> {
     let table = entry.table(KEYS.all())?;
     let solids = held.at(time_s);
@@ -83,12 +66,6 @@ pub(super) fn read(
             let what = format!("part `{}` {what} once it is placed", part.name);
             return Err(entry.fault(what, "use another scale, translation or deformation"));
         }
-    }
-    if let Some(hatch) = look.and_then(|l| l.hatch) {
-        notes.push(format!(
-            "{}: the hatch `{hatch}` is read, but not drawn yet",
-            entry.key
-        ));
     }
     Ok(parts)
 }
@@ -153,27 +130,14 @@ fn affine(entry: &Entry<'_>) -> Result<DAffine3> {
 struct Look {
     color: Option<Vec3>,
     cap_color: Option<Vec3>,
-    hatch: Option<String>,
 }
 
-static MATERIAL: Keys = Keys::below("part.*.material");
+pub(super) static MATERIAL: Keys = Keys::below("part.*.material");
 
 fn look(entry: &Entry<'_>) -> Result<Look> {
     let table = entry.table(MATERIAL.all())?;
-    let hatch = match table.get("hatch") {
-        None => None,
-        Some(hatch) => {
-            let name = hatch.text()?;
-            if !HATCHES.contains(&name) {
-                let help = did_you_mean(name, HATCHES.iter().copied());
-                return Err(hatch.fault(format_args!("{name:?} is no hatch"), help));
-            }
-            Some(name.to_owned())
-        }
-    };
     Ok(Look {
         color: table.get("color").map(|c| color(&c)).transpose()?,
         cap_color: table.get("cap_color").map(|c| color(&c)).transpose()?,
-        hatch,
     })
 }

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 
 use glam::DAffine3;
 
-use super::defects;
-use super::parts::KEYS;
+use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
+use super::{defects, hatches};
 use crate::document::Origin;
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
@@ -168,6 +168,7 @@ impl Form {
 pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
     let mut stock = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
+    let mut hatches = Vec::with_capacity(entries.len());
     for entry in entries {
         let table = entry.table(KEYS.all())?;
         let name = table.get("name");
@@ -178,6 +179,10 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
         }
         given.push(name.map(|n| n.text()).transpose()?);
         stock.push(opening.entry(&table)?);
+        hatches.push(match hatch_of(&table)? {
+            Some(hatch) => Some(hatches::open(&hatch, opening)?),
+            None => None,
+        });
     }
     let mut taken = BTreeSet::new();
     // What the document calls its parts counts before what files call them.
@@ -189,7 +194,19 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     }
     let mut shapes = Vec::new();
     stock.iter_mut().for_each(|held| held.colour(&mut shapes));
+    for (held, hatch) in stock.iter_mut().zip(hatches) {
+        let parts = held.frames.iter_mut().flat_map(|f| &mut f.parts);
+        if let Some(hatch) = hatch {
+            parts.for_each(|p| p.material.hatch = hatch.clone());
+        }
+    }
     Ok(stock)
+}
+
+/// The hatch that a part asks for.
+pub(super) fn hatch_of<'a>(part: &Table<'a>) -> Result<Option<Entry<'a>>> {
+    let material = part.get("material").map(|m| m.table(MATERIAL.all()));
+    Ok(material.transpose()?.and_then(|m| m.get("hatch")))
 }
 
 /// What it takes to open what a document names.

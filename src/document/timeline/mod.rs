@@ -63,7 +63,7 @@ impl Timeline {
         let settings = read::settings(&root)?;
         let mut notes = stock.notes.clone();
         let (outwards, mut reliefs) = (Outwards::default(), Resolved::default());
-        let parts = read::parts(&root, &stock, 0.0, &outwards, &mut notes)?;
+        let parts = read::parts(&root, &stock, 0.0, &outwards)?;
         let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
         if seen.is_free() {
             rest.camera.viewpoint = seen.turned(rest.cuts.iter());
@@ -245,7 +245,7 @@ impl Timeline {
     /// The parts at a time, before clips move them.
     fn unposed_at(&self, time_s: f64) -> Result<Vec<Part>> {
         self.read_at(time_s, |root| {
-            read::parts(root, &self.stock, time_s, &self.outwards, &mut Vec::new())
+            read::parts(root, &self.stock, time_s, &self.outwards)
         })
     }
 
@@ -253,7 +253,7 @@ impl Timeline {
     fn unposed_scene_at(&self, time_s: f64, stage: Option<Bounds>) -> Result<(Scene, Seen)> {
         self.read_at(time_s, |root| {
             let notes = &mut Vec::new();
-            let parts = read::parts(root, &self.stock, time_s, &self.outwards, notes)?;
+            let parts = read::parts(root, &self.stock, time_s, &self.outwards)?;
             let mut reliefs = self.reliefs.lock().unwrap_or_else(PoisonError::into_inner);
             read::scene(root, &self.stock, (parts, stage), &mut reliefs, notes)
         })

@@ -57,6 +57,7 @@ pub(super) const EARTH: ShapeInfo = ShapeInfo {
                 color,
                 // The caps are the picture: each layer shows its own colour on them.
                 cap_color: Some(color),
+                ..Material::default()
             };
         }
         Ok(parts)

@@ -2,10 +2,11 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::Layout;
+use super::{Layout, MAX_SURFACES};
+use crate::scene::MOST_STROKES;
 
 shared! {
-    /// The plane of a clip-surface: `shaders/lib/cap_pattern/hatch.wgsl`.
+    /// The plane of a clip-surface: `shaders/lib/hatching.wgsl`.
     HatchPlane {
         /// First coordinate of a point in the plane, in scene units.
         u_row: [f32; 4],
@@ -17,23 +18,55 @@ shared! {
 }
 
 shared! {
-    /// The hatch of a part.
-    PartHatch {
-        /// Across the lines, in coordinates of the plane: in units of the distance from line to line.
-        across: [f32; 2],
-        /// Width of a line in pixels.
-        width_px: f32,
-        /// How much of the ink it has; a solid part has all of its cap in it.
-        alpha: f32,
-        /// 1 where the cap is filled.
-        is_solid: u32,
+    /// The planes of all clip-surfaces.
+    HatchPlanes {
+        /// By the number of the clip-surface.
+        planes: [HatchPlane; MAX_SURFACES],
+        /// How many there are.
+        count: u32,
         /// Unused.
-        padding: u32,
+        padding_a: u32,
         /// Unused.
         padding_b: u32,
         /// Unused.
         padding_c: u32,
+    }
+}
+
+shared! {
+    /// The hatch of a part.
+    PartHatch {
         /// Of lines, linear light.
         color: [f32; 4],
+        /// Its first family of lines.
+        first_line: u32,
+        /// How many it has; without any the cap is filled.
+        line_count: u32,
+        /// How much of the ink lines have.
+        alpha: f32,
+        /// Width of a line in pixels.
+        width_px: f32,
+    }
+}
+
+shared! {
+    /// A family of lines.
+    HatchLine {
+        /// Across the lines, in coordinates of the plane: in units of the distance from line to line.
+        across: [f32; 2],
+        /// Along them, in units of the distance after which dashes repeat.
+        along: [f32; 2],
+        /// Added across.
+        phase: f32,
+        /// Added along.
+        dash_phase: f32,
+        /// How far the next line is moved along itself, in periods of dashes.
+        shift: f32,
+        /// How many strokes a period has; 0 for a line without end.
+        dash_count: u32,
+        /// Their middles, in periods.
+        dash_centres: [f32; MOST_STROKES],
+        /// Their lengths, in periods; 0 for a dot.
+        dash_lengths: [f32; MOST_STROKES],
     }
 }

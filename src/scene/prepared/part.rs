@@ -91,7 +91,7 @@ impl PreparedPart {
             is_posed: !part.pose.is_rest(),
             bounds,
             volume_at_rest: part.placed_volume(volume),
-            material: part.material,
+            material: part.material.clone(),
             fill: part.fill,
             cuts,
         }

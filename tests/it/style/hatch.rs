@@ -56,8 +56,8 @@ fn draw(scene: &Scene, size_px: [u32; 2]) -> Drawn {
     assert_eq!(drawn.outcome, Outcome::Complete, "{}", scene.name);
     let layers = session.layers(method).expect("layers");
     let picture = session.picture(method).expect("a picture");
-    let hatches = session.words(method, "part_hatches").unwrap_or_default();
-    let across = hatches.chunks_exact(12).map(|row| [row[0], row[1]]);
+    let lines = session.words(method, "hatch_lines").unwrap_or_default();
+    let across = lines.chunks_exact(16).map(|row| [row[0], row[1]]);
     Drawn {
         across: across.collect(),
         view,
@@ -199,16 +199,33 @@ fn lines_stay_where_they_are_while_the_cut_and_the_camera_move() {
     let first = Model::new(&scene);
     let mut session = session();
     let method = Method::from(Strategy::RAYCAST_MASK);
-    let mut tables = Vec::new();
+    let mut lines = Vec::new();
+    // What a place on the cap has less its place in the scene: the same for all pixels of all frames.
+    let mut offsets: Vec<DVec2> = Vec::new();
     for scene in [scene, at("-z=62%", 20.0), at("-z=62%", 35.0)] {
         let model = first.updated(&scene);
         let view = model.prepared.view([200, 150]);
         let drawn = session.draw(&model, &view, method).expect("a frame");
         assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
-        let words = |name: &str| session.words(method, name).expect("a table");
-        tables.push((words("hatch_planes"), words("part_hatches")));
+        lines.push(session.words(method, "hatch_lines").expect("a table"));
+        let layers = session.layers(method).expect("layers");
+        let channels = session.style_channels(&model, &view, &layers);
+        let uv = channels.expect("channels").cap_uv;
+        for (i, (layer, [u, v])) in layers.pixels.iter().zip(uv).enumerate() {
+            if layer.kind == Kind::Cap {
+                let at = DVec2::new((i % 200) as f64, (i / 200) as f64) + 0.5;
+                let (origin, direction) = view.ray(at);
+                let point = origin + direction * layer.depth;
+                offsets.push(DVec2::new(f64::from(u), f64::from(v)) - point.truncate());
+            }
+        }
     }
-    assert!(tables.iter().all(|t| *t == tables[0]), "{tables:?}");
+    assert!(lines.iter().all(|l| *l == lines[0]), "{lines:?}");
+    assert!(offsets.len() > 3000, "{} pixels of caps", offsets.len());
+    // The lines are 25 thousandths of the picture apart, which are about 0.04 here.
+    let apart = offsets.iter().map(|o| (*o - offsets[0]).length());
+    let farthest = apart.fold(0.0, f64::max);
+    assert!(farthest < 1e-6, "a place moved by {farthest}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::*;
 use cutaway::plan::{Capacities, Plan};
-use cutaway::scene::style::{Shading, Strokes};
+use cutaway::scene::style::{Occlusion, OcclusionKind, Shading, Strokes};
 use cutaway::{shader, strategies};
 
 fn plan_in(style: Style) -> Plan {
@@ -31,24 +31,61 @@ fn each_style_has_the_passes_that_it_asks_for() {
         panic!("lit ends in {:?}", passes(&lit).last());
     };
     for (name, end) in [
-        ("technical", &["find borders", "illustrate"][..]),
+        (
+            "technical",
+            &[
+                "find borders",
+                "find horizons",
+                "smooth occlusion",
+                "illustrate",
+            ][..],
+        ),
         ("drafting", &["find borders", "illustrate"]),
-        ("clay", &["illustrate"]),
+        ("clay", &["find horizons", "smooth occlusion", "illustrate"]),
     ] {
         let plan = plan_in(style(name));
         assert_eq!(passes(&plan), [shared, end].concat(), "{name}");
-        let has_borders = plan.resource_named("borders").is_some();
-        assert_eq!(has_borders, end.len() == 2, "{name}");
+        for (resource, pass) in [
+            ("borders", "find borders"),
+            ("visibility", "smooth occlusion"),
+        ] {
+            let is_there = plan.resource_named(resource).is_some();
+            assert_eq!(is_there, end.contains(&pass), "{name}: {resource}");
+        }
     }
+    let unsharp = Style {
+        occlusion: Occlusion {
+            kind: OcclusionKind::Unsharp,
+            ..Occlusion::default()
+        },
+        ..Style::default()
+    };
+    let end = ["blur depth", "mask depth", "illustrate"];
+    assert_eq!(passes(&plan_in(unsharp)), [shared, &end].concat());
+    let without_effect = Style {
+        occlusion: Occlusion {
+            surface: 0.0,
+            cap: 0.0,
+            ..unsharp.occlusion
+        },
+        ..unsharp
+    };
+    let end = ["illustrate"];
+    assert_eq!(passes(&plan_in(without_effect)), [shared, &end].concat());
 }
 
 #[test]
 fn no_effect_leaves_a_trace_where_it_is_not_asked_for() {
-    let strokes = ["stroke_cover", "half_px_of"];
     let has = |style, name: &str| functions(&plan_in(style)).iter().any(|f| f.contains(name));
-    for name in strokes {
-        assert!(has(style("technical"), name), "{name}: the control");
-        assert!(!has(style("clay"), name), "{name} in clay");
+    for (name, with, without) in [
+        ("stroke_cover", "technical", "clay"),
+        ("half_px_of", "technical", "clay"),
+        ("hatch_cover", "drafting", "clay"),
+        ("occluded_share", "clay", "drafting"),
+        ("family_cover", "ink", "technical"),
+    ] {
+        assert!(has(style(with), name), "{name}: the control");
+        assert!(!has(style(without), name), "{name} in {without}");
         assert!(!has(Style::default(), name), "{name} in lit");
     }
     let without = Style {

@@ -1,0 +1,13 @@
+// The share of each pixel that strokes cover, for who asks what was drawn.
+
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::stroke_cover::stroke_cover
+
+@group(1) @binding(0) var<storage, read_write> stroke: array<f32>;
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if all(id.xy < frame.size_px) {
+        stroke[pixel_index(id.xy)] = stroke_cover(id.xy);
+    }
+}

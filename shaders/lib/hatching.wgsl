@@ -1,0 +1,137 @@
+// Hatches: families of parallel lines on caps, anchored to the clip-surface in units of the scene. Bound as @group(2) @binding(2), (3), (5).
+//
+// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel's footprint across the lines, which is
+// right at any distance from line to line: finer than a pixel it is their mean, and never noise. Dashes are pulses along the lines.
+
+#define_import_path cutaway::hatching
+
+#import cutaway::frame::{centre_of, frame, ray_through}
+#import cutaway::layers::{NEAR_PLANE, OVERLAP, clip_surface_of}
+#import cutaway::pulses::pulse_cover
+#import cutaway::style::style
+
+struct HatchPlane {
+    u_row: vec4<f32>,
+    v_row: vec4<f32>,
+    normal: vec4<f32>,
+}
+
+struct HatchPlanes {
+    planes: array<HatchPlane, 32>,
+    count: u32,
+    padding_a: u32,
+    padding_b: u32,
+    padding_c: u32,
+}
+
+struct PartHatch {
+    color: vec4<f32>,
+    first_line: u32,
+    line_count: u32,
+    alpha: f32,
+    width_px: f32,
+}
+
+struct HatchLine {
+    across: vec2<f32>,
+    along: vec2<f32>,
+    phase: f32,
+    dash_phase: f32,
+    shift: f32,
+    dash_count: u32,
+    dash_centres: vec4<f32>,
+    dash_lengths: vec4<f32>,
+}
+
+// By the number of a clip-surface.
+@group(2) @binding(2) var<uniform> hatch_planes: HatchPlanes;
+// By the place of a part in the table.
+@group(2) @binding(3) var<storage, read> part_hatches: array<PartHatch>;
+@group(2) @binding(5) var<storage, read> hatch_lines: array<HatchLine>;
+
+// Where a pixel is on the plane of its cap, in scene units, and how far the next pixels are.
+struct Footing {
+    uv: vec2<f32>,
+    right: vec2<f32>,
+    down: vec2<f32>,
+}
+
+// The plane of a cap: of a cutter the one of the axes that its normal is nearest to, of the near plane that of the view.
+fn plane_of(number: u32, normal: vec3<f32>) -> HatchPlane {
+    if number == NEAR_PLANE {
+        let right = vec4<f32>(normalize(frame.ray_step[0].xyz), 0.0);
+        let up = vec4<f32>(-normalize(frame.ray_step[1].xyz), 0.0);
+        return HatchPlane(right, up, vec4<f32>(frame.forward.xyz, 0.0));
+    }
+    let plane = hatch_planes.planes[number];
+    if plane.normal.w < 0.5 {
+        return plane;
+    }
+    let size = abs(normal);
+    if size.x >= size.y && size.x >= size.z {
+        return HatchPlane(vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
+    }
+    if size.y >= size.z {
+        return HatchPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(normal, 0.0));
+    }
+    return HatchPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
+}
+
+// How far a point of the plane moves when the pixel moves by `step` at its depth.
+fn moved_on(plane: HatchPlane, direction: vec3<f32>, step: vec3<f32>) -> vec2<f32> {
+    let towards = dot(direction, plane.normal.xyz);
+    // At grazing angles a footprint would be infinite.
+    let least = 0.05 * length(direction);
+    let bounded = select(min(towards, -least), max(towards, least), towards > 0.0);
+    let moved = step - direction * (dot(step, plane.normal.xyz) / bounded);
+    return vec2<f32>(dot(plane.u_row.xyz, moved), dot(plane.v_row.xyz, moved));
+}
+
+fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>) -> Footing {
+    let plane = plane_of(number, normal);
+    let ray = ray_through(centre_of(at));
+    let point = vec4<f32>(ray.origin + depth * ray.direction, 1.0);
+    let reach = select(depth, 1.0, frame.orthographic != 0u);
+    return Footing(
+        vec2<f32>(dot(plane.u_row, point), dot(plane.v_row, point)),
+        moved_on(plane, ray.direction, reach * frame.ray_step[0].xyz),
+        moved_on(plane, ray.direction, reach * frame.ray_step[1].xyz),
+    );
+}
+
+// How much of a pixel the lines of a family cover.
+fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
+    let across = dot(hatch_line.across, footing.uv) + hatch_line.phase;
+    let per_px = length(vec2<f32>(dot(hatch_line.across, footing.right), dot(hatch_line.across, footing.down)));
+    let cover = pulse_cover(across, min(width_px * per_px, 1.0), per_px / style.fineness);
+    if hatch_line.dash_count == 0u || cover <= 0.0 {
+        return cover;
+    }
+    let along = dot(hatch_line.along, footing.uv) + hatch_line.dash_phase - hatch_line.shift * round(across);
+    let along_px = length(vec2<f32>(dot(hatch_line.along, footing.right), dot(hatch_line.along, footing.down)));
+    // A dot is as long as a line is wide.
+    let least = width_px * along_px;
+    var dashed = 0.0;
+    for (var i = 0u; i < hatch_line.dash_count; i++) {
+        let drawn = min(max(hatch_line.dash_lengths[i], least), 1.0);
+        dashed += pulse_cover(along - hatch_line.dash_centres[i], drawn, along_px / style.fineness);
+    }
+    return cover * min(dashed, 1.0);
+}
+
+// Whether a cap is one that has a hatch: not where several solids share it, nor where nobody knows its clip-surface.
+fn has_hatch(word: u32, place: u32) -> bool {
+    let number = clip_surface_of(word);
+    let is_known = number == NEAR_PLANE || number < hatch_planes.count;
+    return part_hatches[place].alpha > 0.0 && (word & OVERLAP) == 0u && is_known;
+}
+
+// How much of a pixel of a cap is covered by lines.
+fn hatch_cover(hatch: PartHatch, footing: Footing) -> f32 {
+    // Without lines it is filled.
+    var bare = select(1.0, 0.0, hatch.line_count == 0u);
+    for (var i = 0u; i < hatch.line_count; i++) {
+        bare *= 1.0 - line_cover(hatch_lines[hatch.first_line + i], footing, hatch.width_px);
+    }
+    return 1.0 - bare;
+}

@@ -1,0 +1,80 @@
+//! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, for who checks a picture. The same shader modules
+//! as in the picture write them; a picture has no part of this.
+
+use super::borders::borders;
+use super::hatch::hatch;
+use super::illustrate::style_numbers;
+use super::occlusion::{VISIBILITY, occlusion, over_pixels};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
+
+const STROKE: &str = "stroke_channel";
+const HATCH: &str = "hatch_channel";
+
+/// Names of buffers of an f32 for each pixel, where a style has what they tell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Channels {
+    /// Share that strokes cover.
+    pub stroke: Option<&'static str>,
+    /// Share that lines of a hatch cover, the place on the plane of the cap in scene units, and nothing: four numbers a pixel.
+    pub hatch: Option<&'static str>,
+    /// Share of the light that occlusion leaves.
+    pub visibility: Option<&'static str>,
+}
+
+/// Records what a style draws over layers.
+pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Channels {
+    let style = scene.input.model.prepared.style;
+    let numbers = style_numbers(plan, scene);
+    let pixels = scene.input.pixel_count();
+    let channel = |plan: &mut Plan, name, bytes| {
+        plan.add_resource(Resource::storage(name, pixels * bytes, Clock::Frame))
+    };
+    let stroke = (style.strokes.widest() > 0.0).then(|| {
+        let borders = borders(plan, scene, &numbers, layers);
+        let stroke = channel(plan, STROKE, 4);
+        over_pixels(
+            plan,
+            scene,
+            (
+                "measure strokes",
+                "the share of each pixel that strokes cover",
+            ),
+            "effects/channels/stroke.wgsl",
+            vec![
+                scene.frame.clone(),
+                Binding::write("stroke", stroke),
+                numbers.clone(),
+                Binding::read("borders", borders),
+            ],
+        );
+        STROKE
+    });
+    let hatch = hatch(plan, scene, &style).map(|tables| {
+        let hatched = channel(plan, HATCH, 16);
+        let mut bindings = vec![
+            scene.frame.clone(),
+            Binding::read("layers", layers),
+            scene.place_of_part.clone(),
+            Binding::write("hatched", hatched),
+            numbers.clone(),
+        ];
+        bindings.extend(tables);
+        over_pixels(
+            plan,
+            scene,
+            (
+                "measure hatches",
+                "the share of each pixel that hatches cover",
+            ),
+            "effects/channels/hatch.wgsl",
+            bindings,
+        );
+        HATCH
+    });
+    Channels {
+        stroke,
+        hatch,
+        visibility: occlusion(plan, scene, layers).map(|_| VISIBILITY),
+    }
+}

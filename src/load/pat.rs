@@ -1,0 +1,157 @@
+//! Hatch patterns: the PAT files of drawing programs.
+//!
+//! `*NAME, description` begins a pattern; each line after it is a family of lines: angle, x and y of a point, distance along and across to
+//! the next line, then lengths of dashes, which are drawn where they are positive, dots where they are 0 and gaps where they are negative.
+//! What follows a `;` is a comment.
+
+use std::path::Path;
+
+use super::without_mark;
+use crate::error::{Error, Result};
+use crate::scene::{Dash, HatchPattern, LineFamily, MOST_STROKES};
+
+/// The most families of a pattern: a pixel asks for all of them.
+const MOST_FAMILIES: usize = 24;
+
+/// The patterns of a file, in its order.
+///
+/// # Errors
+///
+/// What is no pattern, by its line; a file without any.
+pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<HatchPattern>> {
+    let text = String::from_utf8_lossy(without_mark(bytes));
+    let mut patterns: Vec<HatchPattern> = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let line = line.split(';').next().unwrap_or_default().trim();
+        if line.is_empty() {
+            continue;
+        }
+        let fault = |what: String| {
+            let help = "write for example `45, 0,0, 0,1` or `0, 0,0, 2,1, 3,-1` below `*NAME`";
+            Error::file(path, format!("line {number}: {what}"), help)
+        };
+        if let Some(title) = line.strip_prefix('*') {
+            let name = title.split(',').next().unwrap_or_default().trim();
+            if name.is_empty() {
+                return Err(fault("the pattern has no name".into()));
+            }
+            patterns.push(HatchPattern {
+                name: name.to_owned(),
+                families: Vec::new(),
+            });
+            continue;
+        }
+        let family = family(line).map_err(fault)?;
+        let Some(pattern) = patterns.last_mut() else {
+            return Err(fault("lines before the first `*NAME`".into()));
+        };
+        if pattern.families.len() == MOST_FAMILIES {
+            return Err(fault(format!(
+                "{} has more than {MOST_FAMILIES} families of lines",
+                pattern.name
+            )));
+        }
+        pattern.families.push(family);
+    }
+    if patterns.is_empty() {
+        let help = "a pattern begins with `*NAME, what it is`";
+        return Err(Error::file(path, "it holds no pattern", help));
+    }
+    if let Some(empty) = patterns.iter().find(|p| p.families.is_empty()) {
+        let what = format!("the pattern {} has no lines", empty.name);
+        let help = "write for example `45, 0,0, 0,1` below its name";
+        return Err(Error::file(path, what, help));
+    }
+    Ok(patterns)
+}
+
+fn family(line: &str) -> Result<LineFamily, String> {
+    let fields = line.split(',').map(str::trim);
+    // A comma at the end is common.
+    let fields = fields.filter(|f| !f.is_empty());
+    let numbers: Result<Vec<f64>, String> = fields
+        .map(|f| match f.parse::<f64>() {
+            Ok(number) if number.is_finite() && number.abs() < 1e9 => Ok(number),
+            _ => Err(format!("`{f}` is not a number")),
+        })
+        .collect();
+    let numbers = numbers?;
+    let [angle_deg, x, y, shift, spacing, dashes @ ..] = numbers.as_slice() else {
+        return Err(format!("it has {} numbers, not 5 or more", numbers.len()));
+    };
+    if spacing.abs() < 1e-9 {
+        return Err("the distance from line to line is 0".into());
+    }
+    let dashes: Vec<Dash> = dashes
+        .iter()
+        .map(|length| Dash {
+            length: length.abs(),
+            is_drawn: *length >= 0.0,
+        })
+        .collect();
+    let family = LineFamily {
+        angle_deg: *angle_deg,
+        origin: [*x, *y],
+        shift: *shift,
+        spacing: *spacing,
+        dashes,
+    };
+    if family.dashes.iter().filter(|d| d.is_drawn).count() > MOST_STROKES {
+        return Err(format!("it has more than {MOST_STROKES} strokes and dots"));
+    }
+    if !family.dashes.is_empty() && family.period() < 1e-9 {
+        return Err("its dashes have no length".into());
+    }
+    Ok(family)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Vec<HatchPattern>> {
+        read_patterns(Path::new("test.pat"), text.as_bytes())
+    }
+
+    #[test]
+    fn lines_dashes_dots_and_comments_are_read() {
+        let text = "\u{feff};; units\n*BRASS, alternating\n45, 0,0, 0,.25\n45, .1768,0, 0,.25, .125,-.0625, ; dashed\n\n*DOTS\n0,0,0,.5,1,0,-1\n";
+        let patterns = read(text).unwrap();
+        assert_eq!(patterns.len(), 2);
+        let [solid, dashed] = patterns[0].families.as_slice() else {
+            panic!("two families");
+        };
+        assert_eq!((solid.angle_deg, solid.spacing), (45.0, 0.25));
+        assert!(solid.dashes.is_empty());
+        assert_eq!(dashed.origin, [0.1768, 0.0]);
+        assert_eq!(dashed.period(), 0.1875);
+        assert_eq!(patterns[1].name, "DOTS");
+        let dots = &patterns[1].families[0];
+        assert_eq!(
+            (dots.shift, dots.dashes[0].is_drawn, dots.dashes[0].length),
+            (0.5, true, 0.0)
+        );
+    }
+
+    #[test]
+    fn what_is_no_pattern_is_told_by_its_line() {
+        for (text, what) in [
+            ("", "no pattern"),
+            ("45,0,0,0,1\n", "line 1"),
+            ("*A\n", "A has no lines"),
+            ("*A\n45,0,0,0\n", "line 2"),
+            ("*A\n45,0,0,0,0\n", "line 2"),
+            ("*A\n45,0,0,x,1\n", "`x`"),
+            ("*A\n45,0,0,0,1,inf\n", "`inf`"),
+            ("*A\n45,0,0,0,1,0,0\n", "no length"),
+            ("*A\n45,0,0,0,1,1,-1,1,-1,1,-1,1,-1,1\n", "strokes"),
+            ("*,x\n45,0,0,0,1\n", "no name"),
+        ] {
+            let error = read(text).expect_err(text).to_string();
+            assert!(
+                error.contains(what) && error.contains("help:"),
+                "{text:?}: {error}"
+            );
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Pictures, and what a style drew in them, of layers that come from elsewhere.
+
+use super::{Rows, Session};
+use crate::effects;
+use crate::gpu::{ClockSet, Program, words_from_layers};
+use crate::layers::Layers;
+use crate::passes::Model;
+use crate::plan::{Capacities, Plan};
+use crate::scene::View;
+use crate::strategies::Refusal;
+use crate::{Error, Result};
+
+/// What the effects of a style drew over layers: numbers for each pixel, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StyleChannels {
+    /// Share of the pixel that strokes cover; empty where the style has none.
+    pub stroke: Vec<f32>,
+    /// Share that the lines of a hatch cover, before their alpha; empty where the style has none, or no cap is seen.
+    pub hatch: Vec<f32>,
+    /// Where the pixel is on the plane of its cap that carries the hatch, to the right and up, in scene units; 0 where there is no hatch.
+    pub cap_uv: Vec<[f32; 2]>,
+    /// Share of the light that occlusion leaves; empty where the style has none.
+    pub visibility: Vec<f32>,
+}
+
+impl StyleChannels {
+    fn append(&mut self, other: Self) {
+        self.stroke.extend(other.stroke);
+        self.hatch.extend(other.hatch);
+        self.cap_uv.extend(other.cap_uv);
+        self.visibility.extend(other.visibility);
+    }
+}
+
+impl Session {
+    /// Makes a picture of layers that come from elsewhere, by the same passes as a strategy's; in bands, where they are too large in one
+    /// piece.
+    pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
+        let width = layers.size_px[0] as usize;
+        let pictures = self.in_bands(model, view, layers, |session, band, view, layers| {
+            let words = words_from_layers(layers);
+            let program = session.run_once(effects::finish_of(model, view, &words))?;
+            Ok(band.own(&program.picture(&session.gpu)?, width * 4))
+        });
+        Ok(pictures?.concat())
+    }
+
+    /// What the style of a scene draws over layers, pixel by pixel: for who checks a picture.
+    pub fn style_channels(
+        &mut self,
+        model: &Model,
+        view: &View,
+        layers: &Layers,
+    ) -> Result<StyleChannels> {
+        let width = layers.size_px[0] as usize;
+        let bands = self.in_bands(model, view, layers, |session, band, view, layers| {
+            let words = words_from_layers(layers);
+            let (plan, channels) = match effects::channels_of(model, view, &words) {
+                Ok((plan, channels)) => (Ok(plan), channels),
+                Err(refusal) => return Err(Error::Plan(refusal.reason)),
+            };
+            let program = session.run_once(plan)?;
+            let read = |name: Option<&str>, in_a_pixel: usize| -> Result<Vec<f32>> {
+                let words = name.map(|name| program.words(&session.gpu, name));
+                let words = words.transpose()?.unwrap_or_default();
+                let values: Vec<f32> = words.into_iter().map(f32::from_bits).collect();
+                Ok(match values.is_empty() {
+                    true => values,
+                    false => band.own(&values, width * in_a_pixel),
+                })
+            };
+            let hatched = read(channels.hatch, 4)?;
+            let pixels = || hatched.as_chunks::<4>().0.iter();
+            Ok(StyleChannels {
+                stroke: read(channels.stroke, 1)?,
+                hatch: pixels().map(|p| p[0]).collect(),
+                cap_uv: pixels().map(|p| [p[1], p[2]]).collect(),
+                visibility: read(channels.visibility, 1)?,
+            })
+        })?;
+        let mut all = StyleChannels::default();
+        bands.into_iter().for_each(|band| all.append(band));
+        Ok(all)
+    }
+
+    /// Does something to bands of layers, as few as fit the device.
+    fn in_bands<T>(
+        &self,
+        model: &Model,
+        view: &View,
+        layers: &Layers,
+        finish: impl Fn(&Self, &Rows, &View, &Layers) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        let rows = layers.size_px[1];
+        let halo = effects::halo_rows(&model.prepared.style, view);
+        let mut bands = 1;
+        loop {
+            let all = Rows::bands(rows, bands, halo).map(|band| {
+                let (first, count) = band.drawn();
+                finish(self, &band, &band.view(view), &layers.rows(first, count))
+            });
+            match all.collect::<Result<Vec<_>>>() {
+                Err(Error::Limit(_)) if rows / bands > Capacities::FEWEST_ROWS => bands *= 2,
+                finished => return finished,
+            }
+        }
+    }
+
+    fn run_once(&self, plan: Result<Plan, Refusal>) -> Result<Program> {
+        let plan = plan.map_err(|r| Error::Plan(r.reason))?;
+        let mut program = Program::default();
+        program.load(&self.gpu, plan)?;
+        program.run(&self.gpu, ClockSet::ALL)?;
+        Ok(program)
+    }
+}
