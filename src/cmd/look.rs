@@ -34,6 +34,17 @@ pub(super) struct LookArgs {
     /// What is behind the model: paper, as the style has it, gradient, none, or a colour [default: that of the scene, or paper]
     #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
     background: Option<String>,
+    /// Show what cuts remove: as phantom lines, glass or both
+    #[arg(
+        long,
+        value_name = "KIND",
+        value_parser = ["lines", "glass", "both", "none"],
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "lines",
+        help_heading = "Output"
+    )]
+    ghost: Option<String>,
     /// Leave what shows no model transparent: --background none
     #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(super) no_background: bool,
@@ -75,6 +86,10 @@ impl LookArgs {
         say(document, "supersample", "--supersample", fineness)?;
         if let Some(style) = &self.style {
             document.set_style(style, "--style")?;
+        }
+        if let Some(kind) = self.ghost.as_deref() {
+            document.style_is_table()?;
+            say(document, "style.ghost.kind", "--ghost", Some(kind.into()))?;
         }
         let (option, background) = match (self.no_background, &self.background) {
             (true, _) => ("--no-background", Some("transparent".into())),

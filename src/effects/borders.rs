@@ -3,17 +3,28 @@
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
-/// Finds the borders of layers.
+/// Finds the borders of the layers of the frame.
 pub(super) fn borders(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     style: &Binding,
     layers: ResourceId,
 ) -> ResourceId {
+    borders_of(plan, scene, style, layers, ["borders", "find borders"])
+}
+
+/// Finds the borders of some layers, under the names of a buffer and a pass.
+pub(super) fn borders_of(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    style: &Binding,
+    layers: ResourceId,
+    [name, pass]: [&'static str; 2],
+) -> ResourceId {
     let bytes = scene.input.pixel_count() * 4;
-    let borders = plan.add_resource(Resource::storage("borders", bytes, Clock::Frame));
+    let borders = plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
     plan.add_pass(Pass::new(
-        "find borders",
+        pass,
         "strokes are drawn where neighbouring samples differ in kind, part, clip-surface, depth or fold",
         "effects/borders.wgsl",
         vec![

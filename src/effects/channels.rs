@@ -4,26 +4,17 @@
 use super::borders::borders;
 use super::hatch::hatch;
 use super::illustrate::style_numbers;
-use super::occlusion::{VISIBILITY, occlusion, over_pixels};
+use super::occlusion::{occlusion, over_pixels};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
-const STROKE: &str = "stroke_channel";
-const HATCH: &str = "hatch_channel";
-
-/// Names of buffers of an f32 for each pixel, where a style has what they tell.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Channels {
-    /// Share that strokes cover.
-    pub stroke: Option<&'static str>,
-    /// Share that lines of a hatch cover, the place on the plane of the cap in scene units, and nothing: four numbers a pixel.
-    pub hatch: Option<&'static str>,
-    /// Share of the light that occlusion leaves.
-    pub visibility: Option<&'static str>,
-}
+/// The buffer of the share that strokes cover, an f32 for each pixel.
+pub(crate) const STROKE: &str = "stroke_channel";
+/// Of the share that lines of a hatch cover, the place on the plane of the cap in scene units, and nothing: four numbers a pixel.
+pub(crate) const HATCH: &str = "hatch_channel";
 
 /// Records what a style draws over layers.
-pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Channels {
+pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let pixels = scene.input.pixel_count();
@@ -48,7 +39,7 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
                 Binding::read("borders", borders),
             ],
         );
-        STROKE
+        stroke
     });
     let hatch = hatch(plan, scene, &style).map(|tables| {
         let hatched = channel(plan, HATCH, 16);
@@ -70,11 +61,8 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
             "effects/channels/hatch.wgsl",
             bindings,
         );
-        HATCH
+        hatched
     });
-    Channels {
-        stroke,
-        hatch,
-        visibility: occlusion(plan, scene, layers).map(|_| VISIBILITY),
-    }
+    let visibility = occlusion(plan, scene, layers);
+    plan.channels = [stroke, hatch, visibility].into_iter().flatten().collect();
 }

@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use super::Picture;
 use super::borders::borders;
+use super::ghost;
 use super::hatch::hatch;
 use super::occlusion::{self, occlusion};
 use crate::passes::{SceneBuffers, overlap, picture};
@@ -72,7 +73,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
             Shading::Calm | Shading::Gooch | Shading::Engraved
         );
     if reads_style {
-        bindings.push(numbers);
+        bindings.push(numbers.clone());
     }
     bindings.extend(hatch.into_iter().flatten());
     let pass = Pass::new(
@@ -83,6 +84,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
         Work::over(scene.input.view.size_px),
     );
     plan.add_pass(pass);
+    ghost::ghost(plan, scene, &numbers, (layers, picture));
     Picture { layers, picture }
 }
 
@@ -94,11 +96,12 @@ pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Bindin
 
 /// How many rows around a band are looked at, of a picture of so many.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
-    match style.strokes.widest() > 0.0 {
+    let of_strokes = match style.strokes.widest() > 0.0 {
         // A border two samples beyond a stroke's reach is judged by the sample next to it.
         true => reach_px(style, rows) as u32 + 4,
         false => 0,
-    }
+    };
+    of_strokes.max(ghost::halo_rows(style, half_px(style.ghost.width, rows)))
 }
 
 /// The file that fills `cutaway::shading`.

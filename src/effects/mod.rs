@@ -7,6 +7,7 @@
 
 mod borders;
 mod channels;
+mod ghost;
 mod hatch;
 mod hatch_lines;
 mod horizon;
@@ -15,7 +16,8 @@ mod occlusion;
 mod shade;
 mod unsharp;
 
-pub(crate) use channels::Channels;
+pub(crate) use channels::{HATCH, STROKE};
+pub(crate) use occlusion::VISIBILITY;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
@@ -47,17 +49,13 @@ pub(crate) fn finish(plan: &mut Plan, scene: &SceneBuffers<'_>, layered: Layered
 }
 
 /// The plan of what a style draws over layers which come from elsewhere, as words. The reason where the scene is too much.
-pub(crate) fn channels_of(
-    model: &Model,
-    view: &View,
-    layers: &[u32],
-) -> Result<(Plan, Channels), Refusal> {
+pub(crate) fn channels_of(model: &Model, view: &View, layers: &[u32]) -> Result<Plan, Refusal> {
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
     let mut plan = Plan::default();
-    let (scene, layers) = over_layers(&mut plan, &input, layers);
-    let channels = channels::channels(&mut plan, &scene, layers);
-    Ok((plan.without_unused(), channels))
+    let (scene, layers) = over_layers(&mut plan, &input, layers)?;
+    channels::channels(&mut plan, &scene, layers);
+    Ok(plan.without_unused())
 }
 
 /// The scene, and layers that come from elsewhere.
@@ -65,11 +63,16 @@ fn over_layers<'a>(
     plan: &mut Plan,
     input: &'a Input<'a>,
     layers: &[u32],
-) -> (SceneBuffers<'a>, ResourceId) {
-    let scene = SceneBuffers::unposed(plan, input, Lanes::none());
+) -> Result<(SceneBuffers<'a>, ResourceId), Refusal> {
+    let style = &input.model.prepared.style;
+    let scene = match style.ghost.is_drawn() {
+        true => SceneBuffers::upload(plan, input, Lanes::none())?,
+        // Nothing looks at a vertex.
+        false => SceneBuffers::unposed(plan, input, Lanes::none()),
+    };
     let layers = Contents::from_values(layers);
     let layers = Resource::upload("layers", Role::Storage, layers, Clock::Frame);
-    (scene, plan.add_resource(layers))
+    Ok((scene, plan.add_resource(layers)))
 }
 
 /// The plan that makes a picture of layers which come from elsewhere, as words: what the exact reference found. The reason where the scene
@@ -78,7 +81,7 @@ pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Pl
     let capacities = Capacities::UNKNOWN;
     let input = Input::new(model, view, &capacities)?;
     let mut plan = Plan::default();
-    let (scene, layers) = over_layers(&mut plan, &input, layers);
+    let (scene, layers) = over_layers(&mut plan, &input, layers)?;
     let layered = Layered {
         layers,
         picture: None,

@@ -5,9 +5,10 @@ use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
+use crate::shader::Shader;
 
-/// The buffer of what occlusion finds.
-pub(super) const VISIBILITY: &str = "visibility";
+/// The buffer of what occlusion leaves of the light, an f32 for each pixel.
+pub(crate) const VISIBILITY: &str = "visibility";
 
 /// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
 pub(super) fn occlusion(
@@ -62,7 +63,7 @@ pub(super) fn over_pixels(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     (name, help): (&'static str, &'static str),
-    shader: &'static str,
+    shader: impl Into<Shader>,
     bindings: Vec<Binding>,
 ) {
     let work = Work::over(scene.input.view.size_px);

@@ -15,8 +15,12 @@ pub(crate) struct Layered {
 
 /// The layers of the frame: three words per pixel.
 pub(super) fn layers(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
+    layers_named(plan, input, "layers")
+}
+
+fn layers_named(plan: &mut Plan, input: &Input<'_>, name: &'static str) -> ResourceId {
     let bytes = input.pixel_count() * 12;
-    plan.add_resource(Resource::storage("layers", bytes, Clock::Frame))
+    plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
 }
 
 /// The picture of the frame: one RGBA8 word per pixel.
@@ -27,21 +31,31 @@ pub(crate) fn picture(plan: &mut Plan, input: &Input<'_>) -> ResourceId {
 
 /// Turns what was drawn into layers.
 pub(crate) fn gather(plan: &mut Plan, scene: &SceneBuffers<'_>, surfaces: &Surfaces) -> Layered {
-    let layers = layers(plan, scene.input);
+    Layered {
+        layers: gather_into(plan, scene, surfaces, ["layers", "gather"]),
+        picture: None,
+    }
+}
+
+/// Turns what was drawn into layers, under the names of a buffer and a pass.
+pub(crate) fn gather_into(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    surfaces: &Surfaces,
+    [name, pass]: [&'static str; 2],
+) -> ResourceId {
+    let layers = layers_named(plan, scene.input, name);
     let mut bindings = vec![scene.frame.clone()];
     bindings.extend(surfaces.bindings());
     bindings.push(Binding::write("layers", layers));
     plan.add_pass(Pass::new(
-        "gather",
+        pass,
         "layers are what the picture and the comparison read",
         "passes/gather.wgsl",
         bindings,
         Work::over(scene.input.view.size_px),
     ));
-    Layered {
-        layers,
-        picture: None,
-    }
+    layers
 }
 
 /// The file that fills `cutaway::overlap`, and what it binds.

@@ -46,7 +46,7 @@ pub(crate) use fragments::{FragmentLists, leave_fragments};
 pub(crate) use input::{Input, counted, pixels};
 pub(crate) use kept::KeptContents;
 pub(crate) use lanes::Lanes;
-pub(crate) use layers::{Layered, gather, overlap, picture};
+pub(crate) use layers::{Layered, gather, gather_into, overlap, picture};
 pub use model::{MeshRange, Model};
 pub(crate) use need::{NEED_OF_CELLS, NEED_OF_SPRITES, need};
 pub use need::{NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_TRIANGLES};

@@ -62,6 +62,23 @@ impl Surfaces {
         }
     }
 
+    /// Nothing drawn yet, beside those of the frame, under the names of words and depth.
+    pub(crate) fn named(
+        plan: &mut Plan,
+        scene: &SceneBuffers<'_>,
+        [words, depth]: [&'static str; 2],
+    ) -> Self {
+        let size = scene.input.view.size_px;
+        let mut texture = |name, format| {
+            plan.add_resource(Resource::texture(name, size, 1, format, Clock::Frame))
+        };
+        Self {
+            words: texture(words, Format::Rg32Uint),
+            depth: texture(depth, Format::Depth32Float),
+            is_cleared: false,
+        }
+    }
+
     /// What a pass reads that looks at them.
     pub(crate) fn bindings(&self) -> [Binding; 2] {
         [

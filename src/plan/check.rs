@@ -258,7 +258,10 @@ impl Plan {
             }
         }
         let outputs = [self.layers, self.picture, self.need];
-        let is_output = |id| outputs.contains(&Some(ResourceId(id)));
+        let is_output = |id| {
+            let id = ResourceId(id);
+            outputs.contains(&Some(id)) || self.channels.contains(&id)
+        };
         // A depth buffer is read by its own test.
         let tests_itself = |id: usize| {
             matches!(

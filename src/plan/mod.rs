@@ -175,6 +175,8 @@ pub struct Plan {
     pub picture: Option<ResourceId>,
     /// Words that bounded buffers report their need in.
     pub need: Option<ResourceId>,
+    /// What else is made to be read back.
+    pub channels: Vec<ResourceId>,
     /// Rays go over pyramids of reliefs, as [`Capacities::pyramids`] says of the frames that follow.
     pub has_pyramids: bool,
     /// Bounded buffers.
@@ -235,7 +237,8 @@ impl Plan {
         let of_passes = self.passes.iter_mut().flat_map(Pass::resources_mut);
         let of_cpu = self.on_cpu.iter_mut().flat_map(|w| &mut w.makes);
         let of_frame = [&mut self.layers, &mut self.picture, &mut self.need];
-        (of_passes.chain(of_cpu)).chain(of_frame.into_iter().flatten())
+        let of_frame = of_frame.into_iter().flatten().chain(&mut self.channels);
+        of_passes.chain(of_cpu).chain(of_frame)
     }
 
     /// The passes of a clock, in order.

@@ -11,6 +11,7 @@ use crate::scene::{Bounds, PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
+pub use ghost::Ghost;
 pub use hatch::{HatchLine, HatchPlane, HatchPlanes, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
@@ -45,6 +46,7 @@ macro_rules! shared {
 
 // After the macro, which they use.
 mod composite;
+mod ghost;
 mod hatch;
 mod lists;
 mod occlusion;

@@ -55,27 +55,22 @@ impl Session {
         let width = layers.size_px[0] as usize;
         let bands = self.in_bands(model, view, layers, |session, band, view, layers| {
             let words = words_from_layers(layers);
-            let (plan, channels) = match effects::channels_of(model, view, &words) {
-                Ok((plan, channels)) => (Ok(plan), channels),
-                Err(refusal) => return Err(Error::Plan(refusal.reason)),
-            };
-            let program = session.run_once(plan)?;
-            let read = |name: Option<&str>, in_a_pixel: usize| -> Result<Vec<f32>> {
-                let words = name.map(|name| program.words(&session.gpu, name));
-                let words = words.transpose()?.unwrap_or_default();
+            let program = session.run_once(effects::channels_of(model, view, &words))?;
+            let read = |name: &str, in_a_pixel: usize| -> Result<Vec<f32>> {
+                if program.plan().resource_named(name).is_none() {
+                    return Ok(Vec::new());
+                }
+                let words = program.words(&session.gpu, name)?;
                 let values: Vec<f32> = words.into_iter().map(f32::from_bits).collect();
-                Ok(match values.is_empty() {
-                    true => values,
-                    false => band.own(&values, width * in_a_pixel),
-                })
+                Ok(band.own(&values, width * in_a_pixel))
             };
-            let hatched = read(channels.hatch, 4)?;
+            let hatched = read(effects::HATCH, 4)?;
             let pixels = || hatched.as_chunks::<4>().0.iter();
             Ok(StyleChannels {
-                stroke: read(channels.stroke, 1)?,
+                stroke: read(effects::STROKE, 1)?,
                 hatch: pixels().map(|p| p[0]).collect(),
                 cap_uv: pixels().map(|p| [p[1], p[2]]).collect(),
-                visibility: read(channels.visibility, 1)?,
+                visibility: read(effects::VISIBILITY, 1)?,
             })
         })?;
         let mut all = StyleChannels::default();

@@ -3,7 +3,9 @@
 
 mod borders;
 mod files;
+mod ghost;
 mod hatch;
+mod occlusion;
 mod plans;
 
 use crate::common;
@@ -14,7 +16,7 @@ use cutaway::document::{named_style, style_names};
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::Kind;
 use cutaway::plan::Limits;
-use cutaway::scene::style::Paper;
+use cutaway::scene::style::{Ghost, GhostKind, Paper};
 use cutaway::scene::{ClipSurface, Cut, Part, Scene, Style};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
@@ -52,8 +54,16 @@ fn picture_of(session: &mut Session, scene: &Scene, method: Method) -> Option<Ve
 fn every_strategy_has_every_style_that_its_layers_have() {
     let mut session = session();
     let mut compared = 0;
-    for name in style_names() {
-        let scene = scene_in(style(name));
+    let ghostly = Style {
+        ghost: Ghost {
+            kind: GhostKind::Both,
+            ..Ghost::default()
+        },
+        ..style("technical")
+    };
+    let named = style_names().map(|name| (name, style(name)));
+    for (name, style) in named.chain([("a ghost", ghostly)]) {
+        let scene = scene_in(style);
         let plain = scene_in(Style::default());
         let model = Model::new(&scene);
         let view = model.prepared.view(SIZE_PX);

@@ -12,7 +12,7 @@ use crate::document::Keys;
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::scene::style::{
-    Engraving, Hatch, Occlusion, OcclusionKind, Paper, Shading, Style, Tint,
+    Engraving, Ghost, GhostKind, Hatch, Occlusion, OcclusionKind, Paper, Shading, Style, Tint,
 };
 
 static KEYS: Keys = Keys::below("style");
@@ -22,6 +22,7 @@ static CAP: Keys = Keys::below("style.cap");
 static HATCH: Keys = Keys::below("style.hatch");
 static GOOCH: Keys = Keys::below("style.gooch");
 static OCCLUSION: Keys = Keys::below("style.occlusion");
+static GHOST: Keys = Keys::below("style.ghost");
 static ENGRAVING: Keys = Keys::below("style.engraving");
 
 /// The styles that come with the program, beside `lit`, which is the default of the library.
@@ -188,6 +189,9 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     if let Some(entry) = table.get("occlusion") {
         occlusion(&mut style.occlusion, &entry.table(OCCLUSION.all())?)?;
     }
+    if let Some(entry) = table.get("ghost") {
+        ghost(&mut style.ghost, &entry.table(GHOST.all())?)?;
+    }
     if let Some(entry) = table.get("engraving") {
         engraving(&mut style.engraving, &entry.table(ENGRAVING.all())?)?;
     }
@@ -260,6 +264,23 @@ fn occlusion(occlusion: &mut Occlusion, table: &Table<'_>) -> Result<()> {
         (&mut occlusion.strength, "strength", 100.0),
         (&mut occlusion.surface, "surface", 1.0),
         (&mut occlusion.cap, "cap", 1.0),
+    ] {
+        set(slot, table, key, most)?;
+    }
+    Ok(())
+}
+
+fn ghost(ghost: &mut Ghost, table: &Table<'_>) -> Result<()> {
+    if let Some(entry) = table.get("kind") {
+        ghost.kind = entry.choice(&GhostKind::ALL)?;
+    }
+    if let Some(entry) = table.get("color") {
+        ghost.color = Some(color(&entry)?);
+    }
+    for (slot, key, most) in [
+        (&mut ghost.width, "width", WIDEST),
+        (&mut ghost.alpha, "alpha", 1.0),
+        (&mut ghost.glass, "glass", 1.0),
     ] {
         set(slot, table, key, most)?;
     }

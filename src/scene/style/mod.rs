@@ -7,11 +7,13 @@
 //! The default is `lit`, which is what measurements take. The others are files (`document::styles`).
 
 mod engraving;
+mod ghost;
 mod occlusion;
 mod oklab;
 mod tint;
 
 pub use engraving::Engraving;
+pub use ghost::{Ghost, GhostKind};
 pub use occlusion::{Occlusion, OcclusionKind};
 pub use tint::Tint;
 
@@ -42,6 +44,8 @@ pub struct Style {
     pub engraving: Engraving,
     /// Darkening of what lies deep.
     pub occlusion: Occlusion,
+    /// What was removed.
+    pub ghost: Ghost,
 }
 
 /// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.

@@ -100,6 +100,57 @@ fn nonsense_names_its_place_and_what_helps() {
 }
 
 #[test]
+fn patterns_are_named_or_come_from_files() {
+    let folder = Scratch::new("patterns");
+    folder.write(
+        "mine.pat",
+        "*OAK, mine\n0, 0,0, 1,2, 3,-1\n*PINE\n45, 0,0, 0,1\n",
+    );
+    folder.write("one.pat", "*ONE\n45, 0,0, 0,1\n");
+    folder.write("bad.pat", "*ONE\n45, 0,0, 0\n");
+    let scene = |hatch: &str| {
+        format!(
+            "style = \"drafting\"\n[[part]]\nshape = \"cube\"\nmaterial = {{ hatch = \"{hatch}\" }}\n\
+             [[cut]]\nsurfaces = [{{ section = \"-z=50%\" }}]\n"
+        )
+    };
+    let mut session = session();
+    let mut pictures = Vec::new();
+    for hatch in [
+        "general",
+        "none",
+        "solid",
+        "steel",
+        "mine.pat#oak",
+        "one.pat",
+    ] {
+        let scene = folder.scene(&scene(hatch));
+        let method = Method::from(Strategy::RAYCAST_MASK);
+        pictures.push((hatch, picture_of(&mut session, &scene, method)));
+    }
+    for (i, (hatch, picture)) in pictures.iter().enumerate() {
+        for (other, theirs) in &pictures[..i] {
+            // Lines at 45 degrees are what is general.
+            let alike = (*hatch, *other) == ("one.pat", "general");
+            assert_eq!(picture == theirs, alike, "{hatch} and {other}");
+        }
+    }
+    for (hatch, said) in [
+        ("steal", &["\"steal\" is no hatch", "steel"][..]),
+        ("mine.pat#OKA", &["no pattern `OKA`", "OAK"]),
+        ("mine.pat", &["2 patterns", "mine.pat#OAK"]),
+        ("bad.pat", &["bad.pat", "line 2"]),
+        ("none.pat", &["none.pat"]),
+    ] {
+        let error = folder.load(&scene(hatch)).expect_err(hatch).to_string();
+        for said in said {
+            assert!(error.contains(said), "{hatch}: no `{said}` in\n{error}");
+        }
+        assert!(error.contains("help:"), "{hatch}: {error}");
+    }
+}
+
+#[test]
 fn the_command_draws_technically_unless_it_is_told_otherwise() {
     let folder = Scratch::new("style_command");
     let base = "render shape:cube --section z=50% --resolution 96,72";

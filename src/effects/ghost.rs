@@ -1,0 +1,112 @@
+//! Ghost: what cuts removed, drawn over the picture as phantom lines or glass.
+//!
+//! The solids that cuts reach are drawn once more as they would be uncut; what of them is before what the picture shows is gone. Costs a pass
+//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Lines stop being dashed by the model where they turn from
+//! one axis to another.
+//!
+//! Cannot: show what is removed behind something else that is removed; show moving parts that are removed altogether, which nobody poses.
+
+use super::borders::borders_of;
+use super::occlusion::{numbers, over_pixels};
+use crate::passes::{DrawPass, SceneBuffers, Surfaces, Treatment, gather_into};
+use crate::plan::{Binding, Draw, Plan, ResourceId, pack};
+use crate::scene::style::Style;
+use crate::scene::{linear_from_srgb, map_channels};
+use crate::shader::Shader;
+
+/// Widths of a line after which its dashes repeat.
+const PERIOD: f64 = 34.0;
+/// How far around a pixel borders tell the direction of a line.
+const SCATTER_PX: u32 = 4;
+
+/// Draws what is gone over a picture of layers.
+pub(super) fn ghost(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    style_numbers: &Binding,
+    (layers, picture): (ResourceId, ResourceId),
+) {
+    let input = scene.input;
+    let style = &input.model.prepared.style;
+    let draws = draws(scene);
+    if !style.ghost.is_drawn() || draws.is_empty() {
+        return;
+    }
+    let mut surfaces = Surfaces::named(plan, scene, ["ghost_words", "ghost_depth"]);
+    let pass = DrawPass {
+        name: "draw ghost".to_owned(),
+        reason: "what cuts removed is seen where the uncut solids are before what is kept"
+            .to_owned(),
+        shader: Shader::from("effects/ghost/surface.wgsl"),
+        bindings: vec![scene.frame.clone()],
+        constants: Vec::new(),
+        vertices: scene.solid_mesh().0,
+        indices: scene.solid_mesh().1,
+        draws,
+    };
+    surfaces.draw(plan, pass);
+    let uncut = gather_into(plan, scene, &surfaces, ["ghost_layers", "gather ghost"]);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        Binding::read("layers", layers),
+        Binding::read("ghost_layers", uncut),
+        Binding::update("picture", picture),
+    ];
+    let mut shader = Shader::from("effects/ghost/draw.wgsl");
+    shader = if style.ghost.has_lines() {
+        let names = ["ghost_borders", "find ghost borders"];
+        let borders = borders_of(plan, scene, style_numbers, uncut, names);
+        bindings.push(Binding::read("ghost_borders", borders));
+        shader.with("lib/phantom/lines.wgsl")
+    } else {
+        shader.with("lib/phantom/none.wgsl")
+    };
+    bindings.push(numbers(plan, "ghost", ghost_numbers(scene, style)));
+    let about = ("add ghost", "phantom lines and glass lie over the picture");
+    over_pixels(plan, scene, about, shader, bindings);
+}
+
+/// How many rows around a band are looked at, for lines of half a width.
+pub(super) fn halo_rows(style: &Style, half_px: f32) -> u32 {
+    match style.ghost.has_lines() {
+        // A border two samples beyond those that tell a direction is judged by the sample next to it.
+        true => half_px.ceil() as u32 + 1 + SCATTER_PX + 4,
+        false => 0,
+    }
+}
+
+/// The solids that cuts reach, by their numbers in the scene.
+fn draws(scene: &SceneBuffers<'_>) -> Vec<Draw> {
+    let input = scene.input;
+    let treatments = input.relevance.parts.iter().enumerate();
+    let reached = treatments.filter(|(rank, treatment)| match treatment {
+        Treatment::Plain | Treatment::Cut(0) => false,
+        Treatment::Cut(_) => true,
+        Treatment::Removed => !input.model.prepared.parts[*rank].is_on_device,
+    });
+    let draw = |(rank, _): (usize, &Treatment)| {
+        let range = &input.model.ranges[rank];
+        Draw {
+            indices: range.indices.clone(),
+            base_vertex: range.base_vertex,
+            vertex_count: range.vertex_count,
+            instance: input.model.prepared.parts[rank].part as u32,
+            arguments: None,
+        }
+    };
+    reached.map(draw).collect()
+}
+
+fn ghost_numbers(scene: &SceneBuffers<'_>, style: &Style) -> pack::Ghost {
+    let input = scene.input;
+    let ghost = &style.ghost;
+    let unit = input.model.at_rest.picture_height() / 1000.0 * input.model.prepared.scale;
+    let color = map_channels(ghost.color.unwrap_or(style.ink), linear_from_srgb);
+    pack::Ghost {
+        color: color.extend(1.0).to_array(),
+        half_px: Style::px(ghost.width, input.view.band[1]) / 2.0,
+        alpha: ghost.alpha,
+        glass: if ghost.has_glass() { ghost.glass } else { 0.0 },
+        periods_per_unit: (1.0 / (PERIOD * f64::from(ghost.width).max(0.1) * unit)) as f32,
+    }
+}
