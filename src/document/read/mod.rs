@@ -121,6 +121,20 @@
 //! times_s = [0, 2]
 //! values = [0, 360]
 //! ```
+//!
+//! # What is one part
+//!
+//! A file of one solid is a part, one of several is a part for each: `NAME/SOLID`. With `split`, each connected body is a part.
+//!
+//! ```toml
+//! [[part]]
+//! name = "drive"
+//! mesh = "drive.stl"
+//! split = true                          # "drive/1", "drive/2", ... in the order of their first triangles
+//! except = ["drive/7"]                  # of the names after the split that they have without `name`: FILE/1, FILE/2, SOLID/1, ...
+//! ```
+//!
+//! A solid of one body keeps its name. `defects` come after the split.
 
 mod camera;
 mod check;
@@ -134,6 +148,7 @@ pub(crate) mod reader;
 mod regions;
 mod reliefs;
 mod settings;
+mod solids;
 mod stock;
 mod style;
 mod table;
