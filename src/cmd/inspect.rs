@@ -23,11 +23,11 @@ Examples:
   cutaway inspect bracket.stl
   cutaway inspect shape:gears
   cutaway inspect walk.glb --clip run --time 0.5
-  cutaway inspect gearbox.stl --split                                 # each connected body by itself
+  cutaway inspect engine.stl --split                                  # each connected body by itself
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
-Components share no vertex. Bodies share no edge where solid ends, and have their cavities: --split makes each of them a part.
+Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
 A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Coincident
 faces lie on the same three positions as another face, turned either way; in total also those of different parts. Depth
 complexity is how often axis-parallel rays cross the surface.";

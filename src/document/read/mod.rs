@@ -129,12 +129,13 @@
 //! ```toml
 //! [[part]]
 //! name = "drive"
-//! mesh = "drive.stl"
+//! mesh = "gearbox.stl"
 //! split = true                          # "drive/1", "drive/2", ... in the order of their first triangles
-//! except = ["drive/7"]                  # of the names after the split that they have without `name`: FILE/1, FILE/2, SOLID/1, ...
+//! except = ["gearbox/7"]                # `only` and `except` come after the split, and know bodies by the name of the file
 //! ```
 //!
-//! A solid of one body keeps its name. `defects` come after the split.
+//! Of a file of several solids, bodies are `NAME/SOLID/1`, known as `SOLID/1`. A solid of one body keeps its name. Frames are split as
+//! the first one is, whose triangles all must have. `defects` come after all that.
 
 mod camera;
 mod check;

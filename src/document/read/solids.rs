@@ -4,6 +4,7 @@
 //! that is one body keeps its name. All frames of a sequence are split as the first is, so all must have its triangles.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use super::reader::Table;
 use crate::error::{Error, Result, did_you_mean};
@@ -62,7 +63,7 @@ impl Splits {
         }
         let mut bodies: Vec<Bodies> = Vec::with_capacity(solids.len());
         for (index, solid) in solids.iter().enumerate() {
-            let same = |other: &Solid| std::sync::Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
+            let same = |other: &Solid| Arc::ptr_eq(&other.part.mesh, &solid.part.mesh);
             bodies.push(match solids[..index].iter().position(same) {
                 Some(known) => bodies[known].clone(),
                 None => Bodies::of(&solid.part.mesh),

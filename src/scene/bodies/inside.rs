@@ -156,9 +156,7 @@ fn asked(shells: &Shells) -> Vec<[u32; ASKED]> {
         let shell = *shell as usize;
         // The place that each of them begins, and those that a small shell leaves to the same triangle.
         let place = |triangles: usize| (triangles * ASKED).div_ceil(counts[shell]);
-        for at in place(passed[shell])..place(passed[shell] + 1) {
-            asked[shell][at] = triangle;
-        }
+        asked[shell][place(passed[shell])..place(passed[shell] + 1)].fill(triangle);
         passed[shell] += 1;
     }
     asked

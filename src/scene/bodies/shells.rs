@@ -108,7 +108,8 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
         true => Vec::new(),
         false => (0..count as u32).map(|t| sets.find(t)).collect(),
     };
-    let faces_in = !shared.is_empty() && mesh.volume() < 0.0;
+    let faces_in = !shared.is_empty()
+        && facing_of(mesh.volume(), mesh.area(), &mesh.bounds()) == Some(Facing::In);
     for (edge, mut run) in shared {
         if faces_in {
             run.iter_mut().for_each(|u| u.is_down = !u.is_down);
@@ -165,19 +166,24 @@ fn measured(mesh: &Mesh, of_triangles: &[u32], count: usize) -> Vec<Shell> {
     (bounds.into_iter().enumerate())
         .map(|(shell, bounds)| {
             let (volume, area) = (six_volumes[shell] / 6.0, twice_areas[shell] / 2.0);
-            let is_flat = volume.abs() <= FLAT * area * bounds.size().length();
-            let facing = if volume > 0.0 {
-                Facing::Out
-            } else {
-                Facing::In
-            };
             Shell {
                 is_closed: true,
                 is_consistent: true,
-                facing: (!is_flat).then_some(facing),
+                facing: facing_of(volume, area, &bounds),
                 bounds,
                 volume,
             }
         })
         .collect()
+}
+
+/// Which way a closed surface faces, unless it is flat.
+fn facing_of(volume: f64, area: f64, bounds: &Bounds) -> Option<Facing> {
+    let is_flat = volume.abs() <= FLAT * area * bounds.size().length();
+    let facing = if volume > 0.0 {
+        Facing::Out
+    } else {
+        Facing::In
+    };
+    (!is_flat).then_some(facing)
 }
