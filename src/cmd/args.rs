@@ -7,6 +7,7 @@ use super::console::Console;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
 use super::sections::SectionArgs;
+use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
@@ -29,6 +30,8 @@ pub(super) struct SceneArgs {
     pub(super) sections: SectionArgs,
     #[command(flatten)]
     pub(super) camera: CameraArgs,
+    #[command(flatten)]
+    split: SplitArgs,
     #[command(flatten)]
     pub(super) defects: DefectArgs,
     /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
@@ -57,6 +60,7 @@ impl SceneArgs {
     /// The document of these options; numbered meshes are played at a rate, where the output has one.
     pub(super) fn document(&self, played_fps: Option<f64>) -> Result<Document> {
         let mut document = document(&self.inputs, played_fps)?;
+        self.split.amend(&mut document)?;
         self.defects.amend(&mut document)?;
         fill_by(&mut document, self.fill)?;
         self.camera.amend(&mut document)?;

@@ -9,11 +9,13 @@ use super::defects::DefectArgs;
 use super::edits::EditArgs;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
+use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
 use crate::scene::numbers::round;
-use crate::scene::{Clip, Part, Style, Topology};
+use crate::scene::weld::thousands;
+use crate::scene::{Bodies, Clip, Part, Style, Topology};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -21,9 +23,11 @@ Examples:
   cutaway inspect bracket.stl
   cutaway inspect shape:gears
   cutaway inspect walk.glb --clip run --time 0.5
+  cutaway inspect engine.stl --split                                  # each connected body by itself
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
+Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
 A part that is not closed has no inside everywhere: caps can be wrong along rays through its holes. Coincident
 faces lie on the same three positions as another face, turned either way; in total also those of different parts. Depth
 complexity is how often axis-parallel rays cross the surface.";
@@ -38,6 +42,8 @@ pub(super) struct InspectArgs {
     edits: EditArgs,
     #[command(flatten)]
     when: TimeArgs,
+    #[command(flatten)]
+    split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
     /// The same as JSON; with `-` instead of the table
@@ -57,6 +63,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 2);
     console.step("opening");
     let mut document = document(&args.inputs, None)?;
+    args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.when.amend(&mut document)?;
     let subject = Subject::open(document, None, Style::default(), &args.edits, &console)?;
@@ -64,29 +71,44 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let clips = subject.timeline.clips();
     let parts = subject.scene.posed().parts;
     console.step("inspecting");
-    let facts: Vec<(&str, Topology)> = parts
-        .iter()
-        .map(|p| {
-            (
-                p.name.as_str(),
-                Topology::from_parts(std::slice::from_ref(p)),
-            )
-        })
-        .collect();
+    let facts: Vec<Facts<'_>> = parts.iter().map(Facts::of).collect();
     let total = match facts.as_slice() {
-        [(_, one)] => one.clone(),
-        _ => Topology::from_parts(&parts),
+        [one] => one.clone(),
+        _ => Facts {
+            name: "total",
+            topology: Topology::from_parts(&parts),
+            bodies: facts.iter().map(|f| f.bodies).sum(),
+        },
     };
     if let Some(output) = &json {
         let json = to_json(&facts, &total, clips)?;
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {
-        let mut text = to_text(&parts, &facts, &total);
+        let mut text = to_text(&facts, &total);
         text.extend(clips.iter().enumerate().map(describe));
         write_stdout(text.as_bytes())?;
     }
     Ok(Verdict::Done)
+}
+
+/// What there is to say of a part, or of all.
+#[derive(Clone)]
+struct Facts<'a> {
+    name: &'a str,
+    topology: Topology,
+    /// Into how many parts `--split` would take it apart.
+    bodies: usize,
+}
+
+impl<'a> Facts<'a> {
+    fn of(part: &'a Part) -> Self {
+        Self {
+            name: &part.name,
+            topology: Topology::from_parts(std::slice::from_ref(part)),
+            bodies: Bodies::of(&part.mesh).count(),
+        }
+    }
 }
 
 /// A clip, as `--clip` takes it.
@@ -95,17 +117,19 @@ fn describe((number, clip): (usize, &Clip)) -> String {
     format!("clip {number}: {}, {length} s\n", clip.name)
 }
 
-fn to_json(facts: &[(&str, Topology)], total: &Topology, clips: &[Clip]) -> Result<Value> {
-    let value = |t: &Topology| {
-        serde_json::to_value(t).map_err(|e| {
+fn to_json(facts: &[Facts<'_>], total: &Facts<'_>, clips: &[Clip]) -> Result<Value> {
+    let value = |of: &Facts<'_>| {
+        let mut value = serde_json::to_value(&of.topology).map_err(|e| {
             let help = "leave --json out, and report this";
             Error::input("--json", format!("cannot be encoded: {e}"), help)
-        })
+        })?;
+        value["bodies"] = json!(of.bodies);
+        Ok(value)
     };
     let mut parts = Vec::with_capacity(facts.len());
-    for (name, facts) in facts {
-        let mut part = json!({ "name": name });
-        if let (Some(part), Value::Object(facts)) = (part.as_object_mut(), value(facts)?) {
+    for of in facts {
+        let mut part = json!({ "name": of.name });
+        if let (Some(part), Value::Object(facts)) = (part.as_object_mut(), value(of)?) {
             part.extend(facts);
         }
         parts.push(part);
@@ -116,7 +140,7 @@ fn to_json(facts: &[(&str, Topology)], total: &Topology, clips: &[Clip]) -> Resu
     Ok(json!({ "parts": parts, "total": value(total)?, "clips": clips }))
 }
 
-fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> String {
+fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
     let mut table = Table::new([
         "part",
         "vertices",
@@ -127,6 +151,7 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
         "non-manifold",
         "inconsistent",
         "components",
+        "bodies",
         "euler",
         "volume",
         "area",
@@ -134,14 +159,15 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
         "depth max",
         "mean",
     ]);
-    for (name, facts) in facts {
-        table.row(row(name, facts));
+    for of in facts {
+        table.row(row(of));
     }
     if facts.len() > 1 {
-        table.row(row("total", total));
+        table.row(row(total));
     }
     let mut text = table.to_text();
-    let (min, max) = (total.bounds.min, total.bounds.max);
+    let bounds = total.topology.bounds;
+    let (min, max) = (bounds.min, bounds.max);
     for axis in 0..3 {
         let name = ["x", "y", "z"][axis];
         text.push_str(&format!(
@@ -152,7 +178,12 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
         ));
     }
     text.push('\n');
-    for (part, (name, facts)) in parts.iter().zip(facts) {
+    for Facts {
+        name,
+        topology: facts,
+        ..
+    } in facts
+    {
         if let Some(at) = facts.where_open().first() {
             text.push_str(&format!(
                 "{name} is open: {} boundary edges, one at {},{},{}\n",
@@ -169,19 +200,29 @@ fn to_text(parts: &[Part], facts: &[(&str, Topology)], total: &Topology) -> Stri
             ));
         }
         if facts.closed && facts.volume < 0.0 {
-            text.push_str(&format!(
-                "{} is inside out: its volume is negative\n",
-                part.name
-            ));
+            text.push_str(&format!("{name} is inside out: its volume is negative\n"));
         }
     }
+    text.extend(bodies_hint(facts));
     text
 }
 
-fn row(name: &str, facts: &Topology) -> Vec<String> {
+/// What makes parts of bodies, where there are several in one.
+fn bodies_hint(facts: &[Facts<'_>]) -> Option<String> {
+    let several = facts.iter().filter(|f| f.bodies > 1).collect::<Vec<_>>();
+    let who = match several.as_slice() {
+        [] => return None,
+        [one] => format!("{} has {} bodies", one.name, thousands(one.bodies)),
+        all => format!("{} parts have several bodies", thousands(all.len())),
+    };
+    Some(format!("{who}: --split makes each of them a part\n"))
+}
+
+fn row(of: &Facts<'_>) -> Vec<String> {
+    let facts = &of.topology;
     let size = [0, 1, 2].map(|i| round(facts.bounds.max[i] - facts.bounds.min[i]));
     vec![
-        name.to_owned(),
+        of.name.to_owned(),
         facts.vertices.to_string(),
         facts.faces.to_string(),
         if facts.closed { "yes" } else { "no" }.to_owned(),
@@ -190,6 +231,7 @@ fn row(name: &str, facts: &Topology) -> Vec<String> {
         facts.non_manifold_edges.to_string(),
         facts.inconsistent_edges.to_string(),
         facts.components.to_string(),
+        of.bodies.to_string(),
         facts.euler.to_string(),
         round(facts.volume),
         round(facts.area),

@@ -34,6 +34,7 @@ mod report;
 mod scene;
 mod section;
 mod sections;
+mod split;
 mod subject;
 mod when;
 

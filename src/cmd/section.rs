@@ -22,6 +22,7 @@ use super::edits::EditArgs;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
 use super::sections::SectionArgs;
+use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
@@ -56,6 +57,8 @@ pub(super) struct SectionCommandArgs {
     sections: SectionArgs,
     #[command(flatten)]
     when: TimeArgs,
+    #[command(flatten)]
+    split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
     /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
@@ -106,6 +109,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 3);
     console.step("opening");
     let mut document = document(&args.inputs, None)?;
+    args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;

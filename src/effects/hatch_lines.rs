@@ -5,12 +5,14 @@ use glam::DVec2;
 use crate::plan::pack;
 use crate::scene::{HatchPattern, LineFamily, MOST_STROKES};
 
+/// Between two steps of spacings, which are roots of two apart: unlike the hatch of a thicker part that has the same direction.
+const WIDER: f64 = 1.68;
 /// Direction of a class over that of the first, in degrees, and its spacing over the usual.
 const CLASSES: [(f64, f64); 8] = [
     (0.0, 1.0),
     (90.0, 1.0),
-    (0.0, 1.6),
-    (90.0, 1.6),
+    (0.0, WIDER),
+    (90.0, WIDER),
     (-25.0, 1.0),
     (115.0, 1.0),
     (25.0, 1.0),
@@ -20,12 +22,12 @@ const CLASSES: [(f64, f64); 8] = [
 const CROSSED: [(f64, f64); 8] = [
     (0.0, 1.0),
     (45.0, 1.0),
-    (0.0, 1.6),
-    (45.0, 1.6),
+    (0.0, WIDER),
+    (45.0, WIDER),
     (22.0, 1.0),
     (-22.0, 1.0),
-    (22.0, 1.6),
-    (-22.0, 1.6),
+    (22.0, WIDER),
+    (-22.0, WIDER),
 ];
 /// Directions of patterns are those of the first class where a hatch has this angle.
 const PATTERN_DEG: f64 = 45.0;

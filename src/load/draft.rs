@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 use crate::error::{Error, Result};
 use crate::scene::topology::{Edges, Sets};
@@ -160,7 +160,7 @@ impl Draft {
             let (mesh, motion) = if count == 1 {
                 (self.mesh.clone(), self.motion.clone())
             } else {
-                let (mesh, vertices) = picked(&self.mesh, triangles);
+                let (mesh, vertices) = self.mesh.picked(triangles);
                 (mesh, self.motion.of_positions(&vertices))
             };
             solids.push(Solid {
@@ -200,7 +200,7 @@ impl Draft {
             .enumerate()
             .filter(|(_, triangles)| !triangles.is_empty())
             .map(|(g, triangles)| {
-                let (mesh, _) = picked(&self.mesh, triangles);
+                let (mesh, _) = self.mesh.picked(triangles);
                 let closed = Edges::of(&mesh.triangles).count().open == 0;
                 (g as u32, mesh.volume(), mesh.bounds(), closed)
             })
@@ -253,30 +253,10 @@ fn retain<T>(items: &mut Vec<T>, kept: &[bool]) {
     items.retain(|_| flags.next().is_none_or(|k| *k));
 }
 
-/// Some triangles as a mesh of their own, and the vertices that it has of the whole.
-fn picked(mesh: &Mesh, triangles: &[u32]) -> (Mesh, Vec<u32>) {
-    let corners = triangles.iter().map(|t| mesh.triangles[*t as usize]);
-    let mut vertices: Vec<u32> = corners.clone().flatten().collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let number = |i: u32| vertices.partition_point(|v| *v < i) as u32;
-    let picked = Mesh {
-        positions: vertices
-            .iter()
-            .map(|v| mesh.positions[*v as usize])
-            .collect::<Vec<DVec3>>(),
-        triangles: corners.map(|t| t.map(number)).collect(),
-        corner_normals: mesh
-            .corner_normals
-            .as_ref()
-            .map(|n| triangles.iter().map(|t| n[*t as usize]).collect()),
-    };
-    (picked, vertices)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 

@@ -82,6 +82,24 @@ impl Mesh {
         self.triangles[triangle].map(|i| self.positions[i as usize])
     }
 
+    /// Some triangles as a mesh of their own, and the vertices that it has of the whole, in order.
+    pub(crate) fn picked(&self, triangles: &[u32]) -> (Self, Vec<u32>) {
+        let corners = triangles.iter().map(|t| self.triangles[*t as usize]);
+        let mut vertices: Vec<u32> = corners.clone().flatten().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let number = |i: u32| vertices.partition_point(|v| *v < i) as u32;
+        let of_triangles = |n: &Vec<_>| triangles.iter().map(|t| n[*t as usize]).collect();
+        let picked = Self {
+            positions: (vertices.iter())
+                .map(|v| self.positions[*v as usize])
+                .collect(),
+            triangles: corners.map(|t| t.map(number)).collect(),
+            corner_normals: self.corner_normals.as_ref().map(of_triangles),
+        };
+        (picked, vertices)
+    }
+
     /// Signed volume by the divergence theorem: exact up to rounding for closed, consistently oriented meshes.
     pub fn volume(&self) -> f64 {
         let origin = self.bounds().centre();

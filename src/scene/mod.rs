@@ -4,6 +4,7 @@
 //! recentred and scaled by a power of two so that everything fits in a ball of radius 1 (see [`Prepared`]). The GPU and
 //! the exact reference both start from the f32 vertices of [`Prepared`], so they are asked the same question.
 
+mod bodies;
 mod bounds;
 mod camera;
 mod clip_surface;
@@ -35,12 +36,15 @@ mod settled;
 mod smooth;
 pub mod style;
 pub(crate) mod topology;
+pub(crate) mod tree;
 mod upright;
 pub(crate) mod weld;
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
+pub use bodies::Bodies;
+pub(crate) use bodies::{Pieces, body_name};
 pub use bounds::Bounds;
 pub use camera::{Camera, Projection, Up, View, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};

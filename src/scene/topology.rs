@@ -11,7 +11,7 @@ mod rays;
 use glam::DVec3;
 use rayon::prelude::*;
 
-pub(crate) use edges::{EdgeCount, Edges, Sets};
+pub(crate) use edges::{EdgeCount, EdgeUse, EdgeUses, Edges, Sets};
 use rays::Rays;
 
 use super::{Bounds, Mesh, Part};

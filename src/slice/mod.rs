@@ -30,7 +30,6 @@ mod outline;
 mod plane;
 mod section;
 mod slicer;
-mod tree;
 mod trim;
 
 pub use half_plane::HalfPlane;

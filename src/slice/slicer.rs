@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::fill::{Filled, fill};
 use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
-use super::tree::{BRANCHES, Tree, sort};
 use super::{Loop, Section, SectionDefect, SlicePlane};
+use crate::scene::tree::{BRANCHES, Tree, sort};
 use crate::scene::{Bounds, Fill, Side};
 
 /// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.

@@ -44,6 +44,7 @@ mod shaders;
 mod shapes;
 mod sheets;
 mod slice;
+mod split;
 mod strategies;
 mod style;
 mod timelines;

@@ -6,7 +6,11 @@ use crate::generate::defects::{Defect, DefectKind, break_parts};
 use crate::scene::Part;
 
 /// Puts the defects of an entry `[[part]]` into its solids.
-pub(super) fn apply(table: &Table<'_>, parts: &mut [Part], notes: &mut Vec<String>) -> Result<()> {
+pub(super) fn apply<'a>(
+    table: &Table<'_>,
+    parts: impl IntoIterator<Item = &'a mut Part>,
+    notes: &mut Vec<String>,
+) -> Result<()> {
     let Some(entry) = table.get("defects") else {
         return Ok(());
     };

@@ -234,8 +234,13 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     }
     // Of a shape that is a text it is said that it is one.
     let is_made = below.contains(".shape.");
-    if root == "part" && (is_made || path.split('.').any(|word| word == "defects")) {
-        let how = if is_made { "made" } else { "broken" };
+    let is_split = last == Some("split");
+    if root == "part" && (is_made || is_split || path.split('.').any(|word| word == "defects")) {
+        let how = match (is_made, is_split) {
+            (true, _) => "made",
+            (_, true) => "split",
+            _ => "broken",
+        };
         let what = format!("the mesh is {how} once, when it is opened");
         return Err(target.fault(what, "move another number"));
     }

@@ -121,6 +121,21 @@
 //! times_s = [0, 2]
 //! values = [0, 360]
 //! ```
+//!
+//! # What is one part
+//!
+//! A file of one solid is a part, one of several is a part for each: `NAME/SOLID`. With `split`, each connected body is a part.
+//!
+//! ```toml
+//! [[part]]
+//! name = "drive"
+//! mesh = "gearbox.stl"
+//! split = true                          # "drive/1", "drive/2", ... in the order of their first triangles
+//! except = ["gearbox/7"]                # `only` and `except` come after the split, and know bodies by the name of the file
+//! ```
+//!
+//! Of a file of several solids, bodies are `NAME/SOLID/1`, known as `SOLID/1`. A solid of one body keeps its name. Frames are split as
+//! the first one is, whose triangles all must have. `defects` come after all that.
 
 mod camera;
 mod check;
@@ -135,6 +150,7 @@ pub(crate) mod reader;
 mod regions;
 mod reliefs;
 mod settings;
+mod solids;
 mod stock;
 mod style;
 mod table;

@@ -36,8 +36,8 @@ pub(super) fn read(
         .map(|f| f.choice(&[("even-odd", Fill::EvenOdd), ("nonzero", Fill::Nonzero)]))
         .transpose()?;
     let look = table.get("material").map(|m| look(&m)).transpose()?;
-    let mut parts = solids.parts.clone();
-    for (part, rest) in parts.iter_mut().zip(&solids.rest) {
+    let mut parts: Vec<Part> = solids.iter().map(|s| s.part.clone()).collect();
+    for (part, rest) in parts.iter_mut().zip(solids.iter().map(|s| &s.rest)) {
         part.name = held.name(&part.name).to_owned();
         part.place(placed);
         part.role = role.unwrap_or(part.role);

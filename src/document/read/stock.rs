@@ -11,33 +11,19 @@ use glam::DAffine3;
 
 use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
+use super::solids::{Solid, Splits, chosen};
 use super::{defects, hatches};
 use crate::document::Origin;
-use crate::error::{Error, Result, did_you_mean};
+use crate::error::{Error, Result};
 use crate::load::Assets;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
-use crate::scene::{Bounds, Material, Part, glob_matches};
-
-/// Solids as a file or shape has them.
-#[derive(Clone, Debug)]
-pub(super) struct Solids {
-    pub(super) parts: Vec<Part>,
-    /// Bounds of each in part space.
-    pub(super) rest: Vec<Bounds>,
-}
-
-impl Solids {
-    fn of(parts: Vec<Part>) -> Self {
-        let rest = parts.iter().map(|p| p.posed_mesh().bounds()).collect();
-        Self { parts, rest }
-    }
-}
+use crate::scene::{Bounds, Material, Part};
 
 /// What one entry `[[part]]` is made of.
 #[derive(Clone, Debug)]
 pub(crate) struct PartSource {
     /// One, or one for each frame.
-    frames: Vec<Solids>,
+    frames: Vec<Vec<Solid>>,
     sequence: Option<Sequence>,
     /// What each solid is called in its file, at any time, and what its part is called.
     names: BTreeMap<String, String>,
@@ -48,17 +34,15 @@ pub(crate) struct PartSource {
 }
 
 impl PartSource {
-    fn of(frames: Vec<Solids>, sequence: Option<Sequence>) -> Self {
-        let parts = || frames.iter().flat_map(|f| &f.parts);
-        let share_a_space = parts().all(|p| p.world_from_part == DAffine3::IDENTITY);
-        let rest = if share_a_space {
-            let all = frames.iter().flat_map(|f| f.rest.iter().copied());
-            all.fold(Bounds::EMPTY, Bounds::union)
-        } else {
-            parts()
-                .map(Part::bounds_in_world)
-                .fold(Bounds::EMPTY, Bounds::union)
+    fn of(mut frames: Vec<Vec<Solid>>, sequence: Option<Sequence>) -> Self {
+        frames.iter_mut().flatten().for_each(Solid::measure);
+        let solids = || frames.iter().flatten();
+        let share_a_space = solids().all(|s| s.part.world_from_part == DAffine3::IDENTITY);
+        let bounds = |s: &Solid| match share_a_space {
+            true => s.rest,
+            false => s.part.bounds_in_world(),
         };
+        let rest = solids().map(bounds).fold(Bounds::EMPTY, Bounds::union);
         Self {
             names: BTreeMap::new(),
             frames,
@@ -69,7 +53,7 @@ impl PartSource {
     }
 
     /// The solids at a time.
-    pub(super) fn at(&self, time_s: f64) -> &Solids {
+    pub(super) fn at(&self, time_s: f64) -> &[Solid] {
         let frame = self.sequence.as_ref().map_or(0, |s| s.frame_at(time_s));
         &self.frames[frame]
     }
@@ -91,21 +75,14 @@ impl PartSource {
 
     /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
     fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
-        let mut solids: Vec<&str> = Vec::new();
-        for part in self.frames.iter().flat_map(|f| &f.parts) {
-            if !solids.contains(&part.name.as_str()) {
-                solids.push(&part.name);
-            }
-        }
-        let wanted = |solid: &str| match of_entry {
-            None => solid.to_owned(),
-            Some(name) if solids.len() == 1 => name.to_owned(),
-            // Solids of a frame are called after the frames and their number.
-            Some(name) if self.sequence.is_some() => {
-                let own = solid.rsplit('/').next().unwrap_or(solid);
-                format!("{name}/{own}")
-            }
-            Some(name) => format!("{name}/{solid}"),
+        let mut known = BTreeSet::new();
+        let solids: Vec<&Solid> = (self.frames.iter().flatten())
+            .filter(|solid| known.insert(solid.part.name.as_str()))
+            .collect();
+        let wanted = |solid: &Solid| match (of_entry, &solid.below) {
+            (None, _) => solid.part.name.clone(),
+            (Some(name), Some(below)) if solids.len() > 1 => format!("{name}/{below}"),
+            (Some(name), _) => name.to_owned(),
         };
         let mut names = BTreeMap::new();
         for solid in &solids {
@@ -114,7 +91,7 @@ impl PartSource {
             let mut free = std::iter::once(wanted.clone()).chain(numbered);
             let name = free.find(|n| !taken.contains(n)).unwrap_or_default();
             taken.insert(name.clone());
-            names.insert((*solid).to_owned(), name);
+            names.insert(solid.part.name.clone(), name);
         }
         self.names = names;
     }
@@ -124,15 +101,15 @@ impl PartSource {
     fn colour(&mut self, shapes: &mut Vec<Form>) {
         let mut colours = Vec::new();
         for frame in &mut self.frames {
-            for (i, part) in frame.parts.iter_mut().enumerate() {
+            for (i, solid) in frame.iter_mut().enumerate() {
                 if i == colours.len() {
-                    let form = Form::of(part);
+                    let form = Form::of(&solid.part);
                     let known = shapes.iter().position(|known| known.is_like(&form));
                     colours.push(known.unwrap_or(shapes.len()));
                     shapes.extend(known.is_none().then_some(form));
                 }
-                if part.material == Material::of_index(i) {
-                    part.material = Material::of_index(colours[i]);
+                if solid.is_plain {
+                    solid.part.material = Material::of_index(colours[i]);
                 }
             }
         }
@@ -195,9 +172,9 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     let mut shapes = Vec::new();
     stock.iter_mut().for_each(|held| held.colour(&mut shapes));
     for (held, hatch) in stock.iter_mut().zip(hatches) {
-        let parts = held.frames.iter_mut().flat_map(|f| &mut f.parts);
+        let solids = held.frames.iter_mut().flatten();
         if let Some(hatch) = hatch {
-            parts.for_each(|p| p.material.hatch = hatch.clone());
+            solids.for_each(|s| s.part.material.hatch = hatch.clone());
         }
     }
     Ok(stock)
@@ -251,9 +228,26 @@ impl Opening<'_> {
         if parts.is_empty() {
             return Err(origin.fault("it holds no solid", "use a file or shape with triangles"));
         }
-        let mut parts = chosen(table, parts)?;
-        defects::apply(table, &mut parts, &mut self.notes)?;
-        Ok(PartSource::of(vec![Solids::of(parts)], None))
+        let alone = parts.len() == 1;
+        let below = |_, part: &Part| (!alone).then(|| part.name.clone());
+        let mut solids = Solid::all(&parts, below);
+        if let Some(mut splits) = Splits::asked_for(table, &solids)? {
+            self.notes.push(splits.note(&match is_mesh {
+                true => path.display().to_string(),
+                false => format!("shape:{text}"),
+            }));
+            solids = splits.applied(solids);
+        }
+        let solids = self.taken(table, solids)?;
+        Ok(PartSource::of(vec![solids], None))
+    }
+
+    /// The solids that an entry leaves, broken as it says.
+    fn taken(&mut self, table: &Table<'_>, solids: Vec<Solid>) -> Result<Vec<Solid>> {
+        let mut solids = chosen(table, solids)?;
+        let parts = solids.iter_mut().map(|s| &mut s.part);
+        defects::apply(table, parts, &mut self.notes)?;
+        Ok(solids)
     }
 
     /// The solids of a mesh file.
@@ -291,14 +285,22 @@ impl Opening<'_> {
             .map_err(|e| origin.place(e))?;
         self.notes.extend(sequence.notes().iter().cloned());
         self.files.extend(sequence.files().iter().cloned());
-        let frames = sequence
-            .frames()
-            .map(|parts| {
-                let mut parts = chosen(table, parts.to_vec())?;
-                defects::apply(table, &mut parts, &mut self.notes)?;
-                Ok(Solids::of(parts))
-            })
-            .collect::<Result<_>>()?;
+        // Solids of a frame are called after the frames and their number.
+        let several = sequence.frames().any(|parts| parts.len() > 1);
+        let below = |index: usize, _: &Part| several.then(|| index.to_string());
+        let frames = sequence.frames().map(|parts| Solid::all(parts, below));
+        let mut frames: Vec<Vec<Solid>> = frames.collect();
+        if let Some(mut splits) = Splits::asked_for(table, &frames[0])? {
+            let numbered = || frames.iter().map(Vec::as_slice).zip(sequence.files());
+            for (frame, file) in numbered().skip(1) {
+                let first = (frames[0].as_slice(), sequence.files()[0].as_path());
+                splits.must_fit(first, (frame, file))?;
+            }
+            self.notes.push(splits.note(origin.text()?));
+            frames = (frames.into_iter().map(|f| splits.applied(f))).collect();
+        }
+        let frames = frames.into_iter().map(|f| self.taken(table, f));
+        let frames = frames.collect::<Result<_>>()?;
         Ok(PartSource::of(frames, Some(sequence)))
     }
 }
@@ -330,27 +332,4 @@ pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
         _ => "check the path; built-in shapes are written shape:NAME",
     };
     origin.fault(what, help)
-}
-
-/// The solids that `only` and `except` leave.
-fn chosen(table: &Table<'_>, parts: Vec<Part>) -> Result<Vec<Part>> {
-    let mut left = parts.clone();
-    for (key, keep) in [("only", true), ("except", false)] {
-        let Some(entry) = table.get(key) else {
-            continue;
-        };
-        for glob in entry.texts()? {
-            if !parts.iter().any(|p| glob_matches(&glob, &p.name)) {
-                let names = parts.iter().map(|p| p.name.as_str());
-                let what = format!("there is no solid `{glob}`");
-                return Err(entry.fault(what, did_you_mean(&glob, names)));
-            }
-        }
-        let globs = entry.texts()?;
-        left.retain(|p| keep == globs.iter().any(|g| glob_matches(g, &p.name)));
-        if left.is_empty() {
-            return Err(entry.fault("it leaves no solid", "choose fewer or others"));
-        }
-    }
-    Ok(left)
 }

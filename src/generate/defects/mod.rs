@@ -192,7 +192,10 @@ impl Broken {
 const MOST_FACES: usize = 50_000_000;
 
 /// Puts defects into the meshes of parts, in their order, and says what each did. Parts that share a mesh share the broken one.
-pub fn break_parts(parts: &mut [Part], defects: &[Defect]) -> Result<Vec<String>> {
+pub fn break_parts<'a>(
+    parts: impl IntoIterator<Item = &'a mut Part>,
+    defects: &[Defect],
+) -> Result<Vec<String>> {
     let mut notes = Vec::new();
     if defects.is_empty() {
         return Ok(notes);

@@ -147,6 +147,25 @@ impl Driver {
         joints.map(|joint| part_from_file * joint).collect()
     }
 
+    /// The mesh as it was bound, with what can move it.
+    pub(crate) fn bound(&self) -> &Arc<Bound> {
+        &self.bound
+    }
+
+    /// The mesh that is shown at rest.
+    pub(crate) fn rest_mesh(&self) -> &Arc<Mesh> {
+        &self.rest_mesh
+    }
+
+    /// The same for a piece of the mesh, as it was bound and as it is at rest: it goes where it went as a part of the whole.
+    pub(crate) fn of_piece(&self, bound: &Arc<Bound>, rest_mesh: &Arc<Mesh>) -> Self {
+        Self {
+            bound: Arc::clone(bound),
+            rest_mesh: Arc::clone(rest_mesh),
+            ..self.clone()
+        }
+    }
+
     /// The mesh and its place at rest.
     pub(crate) fn at_rest(&self) -> (Arc<Mesh>, DAffine3) {
         (

@@ -23,14 +23,7 @@ pub(crate) struct EdgeCount {
 
 impl Edges {
     pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
-        let mut keys: Vec<u64> = triangles
-            .par_iter()
-            .flat_map_iter(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]])
-            .map(|[from, to]| {
-                let (low, high) = (from.min(to), from.max(to));
-                (u64::from(low) << 32) | (u64::from(high) << 1) | u64::from(from > to)
-            })
-            .collect();
+        let mut keys: Vec<u64> = triangles.par_iter().flat_map_iter(keys_of).collect();
         keys.par_sort_unstable();
         Self { keys }
     }
@@ -55,8 +48,53 @@ impl Edges {
     pub(crate) fn open(&self) -> impl Iterator<Item = [u32; 2]> {
         self.runs()
             .filter(|run| run.len() % 2 == 1)
-            .map(|run| [(run[0] >> 32) as u32, ((run[0] & 0xffff_ffff) >> 1) as u32])
+            .map(|run| vertices_of(run[0]))
     }
+}
+
+/// The keys of a triangle's edges: smaller index, larger index, then whether it runs from the larger to the smaller.
+fn keys_of([a, b, c]: &[u32; 3]) -> [u64; 3] {
+    [[*a, *b], [*b, *c], [*c, *a]].map(|[from, to]| {
+        let (low, high) = (from.min(to), from.max(to));
+        (u64::from(low) << 32) | (u64::from(high) << 1) | u64::from(from > to)
+    })
+}
+
+/// A triangle at an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EdgeUse {
+    pub(crate) triangle: u32,
+    /// It has the edge from the larger index to the smaller.
+    pub(crate) is_down: bool,
+}
+
+/// The uses of all edges with who uses them, sorted as those of [`Edges`], then by triangle.
+pub(crate) struct EdgeUses(Vec<(u64, u32)>);
+
+impl EdgeUses {
+    pub(crate) fn of(triangles: &[[u32; 3]]) -> Self {
+        let mut uses: Vec<(u64, u32)> = (triangles.par_iter().enumerate())
+            .flat_map_iter(|(index, t)| keys_of(t).map(|key| (key, index as u32)))
+            .collect();
+        uses.par_sort_unstable();
+        Self(uses)
+    }
+
+    /// The vertices of each edge, the smaller index first, and its uses.
+    pub(crate) fn runs(&self) -> impl Iterator<Item = ([u32; 2], impl Iterator<Item = EdgeUse>)> {
+        let runs = self.0.chunk_by(|a, b| a.0 >> 1 == b.0 >> 1);
+        runs.map(|run| {
+            let of_run = run.iter().map(|(key, triangle)| EdgeUse {
+                triangle: *triangle,
+                is_down: key & 1 == 1,
+            });
+            (vertices_of(run[0].0), of_run)
+        })
+    }
+}
+
+fn vertices_of(key: u64) -> [u32; 2] {
+    [(key >> 32) as u32, ((key & 0xffff_ffff) >> 1) as u32]
 }
 
 /// Representatives of a partition of `0..n`; the least member represents its set.

@@ -12,7 +12,7 @@ const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 
     f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 /// Options that say something of the scene, and whether a value follows them after a space.
-const OF_SCENE: [(&str, bool); 26] = [
+const OF_SCENE: [(&str, bool); 27] = [
     ("--section", true),
     ("--relief", true),
     ("--flip", false),
@@ -21,6 +21,7 @@ const OF_SCENE: [(&str, bool); 26] = [
     ("--cut", true),
     ("--cutter", true),
     ("--exclude", true),
+    ("--split", false),
     ("--defect", true),
     ("--fill", true),
     ("--interference", false),
@@ -50,6 +51,7 @@ const MORE: &[&str] = &[
     "shape:sphere?subdivisions=3 --cutter shape:cube --camera-position 3,2,1 --camera-view-up 0,0,1",
     "shape:crank?detail=16 --section z=40% --defect holes:amount=5%,seed=3 --defect flipped --fill nonzero",
     "shape:shells --section 1,1,0.5@50%,50%,50% --strategy planar --no-background",
+    "bracket.stl shape:shells --split --section x=50%",
     "bracket.stl maps/../bracket.stl --section x=50% --relief maps/rock.png:wrap=mirror,amplitude=0.1",
     "walk_%d.obj --section x=50% --time 0.05",
     "shape:sphere --section z=0.1 --rasteriser compute --interference=#00ff00 --set part.0.material.color=#fa0",

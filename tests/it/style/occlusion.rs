@@ -14,8 +14,8 @@ fn with(occlusion: Occlusion) -> Style {
 }
 
 /// What a style's occlusion leaves of the light in each pixel of some layers.
-fn visibility(model: &Model, view: &View, layers: &Layers) -> Vec<f32> {
-    let channels = session().style_channels(model, view, layers);
+fn visibility(session: &mut Session, model: &Model, view: &View, layers: &Layers) -> Vec<f32> {
+    let channels = session.style_channels(model, view, layers);
     channels.expect("channels").visibility
 }
 
@@ -74,6 +74,7 @@ fn horizons_come_to_the_closed_form_of_a_wall() {
         projection: Projection::Perspective { fov_y_deg: 25.0 },
         ..Camera::default()
     };
+    let mut session = session();
     let mut errors = Vec::new();
     for (slices, steps) in [(3, 6), (8, 16), (16, 48)] {
         let occlusion = Occlusion {
@@ -87,7 +88,7 @@ fn horizons_come_to_the_closed_form_of_a_wall() {
         let model = cube_in(with(occlusion), camera);
         let view = model.prepared.view([440, 560]);
         let (layers, before) = floor_and_wall(&view, 24.0);
-        let found = visibility(&model, &view, &layers);
+        let found = visibility(&mut session, &model, &view, &layers);
         let truths = before.iter().zip(found).enumerate();
         let near = truths.filter_map(|(i, (before, found))| {
             // Away from the borders of the picture, where walls would end.
@@ -144,7 +145,7 @@ fn horizons_are_near_what_rays_find() {
     let drawn = session.draw(&model, &view, method).expect("a frame");
     assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
     let layers = session.layers(method).expect("layers");
-    let found = visibility(&model, &view, &layers);
+    let found = visibility(&mut session, &model, &view, &layers);
     let part = &model.prepared.parts[0];
     let corner = |i: u32| part.positions[i as usize];
     let triangles: Vec<[DVec3; 3]> = (part.triangles.iter())
@@ -213,7 +214,7 @@ fn the_unsharp_mask_is_depth_less_its_gaussian() {
     let drawn = session.draw(&model, &view, method).expect("a frame");
     assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
     let layers = session.layers(method).expect("layers");
-    let found = visibility(&model, &view, &layers);
+    let found = visibility(&mut session, &model, &view, &layers);
     let diagonal = 2.0 * model.prepared.bounds.radius();
     let middle = -view.eye.dot(view.forward);
     let share = |layer: &Layer| match layer.kind {

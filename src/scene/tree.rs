@@ -1,4 +1,4 @@
-//! Boxes over triangles that lie near each other, eight to a box, for the question which of them a plane can cross.
+//! Boxes over triangles that lie near each other, eight to a box, for the question which of them a plane or a ray can cross.
 //!
 //! Triangles are sorted along a Z-order curve through their middles (Morton 1966) and grouped in that order, level over level.
 //! Cost: one parallel sort; about 7 bytes of boxes a triangle. A plane then looks at some boxes per triangle that it crosses,
@@ -7,21 +7,21 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::scene::Bounds;
+use super::Bounds;
 
 /// Triangles to a box, and boxes to the box over them.
-pub(super) const BRANCHES: usize = 8;
+pub(crate) const BRANCHES: usize = 8;
 
 /// A tree of boxes over groups of triangles in order.
 #[derive(Debug, Default)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     /// From the boxes of triangles up to at most [`BRANCHES`] boxes.
     levels: Vec<Vec<Bounds>>,
 }
 
 impl Tree {
     /// The tree over triangles that are sorted by [`sort`].
-    pub(super) fn over(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn over(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let of_triangles = triangles.par_chunks(BRANCHES).map(|some| {
             let corners = some.iter().flatten().map(|i| positions[*i as usize]);
             Bounds::from_points(corners)
@@ -37,7 +37,7 @@ impl Tree {
     }
 
     /// Numbers of the groups whose boxes are not missed, in order.
-    pub(super) fn groups(&self, misses: impl Fn(&Bounds) -> bool) -> Vec<usize> {
+    pub(crate) fn groups(&self, misses: impl Fn(&Bounds) -> bool) -> Vec<usize> {
         let Some(top) = self.levels.last() else {
             return Vec::new();
         };
@@ -55,7 +55,14 @@ impl Tree {
 }
 
 /// Sorts triangles so that those in a row lie near each other; of equal places the given order is kept.
-pub(super) fn sort(positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
+pub(crate) fn sort(positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
+    *triangles = (order(positions, triangles).par_iter())
+        .map(|i| triangles[*i as usize])
+        .collect();
+}
+
+/// The numbers of triangles in the order in which [`sort`] puts them.
+pub(crate) fn order(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<u32> {
     let middle = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| positions[i as usize] / 3.0);
         a + b + c
@@ -72,9 +79,7 @@ pub(super) fn sort(positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
         })
         .collect();
     order.par_sort_unstable();
-    *triangles = (order.par_iter())
-        .map(|(_, i)| triangles[*i as usize])
-        .collect();
+    order.into_par_iter().map(|(_, i)| i).collect()
 }
 
 /// Where a point of the unit cube lies on a Z-order curve: the leading 21 bits of each coordinate, interleaved.

@@ -1,0 +1,141 @@
+//! Parts taken apart into their bodies, with all that moves them.
+//!
+//! A body keeps the order of its triangles, their normals, the vertices that they use, and what its part has: place, look, role, motion
+//! and the rig of its file. A part that is one body stays the part that it is. Parts that share a mesh, as the wheels of a car do, share
+//! those of its bodies.
+
+use std::sync::Arc;
+
+use super::super::motion::Bound;
+use super::super::{Mesh, Motion, Part, is_same_motion};
+use super::Bodies;
+
+/// The bodies of a mesh as meshes of their own.
+#[derive(Debug)]
+pub(crate) struct Pieces {
+    whole: Arc<Mesh>,
+    motion: Option<Arc<Motion>>,
+    bound: Option<Arc<Bound>>,
+    pieces: Vec<Piece>,
+}
+
+#[derive(Debug)]
+struct Piece {
+    mesh: Arc<Mesh>,
+    motion: Option<Arc<Motion>>,
+    /// The mesh as its file bound it, and as the file shows it at rest.
+    bound: Option<(Arc<Bound>, Arc<Mesh>)>,
+}
+
+impl Pieces {
+    /// Takes a part apart into bodies, which are those of a mesh with the same triangles.
+    pub(crate) fn of(part: &Part, bodies: &Bodies) -> Self {
+        let pieces = match bodies.count() {
+            0 | 1 => Vec::new(),
+            _ => (bodies.triangles().iter())
+                .map(|triangles| Piece::of(part, triangles))
+                .collect(),
+        };
+        Self {
+            whole: Arc::clone(&part.mesh),
+            motion: part.motion.clone(),
+            bound: bound_of(part).cloned(),
+            pieces,
+        }
+    }
+
+    /// Whether they are those of a part.
+    pub(crate) fn are_of(&self, part: &Part) -> bool {
+        let bound = match (bound_of(part), &self.bound) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        bound
+            && Arc::ptr_eq(&self.whole, &part.mesh)
+            && is_same_motion(self.motion.as_ref(), part.motion.as_ref())
+    }
+
+    /// The parts that a part comes apart into, all by its name; itself if it is one body.
+    pub(crate) fn parts(&self, part: &Part) -> Vec<Part> {
+        if self.pieces.is_empty() {
+            return vec![part.clone()];
+        }
+        let of_piece = |piece: &Piece| Part {
+            mesh: Arc::clone(&piece.mesh),
+            motion: piece.motion.clone(),
+            driver: (part.driver.as_ref().zip(piece.bound.as_ref()))
+                .map(|(driver, (bound, rest))| Arc::new(driver.of_piece(bound, rest))),
+            ..part.clone()
+        };
+        self.pieces.iter().map(of_piece).collect()
+    }
+}
+
+impl Piece {
+    fn of(part: &Part, triangles: &[u32]) -> Self {
+        let (mesh, vertices) = part.mesh.picked(triangles);
+        let mesh = Arc::new(mesh);
+        let of_motion = |motion: &Arc<Motion>| {
+            let mut own = motion.of_positions(&vertices);
+            if !motion.outward.is_empty() {
+                own.outward = mesh.outward();
+            }
+            own
+        };
+        let motion = part.motion.as_ref().map(|m| Arc::new(of_motion(m)));
+        let driver = part.driver.as_ref();
+        let bound = driver.zip(bound_of(part)).map(|(driver, bound)| {
+            let own = |of: &Arc<Mesh>| match Arc::ptr_eq(of, &part.mesh) {
+                true => (*mesh).clone(),
+                false => of.picked(triangles).0,
+            };
+            let own_motion = bound.motion.as_ref().map(of_motion);
+            let own_bound = Bound::new(own(&bound.mesh), own_motion.unwrap_or_default());
+            let rest = match Arc::ptr_eq(driver.rest_mesh(), &bound.mesh) {
+                true => Arc::clone(&own_bound.mesh),
+                false => Arc::new(own(driver.rest_mesh())),
+            };
+            (Arc::new(own_bound), rest)
+        });
+        // The same mesh in both places where it was the same before.
+        let mesh = match &bound {
+            Some((_, rest)) if **rest == *mesh => Arc::clone(rest),
+            _ => mesh,
+        };
+        Self {
+            mesh,
+            motion,
+            bound,
+        }
+    }
+}
+
+/// What the file of a part bound, if the part still has the triangles of it.
+fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
+    let driver = part.driver.as_ref()?;
+    let has_its_mesh = [driver.rest_mesh(), &driver.bound().mesh]
+        .into_iter()
+        .any(|mesh| Arc::ptr_eq(mesh, &part.mesh));
+    has_its_mesh.then(|| driver.bound())
+}
+
+impl Part {
+    /// The bodies of the part as parts of their own, named `NAME/1`, `NAME/2` and so on; itself if it is one body ([`Bodies`]). A part
+    /// whose mesh is no longer that of its file has left its file's animations behind.
+    #[must_use]
+    pub fn split(&self) -> Vec<Self> {
+        let mut parts = Pieces::of(self, &Bodies::of(&self.mesh)).parts(self);
+        if parts.len() > 1 {
+            for (number, part) in (1..).zip(&mut parts) {
+                part.name = body_name(&self.name, number);
+            }
+        }
+        parts
+    }
+}
+
+/// What a body is called, numbered from 1, of a part or of whatever else has a name.
+pub(crate) fn body_name(of: &str, number: usize) -> String {
+    format!("{of}/{number}")
+}

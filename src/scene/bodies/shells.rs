@@ -1,0 +1,189 @@
+//! Shells: pieces of surface that hang together over edges.
+//!
+//! An edge of two triangles joins them, however they are turned. Where more meet, whoever has as many uses of the edge in one direction as
+//! in the other needs nobody: two cubes that share an edge are two shells. The rest go together around the edge so that each wedge of
+//! solid has its two walls ([`around_edge`](super::around_edge)), or all of them where that does not work out. Thus a sheet that hangs on
+//! a solid by one edge comes off it, and cubes that share a face, twice there, come apart. A mesh of negative volume is taken the other way
+//! round, so that cubes come apart there too.
+
+use std::cmp::Ordering;
+
+use super::super::topology::{EdgeUse, EdgeUses, Sets};
+use super::super::{Bounds, Mesh};
+use super::around_edge::walls;
+
+/// What is thinner on the mean, as a share of its size, is flat: rounding decides which way it faces.
+const FLAT: f64 = 1e-9;
+
+/// Which way a closed shell faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Facing {
+    Out,
+    In,
+}
+
+/// What there is to know of a shell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shell {
+    /// Every edge has an even number of uses in it.
+    pub(super) is_closed: bool,
+    /// Every edge has as many uses in one direction as in the other.
+    pub(super) is_consistent: bool,
+    /// Of a closed one, if its triangles agree and it is not flat.
+    pub(super) facing: Option<Facing>,
+    pub(super) bounds: Bounds,
+    volume: f64,
+}
+
+impl Shell {
+    /// What contains another is not less.
+    pub(super) fn by_size(&self, other: &Self) -> Ordering {
+        let span = |s: &Self| s.bounds.size().element_sum();
+        let by_volume = |a: &Self, b: &Self| a.volume.abs().total_cmp(&b.volume.abs());
+        let spans = span(self).total_cmp(&span(other));
+        spans.then_with(|| by_volume(self, other))
+    }
+}
+
+/// The shells of a mesh, numbered by their first triangles.
+pub(super) struct Shells {
+    pub(super) of_triangles: Vec<u32>,
+    pub(super) shells: Vec<Shell>,
+}
+
+impl Shells {
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let uses = EdgeUses::of(&mesh.triangles);
+        let of_triangles = joined(mesh, &uses);
+        let count = of_triangles
+            .iter()
+            .max()
+            .map_or(0, |most| *most as usize + 1);
+        let mut shells = measured(mesh, &of_triangles, count);
+        for (_, run) in uses.runs() {
+            let mut run: Vec<(u32, i32)> = run
+                .map(|u| (of_triangles[u.triangle as usize], step(u)))
+                .collect();
+            run.sort_unstable();
+            for of_shell in run.chunk_by(|a, b| a.0 == b.0) {
+                let shell = &mut shells[of_shell[0].0 as usize];
+                shell.is_closed &= of_shell.len() % 2 == 0;
+                shell.is_consistent &= of_shell.iter().map(|u| u.1).sum::<i32>() == 0;
+            }
+        }
+        for shell in shells
+            .iter_mut()
+            .filter(|s| !(s.is_closed && s.is_consistent))
+        {
+            shell.facing = None;
+        }
+        Self {
+            of_triangles,
+            shells,
+        }
+    }
+}
+
+/// An edge used downwards takes back one used upwards.
+fn step(of: EdgeUse) -> i32 {
+    if of.is_down { -1 } else { 1 }
+}
+
+/// The shell of each triangle.
+fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
+    let count = mesh.triangles.len();
+    let mut sets = Sets::new(count);
+    let mut shared: Vec<([u32; 2], Vec<EdgeUse>)> = Vec::new();
+    for (edge, mut run) in uses.runs() {
+        let (Some(a), Some(b)) = (run.next(), run.next()) else {
+            continue;
+        };
+        match run.next() {
+            None => sets.join(a.triangle, b.triangle),
+            Some(c) => shared.push((edge, [a, b, c].into_iter().chain(run).collect())),
+        }
+    }
+    // By what edges of two have joined, so that no edge hangs on the order of those before it.
+    let patches: Vec<u32> = match shared.is_empty() {
+        true => Vec::new(),
+        false => (0..count as u32).map(|t| sets.find(t)).collect(),
+    };
+    let faces_in = !shared.is_empty()
+        && facing_of(mesh.volume(), mesh.area(), &mesh.bounds()) == Some(Facing::In);
+    for (edge, mut run) in shared {
+        if faces_in {
+            run.iter_mut().for_each(|u| u.is_down = !u.is_down);
+        }
+        for [a, b] in pairs_at(mesh, edge, run, &patches) {
+            sets.join(a, b);
+        }
+    }
+    let mut numbers = vec![u32::MAX; count];
+    let mut next = 0;
+    (0..count as u32)
+        .map(|t| {
+            let number = &mut numbers[sets.find(t) as usize];
+            if *number == u32::MAX {
+                *number = next;
+                next += 1;
+            }
+            *number
+        })
+        .collect()
+}
+
+/// Which triangles go together at an edge of more than two.
+fn pairs_at(mesh: &Mesh, edge: [u32; 2], mut run: Vec<EdgeUse>, patches: &[u32]) -> Vec<[u32; 2]> {
+    let patch = |u: &EdgeUse| patches[u.triangle as usize];
+    run.sort_by_key(|u| (patch(u), u.triangle));
+    let open = run.chunk_by(|a, b| patch(a) == patch(b));
+    let open = open.filter(|of_patch| of_patch.iter().copied().map(step).sum::<i32>() != 0);
+    let open: Vec<EdgeUse> = open.flatten().copied().collect();
+    if open.iter().copied().map(step).sum::<i32>() == 0 {
+        return walls(mesh, edge, &open);
+    }
+    open.windows(2)
+        .map(|two| [two[0].triangle, two[1].triangle])
+        .collect()
+}
+
+/// Boxes, volumes and what they say of which way shells face.
+fn measured(mesh: &Mesh, of_triangles: &[u32], count: usize) -> Vec<Shell> {
+    let mut bounds = vec![Bounds::EMPTY; count];
+    for (t, shell) in of_triangles.iter().enumerate() {
+        let bounds = &mut bounds[*shell as usize];
+        *bounds = bounds.union(Bounds::from_points(mesh.corners(t)));
+    }
+    let mut six_volumes = vec![0.0; count];
+    let mut twice_areas = vec![0.0; count];
+    for (t, shell) in of_triangles.iter().enumerate() {
+        let shell = *shell as usize;
+        let origin = bounds[shell].centre();
+        let [a, b, c] = mesh.corners(t).map(|p| p - origin);
+        six_volumes[shell] += a.dot(b.cross(c));
+        twice_areas[shell] += (b - a).cross(c - a).length();
+    }
+    (bounds.into_iter().enumerate())
+        .map(|(shell, bounds)| {
+            let (volume, area) = (six_volumes[shell] / 6.0, twice_areas[shell] / 2.0);
+            Shell {
+                is_closed: true,
+                is_consistent: true,
+                facing: facing_of(volume, area, &bounds),
+                bounds,
+                volume,
+            }
+        })
+        .collect()
+}
+
+/// Which way a closed surface faces, unless it is flat.
+fn facing_of(volume: f64, area: f64, bounds: &Bounds) -> Option<Facing> {
+    let is_flat = volume.abs() <= FLAT * area * bounds.size().length();
+    let facing = if volume > 0.0 {
+        Facing::Out
+    } else {
+        Facing::In
+    };
+    (!is_flat).then_some(facing)
+}
