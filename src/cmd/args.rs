@@ -6,13 +6,14 @@ use super::camera::CameraArgs;
 use super::console::Console;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::sections::SectionArgs;
 use super::subject::{Subject, document};
 use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
-use crate::scene::{Fill, HeightFilter, Style, parse_color};
+use crate::scene::{Fill, HeightFilter, parse_color};
 use crate::session::Session;
 use crate::strategies::Rasteriser;
 
@@ -78,10 +79,10 @@ impl SceneArgs {
         &self,
         document: Document,
         at_s: Option<f64>,
-        usual_style: Style,
+        usual: Usual,
         console: &Console,
     ) -> Result<Subject> {
-        let subject = Subject::open(document, at_s, usual_style, &self.edits, console)?;
+        let subject = Subject::open(document, at_s, usual, &self.edits, console)?;
         subject.must_be_cut_by(&self.sections)?;
         subject.doubt(console)?;
         Ok(subject)

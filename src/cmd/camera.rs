@@ -60,6 +60,15 @@ pub(super) struct CameraArgs {
     /// Parallel rays, without perspective
     #[arg(long = "camera-orthographic", help_heading = "Camera")]
     orthographic: bool,
+    /// What the view is fitted to: kept, the silhouette of what the cuts keep, or all, the box of the model [default: that of the scene;
+    /// kept for pictures, all where strategies are compared]
+    #[arg(
+        long = "camera-fit",
+        value_name = "WHAT",
+        value_enum,
+        help_heading = "Camera"
+    )]
+    fit: Option<FitTo>,
     /// How much larger than the fitted view the model is shown [default: that of the scene, or 1]
     #[arg(
         long = "camera-zoom-factor",
@@ -89,6 +98,12 @@ enum UpAxis {
     PlusZ,
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum FitTo {
+    Kept,
+    All,
+}
+
 impl CameraArgs {
     /// Puts them into a document. What contradicts them there goes; angles that nobody says are found.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
@@ -96,6 +111,10 @@ impl CameraArgs {
         let up = self.up.map(|up| match up {
             UpAxis::PlusY => "+Y".into(),
             UpAxis::PlusZ => "+Z".into(),
+        });
+        let fit = self.fit.map(|fit| match fit {
+            FitTo::Kept => "kept".into(),
+            FitTo::All => "all".into(),
         });
         let is_new = document.root().get("camera").is_none();
         let is_orbit = self.azimuth_deg.is_some() || self.elevation_deg.is_some();
@@ -136,6 +155,7 @@ impl CameraArgs {
                 "--camera-zoom-factor",
                 self.zoom.map(Value::from),
             ),
+            ("camera.fit", "--camera-fit", fit),
             ("camera.up", "--up", up),
         ] {
             say(document, path, option, value)?;

@@ -7,13 +7,14 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
 use crate::scene::numbers::round;
-use crate::scene::{Clip, Part, Style, Topology};
+use crate::scene::{Clip, Part, Topology};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -59,7 +60,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let mut document = document(&args.inputs, None)?;
     args.defects.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Style::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
     let clips = subject.timeline.clips();
     let parts = subject.scene.posed().parts;

@@ -2,18 +2,39 @@
 
 use super::args::say;
 use crate::Result;
-use crate::document::{Document, Value, named_style, style_names};
+use crate::document::{Document, Timeline, Value, named_style, style_names};
 use crate::experiment::Renderer;
-use crate::scene::{Style, parse_color};
+use crate::scene::{Fit, Style, parse_color};
 use crate::strategies::{Strategy, table};
 use clap::Args;
 
 /// The style of pictures where nobody names one.
 const USUAL_STYLE: &str = "technical";
 
-/// The same, read.
-pub(super) fn usual_style() -> Result<Style> {
-    named_style(USUAL_STYLE)
+/// What holds where the document says nothing of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Usual {
+    /// How it looks.
+    pub(super) style: Style,
+    /// What its angles are fitted to.
+    pub(super) fit: Fit,
+}
+
+impl Usual {
+    /// That of pictures that are made to be looked at; the default is that of what is measured.
+    pub(super) fn of_pictures() -> Result<Self> {
+        Ok(Self {
+            style: named_style(USUAL_STYLE)?,
+            fit: Fit::Kept,
+        })
+    }
+
+    /// A timeline with all of it.
+    pub(super) fn of(self, timeline: Timeline) -> Result<Timeline> {
+        Ok(timeline
+            .with_usual_style(self.style)?
+            .with_usual_fit(self.fit))
+    }
 }
 
 /// How pictures are drawn.

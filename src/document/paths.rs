@@ -184,7 +184,8 @@ pub const PATHS: &[Path] = &[
     fixed("camera.projection", Choice(&["perspective", "orthographic"]), "", "\"orthographic\"", "how depth narrows the picture"),
     moved("camera.fov_y_deg", Number(0.0, 170.0), "degrees", "30", "between the lower and the upper border, in perspective"),
     moved("camera.height", SIZE, "units", "3", "height of an orthographic picture; without it what shows everything"),
-    moved("camera.zoom", Number(1e-3, 1e3), "", "1.5", "how much larger than so everything is shown"),
+    fixed("camera.fit", Choice(&["kept", "all"]), "", "\"kept\"", "what angles are fitted to: the silhouette of what the cuts keep, or the box of all"),
+    moved("camera.zoom", Number(1e-3, 1e3), "", "1.5", "how much larger than fitted it is shown"),
     moved("camera.near", SIZE, "units", "0.5", "distance of the near plane"),
     moved("camera.near_cap", Flag, "", "false", "whether a cap shows where the near plane cuts a solid"),
 

@@ -25,7 +25,7 @@ use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs, SceneArgs, parse_finite};
 use super::console::{Console, ConsoleArgs};
 use super::interrupt::Interrupt;
-use super::look::{LookArgs, usual_style};
+use super::look::{LookArgs, Usual};
 use super::output::Output;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
@@ -143,9 +143,12 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.means.amend(&mut document)?;
-    let subject = args
-        .scene
-        .open(document, Some(args.times.start_s), usual_style()?, &console)?;
+    let subject = args.scene.open(
+        document,
+        Some(args.times.start_s),
+        Usual::of_pictures()?,
+        &console,
+    )?;
     let times = times(args, &target, &subject, &console)?;
     note_of_even_size(&target, subject.size_px(), &console);
 

@@ -9,7 +9,7 @@ use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::Value;
 use crate::error::Result;
-use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
+use crate::scene::{Bounds, Camera, Cut, Fit, Projection, Up, Viewpoint};
 
 static KEYS: Keys = Keys::below("camera");
 
@@ -21,16 +21,18 @@ pub(crate) struct Seen {
     pub(crate) free: [bool; 2],
 }
 
-impl Default for Seen {
-    fn default() -> Self {
+impl Seen {
+    /// That of a document which says nothing of it.
+    pub(super) fn usual(fit: Fit) -> Self {
         Self {
-            camera: Camera::default(),
+            camera: Camera {
+                fit,
+                ..Camera::default()
+            },
             free: [true; 2],
         }
     }
-}
 
-impl Seen {
     /// Whether an angle is to be found.
     pub(crate) fn is_free(&self) -> bool {
         self.free.contains(&true)
@@ -43,9 +45,15 @@ impl Seen {
 }
 
 /// Reads a camera; without a focal point it looks at the middle of the bounds.
-pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds) -> Result<Seen> {
+pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result<Seen> {
     let table = entry.table(KEYS.all())?;
-    let mut camera = Camera::default();
+    let mut camera = Camera {
+        fit: usual_fit,
+        ..Camera::default()
+    };
+    if let Some(fit) = table.get("fit") {
+        camera.fit = fit.choice(&[("kept", Fit::Kept), ("all", Fit::All)])?;
+    }
     if let Some(up) = table.get("up") {
         camera.up = up.choice(&[("+Y", Up::PlusY), ("+Z", Up::PlusZ)])?;
     }

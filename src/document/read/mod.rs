@@ -53,7 +53,8 @@
 //! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`
 //! elevation_deg = 25
 //! up = "+Z"                              # images on sections stand upright by it
-//! zoom = 2                               # twice as large as so everything is shown
+//! fit = "kept"                           # what angles are fitted to: what the cuts keep, or "all"
+//! zoom = 2                               # twice as large as so that is shown
 //! near = 0.5                             # distance of the near plane
 //! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
 //! ```
@@ -159,7 +160,7 @@ use super::paths::Keys;
 use crate::error::Result;
 use crate::generate::defects::Defect;
 use crate::load::Assets;
-use crate::scene::{Bounds, ClipSurface, Outwards, Part, Scene, Style, Up};
+use crate::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
 
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");
@@ -174,6 +175,8 @@ pub(super) struct Stock {
     images: Images,
     /// On which the style of the document are changes, if it has one.
     pub(super) style: Option<Style>,
+    /// What orbits are fitted to where the document does not say it.
+    pub(super) fit: Fit,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
     /// All that were read.
@@ -214,6 +217,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
         cutters,
         images,
         style,
+        fit: Fit::default(),
         notes: opening.notes,
         files: opening.files,
     })
@@ -265,8 +269,8 @@ pub(super) fn scene(
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let camera = root.get("camera").map(|e| camera::read(&e, &bounds));
-    let seen = camera.transpose()?.unwrap_or_default();
+    let camera = (root.get("camera")).map(|e| camera::read(&e, &bounds, stock.fit));
+    let seen = camera.transpose()?.unwrap_or(Seen::usual(stock.fit));
     scene.camera = seen.camera;
     let maps = match root.get("relief") {
         Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,

@@ -1,0 +1,69 @@
+//! What the command frames where nobody says how, and how it is said.
+
+use image::RgbaImage;
+
+use super::common::command::Scratch;
+use super::{margins, misfit};
+
+const SIZE: [u32; 2] = [240, 180];
+
+fn margins_in(image: &RgbaImage) -> [f64; 4] {
+    let is_shown = |x, y| image.get_pixel(x, y).0[3] > 127;
+    margins([image.width(), image.height()], is_shown).expect("the model is shown")
+}
+
+fn picture(folder: &Scratch, line: &str, name: &str) -> RgbaImage {
+    let line = format!("{line} --resolution 240,180 --no-background --style lit -o {name}");
+    folder.run(&line).exits(0);
+    image::open(folder.path(name)).expect(name).to_rgba8()
+}
+
+#[test]
+fn pictures_show_what_is_kept_unless_they_are_told_to_show_all() {
+    let folder = Scratch::new("framing_pictures");
+    let half = "render shape:crank --section -z=50%";
+    let kept = margins_in(&picture(&folder, half, "kept.png"));
+    assert_eq!(misfit(kept, SIZE, 1.0), None);
+    let all = picture(&folder, &format!("{half} --camera-fit all"), "all.png");
+    assert!(misfit(margins_in(&all), SIZE, 1.0).is_some(), "the control");
+    let set = picture(&folder, &format!("{half} --set camera.fit=all"), "set.png");
+    assert!(all == set, "an option is a path");
+    folder
+        .run(&format!("{half} --set camera.fit=some -o x.png"))
+        .must_refuse(&["camera.fit", "kept"]);
+}
+
+#[test]
+fn what_is_measured_is_framed_as_ever() {
+    let folder = Scratch::new("framing_measured");
+    let line = "compare shape:crank --section -z=50% --strategies raycast+mask --resolution 64,48 --json -";
+    let count = |options: &str| {
+        let json = folder.run(&format!("{line} {options}")).exits(0).json();
+        json["exact"]["background_px"].as_u64().expect("a count")
+    };
+    let usual = count("");
+    assert_eq!(usual, count("--camera-fit all"));
+    assert!(
+        count("--camera-fit kept") < usual,
+        "the control: what is kept is larger"
+    );
+}
+
+#[test]
+fn a_turntable_has_one_fit() {
+    let folder = Scratch::new("framing_turntable");
+    let line = "animate shape:crank --section -z=50% --turntable --frames 8 --resolution 120,90 --no-background --style lit";
+    folder.run(&format!("{line} -o f%d.png")).exits(0);
+    let frames = (0..8).filter_map(|i| image::open(folder.path(&format!("f{i}.png"))).ok());
+    let frames: Vec<[f64; 4]> = frames.map(|f| margins_in(&f.to_rgba8())).collect();
+    assert!(frames.len() >= 7, "{} frames", frames.len());
+    let least = frames
+        .iter()
+        .flatten()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    assert!(
+        (4.4..14.0).contains(&least),
+        "nearest to a border by {least}: {frames:?}"
+    );
+}
