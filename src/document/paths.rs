@@ -177,6 +177,7 @@ pub const PATHS: &[Path] = &[
 
     moved("camera.azimuth_deg", REAL, "degrees", "35", "turn around the up axis; or \"auto\", to where the cuts are seen"),
     moved("camera.elevation_deg", REAL, "degrees", "25", "height above the horizon; or \"auto\""),
+    fixed("camera.view", Choice(&["front", "back", "left", "right", "top", "bottom", "iso", "cut"]), "", "\"iso\"", "a direction, in the place of angles; cut looks straight at the first section"),
     moved("camera.position", Numbers(3), "units", "[0, 0, 5]", "where the eye is, in the place of angles"),
     moved("camera.focal_point", Numbers(3), "units", "[0, 0, 0]", "what the eye looks at; without it the middle of the model"),
     moved("camera.view_up", Numbers(3), "", "[0, 1, 0]", "direction that is up in the picture"),
@@ -186,6 +187,7 @@ pub const PATHS: &[Path] = &[
     moved("camera.height", SIZE, "units", "3", "height of an orthographic picture; without it what shows everything"),
     fixed("camera.fit", Choice(&["kept", "all"]), "", "\"kept\"", "what angles are fitted to: the silhouette of what the cuts keep, or the box of all"),
     moved("camera.zoom", Number(1e-3, 1e3), "", "1.5", "how much larger than fitted it is shown"),
+    moved("camera.pan", Numbers(2), "heights", "[0.1, 0]", "how far the model is moved in the picture, right and up"),
     moved("camera.near", SIZE, "units", "0.5", "distance of the near plane"),
     moved("camera.near_cap", Flag, "", "false", "whether a cap shows where the near plane cuts a solid"),
 

@@ -53,6 +53,13 @@ pub enum Viewpoint {
         /// Height above the horizon.
         elevation_deg: f64,
     },
+    /// In a direction that is given outright, far enough to show all that it is fitted to.
+    Along {
+        /// Into the picture, in world space.
+        forward: DVec3,
+        /// Direction that points up in the picture.
+        view_up: DVec3,
+    },
     /// Given outright, in world space.
     Explicit {
         /// The eye.
@@ -89,6 +96,8 @@ pub struct Camera {
     pub fit: Fit,
     /// How much larger than fitted it is shown.
     pub zoom: f64,
+    /// How far all of the picture is moved, to the right and up, in heights of it. The eye stays where it is, and so does what hides what.
+    pub pan: DVec2,
     /// Draw a cap where the near plane cuts a solid. Without it a ray that begins inside a solid shows what it *enters* next, a
     /// surface or a cap: neither the near plane's section nor the wall by which it leaves. Strategies tell that wall by its back,
     /// exact by counting; they agree where faces face outward and no mesh overlaps itself.
@@ -107,6 +116,7 @@ impl Default for Camera {
             near: None,
             fit: Fit::All,
             zoom: 1.0,
+            pan: DVec2::ZERO,
             near_cap: true,
         }
     }
@@ -154,6 +164,7 @@ impl Camera {
                 azimuth_deg,
                 elevation_deg,
             } => -orbit_direction(self.up, azimuth_deg, elevation_deg),
+            Viewpoint::Along { forward, .. } => forward.normalize_or(-DVec3::Z),
             Viewpoint::Explicit {
                 position,
                 focal_point,
@@ -165,7 +176,8 @@ impl Camera {
         let up_hint = match self.viewpoint {
             Viewpoint::Explicit {
                 view_up: Some(up), ..
-            } => up,
+            }
+            | Viewpoint::Along { view_up: up, .. } => up,
             _ => up_axis,
         };
         let right = forward
@@ -228,7 +240,8 @@ impl Camera {
         };
         View {
             size_px,
-            centre_px: DVec2::new(f64::from(size_px[0]), f64::from(size_px[1])) * 0.5,
+            centre_px: DVec2::new(f64::from(size_px[0]), f64::from(size_px[1])) * 0.5
+                + DVec2::new(self.pan.x, -self.pan.y) * f64::from(size_px[1]),
             eye,
             right,
             up,

@@ -53,31 +53,22 @@ impl Start {
         size_px: [u32; 2],
         turn_deg: f64,
     ) -> Self {
-        let (azimuth_deg, elevation_deg) = match camera.viewpoint {
-            Viewpoint::Explicit {
+        if let Viewpoint::Explicit {
+            position,
+            focal_point,
+            view_up,
+        } = camera.viewpoint
+        {
+            return Self {
+                camera: *camera,
                 position,
                 focal_point,
                 view_up,
-            } => {
-                return Self {
-                    camera: *camera,
-                    position,
-                    focal_point,
-                    view_up,
-                };
-            }
-            Viewpoint::Orbit {
-                azimuth_deg,
-                elevation_deg,
-            } => (azimuth_deg, elevation_deg),
-        };
+            };
+        }
         let views: Vec<View> = (0..=VIEWS)
             .map(|i| {
-                let azimuth_deg = azimuth_deg + turn_deg * f64::from(i) / f64::from(VIEWS);
-                let viewpoint = Viewpoint::Orbit {
-                    azimuth_deg,
-                    elevation_deg,
-                };
+                let viewpoint = after(camera, turn_deg * f64::from(i) / f64::from(VIEWS));
                 // What is fitted is zoomed later.
                 Camera {
                     viewpoint,
@@ -120,14 +111,36 @@ impl Start {
                 height: Some(2.0 * half_height),
             };
         }
-        // From straight above the up axis says nothing about what is up.
+        // From straight above the up axis says nothing about what is up, and a view along a direction has an up of its own.
+        let is_along = matches!(camera.viewpoint, Viewpoint::Along { .. });
         let is_pole = views[0].forward.cross(camera.up.axis()).length() < 1e-6;
         Self {
             camera,
             position: focal_point - views[0].forward * distance,
             focal_point,
-            view_up: is_pole.then_some(views[0].up),
+            view_up: (is_pole || is_along).then_some(views[0].up),
         }
+    }
+}
+
+/// Where a camera that is fitted is after a turn about its up axis.
+fn after(camera: &Camera, turn_deg: f64) -> Viewpoint {
+    match camera.viewpoint {
+        Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } => Viewpoint::Orbit {
+            azimuth_deg: azimuth_deg + turn_deg,
+            elevation_deg,
+        },
+        Viewpoint::Along { forward, view_up } => {
+            let turn = DQuat::from_axis_angle(camera.up.axis(), turn_deg.to_radians());
+            Viewpoint::Along {
+                forward: turn * forward,
+                view_up: turn * view_up,
+            }
+        }
+        explicit => explicit,
     }
 }
 

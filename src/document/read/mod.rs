@@ -50,11 +50,12 @@
 //!
 //! ```toml
 //! [camera]
-//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`
-//! elevation_deg = 25
+//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`; or `view`:
+//! elevation_deg = 25                     # "front", "back", "left", "right", "top", "bottom", "iso", or "cut", straight at the section
 //! up = "+Z"                              # images on sections stand upright by it
 //! fit = "kept"                           # what angles are fitted to: what the cuts keep, or "all"
 //! zoom = 2                               # twice as large as so that is shown
+//! pan = [0.1, 0]                         # moves the model right, and up, in heights of the picture
 //! near = 0.5                             # distance of the near plane
 //! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
 //! ```
@@ -290,6 +291,9 @@ pub(super) fn scene(
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
         cuts.extend(cuts::read(entry, i, cutter, &context, notes)?);
+    }
+    if seen.faces_cut {
+        scene.camera.viewpoint = camera::facing_first(&cuts, scene.camera.up, root)?;
     }
     scene.cuts = cuts;
     Ok((scene, seen))

@@ -67,3 +67,63 @@ fn a_turntable_has_one_fit() {
         "nearest to a border by {least}: {frames:?}"
     );
 }
+
+#[test]
+fn views_and_pans_are_options() {
+    let folder = Scratch::new("framing_views");
+    let line = "render shape:crank --section 1,2,3@50%,50%,50%";
+    let cut = picture(
+        &folder,
+        &format!("{line} --view cut --camera-orthographic"),
+        "cut.png",
+    );
+    assert_eq!(misfit(margins_in(&cut), SIZE, 1.0), None);
+    let set = format!("{line} --set camera.view=cut --camera-orthographic");
+    assert!(
+        cut == picture(&folder, &set, "set.png"),
+        "an option is a path"
+    );
+    assert!(cut != picture(&folder, &format!("{line} --view front"), "front.png"));
+    let still = margins_in(&picture(&folder, line, "still.png"));
+    let panned = margins_in(&picture(
+        &folder,
+        &format!("{line} --camera-pan 0.05,0.02"),
+        "panned.png",
+    ));
+    let moved: Vec<f64> = panned.iter().zip(still).map(|(p, s)| p - s).collect();
+    let wanted = [9.0, -9.0, -3.6, 3.6];
+    let is_near = moved.iter().zip(wanted).all(|(m, w)| (m - w).abs() <= 1.5);
+    assert!(is_near, "{moved:?}");
+    // A scene file that says where the camera is gives way to an option, and the other way round.
+    folder.write(
+        "scene.toml",
+        "[camera]\nview = \"top\"\n[[part]]\nshape = \"crank\"\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n",
+    );
+    for options in [
+        "--view front",
+        "--camera-azimuth-angle 0 --camera-elevation-angle 0",
+    ] {
+        picture(
+            &folder,
+            &format!("render scene.toml {options}"),
+            "of_scene.png",
+        );
+    }
+    for (options, said) in [
+        (
+            "--view front --camera-azimuth-angle 3",
+            "--camera-azimuth-angle",
+        ),
+        ("--view top --camera-position 0,0,5", "--camera-position"),
+        ("--view sideways", "iso"),
+        ("--camera-pan 3", "two numbers"),
+        ("--camera-pan 11,0", "-10 to 10"),
+    ] {
+        folder
+            .run(&format!("{line} {options} -o x.png"))
+            .must_refuse(&[said]);
+    }
+    folder
+        .run("render shape:crank --view cut -o x.png")
+        .must_refuse(&["no plane to look at"]);
+}
