@@ -18,6 +18,8 @@ pub(super) struct Usual {
     pub(super) style: Style,
     /// What its angles are fitted to.
     pub(super) fit: Fit,
+    /// Whether it is guessed which way is up in meshes that do not say it.
+    pub(super) guesses_up: bool,
 }
 
 impl Usual {
@@ -26,6 +28,7 @@ impl Usual {
         Ok(Self {
             style: named_style(USUAL_STYLE)?,
             fit: Fit::Kept,
+            guesses_up: true,
         })
     }
 

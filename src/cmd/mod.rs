@@ -35,6 +35,7 @@ mod scene;
 mod section;
 mod sections;
 mod subject;
+mod upright;
 mod when;
 
 use std::process::ExitCode;

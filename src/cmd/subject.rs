@@ -9,6 +9,7 @@ use super::look::Usual;
 use super::output::write_file;
 use super::places::InputFiles;
 use super::sections::SectionArgs;
+use super::upright;
 use crate::document::{Document, Timeline, part};
 use crate::experiment::{Renderer, means};
 use crate::generate::shapes::shape;
@@ -45,8 +46,13 @@ impl Subject {
         console: &Console,
     ) -> Result<Self> {
         edits.amend(&mut document)?;
+        let mut assets = Assets::default();
+        let guessed = match usual.guesses_up {
+            true => upright::guess(&mut document, &mut assets)?,
+            false => None,
+        };
         let saved = edits.place(&document)?;
-        let timeline = document.timeline(&mut Assets::default())?;
+        let timeline = document.timeline(&mut assets)?;
         let timeline = usual.of(timeline)?;
         let name = document.path().display().to_string();
         let notes = timeline.notes().iter().map(|note| match name.as_str() {
@@ -54,6 +60,7 @@ impl Subject {
             name => format!("{name}: {note}"),
         });
         console.notes(&notes.collect::<Vec<_>>());
+        guessed.iter().for_each(|note| console.note(note));
         let scene = match at_s {
             Some(time_s) => timeline.at(time_s)?,
             None => timeline.scene()?,

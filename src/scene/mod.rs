@@ -4,6 +4,7 @@
 //! recentred and scaled by a power of two so that everything fits in a ball of radius 1 (see [`Prepared`]). The GPU and
 //! the exact reference both start from the f32 vertices of [`Prepared`], so they are asked the same question.
 
+mod base;
 mod bounds;
 mod camera;
 mod clip_surface;
@@ -44,6 +45,7 @@ pub(crate) mod weld;
 use std::borrow::Cow;
 use std::sync::Arc;
 
+pub(crate) use base::standing_up;
 pub use bounds::Bounds;
 pub use camera::{Camera, Fit, Projection, Up, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};

@@ -6,6 +6,7 @@ use crate::common;
 mod command;
 mod fitted;
 mod moving;
+mod upright;
 mod views;
 
 use cutaway::layers::{Kind, Layers};
