@@ -13,7 +13,7 @@ use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
-use crate::scene::{Fill, HeightFilter, parse_color};
+use crate::scene::{Fill, HeightFilter, color_help, parse_color};
 use crate::session::Session;
 use crate::strategies::Rasteriser;
 
@@ -43,7 +43,7 @@ pub(super) struct SceneArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "#ff00aa",
-        value_parser = parse_interference,
+        value_parser = parse_color_word,
         help_heading = "Output"
     )]
     interference: Option<String>,
@@ -180,11 +180,12 @@ pub(super) fn parse_fill(text: &str) -> Result<Fill, String> {
     })
 }
 
-fn parse_interference(text: &str) -> Result<String, String> {
-    let color = parse_color(text).ok_or_else(|| {
-        "it is no colour\n  help: write #rrggbb, for example --interference=#ff00aa".to_owned()
-    });
-    color.map(|_| text.to_owned())
+/// Reads a colour, which a document is to hold as it is written.
+pub(super) fn parse_color_word(text: &str) -> Result<String, String> {
+    match parse_color(text) {
+        Some(_) => Ok(text.to_owned()),
+        None => Err(format!("it is no colour\n  help: {}", color_help(text))),
+    }
 }
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {

@@ -41,7 +41,7 @@ pub enum Takes {
     Flag,
     /// One of some words.
     Choice(&'static [&'static str]),
-    /// A colour: `"#8a94a6"`.
+    /// A colour: `"#8a94a6"`, or its name in CSS.
     Color,
     /// The name of a file, from the folder of the scene.
     File,
@@ -69,7 +69,7 @@ impl fmt::Display for Takes {
             Self::OneOrMore(count) => write!(f, "number, or {count}"),
             Self::Flag => f.write_str("true or false"),
             Self::Choice(words) => write!(f, "{}", words.join(" | ")),
-            Self::Color => f.write_str("#rrggbb"),
+            Self::Color => f.write_str("#rrggbb or a name"),
             Self::File => f.write_str("file"),
             Self::Text => f.write_str("text"),
             Self::Texts => f.write_str("list of texts"),

@@ -127,3 +127,41 @@ fn views_and_pans_are_options() {
         .run("render shape:crank --view cut -o x.png")
         .must_refuse(&["no plane to look at"]);
 }
+
+#[test]
+fn colours_have_names_and_are_those_that_are_asked_for() {
+    let folder = Scratch::new("framing_colours");
+    let line = "render shape:cube --section z=50% --view cut --resolution 48,36 --background navy";
+    let middle = |options: &str, name: &str| {
+        folder.run(&format!("{line} {options} -o {name}")).exits(0);
+        let image = image::open(folder.path(name)).expect(name).to_rgba8();
+        assert_eq!(image.get_pixel(0, 0).0, [0, 0, 128, 255], "navy");
+        image.get_pixel(20, 20).0
+    };
+    for style in ["technical", "lit", "clay"] {
+        let [r, g, b, _] = middle(&format!("--style {style} --cap-color red"), "cap.png");
+        assert!(
+            r > 150 && g < 110 && b < 110,
+            "{style}: {r} {g} {b} is no red"
+        );
+        let [r, g, b, _] = middle(
+            &format!("--style {style} --color red --cap-color #00f"),
+            "both.png",
+        );
+        assert!(
+            b > 120 && r < 110 && g < 110,
+            "{style}: {r} {g} {b} is no blue"
+        );
+    }
+    let plain = middle("", "plain.png");
+    assert!(plain[0].abs_diff(plain[2]) < 60, "the control: {plain:?}");
+    for (options, said) in [
+        ("--color redd", "`red`"),
+        ("--cap-color #12", "#rrggbb"),
+        ("--set part.0.material.color=darkorang", "`darkorange`"),
+    ] {
+        folder
+            .run(&format!("{line} {options} -o x.png"))
+            .must_refuse(&[said]);
+    }
+}
