@@ -6,6 +6,7 @@ use crate::common;
 mod command;
 mod fitted;
 mod moving;
+mod sweep;
 mod upright;
 mod views;
 
