@@ -93,7 +93,7 @@ mod tests {
                 habit
             );
             assert_eq!(
-                standing_up(&turned("torus", DAffine3::IDENTITY), habit),
+                standing_up(&turned("sphere", DAffine3::IDENTITY), habit),
                 habit
             );
             assert_eq!(standing_up(&[], habit), habit);

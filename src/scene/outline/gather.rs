@@ -58,6 +58,7 @@ pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
     for (side, rim) in rims.iter().enumerate() {
         more.extend(rim::risen(regions, side, rim, least));
     }
+    more.extend(rim::corners_of_boxes(regions, &placed, least));
     more.extend(rim::inner_corners(regions, &placed, &mesh.triangles, least));
     let whole = placed.into_iter().zip(is_taken);
     more.extend(whole.filter(|(_, is_taken)| *is_taken).map(|(p, _)| p));

@@ -1,9 +1,10 @@
-//! What caps have that no edge of the mesh leads to: heights of reliefs between their rims, and corners where three cuts meet inside a
-//! solid.
+//! What caps have that no edge of the mesh leads to: heights of reliefs between their rims, corners where three cuts meet inside a solid,
+//! and those of boxes.
 
 use glam::{DVec2, DVec3};
 
 use super::region::{Regions, Side};
+use crate::scene::Bounds;
 
 /// Points along each side of the grid at which a relief is looked up.
 const RISEN_GRID: u32 = 96;
@@ -45,6 +46,25 @@ pub(super) fn risen(regions: &Regions, side: usize, rim: &[DVec3], least: f64) -
         }
     }
     points
+}
+
+/// Corners of the boxes that nothing is kept outside of, as far as the box around some points reaches.
+pub(super) fn corners_of_boxes(regions: &Regions, placed: &[DVec3], least: f64) -> Vec<DVec3> {
+    let around = Bounds::from_points(placed.iter().copied());
+    let mut corners = Vec::new();
+    for (side, own) in regions.sides.iter().enumerate() {
+        let Side::Outside(own) = own else { continue };
+        let common = Bounds {
+            min: own.min.max(around.min),
+            max: own.max.min(around.max),
+        };
+        let is_over = |point: DVec3| {
+            move |other: usize| other == side || regions.sides[other].height(point) > -least
+        };
+        let is_kept = |corner: &DVec3| !common.is_empty() && regions.keep(is_over(*corner));
+        corners.extend(common.corners().into_iter().filter(is_kept));
+    }
+    corners
 }
 
 /// Where planes of three cuts meet inside the solid of some triangles.
