@@ -6,6 +6,7 @@ use super::camera::CameraArgs;
 use super::console::Console;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::subject::{Subject, document};
@@ -13,7 +14,7 @@ use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::scene::range::LARGEST;
-use crate::scene::{Fill, HeightFilter, Style, parse_color};
+use crate::scene::{Fill, HeightFilter, color_help, parse_color};
 use crate::session::Session;
 use crate::strategies::Rasteriser;
 
@@ -45,7 +46,7 @@ pub(super) struct SceneArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "#ff00aa",
-        value_parser = parse_interference,
+        value_parser = parse_color_word,
         help_heading = "Output"
     )]
     interference: Option<String>,
@@ -82,10 +83,10 @@ impl SceneArgs {
         &self,
         document: Document,
         at_s: Option<f64>,
-        usual_style: Style,
+        usual: Usual,
         console: &Console,
     ) -> Result<Subject> {
-        let subject = Subject::open(document, at_s, usual_style, &self.edits, console)?;
+        let subject = Subject::open(document, at_s, usual, &self.edits, console)?;
         subject.must_be_cut_by(&self.sections)?;
         subject.doubt(console)?;
         Ok(subject)
@@ -183,11 +184,12 @@ pub(super) fn parse_fill(text: &str) -> Result<Fill, String> {
     })
 }
 
-fn parse_interference(text: &str) -> Result<String, String> {
-    let color = parse_color(text).ok_or_else(|| {
-        "it is no colour\n  help: write #rrggbb, for example --interference=#ff00aa".to_owned()
-    });
-    color.map(|_| text.to_owned())
+/// Reads a colour, which a document is to hold as it is written.
+pub(super) fn parse_color_word(text: &str) -> Result<String, String> {
+    match parse_color(text) {
+        Some(_) => Ok(text.to_owned()),
+        None => Err(format!("it is no colour\n  help: {}", color_help(text))),
+    }
 }
 
 fn parse_rasteriser(text: &str) -> Result<Rasteriser, String> {

@@ -39,6 +39,15 @@ pub(super) struct CameraArgs {
         help_heading = "Camera"
     )]
     view_up: Option<[f64; 3]>,
+    /// Where it is seen from: cut looks straight at the first section, iso along all three axes alike
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_enum,
+        conflicts_with_all = ["position", "azimuth_deg", "elevation_deg"],
+        help_heading = "Camera"
+    )]
+    view: Option<Direction>,
     /// Turn around the up axis, in degrees [default: that of the scene, or 35, mirrored to where the cut is seen]
     #[arg(
         long = "camera-azimuth-angle",
@@ -60,6 +69,15 @@ pub(super) struct CameraArgs {
     /// Parallel rays, without perspective
     #[arg(long = "camera-orthographic", help_heading = "Camera")]
     orthographic: bool,
+    /// What the view is fitted to: kept, the silhouette of what the cuts keep, or all, the box of the model [default: that of the scene;
+    /// kept for pictures, all where strategies are compared]
+    #[arg(
+        long = "camera-fit",
+        value_name = "WHAT",
+        value_enum,
+        help_heading = "Camera"
+    )]
+    fit: Option<FitTo>,
     /// How much larger than the fitted view the model is shown [default: that of the scene, or 1]
     #[arg(
         long = "camera-zoom-factor",
@@ -69,7 +87,16 @@ pub(super) struct CameraArgs {
         help_heading = "Camera"
     )]
     zoom: Option<f64>,
-    /// Which axis of the model is up [default: that of the scene, or +Y]
+    /// Moves the model right and up in the picture, in heights of it: 0.1,-0.05 [default: that of the scene, or 0,0]
+    #[arg(
+        long = "camera-pan",
+        value_name = "X,Y",
+        value_parser = parse_pan,
+        allow_hyphen_values = true,
+        help_heading = "Camera"
+    )]
+    pan: Option<[f64; 2]>,
+    /// Which axis of the model is up [default: that of the scene, or +Y; in pictures of .stl and .ply files alone a guess, which is said]
     #[arg(
         long,
         value_name = "AXIS",
@@ -89,6 +116,40 @@ enum UpAxis {
     PlusZ,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Direction {
+    Front,
+    Back,
+    Left,
+    Right,
+    Top,
+    Bottom,
+    Iso,
+    Cut,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum FitTo {
+    Kept,
+    All,
+}
+
+impl Direction {
+    /// As a scene file has it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Front => "front",
+            Self::Back => "back",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Top => "top",
+            Self::Bottom => "bottom",
+            Self::Iso => "iso",
+            Self::Cut => "cut",
+        }
+    }
+}
+
 impl CameraArgs {
     /// Puts them into a document. What contradicts them there goes; angles that nobody says are found.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
@@ -97,22 +158,35 @@ impl CameraArgs {
             UpAxis::PlusY => "+Y".into(),
             UpAxis::PlusZ => "+Z".into(),
         });
+        let fit = self.fit.map(|fit| match fit {
+            FitTo::Kept => "kept".into(),
+            FitTo::All => "all".into(),
+        });
         let is_new = document.root().get("camera").is_none();
         let is_orbit = self.azimuth_deg.is_some() || self.elevation_deg.is_some();
-        if self.position.is_some() {
-            for angle in ["azimuth_deg", "elevation_deg", "focal_point", "view_up"] {
-                document.remove(&format!("camera.{angle}"))?;
-            }
-        } else if is_orbit {
-            for place in ["position", "focal_point", "view_up"] {
-                document.remove(&format!("camera.{place}"))?;
-            }
+        let all = [
+            "position",
+            "azimuth_deg",
+            "elevation_deg",
+            "focal_point",
+            "view_up",
+            "view",
+        ];
+        let contradicted = match (self.view, self.position, is_orbit) {
+            (Some(_), _, _) => &all[..5],
+            (_, Some(_), _) => &all[1..],
+            (_, _, true) => &["position", "focal_point", "view_up", "view"],
+            (None, None, false) => &[],
+        };
+        for key in contradicted {
+            document.remove(&format!("camera.{key}"))?;
         }
         if self.orthographic {
             document.remove("camera.fov_y_deg")?;
         }
         let projection = self.orthographic.then(|| "orthographic".into());
         for (path, option, value) in [
+            ("camera.view", "--view", self.view.map(|v| v.name().into())),
             ("camera.position", "--camera-position", point(self.position)),
             (
                 "camera.focal_point",
@@ -136,6 +210,12 @@ impl CameraArgs {
                 "--camera-zoom-factor",
                 self.zoom.map(Value::from),
             ),
+            ("camera.fit", "--camera-fit", fit),
+            (
+                "camera.pan",
+                "--camera-pan",
+                self.pan.map(|p| Value::from(p.to_vec())),
+            ),
             ("camera.up", "--up", up),
         ] {
             say(document, path, option, value)?;
@@ -153,7 +233,8 @@ pub(super) fn find_angles(document: &mut Document) -> Result<()> {
         return Ok(());
     };
     let is_said = |key: &&str| camera.get(key).is_some();
-    if ["position", "focal_point", "view_up"].iter().any(is_said) {
+    let places = ["position", "focal_point", "view_up", "view"];
+    if places.iter().any(is_said) {
         return Ok(());
     }
     for angle in ["azimuth_deg", "elevation_deg"] {
@@ -170,6 +251,14 @@ fn parse_zoom(text: &str) -> Result<f64, String> {
         Ok(zoom)
     } else {
         Err("it must be from 0.001 to 1000\n  help: 2 shows the model twice as large".to_owned())
+    }
+}
+
+fn parse_pan(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(parse_finite).collect();
+    match numbers?.as_slice() {
+        [x, y] => Ok([*x, *y]),
+        _ => Err("it must be two numbers\n  help: write for example 0.1,-0.05".to_owned()),
     }
 }
 
@@ -190,6 +279,10 @@ mod tests {
         assert_eq!(parse_point("1,-2,3e1"), Ok([1.0, -2.0, 30.0]));
         for text in ["1,2", "1,2,3,4", "1,2,nan", "1,2,inf", ""] {
             assert!(parse_point(text).is_err(), "{text}");
+        }
+        assert_eq!(parse_pan("0.1,-2"), Ok([0.1, -2.0]));
+        for text in ["1", "1,2,3", "a,b", ""] {
+            assert!(parse_pan(text).is_err(), "{text}");
         }
         assert!(parse_zoom("0").is_err(), "nothing can be shown at zoom 0");
     }

@@ -9,6 +9,7 @@ use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::judge::{self, judge};
+use super::look::Usual;
 use super::output::{Output, checked_folder, write_file, write_stdout};
 use super::picture;
 use super::places::paths_of;
@@ -18,7 +19,6 @@ use crate::compare::legend;
 use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime};
 use crate::layers::Layer;
 use crate::report;
-use crate::scene::Style;
 use crate::session::Session;
 use crate::strategies::Means;
 use crate::{Error, Result};
@@ -92,7 +92,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     args.means.amend(&mut document)?;
     let subject = args
         .scene
-        .open(document, None, Style::default(), &console)?;
+        .open(document, None, Usual::default(), &console)?;
     check_memory(subject.size_px(), renderers.len())?;
     let written = args
         .heatmaps

@@ -10,7 +10,7 @@ use clap::Args;
 use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs};
 use super::console::{Console, ConsoleArgs};
-use super::look::usual_style;
+use super::look::Usual;
 use super::measure::{self, MeasureArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::picture;
@@ -125,7 +125,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
 fn smooth(record: &Record, args: &DemoArgs) -> Result<()> {
     let console = Console::new(args.console, record.pictures.len());
     let timeline = record.scene.timeline(&mut Assets::default())?;
-    let timeline = timeline.with_usual_style(usual_style()?)?;
+    let timeline = Usual::of_pictures()?.of(timeline)?;
     let shown = SceneAtTime::new(&timeline.scene()?);
     let view = shown.model.prepared.view(timeline.settings().size_px());
     let mut session = args.device.session(false)?;

@@ -7,6 +7,7 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
 use super::split::SplitArgs;
@@ -15,7 +16,7 @@ use super::when::TimeArgs;
 use crate::report::Table;
 use crate::scene::numbers::round;
 use crate::scene::weld::thousands;
-use crate::scene::{Bodies, Clip, Part, Style, Topology};
+use crate::scene::{Bodies, Clip, Part, Topology};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -66,7 +67,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Style::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
     let clips = subject.timeline.clips();
     let parts = subject.scene.posed().parts;

@@ -1,19 +1,43 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
-use super::args::say;
+use super::args::{parse_color_word, say};
 use crate::Result;
-use crate::document::{Document, Value, named_style, style_names};
+use crate::document::{Document, Timeline, Value, named_style, style_names};
 use crate::experiment::Renderer;
-use crate::scene::{Style, parse_color};
+use crate::scene::{Fit, Style, color_help, parse_color};
 use crate::strategies::{Strategy, table};
 use clap::Args;
 
 /// The style of pictures where nobody names one.
 const USUAL_STYLE: &str = "technical";
 
-/// The same, read.
-pub(super) fn usual_style() -> Result<Style> {
-    named_style(USUAL_STYLE)
+/// What holds where the document says nothing of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Usual {
+    /// How it looks.
+    pub(super) style: Style,
+    /// What its angles are fitted to.
+    pub(super) fit: Fit,
+    /// Whether it is guessed which way is up in meshes that do not say it.
+    pub(super) guesses_up: bool,
+}
+
+impl Usual {
+    /// That of pictures that are made to be looked at; the default is that of what is measured.
+    pub(super) fn of_pictures() -> Result<Self> {
+        Ok(Self {
+            style: named_style(USUAL_STYLE)?,
+            fit: Fit::Kept,
+            guesses_up: true,
+        })
+    }
+
+    /// A timeline with all of it.
+    pub(super) fn of(self, timeline: Timeline) -> Result<Timeline> {
+        Ok(timeline
+            .with_usual_style(self.style)?
+            .with_usual_fit(self.fit))
+    }
 }
 
 /// How pictures are drawn.
@@ -31,6 +55,12 @@ pub(super) struct LookArgs {
     supersample: Option<u32>,
     #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
     style: Option<String>,
+    /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, whatever the style [default: those of the parts]
+    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
+    color: Option<String>,
+    /// One colour for all caps [default: that of the style]
+    #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
+    cap_color: Option<String>,
     /// What is behind the model: paper, as the style has it, gradient, none, or a colour [default: that of the scene, or paper]
     #[arg(long, value_name = "WHAT", value_parser = parse_background, help_heading = "Output")]
     background: Option<String>,
@@ -62,7 +92,12 @@ fn parse_background(text: &str) -> Result<String, String> {
         "none" => Ok("transparent".to_owned()),
         "paper" | "gradient" | "transparent" => Ok(text.to_owned()),
         _ if parse_color(text).is_some() => Ok(text.to_owned()),
-        _ => Err("it is no background\n  help: write paper, gradient, none or #rrggbb".to_owned()),
+        _ => {
+            let colour = color_help(text);
+            Err(format!(
+                "it is no background\n  help: write paper, gradient, none or a colour: {colour}"
+            ))
+        }
     }
 }
 
@@ -87,8 +122,18 @@ impl LookArgs {
         if let Some(style) = &self.style {
             document.set_style(style, "--style")?;
         }
+        for (path, option, color) in [
+            ("style.surface.color", "--color", &self.color),
+            ("style.cap.color", "--cap-color", &self.cap_color),
+        ] {
+            if let Some(color) = color {
+                change_style(document)?;
+                forget_hue(document, path)?;
+                say(document, path, option, Some(color.as_str().into()))?;
+            }
+        }
         if let Some(kind) = self.ghost.as_deref() {
-            document.style_is_table()?;
+            change_style(document)?;
             say(document, "style.ghost.kind", "--ghost", Some(kind.into()))?;
         }
         let (option, background) = match (self.no_background, &self.background) {
@@ -97,4 +142,24 @@ impl LookArgs {
         };
         say(document, "background", option, background)
     }
+}
+
+/// Lets changes on a style stand where a document names one alone.
+fn change_style(document: &mut Document) -> Result<()> {
+    let Some(style) = document.root().get("style").cloned() else {
+        return Ok(());
+    };
+    if matches!(style.value, Value::Text(_)) {
+        document.remove("style")?;
+        document.set_node("style.base", style)?;
+    }
+    Ok(())
+}
+
+/// Takes away the changes on hues that one colour stands in the place of.
+fn forget_hue(document: &mut Document, path: &str) -> Result<()> {
+    let table = path.trim_end_matches("color");
+    ["lightness", "chroma", "warmth"]
+        .into_iter()
+        .try_for_each(|key| document.remove(&format!("{table}{key}")))
 }

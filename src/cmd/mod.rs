@@ -36,6 +36,7 @@ mod section;
 mod sections;
 mod split;
 mod subject;
+mod upright;
 mod when;
 
 use std::process::ExitCode;

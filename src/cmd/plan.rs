@@ -5,6 +5,7 @@ use clap::Args;
 use super::Verdict;
 use super::args::{MeansArgs, SceneArgs, say};
 use super::console::{Console, ConsoleArgs};
+use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::picture::refused;
 use super::places::paths_of;
@@ -12,7 +13,6 @@ use super::when::TimeArgs;
 use crate::document::Value;
 use crate::experiment::{Renderer, SceneAtTime};
 use crate::plan::Capacities;
-use crate::scene::Style;
 use crate::strategies::{self, Method, Strategy, table};
 use crate::{Error, Result};
 
@@ -75,7 +75,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     )?;
     let subject = args
         .scene
-        .open(document, None, Style::default(), &console)?;
+        .open(document, None, Usual::default(), &console)?;
     let method = passes_of(subject.renderer()?)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);

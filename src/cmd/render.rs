@@ -11,7 +11,7 @@ use super::console::{Console, ConsoleArgs};
 use super::doubt::may_be_wrong;
 use super::image_test::{self, Finding};
 use super::layers_file;
-use super::look::{LookArgs, usual_style};
+use super::look::{LookArgs, Usual};
 use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use super::output::{Output, write_file};
 use super::picture;
@@ -89,7 +89,9 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     args.when.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.means.amend(&mut document)?;
-    let subject = args.scene.open(document, None, usual_style()?, &console)?;
+    let subject = args
+        .scene
+        .open(document, None, Usual::of_pictures()?, &console)?;
     subject.files.add(args.reference.clone());
     let renderer = subject.renderer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;

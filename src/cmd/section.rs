@@ -19,6 +19,7 @@ use super::args::fill_by;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
 use super::sections::SectionArgs;
@@ -27,7 +28,7 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
 use crate::scene::numbers::round;
-use crate::scene::{Bounds, Fill, Part, Scene, Style, doubts, who_wins};
+use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
@@ -114,7 +115,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
-    let subject = Subject::open(document, None, Style::default(), &args.edits, &console)?;
+    let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
     subject.must_be_cut_by(&args.sections)?;
     subject.save_beside(outputs.paths.clone(), &args.edits)?;
     let scene = &subject.scene;

@@ -151,7 +151,9 @@ impl FromArgMatches for SectionArgs {
         }
         let regions = [&words.boxes, &words.wedges, &words.cutter];
         let cuts_nothing = sections.is_empty() && regions.iter().all(|r| r.is_empty());
-        if cuts_nothing && !words.exclude.is_empty() {
+        // A plane that moves is cut by as well.
+        let sweeps = matches!(matches.try_contains_id("sweep"), Ok(true));
+        if cuts_nothing && !sweeps && !words.exclude.is_empty() {
             stray = Some(Stray::without_section("--exclude"));
         }
         Ok(Self {
@@ -179,9 +181,14 @@ impl SectionArgs {
         }
         self.cutters.iter().try_for_each(|c| check_model(c))?;
         for cut in self.drafts() {
-            document.add_cut(cut.except(&self.exclude))?;
+            document.add_cut(self.spare(cut))?;
         }
         Ok(())
+    }
+
+    /// A cut that spares what no cut of the command line cuts.
+    pub(super) fn spare(&self, cut: CutDraft) -> CutDraft {
+        cut.except(&self.exclude)
     }
 
     fn drafts(&self) -> Vec<CutDraft> {

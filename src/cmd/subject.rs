@@ -5,15 +5,17 @@ use std::path::{Path, PathBuf};
 
 use super::console::Console;
 use super::edits::EditArgs;
+use super::look::Usual;
 use super::output::write_file;
 use super::places::InputFiles;
 use super::sections::SectionArgs;
+use super::upright;
 use crate::document::{Document, Timeline, part};
 use crate::experiment::{Renderer, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
-use crate::scene::{Bounds, Prepared, Scene, SceneSpace, Style, View, doubts};
+use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
 use crate::strategies::{Means, Strategy};
 use crate::{Error, Result};
 
@@ -34,24 +36,31 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    /// Opens a document that options have amended, at a time or at the moment that it asks for itself, with a style for where it has none.
+    /// Opens a document that options have amended, at a time or at the moment that it asks for itself, with what holds where it says
+    /// nothing.
     pub(super) fn open(
         mut document: Document,
         at_s: Option<f64>,
-        usual_style: Style,
+        usual: Usual,
         edits: &EditArgs,
         console: &Console,
     ) -> Result<Self> {
         edits.amend(&mut document)?;
+        let mut assets = Assets::default();
+        let guessed = match usual.guesses_up {
+            true => upright::guess(&mut document, &mut assets)?,
+            false => None,
+        };
         let saved = edits.place(&document)?;
-        let timeline = document.timeline(&mut Assets::default())?;
-        let timeline = timeline.with_usual_style(usual_style)?;
+        let timeline = document.timeline(&mut assets)?;
+        let timeline = usual.of(timeline)?;
         let name = document.path().display().to_string();
         let notes = timeline.notes().iter().map(|note| match name.as_str() {
             "" => note.clone(),
             name => format!("{name}: {note}"),
         });
         console.notes(&notes.collect::<Vec<_>>());
+        guessed.iter().for_each(|note| console.note(note));
         let scene = match at_s {
             Some(time_s) => timeline.at(time_s)?,
             None => timeline.scene()?,

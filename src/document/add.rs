@@ -38,22 +38,6 @@ impl Document {
         self.set_node(path, Node::new(name).said(&origin))
     }
 
-    /// Makes `style = "NAME"` a table with that base, so that changes can be set on it.
-    ///
-    /// # Errors
-    ///
-    /// A document whose text cannot be edited.
-    pub fn style_is_table(&mut self) -> Result<()> {
-        let Some(base) = self.root().get("style").cloned() else {
-            return Ok(());
-        };
-        if matches!(base.value, Value::Table(_)) {
-            return Ok(());
-        }
-        self.remove("style")?;
-        self.set_node("style.base", base)
-    }
-
     /// Adds a cut, and the reliefs of its surfaces.
     ///
     /// # Errors

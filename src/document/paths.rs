@@ -41,7 +41,7 @@ pub enum Takes {
     Flag,
     /// One of some words.
     Choice(&'static [&'static str]),
-    /// A colour: `"#8a94a6"`.
+    /// A colour: `"#8a94a6"`, or its name in CSS.
     Color,
     /// The name of a file, from the folder of the scene.
     File,
@@ -69,7 +69,7 @@ impl fmt::Display for Takes {
             Self::OneOrMore(count) => write!(f, "number, or {count}"),
             Self::Flag => f.write_str("true or false"),
             Self::Choice(words) => write!(f, "{}", words.join(" | ")),
-            Self::Color => f.write_str("#rrggbb"),
+            Self::Color => f.write_str("#rrggbb or a name"),
             Self::File => f.write_str("file"),
             Self::Text => f.write_str("text"),
             Self::Texts => f.write_str("list of texts"),
@@ -193,6 +193,7 @@ pub const PATHS: &[Path] = &[
 
     moved("camera.azimuth_deg", REAL, "degrees", "35", "turn around the up axis; or \"auto\", to where the cuts are seen"),
     moved("camera.elevation_deg", REAL, "degrees", "25", "height above the horizon; or \"auto\""),
+    fixed("camera.view", Choice(&["front", "back", "left", "right", "top", "bottom", "iso", "cut"]), "", "\"iso\"", "a direction, in the place of angles; cut looks straight at the first section"),
     moved("camera.position", Numbers(3), "units", "[0, 0, 5]", "where the eye is, in the place of angles"),
     moved("camera.focal_point", Numbers(3), "units", "[0, 0, 0]", "what the eye looks at; without it the middle of the model"),
     moved("camera.view_up", Numbers(3), "", "[0, 1, 0]", "direction that is up in the picture"),
@@ -200,7 +201,9 @@ pub const PATHS: &[Path] = &[
     fixed("camera.projection", Choice(&["perspective", "orthographic"]), "", "\"orthographic\"", "how depth narrows the picture"),
     moved("camera.fov_y_deg", Number(0.0, 170.0), "degrees", "30", "between the lower and the upper border, in perspective"),
     moved("camera.height", SIZE, "units", "3", "height of an orthographic picture; without it what shows everything"),
-    moved("camera.zoom", Number(1e-3, 1e3), "", "1.5", "how much larger than so everything is shown"),
+    fixed("camera.fit", Choice(&["kept", "all"]), "", "\"kept\"", "what angles are fitted to: the silhouette of what the cuts keep, or the box of all"),
+    moved("camera.zoom", Number(1e-3, 1e3), "", "1.5", "how much larger than fitted it is shown"),
+    moved("camera.pan", Numbers(2), "heights", "[0.1, 0]", "how far the model is moved in the picture, right and up"),
     moved("camera.near", SIZE, "units", "0.5", "distance of the near plane"),
     moved("camera.near_cap", Flag, "", "false", "whether a cap shows where the near plane cuts a solid"),
 

@@ -28,6 +28,7 @@ pub fn of_parts(name: &str, parts: Vec<Part>, surfaces: Vec<ClipSurface>) -> Sce
         cuts,
         camera: Camera::default(),
         stage: None,
+        outline: None,
         interference: None,
         style: Style::default(),
     }

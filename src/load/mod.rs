@@ -37,7 +37,7 @@ pub use image::{read_offset_map, read_offset_map_from};
 pub use pat::read_patterns;
 
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::{Driver, Edges, Material, Mesh, Part, range};
+use crate::scene::{Driver, Edges, Material, Mesh, Part, Up, range};
 
 use draft::{Draft, Group, Solid};
 
@@ -214,6 +214,16 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
 }
 
 /// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
+/// Which axis is up by habit in a mesh file whose format does not say it: +Z in STL, of CAD and printing, +Y in PLY, mostly of scans. In
+/// glTF it is +Y by definition, and in OBJ by its usual readers.
+pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
+    match format_and_stem(path).ok()?.0.as_str() {
+        "stl" => Some(Up::PlusZ),
+        "ply" => Some(Up::PlusY),
+        _ => None,
+    }
+}
+
 fn format_and_stem(path: &Path) -> Result<(String, String)> {
     let name = path
         .file_name()

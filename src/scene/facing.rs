@@ -2,10 +2,23 @@
 
 use glam::DVec3;
 
-use super::{Bounds, Camera, Cut, Viewpoint};
+use super::{Bounds, Camera, ClipSurface, Cut, Up, Viewpoint};
 
 /// A cut face counts as seen if the cosine between its normal and the view is more.
 const LEAST_COSINE: f64 = 0.1;
+
+impl Viewpoint {
+    /// Straight at the plane of a clip-surface, from the side that it removes. What is up in the picture is what is upright on the plane,
+    /// as of [`ClipSurface::upright`].
+    pub fn facing(surface: &ClipSurface, up: Up) -> Self {
+        let normal = surface.frame().normal;
+        let upright = ClipSurface::upright(surface.origin, normal, up);
+        Self::Along {
+            forward: normal,
+            view_up: -upright.v,
+        }
+    }
+}
 
 impl Camera {
     /// The same orbit, mirrored or from behind, from where most faces of some cuts are seen; of equals this one. A viewpoint that is
@@ -70,7 +83,6 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::ClipSurface;
 
     #[test]
     fn a_camera_turns_to_whichever_side_is_cut_away() {

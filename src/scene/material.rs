@@ -46,19 +46,3 @@ impl Material {
         }
     }
 }
-
-/// A colour from its digits: `#rrggbb` or `#rgb`, as sRGB in 0..=1.
-pub fn parse_color(text: &str) -> Option<Vec3> {
-    let digits = text.strip_prefix('#')?;
-    if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
-        return None;
-    }
-    let value = u32::from_str_radix(digits, 16).ok()?;
-    let (bits, most) = match digits.len() {
-        6 => (8, 255),
-        3 => (4, 15),
-        _ => return None,
-    };
-    let channel = |i: u32| ((value >> (bits * i)) & most) as f32 / most as f32;
-    Some(Vec3::new(channel(2), channel(1), channel(0)))
-}

@@ -4,12 +4,14 @@
 //! recentred and scaled by a power of two so that everything fits in a ball of radius 1 (see [`Prepared`]). The GPU and
 //! the exact reference both start from the f32 vertices of [`Prepared`], so they are asked the same question.
 
+mod base;
 mod bodies;
 mod bounds;
 mod camera;
 mod clip_surface;
 mod coincide;
 mod color;
+mod color_names;
 mod contacts;
 mod cut;
 mod cutter;
@@ -18,14 +20,17 @@ mod doubts;
 mod exact_sum;
 mod facing;
 mod fill;
+mod fitting;
 mod hatch_pattern;
 mod height_filter;
 mod host_view;
+mod hull;
 mod material;
 mod mesh;
 pub(crate) mod motion;
 pub(crate) mod numbers;
 mod offset_map;
+mod outline;
 mod part;
 mod plane_spec;
 mod prepared;
@@ -38,18 +43,21 @@ pub mod style;
 pub(crate) mod topology;
 pub(crate) mod tree;
 mod upright;
+mod view;
 pub(crate) mod weld;
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
+pub(crate) use base::standing_up;
 pub use bodies::Bodies;
 pub(crate) use bodies::{Pieces, body_name};
 pub use bounds::Bounds;
-pub use camera::{Camera, Projection, Up, View, Viewpoint};
+pub use camera::{Camera, Fit, Projection, Up, Viewpoint};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub(crate) use coincide::lies_in;
-pub(crate) use color::{linear_from_srgb, map_channels, srgb_from_linear};
+pub use color::parse_color;
+pub(crate) use color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
 pub(crate) use contacts::{classes, contacts};
 pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
@@ -59,14 +67,16 @@ pub(crate) use doubled::doubled_faces;
 pub use doubts::{Remark, doubts};
 pub(crate) use doubts::{empty_picture, misses};
 pub use fill::Fill;
+pub(crate) use fitting::{distance_around, half_height_around};
 pub use hatch_pattern::{CapHatch, Dash, HatchPattern, LineFamily, MOST_STROKES};
 pub use height_filter::HeightFilter;
 pub use host_view::HostDepth;
-pub use material::{Material, parse_color};
+pub use material::Material;
 pub use mesh::{Mesh, MeshDefect};
 pub use motion::{Axis, Clip, Deformer, Driver, Motion, MotionDefect, Pose, Pull};
 pub(crate) use motion::{Outwards, is_same_motion};
 pub use offset_map::{OffsetMap, Wrap};
+pub use outline::Outline;
 pub(crate) use part::who_wins;
 pub use part::{Part, Role};
 pub use plane_spec::{Amount, PlaneSpec};
@@ -81,6 +91,7 @@ pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
 pub use style::Style;
 pub(crate) use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
+pub use view::View;
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]
@@ -96,6 +107,8 @@ pub struct Scene {
     /// The box that the scene is framed, scaled and sectioned by; `None` is that of its parts. An animation has one for all
     /// its times, so that pictures do not jump.
     pub stage: Option<Bounds>,
+    /// What a camera is fitted to that shows what is kept; `None` is what is kept now. An animation has one for all its times.
+    pub outline: Option<Arc<Outline>>,
     /// Hatches caps that several solids share, in this colour (sRGB, 0 to 1).
     pub interference: Option<glam::Vec3>,
     /// How it looks.
@@ -106,6 +119,13 @@ impl Scene {
     /// The stage, or else the bounds of all parts in world space.
     pub fn bounds(&self) -> Bounds {
         self.stage.unwrap_or_else(|| self.bounds_of_parts())
+    }
+
+    /// What the camera is fitted to, where that is not the box of the scene.
+    pub(crate) fn fitted_outline(&self) -> Option<Arc<Outline>> {
+        let own = || self.outline.clone();
+        let now = || Arc::new(Outline::of(self));
+        self.camera.fits_kept().then(|| own().unwrap_or_else(now))
     }
 
     /// The same scene with every pose baked into its mesh in f64, on the same stage. Ranks may differ, for the volumes of

@@ -20,8 +20,8 @@ use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Part, Scene, Style, SurfaceFrame, View, Wrap,
-    who_wins,
+    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Outline, Part, Scene, Style, SurfaceFrame,
+    View, Wrap, who_wins,
 };
 
 mod cuts;
@@ -130,6 +130,7 @@ pub struct Prepared {
     /// How it looks.
     pub style: Style,
     camera: Camera,
+    outline: Option<Arc<Outline>>,
 }
 
 impl Prepared {
@@ -177,6 +178,7 @@ impl Prepared {
             interference: scene.interference,
             style: scene.style,
             camera: scene.camera,
+            outline: scene.fitted_outline(),
         }
     }
 
@@ -185,14 +187,20 @@ impl Prepared {
         self.view_of(&self.camera, size_px)
     }
 
-    /// The view of another camera.
+    /// The view of another camera. What is kept is known where the camera of the scene is fitted to it; where not, others are fitted to
+    /// all.
     pub fn view_of(&self, camera: &Camera, size_px: [u32; 2]) -> View {
-        self.seen_to_the_end(camera.view(
+        self.seen_to_the_end(camera.view_fitted(
             |p| (p - self.centre_in_world) * self.scale,
             self.scale,
-            self.bounds,
+            (self.bounds, self.outline.as_deref()),
             size_px,
         ))
+    }
+
+    /// What the camera of the scene is fitted to, where that is not the box of it.
+    pub(crate) fn outline(&self) -> Option<&Outline> {
+        self.outline.as_deref().filter(|o| !o.is_empty())
     }
 
     /// A view whose depth reaches as far as there is anything: what lies behind is counted, of cutters too, which may reach farther than

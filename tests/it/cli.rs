@@ -588,7 +588,7 @@ surfaces = [{ section = "-z=50%" }]
 
     for (line, phrase) in [
         ("--fill odd", "even-odd or nonzero"),
-        ("--interference=pink", "#rrggbb"),
+        ("--interference=pnik", "`pink`"),
     ] {
         let ran = folder.run(&format!("{render} {line} -o bad.png")).exits(2);
         assert!(ran.stderr.contains(phrase), "{}", ran.stderr);

@@ -18,6 +18,7 @@ mod examples;
 mod experiments;
 mod face_cuts;
 mod files;
+mod framing;
 mod hard_cases;
 mod height_filter;
 mod hostile_meshes;

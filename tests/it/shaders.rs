@@ -352,6 +352,7 @@ fn override_of_a_plan(shader: &str, name: &str) -> f64 {
         cuts: vec![Cut::new("c", vec![plane])],
         camera: Camera::default(),
         stage: None,
+        outline: None,
         interference: None,
         style: Style::default(),
         name: String::new(),

@@ -45,12 +45,14 @@ impl Film<'_> {
             self.camera = scene.camera;
             self.shown = self.shown.updated(&scene);
         }
+        let prepared = &self.shown.model.prepared;
+        let outline = prepared.outline();
         let camera = match self.args.turn_deg {
             Some(turn_deg) => {
                 let share = self.times.share(frame);
                 turned(
                     &self.camera,
-                    &subject.scene.bounds(),
+                    (&subject.scene.bounds(), outline),
                     subject.size_px(),
                     turn_deg,
                     share,
@@ -58,7 +60,6 @@ impl Film<'_> {
             }
             None => self.camera,
         };
-        let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
         let fineness = subject.supersample();
         let drawn = picture::draw(session, &self.shown, &view, self.renderer, fineness)?;

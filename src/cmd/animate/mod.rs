@@ -13,6 +13,7 @@ mod mp4;
 mod numbered;
 mod palette;
 mod report;
+mod sweep;
 mod target;
 mod times;
 mod turntable;
@@ -25,18 +26,21 @@ use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs, SceneArgs, parse_finite};
 use super::console::{Console, ConsoleArgs};
 use super::interrupt::Interrupt;
-use super::look::{LookArgs, usual_style};
+use super::look::{LookArgs, Usual};
 use super::output::Output;
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::ClipArgs;
+use crate::document::Document;
 use crate::experiment::{Identity, Renderer, SceneAtTime};
+use crate::load::Assets;
 use crate::load::frames::USUAL_FPS;
 use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
 use film::Film;
 use report::FrameReport;
+use sweep::{Sweep, parse_sweep};
 use target::Target;
 use times::{Times, TimesArgs};
 
@@ -45,6 +49,7 @@ Examples:
   cutaway animate shape:crank --section -z=50% --relief fractal --turntable -o crank.gif
   cutaway animate walk.glb --clip run --section x=50% -o run.mp4
   cutaway animate scene.toml --duration 6 --fps 30 --loop 1 -o scene.png     # an animated PNG, without loss
+  cutaway animate part.stl --sweep y=10%:90% -o sweep.gif
   cutaway animate part.stl --section z=50% --turntable=90 --frames 12 -o 'frames/%04d.png'
 
 What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
@@ -62,6 +67,15 @@ pub(super) struct AnimateArgs {
     clip: ClipArgs,
     #[command(flatten)]
     times: TimesArgs,
+    /// A plane that moves through the model from one place to another: `y=10%:90%`, `-z=0:25`; the side its axis points to stays
+    #[arg(
+        long,
+        value_name = "AXIS=FROM:TO",
+        value_parser = parse_sweep,
+        allow_hyphen_values = true,
+        help_heading = "Cuts"
+    )]
+    sweep: Option<Sweep>,
     /// The camera goes round the up axis, all the way or by so many degrees, on top of what moves: --turntable=90
     #[arg(
         long = "turntable",
@@ -143,9 +157,15 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.means.amend(&mut document)?;
-    let subject = args
-        .scene
-        .open(document, Some(args.times.start_s), usual_style()?, &console)?;
+    if let Some(sweep) = args.sweep {
+        add_sweep(sweep, &mut document, args, &target)?;
+    }
+    let subject = args.scene.open(
+        document,
+        Some(args.times.start_s),
+        Usual::of_pictures()?,
+        &console,
+    )?;
     let times = times(args, &target, &subject, &console)?;
     note_of_even_size(&target, subject.size_px(), &console);
 
@@ -211,6 +231,24 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     Ok(verdict(&frames, renderer, &console))
 }
 
+/// Lets a plane move as long as anything else does, or as is asked for.
+fn add_sweep(
+    sweep: Sweep,
+    document: &mut Document,
+    args: &AnimateArgs,
+    target: &Target,
+) -> Result<()> {
+    let timeline = document.timeline(&mut Assets::default())?;
+    let bounds = timeline
+        .stage()?
+        .unwrap_or_else(|| timeline.rest().bounds());
+    let times = args
+        .times
+        .times(rate(args, target).1, timeline.duration_s())?;
+    let span_s = (times.start_s, times.duration_s());
+    sweep.amend(document, &bounds, span_s, &args.scene.sections)
+}
+
 fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
     let target = Target::checked(&args.output)?;
     let json = args
@@ -264,7 +302,7 @@ fn times(
         return Err(Error::input(
             args.scene.inputs.join(" "),
             "nothing moves in this scene: all frames would be the same",
-            "add --turntable to see it from all sides, or give a scene whose [[key]] times lie after 0, an animated glTF file, or \
+            "add --turntable to see it from all sides, or --sweep y=10%:90% to let a plane move, or give a scene whose [[key]] times lie after 0, an animated glTF file, or \
              meshes numbered frame by frame as in 'frames/%04d.obj'",
         ));
     }

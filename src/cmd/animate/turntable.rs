@@ -1,19 +1,22 @@
 //! A camera that goes round the up axis, on top of whatever else moves.
 //!
 //! A camera that orbits would come nearer and go farther as the width of the model changes, since each picture is fitted
-//! by itself. Here the distance, or the height of an orthographic picture, is that of the widest view of the whole turn.
+//! by itself. Here the distance, or the height of an orthographic picture, is that of the widest view of the whole turn, about the middle
+//! of what it is fitted to.
 
 use glam::{DQuat, DVec3};
 
-use crate::scene::{Bounds, Camera, Projection, View, Viewpoint};
+use crate::scene::{
+    Bounds, Camera, Outline, Projection, View, Viewpoint, distance_around, half_height_around,
+};
 
 /// Views of a turn that are looked at to find the widest.
 const VIEWS: u32 = 72;
 
-/// The camera after a share of a turn. `bounds` are those that it is fitted to, in world space.
+/// The camera after a share of a turn. It is fitted to an outline in world space, or else to the bounds.
 pub(super) fn turned(
     camera: &Camera,
-    bounds: &Bounds,
+    fitted_to: (&Bounds, Option<&Outline>),
     size_px: [u32; 2],
     turn_deg: f64,
     share: f64,
@@ -23,7 +26,7 @@ pub(super) fn turned(
         position,
         focal_point,
         view_up,
-    } = Start::of(camera, bounds, size_px, turn_deg);
+    } = Start::of(camera, fitted_to, size_px, turn_deg);
     let turn = DQuat::from_axis_angle(camera.up.axis(), (turn_deg * share).to_radians());
     Camera {
         viewpoint: Viewpoint::Explicit {
@@ -44,32 +47,28 @@ struct Start {
 }
 
 impl Start {
-    fn of(camera: &Camera, bounds: &Bounds, size_px: [u32; 2], turn_deg: f64) -> Self {
-        let (azimuth_deg, elevation_deg) = match camera.viewpoint {
-            Viewpoint::Explicit {
+    fn of(
+        camera: &Camera,
+        (bounds, outline): (&Bounds, Option<&Outline>),
+        size_px: [u32; 2],
+        turn_deg: f64,
+    ) -> Self {
+        if let Viewpoint::Explicit {
+            position,
+            focal_point,
+            view_up,
+        } = camera.viewpoint
+        {
+            return Self {
+                camera: *camera,
                 position,
                 focal_point,
                 view_up,
-            } => {
-                return Self {
-                    camera: *camera,
-                    position,
-                    focal_point,
-                    view_up,
-                };
-            }
-            Viewpoint::Orbit {
-                azimuth_deg,
-                elevation_deg,
-            } => (azimuth_deg, elevation_deg),
-        };
+            };
+        }
         let views: Vec<View> = (0..=VIEWS)
             .map(|i| {
-                let azimuth_deg = azimuth_deg + turn_deg * f64::from(i) / f64::from(VIEWS);
-                let viewpoint = Viewpoint::Orbit {
-                    azimuth_deg,
-                    elevation_deg,
-                };
+                let viewpoint = after(camera, turn_deg * f64::from(i) / f64::from(VIEWS));
                 // What is fitted is zoomed later.
                 Camera {
                     viewpoint,
@@ -80,22 +79,68 @@ impl Start {
             })
             .collect();
         let most = |of: &dyn Fn(&View) -> f64| views.iter().map(of).fold(0.0, f64::max);
-        let focal_point = bounds.centre();
-        let distance = most(&|v| (v.eye - focal_point).length());
+        let (focal_point, distance, half_height) = match outline {
+            None => {
+                let focal_point = bounds.centre();
+                let distance = most(&|v| (v.eye - focal_point).length());
+                (focal_point, distance, most(&|v| v.half_height))
+            }
+            Some(outline) => {
+                let own = Bounds::from_points(outline.points().iter().copied());
+                let focal_point = own.centre();
+                let seen = |v: &View| -> Vec<DVec3> {
+                    let axes = [v.right, v.up, v.forward];
+                    let around = outline.points().iter().map(|p| *p - focal_point);
+                    around
+                        .map(|p| DVec3::from_array(axes.map(|axis| p.dot(axis))))
+                        .collect()
+                };
+                // An eye outside of what turns, whatever it looks at.
+                let apart = bounds.radius() * 2.0;
+                let distance = match views[0].orthographic {
+                    true => apart,
+                    false => most(&|v| distance_around(&seen(v), v.half_height, size_px)),
+                };
+                let half_height = most(&|v| half_height_around(&seen(v), size_px));
+                (focal_point, distance, half_height)
+            }
+        };
         let mut camera = *camera;
         if let Projection::Orthographic { height: None } = camera.projection {
             camera.projection = Projection::Orthographic {
-                height: Some(2.0 * most(&|v| v.half_height)),
+                height: Some(2.0 * half_height),
             };
         }
-        // From straight above the up axis says nothing about what is up.
+        // From straight above the up axis says nothing about what is up, and a view along a direction has an up of its own.
+        let is_along = matches!(camera.viewpoint, Viewpoint::Along { .. });
         let is_pole = views[0].forward.cross(camera.up.axis()).length() < 1e-6;
         Self {
             camera,
             position: focal_point - views[0].forward * distance,
             focal_point,
-            view_up: is_pole.then_some(views[0].up),
+            view_up: (is_pole || is_along).then_some(views[0].up),
         }
+    }
+}
+
+/// Where a camera that is fitted is after a turn about its up axis.
+fn after(camera: &Camera, turn_deg: f64) -> Viewpoint {
+    match camera.viewpoint {
+        Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } => Viewpoint::Orbit {
+            azimuth_deg: azimuth_deg + turn_deg,
+            elevation_deg,
+        },
+        Viewpoint::Along { forward, view_up } => {
+            let turn = DQuat::from_axis_angle(camera.up.axis(), turn_deg.to_radians());
+            Viewpoint::Along {
+                forward: turn * forward,
+                view_up: turn * view_up,
+            }
+        }
+        explicit => explicit,
     }
 }
 
@@ -139,7 +184,7 @@ mod tests {
     }
 
     fn view(camera: &Camera, turn_deg: f64, share: f64) -> View {
-        turned(camera, &slab(), SIZE, turn_deg, share).view(|p| p, 1.0, slab(), SIZE)
+        turned(camera, (&slab(), None), SIZE, turn_deg, share).view(|p| p, 1.0, slab(), SIZE)
     }
 
     #[test]
@@ -214,7 +259,7 @@ mod tests {
         };
         let Viewpoint::Explicit {
             position, view_up, ..
-        } = turned(&camera, &slab(), SIZE, 90.0, 1.0).viewpoint
+        } = turned(&camera, (&slab(), None), SIZE, 90.0, 1.0).viewpoint
         else {
             panic!("a place was given");
         };

@@ -1,15 +1,15 @@
 //! `[camera]`.
 //!
 //! An angle of an orbit that is `"auto"`, and both where there is no `[camera]`, turns to where most faces of the cuts are seen:
-//! half of all sections would show only their backs.
+//! half of all sections would show only their backs. `view` is a direction by its name.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::Value;
 use crate::error::Result;
-use crate::scene::{Bounds, Camera, Cut, Projection, Up, Viewpoint};
+use crate::scene::{Bounds, Camera, Cut, Fit, Projection, Up, Viewpoint};
 
 static KEYS: Keys = Keys::below("camera");
 
@@ -19,18 +19,36 @@ pub(crate) struct Seen {
     pub(crate) camera: Camera,
     /// Azimuth and elevation.
     pub(crate) free: [bool; 2],
+    /// It looks straight at the first section, which is known when the cuts are.
+    pub(super) faces_cut: bool,
 }
 
-impl Default for Seen {
-    fn default() -> Self {
-        Self {
-            camera: Camera::default(),
-            free: [true; 2],
-        }
-    }
-}
+/// What `view` can be, as azimuth and elevation; of `cut` they are not known yet.
+const NAMED_VIEWS: [(&str, Option<[f64; 2]>); 8] = [
+    ("front", Some([0.0, 0.0])),
+    ("back", Some([180.0, 0.0])),
+    ("left", Some([-90.0, 0.0])),
+    ("right", Some([90.0, 0.0])),
+    ("top", Some([0.0, 90.0])),
+    ("bottom", Some([0.0, -90.0])),
+    // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
+    ("iso", Some([45.0, 35.264_389_682_754_654])),
+    ("cut", None),
+];
 
 impl Seen {
+    /// That of a document which says nothing of it.
+    pub(super) fn usual(fit: Fit) -> Self {
+        Self {
+            camera: Camera {
+                fit,
+                ..Camera::default()
+            },
+            free: [true; 2],
+            faces_cut: false,
+        }
+    }
+
     /// Whether an angle is to be found.
     pub(crate) fn is_free(&self) -> bool {
         self.free.contains(&true)
@@ -43,14 +61,37 @@ impl Seen {
 }
 
 /// Reads a camera; without a focal point it looks at the middle of the bounds.
-pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds) -> Result<Seen> {
+pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result<Seen> {
     let table = entry.table(KEYS.all())?;
-    let mut camera = Camera::default();
+    let mut camera = Camera {
+        fit: usual_fit,
+        ..Camera::default()
+    };
+    if let Some(fit) = table.get("fit") {
+        camera.fit = fit.choice(&[("kept", Fit::Kept), ("all", Fit::All)])?;
+    }
     if let Some(up) = table.get("up") {
         camera.up = up.choice(&[("+Y", Up::PlusY), ("+Z", Up::PlusZ)])?;
     }
-    let free = ["azimuth_deg", "elevation_deg"].map(|key| is_free(&table, key));
-    camera.viewpoint = viewpoint(&table, (camera.viewpoint, camera.up), bounds.centre())?;
+    let has_view = table.get("view").is_some();
+    let free = ["azimuth_deg", "elevation_deg"].map(|key| !has_view && is_free(&table, key));
+    let view = table
+        .get("view")
+        .map(|v| v.choice(&NAMED_VIEWS))
+        .transpose()?;
+    camera.viewpoint = match view {
+        None => viewpoint(&table, (camera.viewpoint, camera.up), bounds.centre())?,
+        Some(view) => {
+            says_nothing_else(&table)?;
+            match view {
+                Some([azimuth_deg, elevation_deg]) => Viewpoint::Orbit {
+                    azimuth_deg,
+                    elevation_deg,
+                },
+                None => camera.viewpoint,
+            }
+        }
+    };
     camera.projection = projection(&table)?;
     camera.near = table.get("near").map(|n| n.positive()).transpose()?;
     if let Some(cap) = table.get("near_cap") {
@@ -63,7 +104,60 @@ pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds) -> Result<Seen> {
             return Err(zoom.fault("it must be from 0.001 to 1000", help));
         }
     }
-    Ok(Seen { camera, free })
+    if let Some(pan) = table.get("pan") {
+        camera.pan = DVec2::from(pan.vector()?);
+        if camera.pan.abs().max_element() > FARTHEST_PAN {
+            let what = format!("it must be from -{FARTHEST_PAN} to {FARTHEST_PAN}");
+            return Err(pan.fault(
+                what,
+                "[0.1, 0] moves the model right by a tenth of the picture's height",
+            ));
+        }
+    }
+    Ok(Seen {
+        camera,
+        free,
+        faces_cut: view == Some(None),
+    })
+}
+
+/// Most heights of the picture that it is moved.
+const FARTHEST_PAN: f64 = 10.0;
+
+/// Refuses what says where the camera is beside a `view`: an angle that is to be found does not.
+fn says_nothing_else(table: &Table<'_>) -> Result<()> {
+    let others = [
+        "azimuth_deg",
+        "elevation_deg",
+        "position",
+        "focal_point",
+        "view_up",
+    ];
+    let said = |key: &&str| table.get(key).filter(|_| !is_free(table, key));
+    match others.iter().find_map(said) {
+        Some(other) => {
+            let what = "the direction is already given by `view`";
+            Err(other.fault(
+                what,
+                "keep either `view`, or angles, or position and focal_point",
+            ))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Where a camera is that looks straight at the first section of some cuts.
+pub(super) fn facing_first(cuts: &[Cut], up: Up, root: &Table<'_>) -> Result<Viewpoint> {
+    let first = cuts.iter().find_map(|cut| cut.surfaces.first());
+    match first {
+        Some(surface) => Ok(Viewpoint::facing(surface, up)),
+        None => {
+            let camera = root.need("camera", "{ view = \"front\" }")?;
+            let view = camera.table(KEYS.all())?.need("view", "\"front\"")?;
+            let help = "add a section, for example z=50%, or use another view, such as front";
+            Err(view.fault("there is no plane to look at", help))
+        }
+    }
 }
 
 /// Whether an angle is `"auto"`.

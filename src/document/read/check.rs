@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::generate::shapes;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
-use crate::scene::Bounds;
+use crate::scene::{Bounds, Fit};
 
 /// Checks what can be checked before anything is opened.
 pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Assets) -> Result<()> {
@@ -25,7 +25,8 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
         has("focal_point") || !has("position")
     };
     if let Some(camera) = root.get("camera").filter(is_whole) {
-        camera::read(&camera, &Bounds::from_points([DVec3::ZERO, DVec3::ONE]))?;
+        let anything = Bounds::from_points([DVec3::ZERO, DVec3::ONE]);
+        camera::read(&camera, &anything, Fit::default())?;
     }
     for entry in root.tables("part")? {
         let table = entry.table(parts::KEYS.all())?;

@@ -50,10 +50,12 @@
 //!
 //! ```toml
 //! [camera]
-//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`
-//! elevation_deg = 25
+//! azimuth_deg = 35                       # or `position`, `focal_point` and `view_up`; or `view`:
+//! elevation_deg = 25                     # "front", "back", "left", "right", "top", "bottom", "iso", or "cut", straight at the section
 //! up = "+Z"                              # images on sections stand upright by it
-//! zoom = 2                               # twice as large as so everything is shown
+//! fit = "kept"                           # what angles are fitted to: what the cuts keep, or "all"
+//! zoom = 2                               # twice as large as so that is shown
+//! pan = [0.1, 0]                         # moves the model right, and up, in heights of the picture
 //! near = 0.5                             # distance of the near plane
 //! near_cap = false                       # true, which is usual, shows a cap where the near plane cuts a solid
 //! ```
@@ -176,7 +178,7 @@ use super::paths::Keys;
 use crate::error::Result;
 use crate::generate::defects::Defect;
 use crate::load::Assets;
-use crate::scene::{Bounds, ClipSurface, Outwards, Part, Scene, Style, Up};
+use crate::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
 
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");
@@ -191,6 +193,8 @@ pub(super) struct Stock {
     images: Images,
     /// On which the style of the document are changes, if it has one.
     pub(super) style: Option<Style>,
+    /// What orbits are fitted to where the document does not say it.
+    pub(super) fit: Fit,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
     /// All that were read.
@@ -231,6 +235,7 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
         cutters,
         images,
         style,
+        fit: Fit::default(),
         notes: opening.notes,
         files: opening.files,
     })
@@ -281,8 +286,8 @@ pub(super) fn scene(
         ..Scene::default()
     };
     let bounds = scene.bounds();
-    let camera = root.get("camera").map(|e| camera::read(&e, &bounds));
-    let seen = camera.transpose()?.unwrap_or_default();
+    let camera = (root.get("camera")).map(|e| camera::read(&e, &bounds, stock.fit));
+    let seen = camera.transpose()?.unwrap_or(Seen::usual(stock.fit));
     scene.camera = seen.camera;
     let maps = match root.get("relief") {
         Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
@@ -302,6 +307,9 @@ pub(super) fn scene(
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
         cuts.extend(cuts::read(entry, i, cutter, &context, notes)?);
+    }
+    if seen.faces_cut {
+        scene.camera.viewpoint = camera::facing_first(&cuts, scene.camera.up, root)?;
     }
     scene.cuts = cuts;
     Ok((scene, seen))

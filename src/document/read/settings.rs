@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::reader::{Entry, Table};
 use crate::document::{Keys, Value};
 use crate::error::Result;
-use crate::scene::{HeightFilter, parse_color};
+use crate::scene::{HeightFilter, color_help, parse_color};
 
 /// What is asked for where nobody asks for anything else. What a document does not say is `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -89,13 +89,11 @@ pub(super) fn interference(root: &Table<'_>) -> Result<Option<Vec3>> {
     root.get("interference").map(|e| color(&e)).transpose()
 }
 
-/// `#rrggbb` or `#rgb`.
+/// `#rrggbb`, `#rgb` or a name of CSS.
 pub(super) fn color(entry: &Entry<'_>) -> Result<Vec3> {
     let text = entry.text()?;
-    parse_color(text).ok_or_else(|| {
-        let help = "write `#rrggbb`, for example \"#8a94a6\"";
-        entry.fault(format_args!("{text:?} is no colour"), help)
-    })
+    parse_color(text)
+        .ok_or_else(|| entry.fault(format_args!("{text:?} is no colour"), color_help(text)))
 }
 
 fn size_px(entry: &Entry<'_>) -> Result<[u32; 2]> {

@@ -7,7 +7,7 @@
 //!
 //! A scene that moves has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is the same
 //! plane always. It is found when first asked for, from the bounds at many times: between two of them a part may leave it
-//! by as little as it moves there off the straight line. Angles of the camera that are to be found are found for all times at once too.
+//! by as little as it moves there off the straight line. What is kept of it, which its camera may be fitted to, is found likewise. Angles of the camera that are to be found are found for all times at once too.
 //!
 //! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
 
@@ -15,7 +15,7 @@ mod stage;
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::read::reader::Table;
 use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
@@ -23,7 +23,7 @@ use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{Bounds, Clip, Outwards, Part, Scene, Style, Viewpoint};
+use crate::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, Viewpoint};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -51,6 +51,8 @@ pub struct Timeline {
     reliefs: Mutex<Resolved>,
     outwards: Outwards,
     stage: OnceLock<Bounds>,
+    /// What is kept at any time.
+    outline: OnceLock<Arc<Outline>>,
     /// From where it is seen at all times, where that is to be found.
     viewpoint: OnceLock<Viewpoint>,
 }
@@ -85,6 +87,7 @@ impl Timeline {
             reliefs: Mutex::new(reliefs),
             outwards,
             stage: OnceLock::new(),
+            outline: OnceLock::new(),
             viewpoint: OnceLock::new(),
             settings: Settings::default(),
         };
@@ -106,6 +109,17 @@ impl Timeline {
         self.stock.style.get_or_insert(style);
         self.rest.style = self.read_at(0.0, |root| read::style(root, &self.stock))?;
         Ok(self)
+    }
+
+    /// The same, whose angles are fitted to something else where the document does not say to what.
+    #[must_use]
+    pub fn with_usual_fit(mut self, fit: Fit) -> Self {
+        let camera = self.root.get("camera");
+        if camera.and_then(|c| c.get("fit")).is_none() {
+            self.stock.fit = fit;
+            self.rest.camera.fit = fit;
+        }
+        self
     }
 
     /// What is drawn where nobody asks for a time: the moment that the document asks for, or else what it shows at rest, the numbers as
@@ -211,6 +225,9 @@ impl Timeline {
             self.pose(part, time_s);
         }
         scene.name.clone_from(&self.name);
+        if scene.camera.fits_kept() {
+            scene.outline = self.outline()?;
+        }
         Ok(scene)
     }
 
@@ -224,6 +241,18 @@ impl Timeline {
         }
         let stage = self.find_stage(duration_s)?;
         Ok(Some(*self.stage.get_or_init(|| stage)))
+    }
+
+    /// What the cuts keep of the parts at any time; `None` where nothing moves.
+    fn outline(&self) -> Result<Option<Arc<Outline>>> {
+        let Some(duration_s) = self.duration_s() else {
+            return Ok(None);
+        };
+        if let Some(outline) = self.outline.get() {
+            return Ok(Some(outline.clone()));
+        }
+        let outline = Arc::new(self.find_outline(duration_s)?);
+        Ok(Some(self.outline.get_or_init(|| outline).clone()))
     }
 
     /// From where it is seen at all times.

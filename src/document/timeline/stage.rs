@@ -1,4 +1,5 @@
-//! What is asked of a timeline as a whole: the box of all its times, and whether its keys make sense at all of them.
+//! What is asked of a timeline as a whole: the box of all its times, what the cuts keep at any of them, and whether its keys make
+//! sense at all of them.
 //!
 //! Cost: reading the scene at every sample, and the bounds of each part that changed since the sample before.
 
@@ -6,7 +7,7 @@ use std::sync::Arc;
 
 use super::Timeline;
 use crate::error::Result;
-use crate::scene::{Bounds, Part, is_same_motion};
+use crate::scene::{Bounds, Cut, Outline, Part, Scene, is_same_motion};
 
 /// Times spread over the whole, both ends included: what turns by a full circle leaves its stage by a thousandth at most.
 const SPREAD: u32 = 65;
@@ -45,15 +46,40 @@ impl Timeline {
             last = seen.collect();
             stage = last.iter().fold(stage, |all, (_, b)| all.union(*b));
         };
-        let clips_s = (self.unposed_at(0.0)?.iter())
-            .filter_map(|p| Some(p.clips()[self.clip_of(p)?].duration_s))
-            .collect();
-        for time_s in self.sampled_times_s(duration_s, clips_s) {
+        for time_s in self.sampled_times_s(duration_s, self.played_s()?) {
             let mut parts = self.unposed_at(time_s)?;
             parts.iter_mut().for_each(|p| self.pose(p, time_s));
             look_at(parts);
         }
         Ok(stage)
+    }
+
+    /// What the cuts keep at many times.
+    pub(super) fn find_outline(&self, duration_s: f64) -> Result<Outline> {
+        let (mut outline, mut last) = (Outline::default(), Scene::default());
+        let stage = self.stage()?;
+        for time_s in self.sampled_times_s(duration_s, self.played_s()?) {
+            let (mut scene, _) = self.unposed_scene_at(time_s, stage)?;
+            scene.parts.iter_mut().for_each(|p| self.pose(p, time_s));
+            let is_cut_alike = cut_alike(&last.cuts, &scene.cuts);
+            let stands = |at: usize, part: &Part| {
+                let before = last.parts.get(at);
+                is_cut_alike && before.is_some_and(|before| stands_alike(before, part))
+            };
+            let parts = scene.parts.iter().enumerate();
+            let moved = parts.filter(|(at, part)| !stands(*at, part));
+            outline.add_parts(&scene, moved.map(|(_, part)| part));
+            last = scene;
+        }
+        Ok(outline)
+    }
+
+    /// How long the clips are that are played.
+    fn played_s(&self) -> Result<Vec<f64>> {
+        let parts = self.unposed_at(0.0)?;
+        let clips = parts.iter();
+        let played = clips.filter_map(|p| Some(p.clips()[self.clip_of(p)?].duration_s));
+        Ok(played.collect())
     }
 
     /// Reads the scene at all times of keys and between them, so that what makes no sense is reported before anything is drawn.
@@ -104,6 +130,32 @@ fn few(mut times: Vec<f64>) -> Vec<f64> {
     let last = times.len() - 1;
     let spread = (0..MOST_SINGLED_OUT).map(|i| times[i * last / (MOST_SINGLED_OUT - 1)]);
     spread.collect()
+}
+
+/// Whether cuts remove the same, as far as what they are made of says it.
+fn cut_alike(all: &[Cut], others: &[Cut]) -> bool {
+    let is_like = |(a, b): (&Cut, &Cut)| {
+        let mut surfaces = a.surfaces.iter().zip(&b.surfaces);
+        let same_map = |a: Option<&Arc<_>>, b: Option<&Arc<_>>| match (a, b) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let same_volume = match (&a.volume, &b.volume) {
+            (Some(a), Some(b)) => {
+                Arc::ptr_eq(a.mesh(), b.mesh()) && a.world_from_cutter == b.world_from_cutter
+            }
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        a.enabled == b.enabled
+            && a.offsets == b.offsets
+            && a.surfaces.len() == b.surfaces.len()
+            && same_volume
+            && surfaces.all(|(a, b)| {
+                (a.origin, a.u, a.v, a.scale) == (b.origin, b.u, b.v, b.scale)
+                    && same_map(a.relief.as_ref(), b.relief.as_ref())
+            })
+    };
+    all.len() == others.len() && all.iter().zip(others).all(is_like)
 }
 
 /// Whether two parts fill the same place because everything that places them is the same.

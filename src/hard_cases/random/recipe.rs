@@ -130,6 +130,7 @@ impl Recipe {
             name: "random".to_owned(),
             parts: parts.collect(),
             cuts: cuts.collect(),
+            outline: None,
             camera: Camera {
                 viewpoint: Viewpoint::Explicit {
                     position: DVec3::from_array(self.from),

@@ -133,6 +133,7 @@ pub(crate) fn scene(meshes: Vec<Mesh>, cuts: Vec<Vec<ClipSurface>>, camera: Came
         camera,
         style: Style::default(),
         stage: None,
+        outline: None,
         interference: None,
     }
 }

@@ -44,6 +44,7 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         cuts: vec![Cut::new("cut", vec![plane])],
         camera: *camera,
         stage: None,
+        outline: None,
         interference: None,
         style: Style::default(),
     };

@@ -132,7 +132,7 @@ fn looks(session: &mut Session, scene: &Scene) -> BTreeMap<usize, Look> {
     assert_eq!(rows.len(), relevance.order.len(), "a row for each part");
     (relevance.order[..relevance.lanes].iter().zip(rows))
         .map(|(rank, row)| {
-            let [first, count] = [row[4] as usize, row[5]];
+            let [first, count] = [row[4], row[5]].map(|n| n as usize);
             let is_filled = count == 0;
             let line = &lines[16 * first.min(lines.len() / 16 - 1)..];
             let [x, y] = [line[0], line[1]].map(|word| f64::from(f32::from_bits(word)));

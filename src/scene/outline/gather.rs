@@ -1,0 +1,252 @@
+//! Points of a part whose convex hull is that of what is kept of it.
+
+use glam::DVec3;
+
+use super::region::Regions;
+use super::rim;
+use crate::scene::{Mesh, Part};
+
+/// Steps along an edge that meets a relief.
+const EDGE_STEPS: u32 = 24;
+
+/// Bisections of a step.
+const CROSSING_HALVINGS: u32 = 24;
+
+/// Steps to where two reliefs meet.
+const MEETING_STEPS: u32 = 8;
+
+/// By how much of its corners a point may lie beside a triangle and is taken for one on its edge.
+const ON_EDGE: f64 = 1e-9;
+
+/// Heights up to this, in lengths of the part, are those of faces that lie in a clip-surface, which keeps nothing of them.
+const FLUSH: f64 = 1e-9;
+
+/// The points, in world space.
+pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
+    let mesh = part.posed_mesh();
+    let placed: Vec<DVec3> = (mesh.positions.iter())
+        .map(|p| part.world_from_part.transform_point3(*p))
+        .collect();
+    if regions.cuts.is_empty() {
+        return used(&mesh, &placed).collect();
+    }
+    let most = placed
+        .iter()
+        .fold(0.0, |most: f64, p| most.max(p.distance(placed[0])));
+    let mut gather = Gather {
+        regions,
+        brackets: (placed.iter())
+            .flat_map(|p| regions.sides.iter().map(|s| s.bracket(*p)))
+            .collect(),
+        is_taken: vec![false; placed.len()],
+        placed,
+        least: FLUSH * most,
+        more: Vec::new(),
+        rims: vec![Vec::new(); regions.sides.len()],
+    };
+    for triangle in &mesh.triangles {
+        gather.take_triangle(triangle.map(|i| i as usize));
+    }
+    let Gather {
+        placed,
+        is_taken,
+        mut more,
+        rims,
+        least,
+        ..
+    } = gather;
+    for (side, rim) in rims.iter().enumerate() {
+        more.extend(rim::risen(regions, side, rim, least));
+    }
+    more.extend(rim::corners_of_boxes(regions, &placed, least));
+    more.extend(rim::inner_corners(regions, &placed, &mesh.triangles, least));
+    let whole = placed.into_iter().zip(is_taken);
+    more.extend(whole.filter(|(_, is_taken)| *is_taken).map(|(p, _)| p));
+    more
+}
+
+/// The vertices that triangles have.
+fn used<'a>(mesh: &'a Mesh, placed: &'a [DVec3]) -> impl Iterator<Item = DVec3> + 'a {
+    let mut is_used = vec![false; placed.len()];
+    for corner in mesh.triangles.iter().flatten() {
+        is_used[*corner as usize] = true;
+    }
+    let all = placed.iter().zip(is_used);
+    all.filter(|(_, is_used)| *is_used).map(|(p, _)| *p)
+}
+
+struct Gather<'a> {
+    regions: &'a Regions,
+    placed: Vec<DVec3>,
+    /// Least and greatest height of each vertex over each side.
+    brackets: Vec<[f64; 2]>,
+    is_taken: Vec<bool>,
+    least: f64,
+    more: Vec<DVec3>,
+    /// Of each side where edges cross it.
+    rims: Vec<Vec<DVec3>>,
+}
+
+impl Gather<'_> {
+    fn bracket(&self, vertex: usize, side: usize) -> [f64; 2] {
+        self.brackets[vertex * self.regions.sides.len() + side]
+    }
+
+    /// Whether a simplex of vertices is kept as a whole, as far as sides say that hold on to all of it.
+    fn is_whole(&self, corners: &[usize]) -> bool {
+        let over = |side| {
+            corners
+                .iter()
+                .all(|v| self.bracket(*v, side)[0] > self.least)
+        };
+        self.regions.keep(over)
+    }
+
+    /// Whether all of it is removed: under every side of one cut. A box has two sides along every axis, and none to be under as a whole.
+    fn is_gone(&self, corners: &[usize]) -> bool {
+        let is_under = |side: usize| {
+            let under = corners
+                .iter()
+                .all(|v| self.bracket(*v, side)[1] <= self.least);
+            under && self.regions.sides[side].plane().is_some()
+        };
+        let mut cuts = self.regions.cuts.iter();
+        cuts.any(|[first, end]| (*first..*end).all(is_under))
+    }
+
+    fn take_triangle(&mut self, corners: [usize; 3]) {
+        if self.is_whole(&corners) {
+            corners.iter().for_each(|v| self.is_taken[*v] = true);
+            return;
+        }
+        if self.is_gone(&corners) {
+            return;
+        }
+        let [a, b, c] = corners;
+        for [a, b] in [[a, b], [b, c], [c, a]] {
+            self.take_edge(a, b);
+        }
+        self.take_meetings(corners);
+    }
+
+    /// Takes the pieces of an edge that are kept.
+    fn take_edge(&mut self, a: usize, b: usize) {
+        if self.is_gone(&[a, b]) {
+            return;
+        }
+        let mut crossings: Vec<(f64, Option<usize>)> = vec![(0.0, None), (1.0, None)];
+        for side in 0..self.regions.sides.len() {
+            self.cross(side, [a, b], &mut crossings);
+        }
+        crossings.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let (from, to) = (self.placed[a], self.placed[b]);
+        for ends in crossings.windows(2) {
+            let middle = from.lerp(to, (ends[0].0 + ends[1].0) / 2.0);
+            if !self.regions.keep_point(middle, self.least) {
+                continue;
+            }
+            for (share, side) in ends {
+                let point = from.lerp(to, *share);
+                match side {
+                    Some(side) => self.rims[*side].push(point),
+                    None => self.is_taken[if *share == 0.0 { a } else { b }] = true,
+                }
+                if side.is_some() {
+                    self.more.push(point);
+                }
+            }
+        }
+    }
+
+    /// Where an edge crosses a side.
+    fn cross(&self, side: usize, [a, b]: [usize; 2], found: &mut Vec<(f64, Option<usize>)>) {
+        let [low, high] = [a, b].map(|v| self.bracket(v, side));
+        let surface = &self.regions.sides[side];
+        if !surface.is_rough() {
+            let [from, to] = [low[0], high[0]];
+            if (from > 0.0) != (to > 0.0) {
+                found.push(((from / (from - to)).clamp(0.0, 1.0), Some(side)));
+            }
+            return;
+        }
+        let is_under = low[1] <= 0.0 && high[1] <= 0.0 && surface.plane().is_some();
+        if (low[0] > 0.0 && high[0] > 0.0) || is_under {
+            return;
+        }
+        let (from, to) = (self.placed[a], self.placed[b]);
+        let is_over = |share: f64| surface.height(from.lerp(to, share)) > 0.0;
+        let mut last = (0.0, is_over(0.0));
+        for step in 1..=EDGE_STEPS {
+            let share = f64::from(step) / f64::from(EDGE_STEPS);
+            let now = (share, is_over(share));
+            if now.1 != last.1 {
+                let (mut low, mut high) = (last.0, now.0);
+                for _ in 0..CROSSING_HALVINGS {
+                    let middle = (low + high) / 2.0;
+                    match is_over(middle) == last.1 {
+                        true => low = middle,
+                        false => high = middle,
+                    }
+                }
+                found.push(((low + high) / 2.0, Some(side)));
+            }
+            last = now;
+        }
+    }
+
+    /// Takes where two sides of different cuts meet in a triangle.
+    fn take_meetings(&mut self, corners: [usize; 3]) {
+        let regions = self.regions;
+        for second in 0..regions.sides.len() {
+            for first in 0..second {
+                if regions.cut_of(first) == regions.cut_of(second)
+                    || [first, second]
+                        .iter()
+                        .any(|s| regions.sides[*s].plane().is_none())
+                {
+                    continue;
+                }
+                let Some(point) = self.meeting([first, second], corners) else {
+                    continue;
+                };
+                let is_over = |side: usize| {
+                    side == first || side == second || {
+                        regions.sides[side].height(point) > -self.least
+                    }
+                };
+                if regions.keep(is_over) {
+                    self.more.push(point);
+                }
+            }
+        }
+    }
+
+    /// Where two sides meet in a triangle. Reliefs are met in steps, each with the planes that they lie in at the last.
+    fn meeting(&self, sides: [usize; 2], corners: [usize; 3]) -> Option<DVec3> {
+        let [a, b, c] = corners.map(|v| self.placed[v]);
+        let of_planes = sides.map(|side| {
+            let low = |v: &usize| self.bracket(*v, side)[0];
+            DVec3::from_array([0, 1, 2].map(|i| low(&corners[i])))
+        });
+        let lows = sides.map(|side| self.regions.sides[side].least_relief());
+        let mut reliefs = sides.map(|side| self.regions.sides[side].middle_relief());
+        let is_rough = sides.iter().any(|s| self.regions.sides[*s].is_rough());
+        for step in 0..=MEETING_STEPS {
+            // Heights over the planes that the reliefs lie in there.
+            let [one, other] = [0, 1].map(|i| of_planes[i] - lows[i] + reliefs[i]);
+            let shares = one.cross(other);
+            let shares = shares / shares.element_sum();
+            let is_last = step == MEETING_STEPS || !is_rough;
+            let is_out = |share: &f64| !(-ON_EDGE..).contains(share);
+            if !shares.is_finite() || (is_last && shares.to_array().iter().any(is_out)) {
+                return None;
+            }
+            let point = a * shares.x + b * shares.y + c * shares.z;
+            if is_last {
+                return Some(point);
+            }
+            reliefs = sides.map(|side| self.regions.sides[side].relief_at(point));
+        }
+        None
+    }
+}

@@ -1,0 +1,67 @@
+//! A plane that moves through a model by one option.
+
+use super::common::command::Scratch;
+
+#[test]
+fn a_sweep_becomes_a_cut_and_a_key() {
+    let folder = Scratch::new("framing_sweep");
+    let line = "animate shape:cube --sweep -y=10%:90% --frames 4 --fps 2 --resolution 48,36 --no-background --style lit";
+    folder
+        .run(&format!("{line} --save s.toml -o f%d.png"))
+        .exits(0);
+    let saved = std::fs::read_to_string(folder.path("s.toml")).expect("a scene");
+    for said in [
+        "name = \"sweep\"",
+        "target = \"cut.sweep.surfaces.0.origin\"",
+        "times_s = [0",
+        "2",
+    ] {
+        assert!(saved.contains(said), "no `{said}` in\n{saved}");
+    }
+    // What is kept grows, in pictures that are framed alike.
+    let shown = |name: &str| -> usize {
+        let image = image::open(folder.path(name)).expect(name).to_rgba8();
+        image.pixels().filter(|p| p.0[3] > 127).count()
+    };
+    let files = folder.files();
+    let frames: Vec<usize> = files
+        .iter()
+        .filter(|f| f.starts_with('f'))
+        .map(|f| shown(f))
+        .collect();
+    assert_eq!(frames.len(), 4, "{files:?}");
+    assert!(frames.windows(2).all(|w| w[0] < w[1]), "{frames:?}");
+    // The scene that it amounts to has the same frames.
+    folder
+        .run("animate s.toml --fps 2 --style lit --no-background -o g%d.png")
+        .exits(0);
+    for i in files.iter().filter(|f| f.starts_with('f')) {
+        let again = i.replacen('f', "g", 1);
+        let [a, b] = [i, &again].map(|f| image::open(folder.path(f)).expect(f).to_rgba8());
+        assert!(a == b, "{i} is not {again}");
+    }
+    // Spared parts are spared, and need no other section.
+    folder
+        .run(&format!("{line} --exclude cube -o h%d.png"))
+        .exits(0);
+}
+
+#[test]
+fn sweeps_that_make_no_sense_are_refused() {
+    let folder = Scratch::new("framing_sweep_slips");
+    let line = "animate shape:cube --frames 2 --resolution 16,12 -o x.gif";
+    for (option, said) in [
+        ("--sweep y=50%", "two places"),
+        ("--sweep w=0:1", "`w` is no axis"),
+        ("--sweep y=a:1", "not a number"),
+        ("--sweep y=50%:50%", "does not move"),
+        ("--sweep y=0:1 --exclude nothing", "nothing"),
+    ] {
+        folder
+            .run(&format!("{line} {option}"))
+            .must_refuse(&[said, "help:"]);
+    }
+    folder
+        .run("render shape:cube --sweep y=0:1 -o x.png")
+        .exits(2);
+}
