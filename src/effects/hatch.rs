@@ -1,8 +1,8 @@
 //! Hatches: families of parallel lines on caps, with the plane of each clip-surface and what each part has.
 //!
 //! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that the
-//! angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. Distances follow the mean thickness of parts, in steps of the
-//! root of two, and are held from when the scene was first packed. Costs a few multiplications a family and pixel of a cap; who touches whom is found
+//! angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. Distances follow the mean thickness of parts, in steps of about
+//! the root of two, and are held from when the scene was first packed. Costs a few multiplications a family and pixel of a cap; who touches whom is found
 //! once, where two parts are cut.
 //!
 //! Cannot: follow a part that moves; tell more than eight classes by direction alone, after which spacing grows.
@@ -123,9 +123,11 @@ fn part_hatches(
 fn spacing_of(thickness: f64, hatch: &Hatch) -> f64 {
     let [share, least, most] = [hatch.per_thickness, hatch.least, hatch.most].map(f64::from);
     let wanted = (share * thickness).clamp(least, most);
-    // In steps of the root of two from the greatest.
-    let steps = ((wanted / most).log2() * 2.0).round() / 2.0;
-    (most * 2.0_f64.powf(steps)).max(least)
+    // Even steps from the least to the greatest, of about the root of two.
+    let range = (most / least).log2();
+    let steps = (2.0 * range).round().max(1.0);
+    let step = ((wanted / least).log2() / range.max(1e-9) * steps).round();
+    least * 2.0_f64.powf(step / steps * range)
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@ use glam::DVec2;
 use crate::plan::pack;
 use crate::scene::{HatchPattern, LineFamily, MOST_STROKES};
 
-/// Between two steps of spacings, which are roots of two apart: unlike the hatch of a thicker part that has the same direction.
-const WIDER: f64 = 1.68;
+/// Between two steps of the usual spacings: unlike the hatch of a thicker part that has the same direction.
+const WIDER: f64 = 1.57;
 /// Direction of a class over that of the first, in degrees, and its spacing over the usual.
 const CLASSES: [(f64, f64); 8] = [
     (0.0, 1.0),

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -112,6 +113,14 @@ fn misnamed(definition: &Value) -> Option<String> {
     texts.find(names).map(ToString::to_string)
 }
 
+/// The folder that holds the record of an experiment.
+fn record_of(experiment: &OsStr) -> PathBuf {
+    let runs = fs::read_dir(root().join("experiments/record")).unwrap();
+    let mut folders = runs.map(|run| run.unwrap().path().join(experiment));
+    let found = folders.find(|folder| folder.is_dir());
+    found.unwrap_or_else(|| panic!("there is no record of {}", experiment.display()))
+}
+
 #[test]
 fn titles_name_no_scene_that_the_chart_does_not_show() {
     let read = |file: &Path| fs::read_to_string(file).unwrap();
@@ -119,7 +128,7 @@ fn titles_name_no_scene_that_the_chart_does_not_show() {
         let file = entry.unwrap().path();
         let curated: Value = toml_edit::de::from_str(&read(&file)).unwrap();
         assert_eq!(misnamed(&curated), None, "{}", file.display());
-        let recorded = root().join(RECORD).join(file.file_stem().unwrap());
+        let recorded = record_of(file.file_stem().unwrap());
         let recorded: Value =
             serde_json::from_str(&read(&recorded.join("experiment.json"))).unwrap();
         // Of late the file is told as it is.

@@ -113,6 +113,10 @@ impl Regions {
             sides: Vec::new(),
             cuts: Vec::new(),
         };
+        // A ghost shows what they remove.
+        if scene.style.ghost.is_drawn() {
+            return regions;
+        }
         for cut in scene.cuts.iter().filter(|cut| cut.applies_to(part)) {
             if cut.volume.as_ref().is_some_and(|v| !v.keeps_inside) {
                 continue;

@@ -81,7 +81,7 @@ fn nothing_that_is_gone_is_no_pass() {
     let ghostly = |scene: &Scene| passes(scene).iter().any(|p| p.contains("ghost"));
     let mut scene = scene_in(with(GhostKind::Both));
     assert!(ghostly(&scene), "the control");
-    let away = ClipSurface::parse("z=500", &scene.bounds()).expect("a section");
+    let away = ClipSurface::parse("z=-500", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::new("away", vec![away])];
     assert!(!ghostly(&scene), "no cut reaches a part");
     let glass = passes(&scene_in(with(GhostKind::Glass)));
@@ -93,7 +93,7 @@ fn nothing_that_is_gone_is_no_pass() {
 #[test]
 fn what_is_removed_altogether_is_a_ghost_too() {
     let mut scene = scene_in(with(GhostKind::Glass));
-    let all = ClipSurface::parse("z=-500", &scene.bounds()).expect("a section");
+    let all = ClipSurface::parse("z=500", &scene.bounds()).expect("a section");
     scene.cuts = vec![Cut::new("all", vec![all])];
     let (layers, ghostly) = drawn(&scene);
     let is_empty = layers.pixels.iter().all(|l| l.kind == Kind::Background);

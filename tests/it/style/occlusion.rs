@@ -139,7 +139,7 @@ fn horizons_are_near_what_rays_find() {
     let mut scene = scenes::of_parts("crank", parts, Vec::new());
     scene.style = with(occlusion);
     let model = Model::new(&scene);
-    let view = model.prepared.view([320, 240]);
+    let view = model.prepared.view([640, 480]);
     let method = Method::from(Strategy::RAYCAST_MASK);
     let mut session = session();
     let drawn = session.draw(&model, &view, method).expect("a frame");
@@ -153,11 +153,11 @@ fn horizons_are_near_what_rays_find() {
         .collect();
     let radius = 0.05 * 2.0 * model.prepared.bounds.radius();
     let (mut errors, mut dark) = (Vec::new(), 0.0);
-    for (i, layer) in layers.pixels.iter().enumerate().step_by(61) {
+    for (i, layer) in layers.pixels.iter().enumerate().step_by(211) {
         if layer.kind != Kind::Surface {
             continue;
         }
-        let at = DVec2::new((i % 320) as f64, (i / 320) as f64) + 0.5;
+        let at = DVec2::new((i % 640) as f64, (i / 640) as f64) + 0.5;
         let (origin, gaze) = view.ray(at);
         let normal = layer.normal.as_dvec3();
         let point = origin + gaze * layer.depth + normal * 1e-4;
