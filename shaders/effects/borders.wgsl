@@ -8,7 +8,7 @@
 // A sample whose two opposite neighbours agree with each other and not with it is a sliver: it has no border, for strokes around it would
 // be a row of dots. Nor is it a fold where one sample has another normal than two beside it that agree. Where neither of two samples is reliable there is no stroke between them.
 
-#import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART}
+#import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART, word_of_tile}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, SURFACE, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, part_of, unpack_normal}
 #import cutaway::style::style
@@ -151,11 +151,24 @@ fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
     return NO_BORDER;
 }
 
+var<workgroup> found: atomic<u32>;
+
 @compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
+fn main(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(workgroup_id) tile: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
+    if all(id.xy < frame.size_px) {
+        let at = vec2<i32>(id.xy);
+        let word = border(at, vec2<i32>(1, 0)) | (border(at, vec2<i32>(0, 1)) << 4u);
+        borders[pixel_index(id.xy)] = word;
+        if word != 0u {
+            atomicOr(&found, word);
+        }
     }
-    let at = vec2<i32>(id.xy);
-    borders[pixel_index(id.xy)] = border(at, vec2<i32>(1, 0)) | (border(at, vec2<i32>(0, 1)) << 4u);
+    workgroupBarrier();
+    if local == 0u {
+        borders[word_of_tile(tile.xy, frame.size_px)] = atomicLoad(&found);
+    }
 }

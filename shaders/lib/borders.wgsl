@@ -1,5 +1,6 @@
 // Borders: between which neighbouring samples of the picture a stroke belongs, and of what class. A word of a pixel has the class of
-// the border on its right in bits 0-3 and of that below it in bits 4-7; 0 is none.
+// the border on its right in bits 0-3 and of that below it in bits 4-7; 0 is none. After the words of all pixels there is one for each tile,
+// which is not 0 where some border is in it: most of a picture has none.
 
 #define_import_path cutaway::borders
 
@@ -16,6 +17,25 @@ const FACE: u32 = 4u;
 const CONTOUR: u32 = 5u;
 // A surface is folded.
 const CREASE: u32 = 6u;
+
+// Pixels along the side of a tile, which is what a workgroup of a pass over pixels owns.
+const TILE: u32 = 16u;
+
+fn tiles_along(pixels: u32) -> u32 {
+    return (pixels + TILE - 1u) / TILE;
+}
+
+// Where the word of a tile is.
+fn word_of_tile(tile: vec2<u32>, size_px: vec2<u32>) -> u32 {
+    return size_px.x * size_px.y + tile.y * tiles_along(size_px.x) + tile.x;
+}
+
+// The first and the last tile within a distance of a pixel.
+fn tiles_around(at: vec2<u32>, reach_px: i32, size_px: vec2<u32>) -> vec4<u32> {
+    let first = max(vec2<i32>(at) - reach_px, vec2<i32>(0));
+    let last = min(vec2<i32>(at) + reach_px, vec2<i32>(size_px) - 1);
+    return vec4<u32>(vec2<u32>(first), vec2<u32>(last)) / TILE;
+}
 
 fn right_of(word: u32) -> u32 {
     return word & 15u;

@@ -17,10 +17,15 @@ struct Unsharp {
 
 @group(2) @binding(0) var<uniform> unsharp: Unsharp;
 
-// Weight of a sample at a distance in pixels.
-fn weight_at(off: i32) -> f32 {
-    let x = f32(off) / unsharp.sigma_px;
-    return exp(-0.5 * x * x);
+// Weights of samples by their distance, one after the other, by two products each (Turkowski, GPU Gems 3, 40): the weight, its factor, and
+// the factor of that.
+fn first_weight() -> vec3<f32> {
+    let step = exp(-0.5 / (unsharp.sigma_px * unsharp.sigma_px));
+    return vec3<f32>(1.0, step, step * step);
+}
+
+fn next_weight(weight: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(weight.x * weight.y, weight.y * weight.z, weight.z);
 }
 
 // Depth over the diagonal of the scene, which is around the origin of scene space: 0 before it, 1 behind it.

@@ -1,26 +1,12 @@
-// What a picture shows beside what it would show uncut. Bound as @group(1) @binding(0) and (1), and @group(2) @binding(0).
+// What a picture shows beside what it would show uncut. Bound as @group(1) @binding(0) and (1).
 
 #define_import_path cutaway::ghost
 
 #import cutaway::layers::{BACKGROUND, kind_of}
 #import cutaway::visibility::{first_word_of, is_in_frame, pixel_width}
 
-struct Ghost {
-    // Linear light.
-    color: vec4<f32>,
-    // Half the width of a line in pixels.
-    half_px: f32,
-    // How much of the colour a line has.
-    alpha: f32,
-    // How much glass is seen.
-    glass: f32,
-    // Periods of dashes per scene unit.
-    periods_per_unit: f32,
-}
-
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read> ghost_layers: array<u32>;
-@group(2) @binding(0) var<uniform> ghost: Ghost;
 
 // How far what is removed is before what is shown, in widths of a pixel: less is what is shown itself.
 const APART_PX: f32 = 3.0;

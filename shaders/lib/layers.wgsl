@@ -39,9 +39,14 @@ fn pack_normal(n: vec3<f32>) -> u32 {
     return pack2x16snorm(select(p, folded, n.z < 0.0));
 }
 
-fn unpack_normal(word: u32) -> vec3<f32> {
+// The direction of a normal, of any length.
+fn unpack_direction(word: u32) -> vec3<f32> {
     let p = unpack2x16snorm(word);
     let z = 1.0 - abs(p.x) - abs(p.y);
     let folded = (1.0 - abs(p.yx)) * select(vec2<f32>(-1.0), vec2<f32>(1.0), p >= vec2<f32>(0.0));
-    return normalize(vec3<f32>(select(p, folded, z < 0.0), z));
+    return vec3<f32>(select(p, folded, z < 0.0), z);
+}
+
+fn unpack_normal(word: u32) -> vec3<f32> {
+    return normalize(unpack_direction(word));
 }

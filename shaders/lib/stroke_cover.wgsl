@@ -5,7 +5,7 @@
 
 #define_import_path cutaway::stroke_cover
 
-#import cutaway::borders::{NO_BORDER, below_of, right_of}
+#import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::style::style
 
@@ -27,8 +27,23 @@ fn distance_to(border: u32, across: f32, along: f32) -> f32 {
     return select(FAR_AWAY, distance, half_px > 0.0);
 }
 
+// Whether a tile within a distance of a pixel has a border.
+fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
+    let tiles = tiles_around(at, reach_px, frame.size_px);
+    var found = 0u;
+    for (var y = tiles.y; y <= tiles.w; y++) {
+        for (var x = tiles.x; x <= tiles.z; x++) {
+            found |= borders[word_of_tile(vec2<u32>(x, y), frame.size_px)];
+        }
+    }
+    return found != 0u;
+}
+
 // The share of a pixel that strokes cover.
 fn stroke_cover(at: vec2<u32>) -> f32 {
+    if !has_border_near(at, style.stroke_reach_px + 1) {
+        return 0.0;
+    }
     let size = vec2<i32>(frame.size_px);
     var nearest = FAR_AWAY;
     for (var y = -style.stroke_reach_px - 1; y <= style.stroke_reach_px; y++) {

@@ -3,6 +3,9 @@
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 
+/// Pixels along the side of a tile, which has a word that says whether any border is in it.
+const TILE: u32 = 16;
+
 /// Finds the borders of the layers of the frame.
 pub(super) fn borders(
     plan: &mut Plan,
@@ -21,7 +24,10 @@ pub(super) fn borders_of(
     layers: ResourceId,
     [name, pass]: [&'static str; 2],
 ) -> ResourceId {
-    let bytes = scene.input.pixel_count() * 4;
+    let tiles: u64 = (scene.input.view.size_px.iter())
+        .map(|pixels| u64::from(pixels.div_ceil(TILE)))
+        .product();
+    let bytes = (scene.input.pixel_count() + tiles) * 4;
     let borders = plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
     plan.add_pass(Pass::new(
         pass,

@@ -56,6 +56,21 @@ pub(super) fn ghost(
     shader = if style.ghost.has_lines() {
         let names = ["ghost_borders", "find ghost borders"];
         let borders = borders_of(plan, scene, style_numbers, uncut, names);
+        over_pixels(
+            plan,
+            scene,
+            (
+                "keep ghost borders",
+                "lines are drawn where something is gone",
+            ),
+            "effects/ghost/keep.wgsl",
+            vec![
+                scene.frame.clone(),
+                Binding::read("layers", layers),
+                Binding::read("ghost_layers", uncut),
+                Binding::update("ghost_borders", borders),
+            ],
+        );
         bindings.push(Binding::read("ghost_borders", borders));
         shader.with("lib/phantom/lines.wgsl")
     } else {

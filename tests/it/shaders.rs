@@ -468,6 +468,8 @@ fn constants_have_one_value_on_both_sides() {
         ("CONTOUR", 5),
         ("CREASE", 6),
         ("LIKENESS", 0xffff_ff03),
+        // Pixels along the side of a workgroup: `effects::borders` has it too.
+        ("TILE", 16),
     ];
     for (name, value) in expected {
         assert_eq!(

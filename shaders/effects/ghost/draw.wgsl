@@ -2,7 +2,8 @@
 
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
-#import cutaway::ghost::{ghost, ghost_layers, is_gone}
+#import cutaway::ghost::{ghost_layers, is_gone}
+#import cutaway::ghost_look::ghost
 #import cutaway::layers::unpack_normal
 #import cutaway::phantom::phantom_cover
 #import cutaway::visibility::first_word_of

@@ -2,7 +2,7 @@
 // plane. One invocation owns a pixel.
 
 #import cutaway::frame::{frame, pixel_index}
-#import cutaway::layers::{BACKGROUND, kind_of, unpack_normal}
+#import cutaway::layers::{BACKGROUND, kind_of, unpack_direction, unpack_normal}
 #import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
@@ -38,9 +38,14 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
                 continue;
             }
             let other = first_word_of(vec2<u32>(near));
+            let facing = unpack_direction(layers[other + 1u]);
+            let along = dot(normal, facing);
+            if along <= 0.0 || along * along < ALIKE * ALIKE * dot(facing, facing) {
+                continue;
+            }
             let shown = shown_point(vec2<u32>(near), layers[other], bitcast<f32>(layers[other + 2u]));
             let is_level = abs(dot(normal, shown.xyz - point)) <= level;
-            if shown.w < 0.5 || !is_level || dot(normal, unpack_normal(layers[other + 1u])) < ALIKE {
+            if shown.w < 0.5 || !is_level {
                 continue;
             }
             sum += sky[pixel_index(vec2<u32>(near))];

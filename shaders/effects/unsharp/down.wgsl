@@ -1,7 +1,7 @@
 // Depth, blurred along columns, and how much light there is by its difference to depth itself: less where what is around lies nearer
 // (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
 
-#import cutaway::depth_blur::{depth_share, unsharp, weight_at}
+#import cutaway::depth_blur::{depth_share, first_weight, next_weight, unsharp}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 
@@ -20,13 +20,19 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         visibility[pixel] = 1.0;
         return;
     }
-    var sum = 0.0;
-    var weights = 0.0;
-    let y = i32(id.y);
-    for (var off = max(-unsharp.reach_px, -y); off <= min(unsharp.reach_px, i32(frame.size_px.y) - 1 - y); off++) {
-        let weight = weight_at(off);
-        sum += weight * blurred[pixel_index(vec2<u32>(id.x, u32(y + off)))];
-        weights += weight;
+    let rows = i32(frame.size_px.y);
+    var weight = first_weight();
+    var sum = blurred[pixel];
+    var weights = 1.0;
+    for (var off = 1; off <= unsharp.reach_px; off++) {
+        weight = next_weight(weight);
+        for (var side = -1; side <= 1; side += 2) {
+            let y = i32(id.y) + side * off;
+            if y >= 0 && y < rows {
+                sum += weight.x * blurred[pixel_index(vec2<u32>(id.x, u32(y)))];
+                weights += weight.x;
+            }
+        }
     }
     let depth = depth_share(layers[first], bitcast<f32>(layers[first + 2u]));
     visibility[pixel] = clamp(1.0 + unsharp.strength * min(sum / weights - depth, 0.0), 0.0, 1.0);

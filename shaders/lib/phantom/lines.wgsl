@@ -5,9 +5,10 @@
 
 #define_import_path cutaway::phantom
 
-#import cutaway::borders::{NO_BORDER, below_of, right_of}
+#import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
-#import cutaway::ghost::{ghost, ghost_layers, is_gone}
+#import cutaway::ghost::{ghost_layers, is_gone}
+#import cutaway::ghost_look::ghost
 #import cutaway::pulses::pulse_cover
 #import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
 
@@ -24,10 +25,21 @@ struct Border {
     step: vec2<i32>,
 }
 
-// Whether a pixel has a border of what is gone towards the next one, to the right or below.
-fn is_border_of_gone(at: vec2<i32>, word: u32, step: vec2<i32>) -> bool {
-    let class_of = select(below_of(word), right_of(word), step.x == 1);
-    return class_of != NO_BORDER && (is_gone(at) || is_gone(at + step));
+// Whether the word of a pixel has a border towards the next one, to the right or below.
+fn has_border(word: u32, step: vec2<i32>) -> bool {
+    return select(below_of(word), right_of(word), step.x == 1) != NO_BORDER;
+}
+
+// Whether a tile within a distance of a pixel has a border of the uncut solids.
+fn has_border_near(at: vec2<i32>, reach_px: i32) -> bool {
+    let tiles = tiles_around(vec2<u32>(at), reach_px, frame.size_px);
+    var found = 0u;
+    for (var y = tiles.y; y <= tiles.w; y++) {
+        for (var x = tiles.x; x <= tiles.z; x++) {
+            found |= ghost_borders[word_of_tile(vec2<u32>(x, y), frame.size_px)];
+        }
+    }
+    return found != 0u;
 }
 
 fn word_of(at: vec2<i32>) -> u32 {
@@ -46,9 +58,12 @@ fn direction_at(near: vec2<i32>) -> vec2<f32> {
         for (var x = -SCATTER_PX; x <= SCATTER_PX; x++) {
             let at = near + vec2<i32>(x, y);
             let word = word_of(at);
+            if word == 0u {
+                continue;
+            }
             for (var side = 0; side < 2; side++) {
                 let step = vec2<i32>(1 - side, side);
-                if word == 0u || !is_border_of_gone(at, word, step) {
+                if !has_border(word, step) {
                     continue;
                 }
                 let middle = vec2<f32>(vec2<i32>(x, y)) + 0.5 * vec2<f32>(step);
@@ -87,18 +102,24 @@ fn dash_cover(border: Border) -> f32 {
 // The share of a pixel that lines of what is gone cover.
 fn phantom_cover(at: vec2<i32>) -> f32 {
     let reach = i32(ceil(ghost.half_px)) + 1;
+    if !has_border_near(at, reach + 1) {
+        return 0.0;
+    }
     var nearest = ghost.half_px + 1.0;
     var border = Border(at, vec2<i32>(0));
     for (var y = -reach - 1; y <= reach; y++) {
         for (var x = -reach - 1; x <= reach; x++) {
             let near = at + vec2<i32>(x, y);
             let word = word_of(near);
+            if word == 0u {
+                continue;
+            }
             for (var side = 0; side < 2; side++) {
                 let step = vec2<i32>(1 - side, side);
                 let off = abs(vec2<f32>(vec2<i32>(x, y)) + 0.5 * vec2<f32>(step));
                 // A border is a segment of length 1 across its step.
                 let distance = length(max(off - 0.5 * vec2<f32>(vec2<i32>(1) - step), vec2<f32>(0.0)));
-                if word == 0u || distance >= nearest || !is_border_of_gone(near, word, step) {
+                if distance >= nearest || !has_border(word, step) {
                     continue;
                 }
                 nearest = distance;

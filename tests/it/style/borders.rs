@@ -20,7 +20,10 @@ fn borders_of(scene: &Scene, size_px: [u32; 2]) -> (Layers, Vec<u32>) {
     let drawn = session.draw(&model, &view, method).expect("a frame");
     assert_eq!(drawn.outcome, Outcome::Complete, "{}", scene.name);
     let layers = session.layers(method).expect("layers");
-    (layers, session.words(method, "borders").expect("borders"))
+    let mut borders = session.words(method, "borders").expect("borders");
+    // Those of tiles come after them.
+    borders.truncate(layers.pixels.len());
+    (layers, borders)
 }
 
 /// How often a class is among borders.
