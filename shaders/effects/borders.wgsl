@@ -10,7 +10,8 @@
 
 #import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART, word_of_tile}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
-#import cutaway::layers::{BACKGROUND, CAP, SURFACE, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, part_of, unpack_normal}
+#import cutaway::layers::{BACKGROUND, CAP, SURFACE, UNRELIABLE, clip_surface_of, kind_of, part_of, unpack_normal}
+#import cutaway::shown::{first_word_of, is_in_frame}
 #import cutaway::style::style
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
@@ -19,20 +20,12 @@
 // What makes two samples alike: kind, clip-surface, part.
 const LIKENESS: u32 = 0xffffff03u;
 
-fn is_in_picture(at: vec2<i32>) -> bool {
-    return all(at >= vec2<i32>(0)) && all(at < vec2<i32>(frame.size_px));
-}
-
-fn first_word(at: vec2<i32>) -> u32 {
-    return pixel_index(vec2<u32>(at)) * WORDS_PER_PIXEL;
-}
-
 fn word_at(at: vec2<i32>) -> u32 {
-    return layers[first_word(at)];
+    return layers[first_word_of(vec2<u32>(at))];
 }
 
 fn depth_at(at: vec2<i32>) -> f32 {
-    return bitcast<f32>(layers[first_word(at) + 2u]);
+    return bitcast<f32>(layers[first_word_of(vec2<u32>(at)) + 2u]);
 }
 
 // What is linear on planes.
@@ -42,7 +35,7 @@ fn reach_at(at: vec2<i32>) -> f32 {
 }
 
 fn is_sliver_along(at: vec2<i32>, step: vec2<i32>) -> bool {
-    if !is_in_picture(at - step) || !is_in_picture(at + step) {
+    if !is_in_frame(at - step) || !is_in_frame(at + step) {
         return false;
     }
     let before = word_at(at - step) & LIKENESS;
@@ -55,11 +48,11 @@ fn is_sliver(at: vec2<i32>) -> bool {
 }
 
 fn normal_at(at: vec2<i32>) -> vec3<f32> {
-    return unpack_normal(layers[first_word(at) + 1u]);
+    return unpack_normal(layers[first_word_of(vec2<u32>(at)) + 1u]);
 }
 
 fn is_speck_along(at: vec2<i32>, step: vec2<i32>) -> bool {
-    if !is_in_picture(at - step) || !is_in_picture(at + step) {
+    if !is_in_frame(at - step) || !is_in_frame(at + step) {
         return false;
     }
     let word = word_at(at);
@@ -81,7 +74,7 @@ fn is_speck(at: vec2<i32>) -> bool {
 fn predicted(origin: vec2<i32>, step: vec2<i32>) -> f32 {
     let near = reach_at(origin);
     let behind = origin - step;
-    if is_in_picture(behind) && ((word_at(behind) ^ word_at(origin)) & LIKENESS) == 0u {
+    if is_in_frame(behind) && ((word_at(behind) ^ word_at(origin)) & LIKENESS) == 0u {
         return 2.0 * near - reach_at(behind);
     }
     return near;
@@ -116,7 +109,7 @@ fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
 // The class of the border between a sample and the next one.
 fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
     let next = at + step;
-    if !is_in_picture(next) {
+    if !is_in_frame(next) {
         return NO_BORDER;
     }
     let here = word_at(at);

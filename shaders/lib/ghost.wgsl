@@ -3,7 +3,7 @@
 #define_import_path cutaway::ghost
 
 #import cutaway::layers::{BACKGROUND, kind_of}
-#import cutaway::visibility::{first_word_of, is_in_frame, pixel_width}
+#import cutaway::shown::{first_word_of, is_in_frame, pixel_width}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read> ghost_layers: array<u32>;

@@ -17,7 +17,7 @@ struct HatchPlane {
 }
 
 struct HatchPlanes {
-    planes: array<HatchPlane, 32>,
+    planes: array<HatchPlane, 256>,
     count: u32,
     padding_a: u32,
     padding_b: u32,
@@ -119,7 +119,7 @@ fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     return cover * min(dashed, 1.0);
 }
 
-// Whether a cap is one that has a hatch: not where several solids share it, nor where nobody knows its clip-surface.
+// Whether a cap has a hatch: not where several solids share it, nor where its clip-surface is unknown.
 fn has_hatch(word: u32, place: u32) -> bool {
     let number = clip_surface_of(word);
     let is_known = number == NEAR_PLANE || number < hatch_planes.count;

@@ -60,7 +60,7 @@ impl About<'_> {
             let fov_y = 2.0 * view.half_height.atan();
             ("perspective", ("camera.fov_y_deg", fov_y.to_degrees()))
         };
-        vec![
+        let all = vec![
             ("scene", text(&self.scene.name)),
             (
                 "parts",
@@ -89,7 +89,10 @@ impl About<'_> {
                 "camera.near",
                 AttributeValue::F32((view.near / prepared.scale) as f32),
             ),
-        ]
+        ];
+        // A list without entries is none: the format has no empty ones.
+        let is_there = |(_, value): &(_, AttributeValue)| !matches!(value, AttributeValue::TextVector(v) if v.is_empty());
+        all.into_iter().filter(is_there).collect()
     }
 }
 

@@ -55,7 +55,7 @@ pub(super) struct LookArgs {
     supersample: Option<u32>,
     #[arg(long, value_name = "NAME|FILE", help = style_help(), help_heading = "Output")]
     style: Option<String>,
-    /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, whatever the style [default: those of the parts]
+    /// One colour for the surfaces of all parts, #rrggbb or a name of CSS, as the style lights it [default: those of the parts]
     #[arg(long, value_name = "COLOUR", value_parser = parse_color_word, help_heading = "Output")]
     color: Option<String>,
     /// One colour for all caps [default: that of the style]

@@ -1,12 +1,12 @@
 //! Ghost: what cuts removed, drawn over the picture as phantom lines or glass.
 //!
 //! The solids that cuts reach are drawn once more as they would be uncut; what of them is before what the picture shows is gone. Costs a pass
-//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Lines stop being dashed by the model where they turn from
-//! one axis to another.
+//! over these solids, 28 bytes a pixel, and for lines a search for their borders. Dashes jump where a line turns from one axis to another.
 //!
-//! Cannot: show what is removed behind something else that is removed; show moving parts that are removed altogether, which nobody poses.
+//! Cannot: show what is removed behind something else that is removed.
 
 use super::borders::borders_of;
+use super::illustrate::half_px;
 use super::occlusion::{numbers, over_pixels};
 use crate::passes::{DrawPass, SceneBuffers, Surfaces, Treatment, gather_into};
 use crate::plan::{Binding, Draw, Plan, ResourceId, pack};
@@ -14,9 +14,7 @@ use crate::scene::style::Style;
 use crate::scene::{linear_from_srgb, map_channels};
 use crate::shader::Shader;
 
-/// Widths of a line after which its dashes repeat.
-const PERIOD: f64 = 34.0;
-/// How far around a pixel borders tell the direction of a line.
+/// How far around a pixel borders tell the direction of a line; `SCATTER_PX` in `shaders/lib/phantom/lines.wgsl`.
 const SCATTER_PX: u32 = 4;
 
 /// Draws what is gone over a picture of layers.
@@ -81,11 +79,11 @@ pub(super) fn ghost(
     over_pixels(plan, scene, about, shader, bindings);
 }
 
-/// How many rows around a band are looked at, for lines of half a width.
-pub(super) fn halo_rows(style: &Style, half_px: f32) -> u32 {
+/// How many rows around a band are looked at, of a picture of so many.
+pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     match style.ghost.has_lines() {
         // A border two samples beyond those that tell a direction is judged by the sample next to it.
-        true => half_px.ceil() as u32 + 1 + SCATTER_PX + 4,
+        true => half_px(style.ghost.width, rows).ceil() as u32 + 1 + SCATTER_PX + 4,
         false => 0,
     }
 }
@@ -94,11 +92,7 @@ pub(super) fn halo_rows(style: &Style, half_px: f32) -> u32 {
 fn draws(scene: &SceneBuffers<'_>) -> Vec<Draw> {
     let input = scene.input;
     let treatments = input.relevance.parts.iter().enumerate();
-    let reached = treatments.filter(|(rank, treatment)| match treatment {
-        Treatment::Plain | Treatment::Cut(0) => false,
-        Treatment::Cut(_) => true,
-        Treatment::Removed => !input.model.prepared.parts[*rank].is_on_device,
-    });
+    let reached = treatments.filter(|(_, t)| !matches!(t, Treatment::Plain | Treatment::Cut(0)));
     let draw = |(rank, _): (usize, &Treatment)| {
         let range = &input.model.ranges[rank];
         Draw {
@@ -119,9 +113,9 @@ fn ghost_numbers(scene: &SceneBuffers<'_>, style: &Style) -> pack::Ghost {
     let color = map_channels(ghost.color.unwrap_or(style.ink), linear_from_srgb);
     pack::Ghost {
         color: color.extend(1.0).to_array(),
-        half_px: Style::px(ghost.width, input.view.band[1]) / 2.0,
+        half_px: half_px(ghost.width, input.view.band[1]),
         alpha: ghost.alpha,
         glass: if ghost.has_glass() { ghost.glass } else { 0.0 },
-        periods_per_unit: (1.0 / (PERIOD * f64::from(ghost.width).max(0.1) * unit)) as f32,
+        widths_per_unit: (1.0 / (f64::from(ghost.width).max(0.1) * unit)) as f32,
     }
 }

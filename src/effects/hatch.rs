@@ -92,6 +92,11 @@ fn part_hatches(
     let parts = (input.relevance.order.iter()).map(|rank| {
         let part = &prepared.parts[*rank];
         let thickness = at_rest.thicknesses()[part.part] / unit;
+        // What has no volume to speak of, or more than numbers hold, is not thin.
+        let thickness = match thickness > 0.0 {
+            true => thickness,
+            false => f64::INFINITY,
+        };
         let is_solid = thickness < f64::from(hatch.solid_below);
         let placed = Placed {
             class: usize::from(classes.get(part.part).copied().unwrap_or_default()),

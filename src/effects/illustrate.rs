@@ -101,7 +101,7 @@ pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
         true => reach_px(style, rows) as u32 + 4,
         false => 0,
     };
-    of_strokes.max(ghost::halo_rows(style, half_px(style.ghost.width, rows)))
+    of_strokes.max(ghost::halo_rows(style, rows))
 }
 
 /// The file that fills `cutaway::shading`.
@@ -123,7 +123,7 @@ fn reach_px(style: &Style, rows: u32) -> i32 {
 }
 
 /// Half the width of a stroke in pixels: its cost grows with the square, and wider ones are cut.
-fn half_px(width: f32, rows: u32) -> f32 {
+pub(super) fn half_px(width: f32, rows: u32) -> f32 {
     (Style::px(width, rows) / 2.0).min(MOST_HALF_PX)
 }
 

@@ -3,13 +3,15 @@
 //! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
 //! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
 //! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
-//! change. Costs one frame of every renderer and one of exact for each step.
+//! change. Costs one frame of every renderer and one of exact for each step, and as many more as pictures
+//! are held against, where they are.
 
 use std::collections::BTreeMap;
 
 use glam::DVec2;
 
 use super::figures::OF_DRIFT;
+use super::picture_flicker::{PictureFlicker, luminance, sampled};
 use super::{Question, Renderer};
 use crate::Result;
 use crate::exact::{Exact, evaluate};
@@ -23,6 +25,8 @@ pub struct Drift {
     pub frames: u32,
     /// By how many pixels the picture is shifted from each to the next.
     pub px: f64,
+    /// With how many samples along each side of a pixel the pictures are drawn that pictures are held against; 0 for none.
+    pub samples: u32,
 }
 
 /// Pixels that change while a camera drifts: the sum over all pairs of frames that follow each other.
@@ -80,6 +84,7 @@ pub fn flicker(
 ) -> Result<Option<Vec<BTreeMap<String, f64>>>> {
     let truth = question.truth.unwrap_or(question.shown).truth()?;
     let mut sums: Vec<Option<Flicker>> = vec![Some(Flicker::default()); renderers.len()];
+    let mut pictures = vec![PictureFlicker::default(); renderers.len()];
     let mut before: Option<(Exact, Vec<Option<Layers>>)> = None;
     for frame in 0..drift.frames {
         if !goes_on() {
@@ -90,7 +95,7 @@ pub fn flicker(
         let view = question.view.sampled_at(shift + 0.5);
         let exact = evaluate(truth, &view);
         let mut drawn = Vec::with_capacity(renderers.len());
-        for renderer in renderers {
+        for (renderer, pictures) in renderers.iter().zip(&mut pictures) {
             let Some(method) = renderer.or(question.means).method() else {
                 drawn.push(None);
                 continue;
@@ -101,7 +106,15 @@ pub fn flicker(
                 Ok(_) => session.layers(method).map(Some),
                 Err(e) => Err(e),
             };
-            drawn.push(layers?);
+            let layers = layers?;
+            if let Some(layers) = layers.as_ref().filter(|_| drift.samples > 0) {
+                let picture = luminance(session, method)?;
+                let channels = session.style_channels(&question.shown.model, &view, layers)?;
+                let of = (method, shift, drift.samples);
+                let truth = sampled(session, question.shown, &question.view, of)?;
+                pictures.add(&picture, &truth, layers, &channels);
+            }
+            drawn.push(layers);
         }
         if let Some((last, drawn_before)) = &before {
             for (sum, (a, b)) in sums.iter_mut().zip(drawn_before.iter().zip(&drawn)) {
@@ -113,8 +126,10 @@ pub fn flicker(
         }
         before = Some((exact, drawn));
     }
-    let figures = sums
-        .iter()
-        .map(|s| s.map(Flicker::figures).unwrap_or_default());
+    let figures = sums.iter().zip(&pictures).map(|(sum, pictures)| {
+        let mut figures = sum.map(Flicker::figures).unwrap_or_default();
+        figures.extend(pictures.figures());
+        figures
+    });
     Ok(Some(figures.collect()))
 }

@@ -13,6 +13,9 @@ use crate::compare::Comparison;
 /// Figures of a camera that drifts, see [`super::drift`].
 pub const OF_DRIFT: [&str; 3] = ["flicker_px", "flicker_exact_px", "flicker_excess_px"];
 
+/// Figures of the pictures of such a camera: of all that they show, of caps away from strokes, of strokes.
+pub const OF_PICTURES: [&str; 3] = ["flicker_rms", "flicker_rms.cap", "flicker_rms.stroke"];
+
 /// What a strategy takes, other than time, and what it is given.
 pub const OF_SIZE: [&str; 6] = [
     "bytes",

@@ -12,6 +12,7 @@ mod identity;
 mod judge;
 mod measurement;
 mod parameter;
+mod picture_flicker;
 mod record;
 mod renderer;
 pub mod run;

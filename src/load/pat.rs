@@ -11,16 +11,16 @@ use crate::error::{Error, Result};
 use crate::scene::{Dash, HatchPattern, LineFamily, MOST_STROKES};
 
 /// The most families of a pattern: a pixel asks for all of them.
-const MOST_FAMILIES: usize = 24;
+const MOST_FAMILIES: usize = 64;
 
-/// The patterns of a file, in its order.
+/// The patterns of a file by their names, in its order. What is wrong with one hinders no other.
 ///
 /// # Errors
 ///
-/// What is no pattern, by its line; a file without any.
-pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<HatchPattern>> {
+/// A file without patterns, or with lines before the first of them.
+pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Result<HatchPattern>)>> {
     let text = String::from_utf8_lossy(without_mark(bytes));
-    let mut patterns: Vec<HatchPattern> = Vec::new();
+    let mut patterns: Vec<(String, Result<HatchPattern>)> = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.split(';').next().unwrap_or_default().trim();
         if line.is_empty() {
@@ -32,35 +32,38 @@ pub fn read_patterns(path: &Path, bytes: &[u8]) -> Result<Vec<HatchPattern>> {
         };
         if let Some(title) = line.strip_prefix('*') {
             let name = title.split(',').next().unwrap_or_default().trim();
-            if name.is_empty() {
-                return Err(fault("the pattern has no name".into()));
-            }
-            patterns.push(HatchPattern {
+            let pattern = HatchPattern {
                 name: name.to_owned(),
                 families: Vec::new(),
-            });
+            };
+            patterns.push((name.to_owned(), Ok(pattern)));
             continue;
         }
-        let family = family(line).map_err(fault)?;
-        let Some(pattern) = patterns.last_mut() else {
+        let Some((name, pattern)) = patterns.last_mut() else {
             return Err(fault("lines before the first `*NAME`".into()));
         };
-        if pattern.families.len() == MOST_FAMILIES {
-            return Err(fault(format!(
-                "{} has more than {MOST_FAMILIES} families of lines",
-                pattern.name
-            )));
+        let Ok(read) = pattern else {
+            continue;
+        };
+        match family(line) {
+            Ok(_) if read.families.len() == MOST_FAMILIES => {
+                let what = format!("{name} has more than {MOST_FAMILIES} families of lines");
+                *pattern = Err(fault(what));
+            }
+            Ok(family) => read.families.push(family),
+            Err(what) => *pattern = Err(fault(what)),
         }
-        pattern.families.push(family);
     }
     if patterns.is_empty() {
         let help = "a pattern begins with `*NAME, what it is`";
         return Err(Error::file(path, "it holds no pattern", help));
     }
-    if let Some(empty) = patterns.iter().find(|p| p.families.is_empty()) {
-        let what = format!("the pattern {} has no lines", empty.name);
-        let help = "write for example `45, 0,0, 0,1` below its name";
-        return Err(Error::file(path, what, help));
+    for (name, pattern) in &mut patterns {
+        if pattern.as_ref().is_ok_and(|p| p.families.is_empty()) {
+            let what = format!("the pattern {name} has no lines");
+            let help = "write for example `45, 0,0, 0,1` below its name";
+            *pattern = Err(Error::file(path, what, help));
+        }
     }
     Ok(patterns)
 }
@@ -110,7 +113,17 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<Vec<HatchPattern>> {
-        read_patterns(Path::new("test.pat"), text.as_bytes())
+        let patterns = read_patterns(Path::new("test.pat"), text.as_bytes())?;
+        patterns.into_iter().map(|(_, pattern)| pattern).collect()
+    }
+
+    #[test]
+    fn a_pattern_that_is_too_much_hinders_no_other() {
+        let many = "0,0,0,0,1\n".repeat(MOST_FAMILIES + 1);
+        let text = format!("*GOOD\n45,0,0,0,1\n*MANY\n{many}*LAST\n45,0,0,0,1\n");
+        let patterns = read_patterns(Path::new("test.pat"), text.as_bytes()).unwrap();
+        let read: Vec<bool> = patterns.iter().map(|(_, p)| p.is_ok()).collect();
+        assert_eq!(read, [true, false, true]);
     }
 
     #[test]
@@ -145,7 +158,6 @@ mod tests {
             ("*A\n45,0,0,0,1,inf\n", "`inf`"),
             ("*A\n45,0,0,0,1,0,0\n", "no length"),
             ("*A\n45,0,0,0,1,1,-1,1,-1,1,-1,1,-1,1\n", "strokes"),
-            ("*,x\n45,0,0,0,1\n", "no name"),
         ] {
             let error = read(text).expect_err(text).to_string();
             assert!(

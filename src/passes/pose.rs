@@ -168,13 +168,19 @@ fn deformer(of: &Deformer, rest_from_part: &DAffine3, scale: f64) -> pack::Defor
     }
 }
 
-/// Places the parts that move and are drawn, into the vertices of all parts; the reason where one cannot be.
+/// Places the parts that move and are drawn, as they are or as ghosts, into the vertices of all parts; the reason where one cannot be.
 pub(super) fn pose_parts(
     plan: &mut Plan,
     input: &Input<'_>,
     vertices: ResourceId,
 ) -> Result<(), Refusal> {
-    for rank in &input.relevance.order {
+    // A ghost shows parts that are not drawn.
+    let removed = (0..input.relevance.parts.len()).filter(|rank| {
+        input.model.prepared.style.ghost.is_drawn()
+            && input.relevance.parts[*rank] == super::Treatment::Removed
+    });
+    let removed: Vec<usize> = removed.collect();
+    for rank in input.relevance.order.iter().chain(&removed) {
         let Some(moving) = &input.model.moving[*rank] else {
             continue;
         };

@@ -12,7 +12,7 @@ mod normal;
 
 pub use composite::Composite;
 pub use ghost::Ghost;
-pub use hatch::{HatchLine, HatchPlane, HatchPlanes, PartHatch};
+pub use hatch::{HatchLine, HatchPlane, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use occlusion::{Horizon, Unsharp};

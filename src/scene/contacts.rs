@@ -119,11 +119,14 @@ pub(crate) fn classes(neighbours: &[Vec<usize>]) -> Vec<u16> {
     let mut classes: Vec<Option<u16>> = vec![None; neighbours.len()];
     let mut about: Vec<Vec<u16>> = vec![Vec::new(); neighbours.len()];
     for place in 0..neighbours.len() {
-        let open = (0..neighbours.len()).filter(|i| classes[*i].is_none());
-        let best = open.max_by_key(|i| (about[*i].len(), neighbours[*i].len(), Reverse(*i)));
         let next = match neighbours.len() > MOST_IN_ORDER {
             true => place,
-            false => best.unwrap_or(place),
+            false => {
+                let open = (0..neighbours.len()).filter(|i| classes[*i].is_none());
+                let best =
+                    open.max_by_key(|i| (about[*i].len(), neighbours[*i].len(), Reverse(*i)));
+                best.unwrap_or(place)
+            }
         };
         let class = (0..).find(|class| !about[next].contains(class));
         classes[next] = class;

@@ -179,6 +179,10 @@ values = [[0, 0, -1], [0, 0, 1]]
         "colour"
     );
     assert_eq!(crank.material.cap_color, Some(Vec3::X), "colour of the cap");
+    let cutaway::scene::CapHatch::Pattern(pattern) = &crank.material.hatch else {
+        panic!("{:?} is no pattern", crank.material.hatch);
+    };
+    assert_eq!(pattern.name, "steel");
     let turned = scene.parts[1]
         .world_from_part
         .transform_point3(DVec3::new(1.0, 2.0, 3.0));
@@ -220,9 +224,7 @@ values = [[0, 0, -1], [0, 0, 1]]
         "values of the key"
     );
     let notes = file.notes().join("\n");
-    for phrase in ["crank was welded", "steel"] {
-        assert!(notes.contains(phrase), "no note of {phrase}: {notes}");
-    }
+    assert!(notes.contains("crank was welded"), "{notes}");
 }
 
 #[test]

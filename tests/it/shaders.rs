@@ -502,7 +502,7 @@ fn constants_have_one_value_on_both_sides() {
         ("Domains", "surfaces", MAX_SURFACES as u32),
         ("Refinements", "surfaces", MAX_SURFACES as u32),
         ("Refinement", "borders", pack::BORDERS_OF_DOMAIN as u32),
-        ("HatchPlanes", "planes", MAX_SURFACES as u32),
+        ("HatchPlanes", "planes", pack::MOST_HATCH_PLANES as u32),
     ] {
         let found = lengths.get(&(of.to_owned(), field.to_owned()));
         assert_eq!(found, Some(&length), "length of {of}.{field}");

@@ -16,7 +16,7 @@ use cutaway::document::{named_style, style_names};
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::Kind;
 use cutaway::plan::Limits;
-use cutaway::scene::style::{Ghost, GhostKind, Paper};
+use cutaway::scene::style::{Ghost, GhostKind, Occlusion, OcclusionKind, Paper};
 use cutaway::scene::{ClipSurface, Cut, Part, Scene, Style};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
@@ -103,16 +103,44 @@ fn styles_differ_from_each_other() {
 
 #[test]
 fn bands_make_the_picture_of_one_piece() {
-    ["toon", "technical"].into_iter().for_each(bands_make_one);
+    let ghost = Ghost {
+        kind: GhostKind::Both,
+        width: 9.0,
+        ..Ghost::default()
+    };
+    let occlusion = Occlusion {
+        kind: OcclusionKind::Unsharp,
+        ..Occlusion::default()
+    };
+    for (name, style) in [
+        ("toon", style("toon")),
+        ("technical", style("technical")),
+        (
+            "a ghost",
+            Style {
+                ghost,
+                ..style("toon")
+            },
+        ),
+        (
+            "unsharp",
+            Style {
+                occlusion,
+                ..style("clay")
+            },
+        ),
+    ] {
+        bands_make_one(name, style);
+    }
 }
 
-fn bands_make_one(name: &str) {
+fn bands_make_one(name: &str, style: Style) {
     let options = GpuOptions {
         adapter: None,
         prefer_software: true,
     };
     let method = Method::from(Strategy::RAYCAST_MASK);
-    let scene = scene_in(style(name));
+    let scene = scene_in(style);
     let model = Model::new(&scene);
     let view = model.prepared.view([160, 400]);
     let held = |storage_binding_bytes| {

@@ -6,7 +6,7 @@
 #import cutaway::ghost_look::ghost
 #import cutaway::layers::unpack_normal
 #import cutaway::phantom::phantom_cover
-#import cutaway::visibility::first_word_of
+#import cutaway::shown::first_word_of
 
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 

@@ -9,7 +9,7 @@
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_normal}
-#import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
+#import cutaway::shown::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 struct Horizon {
     // In scene units.

@@ -3,7 +3,7 @@
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_direction, unpack_normal}
-#import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
+#import cutaway::shown::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read> sky: array<f32>;

@@ -1,7 +1,7 @@
 // Phantom lines: a long dash and two dots (ISO 128-2, 05.1: 24, 3, half, 3, half, 3 widths; dots are as long as a line is wide here).
 //
-// The direction of a line is that in which the borders around it scatter most; dashes follow the axis of the scene that runs along it most, so
-// that they stay where they are while the camera moves. Where another axis takes over the dashes jump. Bound as @group(1) @binding(3).
+// Dashes follow the axis of the scene along which a line goes farthest, so that they stay where they are while the camera moves; where
+// another axis takes over they jump. Bound as @group(1) @binding(3).
 
 #define_import_path cutaway::phantom
 
@@ -10,7 +10,7 @@
 #import cutaway::ghost::{ghost_layers, is_gone}
 #import cutaway::ghost_look::ghost
 #import cutaway::pulses::pulse_cover
-#import cutaway::visibility::{first_word_of, is_in_frame, pixel_width, shown_point}
+#import cutaway::shown::{first_word_of, is_in_frame, shown_point}
 
 @group(1) @binding(3) var<storage, read> ghost_borders: array<u32>;
 
@@ -18,12 +18,6 @@
 const PERIOD: f32 = 34.0;
 // How far borders tell the direction of a line, in pixels.
 const SCATTER_PX: i32 = 4;
-
-// A border: the pixel before it, and the step to the one behind.
-struct Border {
-    at: vec2<i32>,
-    step: vec2<i32>,
-}
 
 // Whether the word of a pixel has a border towards the next one, to the right or below.
 fn has_border(word: u32, step: vec2<i32>) -> bool {
@@ -49,10 +43,31 @@ fn word_of(at: vec2<i32>) -> u32 {
     return ghost_borders[pixel_index(vec2<u32>(at))];
 }
 
-// Unit vector along the borders around one, in pixels.
-fn direction_at(near: vec2<i32>) -> vec2<f32> {
-    var mean = vec2<f32>(0.0);
-    var squares = vec3<f32>(0.0);
+// A stretch of a line: where its borders are in the picture, and where in the scene the points are that they bound.
+struct Stretch {
+    middle_px: vec2<f32>,
+    // Unit vector along it.
+    along: vec2<f32>,
+    middle: vec3<f32>,
+    // How the places in the scene change along it, for each pixel.
+    slope: vec3<f32>,
+}
+
+// The point of what is gone beside a border.
+fn gone_point(at: vec2<i32>, step: vec2<i32>) -> vec3<f32> {
+    let gone = vec2<u32>(select(at + step, at, is_gone(at)));
+    let first = first_word_of(gone);
+    return shown_point(gone, ghost_layers[first], bitcast<f32>(ghost_layers[first + 2u])).xyz;
+}
+
+// The stretch of a line around a border: the direction in which borders scatter most, and along it the regression of their points, for the
+// depth of single points jumps where a surface curves away.
+fn stretch_at(near: vec2<i32>) -> Stretch {
+    var px = vec2<f32>(0.0);
+    var px_squares = vec3<f32>(0.0);
+    var place = vec3<f32>(0.0);
+    var with_x = vec3<f32>(0.0);
+    var with_y = vec3<f32>(0.0);
     var count = 0.0;
     for (var y = -SCATTER_PX; y <= SCATTER_PX; y++) {
         for (var x = -SCATTER_PX; x <= SCATTER_PX; x++) {
@@ -67,32 +82,38 @@ fn direction_at(near: vec2<i32>) -> vec2<f32> {
                     continue;
                 }
                 let middle = vec2<f32>(vec2<i32>(x, y)) + 0.5 * vec2<f32>(step);
-                mean += middle;
-                squares += vec3<f32>(middle.x * middle.x, middle.y * middle.y, middle.x * middle.y);
+                let point = gone_point(at, step);
+                px += middle;
+                px_squares += vec3<f32>(middle.x * middle.x, middle.y * middle.y, middle.x * middle.y);
+                place += point;
+                with_x += middle.x * point;
+                with_y += middle.y * point;
                 count += 1.0;
             }
         }
     }
-    mean /= max(count, 1.0);
-    squares = squares / max(count, 1.0) - vec3<f32>(mean.x * mean.x, mean.y * mean.y, mean.x * mean.y);
-    let angle = 0.5 * atan2(2.0 * squares.z, squares.x - squares.y);
-    return vec2<f32>(cos(angle), sin(angle));
+    let share = 1.0 / max(count, 1.0);
+    px *= share;
+    place *= share;
+    let spread = px_squares * share - vec3<f32>(px.x * px.x, px.y * px.y, px.x * px.y);
+    let angle = 0.5 * atan2(2.0 * spread.z, spread.x - spread.y);
+    let along = vec2<f32>(cos(angle), sin(angle));
+    let length_px = along.x * along.x * spread.x + along.y * along.y * spread.y + 2.0 * along.x * along.y * spread.z;
+    let slope = (along.x * (with_x * share - px.x * place) + along.y * (with_y * share - px.y * place)) / max(length_px, 1e-3);
+    return Stretch(px, along, place, slope);
 }
 
-// How much of a line is drawn where a border is.
-fn dash_cover(border: Border) -> f32 {
-    let is_first = is_gone(border.at);
-    let at = vec2<u32>(select(border.at + border.step, border.at, is_first));
-    let first = first_word_of(at);
-    let depth = bitcast<f32>(ghost_layers[first + 2u]);
-    let point = shown_point(at, ghost_layers[first], depth).xyz;
-    let along = direction_at(border.at);
-    let way = along.x * normalize(frame.ray_step[0].xyz) + along.y * normalize(frame.ray_step[1].xyz);
-    let size = abs(way);
+// How much of a line is drawn at a pixel that a border is near to.
+fn dash_cover(at: vec2<i32>, border: vec2<i32>) -> f32 {
+    let stretch = stretch_at(border);
+    let size = abs(stretch.slope);
     let is_x = size.x >= size.y && size.x >= size.z;
     let is_y = !is_x && size.y >= size.z;
-    let place = select(select(point.z, point.y, is_y), point.x, is_x) * ghost.periods_per_unit;
-    let footprint = max(size.x, max(size.y, size.z)) * pixel_width(depth) * ghost.periods_per_unit;
+    let axis = select(select(vec3<f32>(0.0, 0.0, 1.0), vec3<f32>(0.0, 1.0, 0.0), is_y), vec3<f32>(1.0, 0.0, 0.0), is_x);
+    let off = dot(vec2<f32>(at - border) - stretch.middle_px, stretch.along);
+    let per_px = dot(stretch.slope, axis) * ghost.widths_per_unit / PERIOD;
+    let place = dot(stretch.middle, axis) * ghost.widths_per_unit / PERIOD + per_px * off;
+    let footprint = abs(per_px);
     let dot_width = max(1.0 / PERIOD, footprint);
     return pulse_cover(place - 12.0 / PERIOD, 24.0 / PERIOD, footprint) +
         pulse_cover(place - 27.5 / PERIOD, dot_width, footprint) +
@@ -106,7 +127,8 @@ fn phantom_cover(at: vec2<i32>) -> f32 {
         return 0.0;
     }
     var nearest = ghost.half_px + 1.0;
-    var border = Border(at, vec2<i32>(0));
+    var border = at;
+    var is_near = false;
     for (var y = -reach - 1; y <= reach; y++) {
         for (var x = -reach - 1; x <= reach; x++) {
             let near = at + vec2<i32>(x, y);
@@ -123,13 +145,15 @@ fn phantom_cover(at: vec2<i32>) -> f32 {
                     continue;
                 }
                 nearest = distance;
-                border = Border(near, step);
+                border = near;
+                is_near = true;
             }
         }
     }
-    let cover = clamp(0.5 + ghost.half_px - nearest, 0.0, 1.0) * min(2.0 * ghost.half_px, 1.0);
-    if cover <= 0.0 || all(border.step == vec2<i32>(0)) {
+    // A border lies between two pixels: a line thinner than one leaves a share of its width in both.
+    let cover = clamp(0.5 + ghost.half_px - nearest, 0.0, 1.0);
+    if cover <= 0.0 || !is_near {
         return 0.0;
     }
-    return cover * min(dash_cover(border), 1.0);
+    return cover * min(dash_cover(at, border), 1.0);
 }

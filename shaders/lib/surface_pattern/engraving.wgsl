@@ -14,8 +14,11 @@
 const LIGHT_FAMILY: vec2<f32> = vec2<f32>(0.80, 0.15);
 const DARK_FAMILY: vec2<f32> = vec2<f32>(0.42, 0.0);
 
-// How much of a pixel the lines of a family cover: `across` in units of the scene and the distance from line to line in pixels, `per_px` how
-// far a pixel goes across.
+// A surface that lies across its family by less than this share has no lines to speak of, and their mean in their place.
+const LEAST_SLANT: f32 = 0.06;
+
+// How much of a pixel the lines of a family cover: `place` across them in units of the scene, `per_px` how far a pixel goes across, and the
+// distance from line to line in pixels.
 fn family_cover(place: f32, per_px: f32, spacing_px: f32, darkness: f32) -> f32 {
     let scale = log2(max(spacing_px * per_px, 1e-12));
     let spacing = exp2(floor(scale));
@@ -44,7 +47,10 @@ fn engraved(color: vec3<f32>, base: vec3<f32>, at: vec2<u32>, depth: f32, normal
         let range = select(LIGHT_FAMILY, DARK_FAMILY, i == 1u);
         let darkness = clamp((range.x - tone) / (range.x - range.y), 0.0, 1.0);
         let per_px = length(vec2<f32>(dot(across.xyz, right), dot(across.xyz, down)));
-        bare *= 1.0 - family_cover(dot(across.xyz, point), per_px, across.w, darkness);
+        let slant = per_px / max(length(right), length(down));
+        let lines = family_cover(dot(across.xyz, point), max(per_px, 0.01 * length(right)), across.w, darkness);
+        let mean = 0.375 * darkness;
+        bare *= 1.0 - mix(mean, lines, smoothstep(0.5 * LEAST_SLANT, LEAST_SLANT, slant));
     }
     return mix(style.ink.rgb, base, bare);
 }

@@ -245,7 +245,11 @@ fn add_sweep(
     let times = args
         .times
         .times(rate(args, target).1, timeline.duration_s())?;
-    let span_s = (times.start_s, times.duration_s());
+    // The last frame, which is one before the end of the animation, shows where it ends.
+    let steps = times.count.max(2) as f64;
+    let end_s = times.start_s + times.duration_s();
+    let last_s = end_s - times.duration_s() / steps;
+    let span_s = [times.start_s, last_s, end_s];
     sweep.amend(document, &bounds, span_s, &args.scene.sections)
 }
 

@@ -27,7 +27,7 @@ impl Sweep {
         self,
         document: &mut Document,
         bounds: &Bounds,
-        (start_s, duration_s): (f64, f64),
+        [start_s, last_s, end_s]: [f64; 3],
         sections: &SectionArgs,
     ) -> Result<()> {
         let ends = self.ends.map(|end| {
@@ -51,8 +51,11 @@ impl Sweep {
             .unwrap_or_else(|| NAME.to_owned());
         let key: Value = Value::from([
             ("target", format!("cut.{name}.surfaces.0.origin").into()),
-            ("times_s", vec![start_s, start_s + duration_s].into()),
-            ("values", Value::from(ends.map(list).to_vec())),
+            ("times_s", vec![start_s, last_s, end_s].into()),
+            (
+                "values",
+                vec![list(ends[0]), list(ends[1]), list(ends[1])].into(),
+            ),
         ]);
         let origin = Origin::Option("--sweep".into());
         document.push("key", Node::new(key).said(&origin))

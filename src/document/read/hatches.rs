@@ -13,7 +13,8 @@ use crate::scene::{CapHatch, HatchPattern};
 static NAMED: LazyLock<Vec<Arc<HatchPattern>>> = LazyLock::new(|| {
     let bytes = include_bytes!("../styles/patterns.pat");
     let patterns = read_patterns(Path::new("patterns.pat"), bytes).unwrap_or_default();
-    patterns.into_iter().map(Arc::new).collect()
+    let read = patterns.into_iter().filter_map(|(_, pattern)| pattern.ok());
+    read.map(Arc::new).collect()
 });
 
 /// What is no pattern.
@@ -31,13 +32,12 @@ fn names() -> impl Iterator<Item = &'static str> {
 
 /// A file of patterns and the name of one, or nothing where a text names no file.
 fn file_of(text: &str) -> Option<(&str, Option<&str>)> {
-    let (file, name) = match text.rsplit_once('#') {
-        Some((file, name)) => (file, Some(name)),
-        None => (text, None),
-    };
-    file.to_lowercase()
-        .ends_with(".pat")
-        .then_some((file, name))
+    let is_file = |text: &str| text.to_lowercase().ends_with(".pat");
+    if is_file(text) {
+        return Some((text, None));
+    }
+    let (file, name) = text.rsplit_once('#')?;
+    is_file(file).then_some((file, Some(name)))
 }
 
 fn named(entry: &Entry<'_>, name: &str) -> Result<CapHatch> {
@@ -73,27 +73,25 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<CapHa
         let help = "check the name; it is relative to the scene file";
         entry.fault(format_args!("{} cannot be read: {e}", path.display()), help)
     })?;
-    let patterns = read_patterns(&path, &bytes)?;
+    let mut patterns = read_patterns(&path, &bytes)?;
     opening.files.insert(path);
-    let all = || patterns.iter().map(|p| p.name.as_str());
     let found = match name {
-        None if patterns.len() == 1 => patterns.first(),
+        None if patterns.len() == 1 => Some(0),
         None => {
             let what = format!("{file} holds {} patterns", patterns.len());
-            let first = all().next().unwrap_or_default();
+            let first = &patterns[0].0;
             return Err(entry.fault(what, format!("say which: {file}#{first}")));
         }
         // As drawing programs do, whatever the case.
-        Some(name) => patterns.iter().find(|p| p.name.eq_ignore_ascii_case(name)),
+        Some(name) => (patterns.iter()).position(|(p, _)| p.eq_ignore_ascii_case(name)),
     };
-    match found {
-        Some(pattern) => Ok(CapHatch::Pattern(Arc::new(pattern.clone()))),
-        None => {
-            let name = name.unwrap_or_default();
-            let what = format!("{file} holds no pattern `{name}`");
-            Err(entry.fault(what, did_you_mean(name, all())))
-        }
-    }
+    let Some(found) = found else {
+        let name = name.unwrap_or_default();
+        let what = format!("{file} holds no pattern `{name}`");
+        let all = patterns.iter().map(|(name, _)| name.as_str());
+        return Err(entry.fault(what, did_you_mean(name, all)));
+    };
+    Ok(CapHatch::Pattern(Arc::new(patterns.swap_remove(found).1?)))
 }
 
 #[cfg(test)]
@@ -116,6 +114,7 @@ mod tests {
     fn files_are_told_from_names() {
         assert_eq!(file_of("steel"), None);
         assert_eq!(file_of("a/b.pat"), Some(("a/b.pat", None)));
+        assert_eq!(file_of("a#b/c.pat"), Some(("a#b/c.pat", None)));
         assert_eq!(file_of("b.PAT#OAK"), Some(("b.PAT", Some("OAK"))));
     }
 }

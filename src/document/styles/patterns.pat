@@ -7,7 +7,7 @@
 
 *steel, pairs of lines
 45, 0,0, 0,3
-45, 0,1, 0,3
+45, 0,1.41421356, 0,3
 
 *copper, lines and dashed lines by turns
 45, 0,0, 0,2

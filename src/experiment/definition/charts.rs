@@ -7,7 +7,7 @@ use crate::Result;
 use crate::document::reader::{Entry, Table};
 use crate::error::did_you_mean;
 use crate::experiment::ChartSynopsis;
-use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
+use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_error};
 
 /// Reads a chart of some runs, and checks that they have what it shows.
 pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<ChartSynopsis> {
@@ -24,6 +24,7 @@ pub(super) fn read(entry: &Entry<'_>, runs: &[DefinedRun]) -> Result<ChartSynops
     figures.extend(
         OF_DRIFT
             .iter()
+            .chain(&OF_PICTURES)
             .chain(&OF_SIZE)
             .chain(&OF_TIME)
             .map(|n| (*n).to_owned()),

@@ -9,7 +9,7 @@ use super::scenes::{SceneRun, some_texts};
 use crate::Result;
 use crate::document::reader::{Entry, Table};
 use crate::error::did_you_mean;
-use crate::experiment::figures::{OF_DRIFT, OF_SIZE, OF_TIME, of_error};
+use crate::experiment::figures::{OF_DRIFT, OF_PICTURES, OF_SIZE, OF_TIME, of_error};
 use crate::experiment::sweep::{Point, Trial};
 use crate::experiment::{Bound, Ending, Parameter, Parameters};
 use crate::scene::glob_matches;
@@ -78,6 +78,7 @@ fn claim(entry: &Entry<'_>, run: &SceneRun) -> Result<Claim> {
     );
     if run.drift.is_some() {
         names.extend(OF_DRIFT.map(str::to_owned));
+        names.extend(OF_PICTURES.map(str::to_owned));
     }
     let known: Vec<&str> = BESIDE_FIGURES
         .into_iter()

@@ -15,7 +15,7 @@ shared! {
         alpha: f32,
         /// How much glass is seen.
         glass: f32,
-        /// Periods of dashes per scene unit.
-        periods_per_unit: f32,
+        /// Widths of a line in a scene unit.
+        widths_per_unit: f32,
     }
 }

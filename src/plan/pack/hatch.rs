@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::{Layout, MAX_SURFACES};
+use super::Layout;
 use crate::scene::MOST_STROKES;
 
 shared! {
@@ -17,11 +17,14 @@ shared! {
     }
 }
 
+/// Clip-surfaces that layers can number.
+pub const MOST_HATCH_PLANES: usize = 256;
+
 shared! {
     /// The planes of all clip-surfaces.
     HatchPlanes {
         /// By the number of the clip-surface.
-        planes: [HatchPlane; MAX_SURFACES],
+        planes: [HatchPlane; MOST_HATCH_PLANES],
         /// How many there are.
         count: u32,
         /// Unused.

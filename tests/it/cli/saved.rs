@@ -16,6 +16,7 @@ const OF_SCENE: [(&str, bool); 27] = [
     ("--section", true),
     ("--relief", true),
     ("--flip", false),
+    ("--ghost", false),
     ("--box", true),
     ("--wedge", true),
     ("--cut", true),

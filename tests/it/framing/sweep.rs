@@ -5,7 +5,8 @@ use super::common::command::Scratch;
 #[test]
 fn a_sweep_becomes_a_cut_and_a_key() {
     let folder = Scratch::new("framing_sweep");
-    let line = "animate shape:cube --sweep -y=10%:90% --frames 4 --fps 2 --resolution 48,36 --no-background --style lit";
+    let line = "animate shape:cube --sweep -y=10%:90% --frames 4 --fps 2 --resolution 100,100 --no-background --style lit \
+                --camera-azimuth-angle 0 --camera-elevation-angle 0 --camera-orthographic";
     folder
         .run(&format!("{line} --save s.toml -o f%d.png"))
         .exits(0);
@@ -14,7 +15,6 @@ fn a_sweep_becomes_a_cut_and_a_key() {
         "name = \"sweep\"",
         "target = \"cut.sweep.surfaces.0.origin\"",
         "times_s = [0",
-        "2",
     ] {
         assert!(saved.contains(said), "no `{said}` in\n{saved}");
     }
@@ -31,6 +31,9 @@ fn a_sweep_becomes_a_cut_and_a_key() {
         .collect();
     assert_eq!(frames.len(), 4, "{files:?}");
     assert!(frames.windows(2).all(|w| w[0] < w[1]), "{frames:?}");
+    // From a tenth of it to nine tenths.
+    let grown = frames[3] as f64 / frames[0] as f64;
+    assert!((8.0..10.0).contains(&grown), "{frames:?}");
     // The scene that it amounts to has the same frames.
     folder
         .run("animate s.toml --fps 2 --style lit --no-background -o g%d.png")

@@ -3,7 +3,9 @@
 use super::*;
 use cutaway::layers::Layers;
 use cutaway::plan::Capacities;
+use cutaway::scene::Viewpoint;
 use cutaway::strategies;
+use glam::DVec2;
 
 fn with(kind: GhostKind) -> Style {
     Style {
@@ -66,6 +68,72 @@ fn lines_lie_on_the_outline_of_what_is_gone() {
     let on_lines = changed(&plain, &lined);
     assert!((50..2000).contains(&on_lines), "{on_lines} pixels of lines");
     assert!(changed(&both, &glass) > 50 && changed(&both, &lined) > 1000);
+}
+
+#[test]
+fn edges_in_all_directions_are_dashed() {
+    // A cube that is gone, from around: each edge that is seen is drawn for about 27 widths of 34, and seen to be.
+    for azimuth_deg in [0.0, 20.0, 30.0, 60.0, 75.0] {
+        let ghost = Ghost {
+            kind: GhostKind::Lines,
+            width: 6.0,
+            alpha: 1.0,
+            ..Ghost::default()
+        };
+        let parts = vec![Part::new("cube", meshes::shape("cube"))];
+        let mut scene = scenes::of_parts("gone", parts, Vec::new());
+        let all = ClipSurface::parse("y=500", &scene.bounds()).expect("a section");
+        scene.cuts = vec![Cut::new("all", vec![all])];
+        scene.camera.viewpoint = Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg: 25.0,
+        };
+        scene.style = Style {
+            paper: Paper::Color(glam::Vec3::ONE),
+            ghost,
+            ..Style::default()
+        };
+        let model = Model::new(&scene);
+        let view = model.prepared.view([640, 480]);
+        let mut session = session();
+        let method = Method::from(Strategy::RAYCAST_MASK);
+        let drawn = session.draw(&model, &view, method).expect("a frame");
+        assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
+        let picture = session.picture(method).expect("a picture");
+        let is_dark = |at: DVec2| {
+            let near = (-1..=1).flat_map(|y| (-1..=1).map(move |x| (x, y)));
+            let mut near = near.map(|(x, y)| (at.x as i32 + x, at.y as i32 + y));
+            near.any(|(x, y)| picture[4 * (y * 640 + x) as usize] < 100)
+        };
+        let bounds = model.prepared.bounds;
+        let corners = bounds.corners();
+        let toward = |p: DVec3| (p - view.eye).normalize();
+        for (i, a) in corners.iter().enumerate() {
+            for b in &corners[..i] {
+                let axes = (*a - *b).to_array().map(|d| d.abs() > 1e-9);
+                let middle = (*a + *b) / 2.0 - bounds.centre();
+                // An edge, of which a face is turned to the eye.
+                let is_edge = axes.iter().filter(|d| **d).count() == 1;
+                let is_seen = (0..3).any(|k| {
+                    let face = DVec3::AXES[k] * middle[k].signum();
+                    !axes[k] && toward(*a).dot(face) < -0.02
+                });
+                let ends = [*a, *b].map(|p| view.project(p).0);
+                let length = (ends[0] - ends[1]).length();
+                if !is_edge || !is_seen || length < 60.0 {
+                    continue;
+                }
+                let count = 200;
+                let along: Vec<bool> = (10..count - 10)
+                    .map(|k| is_dark(ends[0].lerp(ends[1], f64::from(k) / f64::from(count))))
+                    .collect();
+                let dark = along.iter().filter(|d| **d).count() as f64 / along.len() as f64;
+                let turns = along.windows(2).filter(|w| w[0] != w[1]).count();
+                let what = format!("{a} to {b} from {azimuth_deg}: {dark} in {turns} turns");
+                assert!((0.5..0.99).contains(&dark) && turns >= 2, "{what}");
+            }
+        }
+    }
 }
 
 #[test]

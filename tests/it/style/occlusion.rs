@@ -2,7 +2,6 @@
 
 use super::*;
 use cutaway::layers::{Layer, Layers};
-use cutaway::scene::style::{Occlusion, OcclusionKind};
 use cutaway::scene::{Camera, Projection, View, Viewpoint};
 use glam::{DVec2, Vec3};
 

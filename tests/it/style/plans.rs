@@ -2,7 +2,7 @@
 
 use super::*;
 use cutaway::plan::{Capacities, Plan};
-use cutaway::scene::style::{Occlusion, OcclusionKind, Shading, Strokes};
+use cutaway::scene::style::{Shading, Strokes};
 use cutaway::{shader, strategies};
 
 fn plan_in(style: Style) -> Plan {

@@ -1,6 +1,6 @@
-// What occlusion looks at: the points that a picture shows.
+// The points that a picture shows, for effects that look at the pixels around one.
 
-#define_import_path cutaway::visibility
+#define_import_path cutaway::shown
 
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
