@@ -1,6 +1,6 @@
 // Hatches: families of parallel lines on caps, anchored to the clip-surface in units of the scene. Bound as @group(2) @binding(2), (3), (5).
 //
-// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel's footprint across the lines, which is
+// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel, which is
 // right at any distance from line to line: finer than a pixel it is their mean, and never noise. Dashes are pulses along the lines.
 
 #define_import_path cutaway::hatching
@@ -102,19 +102,19 @@ fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>) -> Foot
 // How much of a pixel the lines of a family cover.
 fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     let across = dot(hatch_line.across, footing.uv) + hatch_line.phase;
-    let per_px = length(vec2<f32>(dot(hatch_line.across, footing.right), dot(hatch_line.across, footing.down)));
-    let cover = pulse_cover(across, min(width_px * per_px, 1.0), per_px / style.fineness);
+    let steps = vec2<f32>(dot(hatch_line.across, footing.right), dot(hatch_line.across, footing.down));
+    let cover = pulse_cover(across, min(width_px * length(steps), 1.0), steps / style.fineness);
     if hatch_line.dash_count == 0u || cover <= 0.0 {
         return cover;
     }
     let along = dot(hatch_line.along, footing.uv) + hatch_line.dash_phase - hatch_line.shift * round(across);
-    let along_px = length(vec2<f32>(dot(hatch_line.along, footing.right), dot(hatch_line.along, footing.down)));
+    let along_steps = vec2<f32>(dot(hatch_line.along, footing.right), dot(hatch_line.along, footing.down));
     // A dot is as long as a line is wide.
-    let least = width_px * along_px;
+    let least = width_px * length(along_steps);
     var dashed = 0.0;
     for (var i = 0u; i < hatch_line.dash_count; i++) {
         let drawn = min(max(hatch_line.dash_lengths[i], least), 1.0);
-        dashed += pulse_cover(along - hatch_line.dash_centres[i], drawn, along_px / style.fineness);
+        dashed += pulse_cover(along - hatch_line.dash_centres[i], drawn, along_steps / style.fineness);
     }
     return cover * min(dashed, 1.0);
 }

@@ -1,18 +1,40 @@
-// Trains of pulses, integrated.
+// Trains of pulses, integrated over pixels.
 
 #define_import_path cutaway::pulses
 
-// The integral of pulses that begin at whole numbers and are `width` long.
-fn pulses_until(t: f32, width: f32) -> f32 {
+// The integral of the integral of pulses that begin at whole numbers and are `width` long.
+fn twice_integrated(t: f32, width: f32) -> f32 {
+    let whole = floor(t);
+    let part = t - whole;
+    let rise = min(part, width);
+    let of_part = rise * rise * 0.5 + width * (part - rise);
+    return whole * (width * (0.5 * (whole - 1.0) + 1.0 - 0.5 * width + part)) + of_part;
+}
+
+// The integral of such pulses.
+fn integrated(t: f32, width: f32) -> f32 {
     let whole = floor(t);
     return whole * width + min(t - whole, width);
 }
 
-// The mean over `footprint` around `at` of pulses of a width, 0 to 1, that are centred on whole numbers: what a pixel that covers that much
-// of the period has of them.
-fn pulse_cover(at: f32, width: f32, footprint: f32) -> f32 {
-    // Near 0 the difference of two integrals keeps its bits.
+// The mean of pulses of a width, 0 to 1, that are centred on whole numbers, over a pixel whose sides go by `steps` across them: what the
+// pixel has of them. Across pulses a pixel is the convolution of two boxes, so that two integrals give it without an error of their own.
+fn pulse_cover(at: f32, width: f32, steps: vec2<f32>) -> f32 {
+    let long = max(max(abs(steps.x), abs(steps.y)), 1e-5);
+    let short = min(abs(steps.x), abs(steps.y));
+    // Wider than many periods it is their mean, of which integrals would lose the bits.
+    if long > 32.0 {
+        return width;
+    }
+    // Near 0 the difference of integrals keeps its bits.
     let near = at - round(at) + 0.5 * width;
-    let half = 0.5 * max(footprint, 1e-5);
-    return clamp((pulses_until(near + half, width) - pulses_until(near - half, width)) / (2.0 * half), 0.0, 1.0);
+    if short < 0.02 * long || long * short < 1e-5 {
+        let half = 0.5 * long;
+        return clamp((integrated(near + half, width) - integrated(near - half, width)) / long, 0.0, 1.0);
+    }
+    let outer = 0.5 * (long + short);
+    let inner = 0.5 * (long - short);
+    let ahead = twice_integrated(near + outer, width) - twice_integrated(near + inner, width);
+    let behind = twice_integrated(near - inner, width) - twice_integrated(near - outer, width);
+    return clamp((ahead - behind) / (long * short), 0.0, 1.0);
 }

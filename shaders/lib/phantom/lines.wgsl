@@ -115,9 +115,9 @@ fn dash_cover(at: vec2<i32>, border: vec2<i32>) -> f32 {
     let place = dot(stretch.middle, axis) * ghost.widths_per_unit / PERIOD + per_px * off;
     let footprint = abs(per_px);
     let dot_width = max(1.0 / PERIOD, footprint);
-    return pulse_cover(place - 12.0 / PERIOD, 24.0 / PERIOD, footprint) +
-        pulse_cover(place - 27.5 / PERIOD, dot_width, footprint) +
-        pulse_cover(place - 31.0 / PERIOD, dot_width, footprint);
+    return pulse_cover(place - 12.0 / PERIOD, 24.0 / PERIOD, vec2<f32>(footprint, 0.0)) +
+        pulse_cover(place - 27.5 / PERIOD, dot_width, vec2<f32>(footprint, 0.0)) +
+        pulse_cover(place - 31.0 / PERIOD, dot_width, vec2<f32>(footprint, 0.0));
 }
 
 // The share of a pixel that lines of what is gone cover.

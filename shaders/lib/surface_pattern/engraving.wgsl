@@ -17,16 +17,17 @@ const DARK_FAMILY: vec2<f32> = vec2<f32>(0.42, 0.0);
 // A surface that lies across its family by less than this share has no lines to speak of, and their mean in their place.
 const LEAST_SLANT: f32 = 0.06;
 
-// How much of a pixel the lines of a family cover: `place` across them in units of the scene, `per_px` how far a pixel goes across, and the
-// distance from line to line in pixels.
-fn family_cover(place: f32, per_px: f32, spacing_px: f32, darkness: f32) -> f32 {
+// How much of a pixel the lines of a family cover: `place` across them in units of the scene, `steps` how far the sides of a pixel go across,
+// and the distance from line to line in pixels.
+fn family_cover(place: f32, steps: vec2<f32>, spacing_px: f32, darkness: f32) -> f32 {
+    let per_px = length(steps);
     let scale = log2(max(spacing_px * per_px, 1e-12));
     let spacing = exp2(floor(scale));
     let between = fract(scale);
     // Half the distance is ink where it is darkest.
     let width = 0.25 * darkness * spacing_px * per_px / spacing;
     let at = 0.5 * place / spacing;
-    let footprint = 0.5 * per_px / spacing / style.fineness;
+    let footprint = 0.5 * steps / spacing / style.fineness;
     let kept = pulse_cover(at, min(width, 1.0), footprint);
     let thinning = pulse_cover(at + 0.5, min(width * (1.0 - between), 1.0), footprint);
     return min(kept + thinning, 1.0);
@@ -46,9 +47,11 @@ fn engraved(color: vec3<f32>, base: vec3<f32>, at: vec2<u32>, depth: f32, normal
         let across = style.engraving[i];
         let range = select(LIGHT_FAMILY, DARK_FAMILY, i == 1u);
         let darkness = clamp((range.x - tone) / (range.x - range.y), 0.0, 1.0);
-        let per_px = length(vec2<f32>(dot(across.xyz, right), dot(across.xyz, down)));
-        let slant = per_px / max(length(right), length(down));
-        let lines = family_cover(dot(across.xyz, point), max(per_px, 0.01 * length(right)), across.w, darkness);
+        let steps = vec2<f32>(dot(across.xyz, right), dot(across.xyz, down));
+        let slant = length(steps) / max(length(right), length(down));
+        // Where it is 0 there is no distance from line to line.
+        let bounded = select(steps, vec2<f32>(0.01 * length(right), 0.0), slant < 0.01);
+        let lines = family_cover(dot(across.xyz, point), bounded, across.w, darkness);
         let mean = 0.375 * darkness;
         bare *= 1.0 - mix(mean, lines, smoothstep(0.5 * LEAST_SLANT, LEAST_SLANT, slant));
     }

@@ -10,19 +10,21 @@ const SHADER: &str = "#import cutaway::pulses::pulse_cover
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x < arrayLength(&asked) {
         let a = asked[id.x];
-        words[id.x] = bitcast<u32>(pulse_cover(a.x, a.y, a.z));
+        words[id.x] = bitcast<u32>(pulse_cover(a.x, a.y, a.zw));
     }
 }
 ";
 
-/// The share of a footprint that pulses of a width cover, by many samples.
-fn sampled(at: f64, width: f64, footprint: f64) -> f64 {
-    let count = 4096;
-    let inside = (0..count).filter(|i| {
-        let x = at + footprint * ((f64::from(*i) + 0.5) / f64::from(count) - 0.5);
+/// The share of a pixel that pulses of a width cover, whose sides go by so much across them, by many samples.
+fn sampled(at: f64, width: f64, steps: [f64; 2]) -> f64 {
+    let count = 128;
+    let off = |i: i32| (f64::from(i) + 0.5) / f64::from(count) - 0.5;
+    let places = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
+    let inside = places.filter(|(i, j)| {
+        let x = at + steps[0] * off(*i) + steps[1] * off(*j);
         (x - x.round()).abs() < width / 2.0
     });
-    inside.count() as f64 / f64::from(count)
+    inside.count() as f64 / f64::from(count * count)
 }
 
 #[test]
@@ -33,7 +35,10 @@ fn a_pixel_has_what_samples_have_of_a_line() {
         for i in 0..200 {
             let at = f64::from(i) * 0.137 - 9.0 + 1e-3;
             let width = (1.5 / period_px).min(0.5);
-            asked.push([at as f32, width as f32, (1.0 / period_px) as f32, 0.0]);
+            // Lines in all directions, along the sides of pixels and across their corners among them.
+            let angle = f64::from(i % 9) * std::f64::consts::FRAC_PI_4 / 2.0;
+            let steps = [angle.cos() / period_px, -angle.sin() / period_px];
+            asked.push([at as f32, width as f32, steps[0] as f32, steps[1] as f32]);
         }
     }
     let inputs = [(
@@ -42,9 +47,9 @@ fn a_pixel_has_what_samples_have_of_a_line() {
     )];
     let found = answers(SHADER, &inputs, asked.len(), 1);
     let [mut squares, mut thresholded] = [0.0, 0.0];
-    for (word, [at, width, footprint, _]) in found.iter().zip(&asked) {
-        let [at, width, footprint] = [at, width, footprint].map(|v| f64::from(*v));
-        let truth = sampled(at, width, footprint);
+    for (word, asked) in found.iter().zip(&asked) {
+        let [at, width, x, y] = asked.map(f64::from);
+        let truth = sampled(at, width, [x, y]);
         squares += (f64::from(f32::from_bits(word[0])) - truth).powi(2);
         let line = f64::from(u8::from((at - at.round()).abs() < width / 2.0));
         thresholded += (line - truth).powi(2);
