@@ -106,8 +106,8 @@ fn is_one_surface(at: vec2<i32>, next: vec2<i32>) -> bool {
     return depth - met > 0.67 * abs(depths.x - depths.y);
 }
 
-// The class of the border between a sample and the next one.
-fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
+// In what two neighbouring samples differ.
+fn difference(at: vec2<i32>, step: vec2<i32>) -> u32 {
     let next = at + step;
     if !is_in_frame(next) {
         return NO_BORDER;
@@ -115,7 +115,7 @@ fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
     let here = word_at(at);
     let there = word_at(next);
     let kinds = vec2<u32>(kind_of(here), kind_of(there));
-    if (here & there & UNRELIABLE) != 0u || all(kinds == vec2<u32>(BACKGROUND)) || is_sliver(at) || is_sliver(next) {
+    if (here & there & UNRELIABLE) != 0u || all(kinds == vec2<u32>(BACKGROUND)) {
         return NO_BORDER;
     }
     if any(kinds == vec2<u32>(BACKGROUND)) {
@@ -142,6 +142,15 @@ fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
         }
     }
     return NO_BORDER;
+}
+
+// The class of the border between a sample and the next one. Most have none, which is found first.
+fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
+    let class_of = difference(at, step);
+    if class_of == NO_BORDER || is_sliver(at) || is_sliver(at + step) {
+        return NO_BORDER;
+    }
+    return class_of;
 }
 
 var<workgroup> found: atomic<u32>;
