@@ -151,7 +151,7 @@ impl Direction {
 }
 
 impl CameraArgs {
-    /// Puts them into a document. What contradicts them there goes; angles that nobody says are found.
+    /// Puts them into a document. What contradicts them there goes; angles that are not given are found.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
         let point = |p: Option<[f64; 3]>| p.map(|p| Value::from(p.to_vec()));
         let up = self.up.map(|up| match up {

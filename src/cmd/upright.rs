@@ -1,6 +1,6 @@
 //! Which way is up in meshes of a command line that do not say it: guessed by what they stand on, and said.
 //!
-//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody says `--up`; a scene file says it, or
+//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and `--up` is not given; a scene file says it, or
 //! means +Y.
 
 use std::path::Path;
@@ -14,7 +14,8 @@ use crate::scene::{Part, Up, standing_up};
 /// Puts the axis that is up into a document of meshes alone; what is to be said of it.
 pub(super) fn guess(document: &mut Document, assets: &mut Assets) -> Result<Option<String>> {
     let camera = document.root().get("camera");
-    let is_said = camera.is_some_and(|c| c.get("up").is_some());
+    // A picture whose own direction up is given needs no axis.
+    let is_said = camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some());
     if is_said || !document.path().as_os_str().is_empty() {
         return Ok(None);
     }

@@ -1,5 +1,5 @@
-//! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, for who checks a picture. The same shader modules
-//! as in the picture write them; a picture has no part of this.
+//! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
+//! modules are those of the picture; the plan of a picture has no part of this.
 
 use super::borders::borders;
 use super::hatch::hatch;

@@ -1,11 +1,13 @@
 //! Hatches: families of parallel lines on caps, with the plane of each clip-surface and what each part has.
 //!
-//! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that the
-//! angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. Distances follow the mean thickness of parts, in steps of about
-//! the root of two, and are held from when the scene was first packed. Costs a few multiplications a family and pixel of a cap; who touches whom is found
-//! once, where two parts are cut.
+//! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that
+//! the angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. The
+//! faces of cutters have the planes of the axes of the scene. Distances follow the mean thickness of parts, in steps of about the root of
+//! two, and are held from when the scene was first packed.
 //!
-//! Cannot: follow a part that moves; tell more than eight classes by direction alone, after which spacing grows.
+//! Costs a few multiplications for each family of lines at each pixel of a cap; contacts of parts are found once, where two parts are cut.
+//!
+//! Cannot: follow a part or a cutter that moves; tell more than eight classes by direction alone, after which spacing grows.
 
 use glam::DVec3;
 
@@ -79,7 +81,7 @@ fn part_hatches(
 ) -> (Vec<pack::PartHatch>, Vec<pack::HatchLine>) {
     let input = scene.input;
     let (prepared, at_rest) = (&input.model.prepared, &input.model.at_rest);
-    // Who is cut alone touches nobody that is.
+    // A part that is cut alone touches no other that is.
     let classes = match input.relevance.lanes {
         0 | 1 => &[],
         _ => at_rest.classes(),

@@ -48,7 +48,7 @@ pub(super) fn lines_of(pattern: Option<&HatchPattern>, placed: &Placed) -> Vec<p
     let classes = if is_crossed { &CROSSED } else { &CLASSES };
     let (turn_deg, wider) = classes[placed.class % classes.len()];
     let round = (placed.class / classes.len()) as f64;
-    let turn_deg = placed.angle_deg - PATTERN_DEG + turn_deg + 11.0 * round;
+    let turn_deg = placed.angle_deg - PATTERN_DEG + turn_deg + 15.0 * round;
     let spacing = placed.spacing * wider * (1.0 + 0.25 * round);
     let general = [LineFamily {
         angle_deg: PATTERN_DEG,

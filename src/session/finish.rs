@@ -45,7 +45,7 @@ impl Session {
         Ok(pictures?.concat())
     }
 
-    /// What the style of a scene draws over layers, pixel by pixel: for who checks a picture.
+    /// What the style of a scene draws over layers, pixel by pixel, so that a picture can be checked.
     pub fn style_channels(
         &mut self,
         model: &Model,

@@ -1,4 +1,4 @@
-// The share of each pixel that strokes cover, for who asks what was drawn.
+// The share of each pixel that strokes cover.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::stroke_cover::stroke_cover

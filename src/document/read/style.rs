@@ -250,12 +250,12 @@ fn occlusion(occlusion: &mut Occlusion, table: &Table<'_>) -> Result<()> {
         (&mut occlusion.steps, "steps", 64),
     ] {
         if let Some(entry) = table.get(key) {
-            let count = entry.number()?.round();
-            if !(1.0..=f64::from(most)).contains(&count) {
+            let count: u32 = entry.whole()?;
+            if !(1..=most).contains(&count) {
                 let help = format!("write for example `{key} = {slot}`");
                 return Err(entry.fault(format_args!("it must be from 1 to {most}"), help));
             }
-            *slot = count as u32;
+            *slot = count;
         }
     }
     for (slot, key, most) in [

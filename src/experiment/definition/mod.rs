@@ -8,6 +8,7 @@
 
 mod charts;
 mod claims;
+mod drift;
 mod moves;
 mod others;
 mod scenes;

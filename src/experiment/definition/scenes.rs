@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::Asked;
 use super::claims::{self, Claim};
+use super::drift::drift;
 use crate::Result;
 use crate::document::Document;
 use crate::document::paths::PATHS;
@@ -254,31 +255,6 @@ fn rounds(table: &Table<'_>) -> Result<Option<usize>> {
     }
     let help = format!("use 1 to {MOST_ROUNDS}");
     Err(entry.fault("so many rounds cannot be measured", help))
-}
-
-fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
-    let Some(entry) = table.get("drift") else {
-        return Ok(None);
-    };
-    let table = entry.table(&["frames", "px", "samples"])?;
-    let frames = table.need("frames", "64")?;
-    let px = table.need("px", "0.015625")?;
-    let drift = Drift {
-        frames: frames.whole()?,
-        px: px.number()?,
-        samples: match table.get("samples") {
-            Some(samples) => samples.whole()?,
-            None => 0,
-        },
-    };
-    if drift.samples > 16 {
-        let samples = table.need("samples", "4")?;
-        return Err(samples.fault("a picture of so many samples is never drawn", "use 2 to 16"));
-    }
-    if !(2..=4096).contains(&drift.frames) {
-        return Err(frames.fault("nothing changes between so many frames", "use 2 to 4096"));
-    }
-    Ok(Some(drift))
 }
 
 /// Reads an axis. Its name is the path that its values are set at, or what stands in braces in a strategy, or neither where the values

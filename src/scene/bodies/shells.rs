@@ -1,7 +1,7 @@
 //! Shells: pieces of surface that hang together over edges.
 //!
-//! An edge of two triangles joins them, however they are turned. Where more meet, whoever has as many uses of the edge in one direction as
-//! in the other needs nobody: two cubes that share an edge are two shells. The rest go together around the edge so that each wedge of
+//! An edge of two triangles joins them, however they are turned. Where more meet, a shell that uses the edge as often in one direction
+//! as in the other is complete by itself: two cubes that share an edge are two shells. The rest go together around the edge so that each wedge of
 //! solid has its two walls ([`around_edge`](super::around_edge)), or all of them where that does not work out. Thus a sheet that hangs on
 //! a solid by one edge comes off it, and cubes that share a face, twice there, come apart. A mesh of negative volume is taken the other way
 //! round, so that cubes come apart there too.
