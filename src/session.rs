@@ -332,7 +332,7 @@ impl Session {
         Ok(Clock::ALL.map(on))
     }
 
-    /// Bytes on the device that the last frame by a method has on a clock, as [`Program::allocated_on`] counts them.
+    /// Bytes on the device that the last frame by a method has on a clock, as [`crate::gpu::Program::allocated_on`] counts them.
     pub fn allocated_on(
         &self,
         method: impl Into<Method>,

@@ -184,9 +184,11 @@ mod tests {
         let scale = prepared.scale;
         let mut may_be_wrong = vec![false; 6];
         may_be_wrong[4] = true;
-        let mut drawn = StyleChannels::default();
-        drawn.hatch = vec![0.25; 6];
-        drawn.cap_uv = vec![[1.0, -2.0]; 6];
+        let drawn = StyleChannels {
+            hatch: vec![0.25; 6],
+            cap_uv: vec![[1.0, -2.0]; 6],
+            ..StyleChannels::default()
+        };
         let about = About {
             scene: &scene,
             prepared: &prepared,

@@ -177,7 +177,7 @@ fn capabilities(native: bool) -> Capabilities {
     }
 }
 
-/// Ways to compose the shaders of the tree: each file in each open module that it needs. Of a shader with more than [`FEW`] ways so many
+/// Ways to compose the shaders of the tree: each file in each open module that it needs. Of a shader with more than 128 ways so many
 /// that any two files that can be together are in one.
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
