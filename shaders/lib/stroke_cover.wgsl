@@ -7,6 +7,7 @@
 
 #import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
+#import cutaway::shown::is_in_frame
 #import cutaway::style::style
 
 @group(2) @binding(1) var<storage, read> borders: array<u32>;
@@ -44,12 +45,11 @@ fn stroke_cover(at: vec2<u32>) -> f32 {
     if !has_border_near(at, style.stroke_reach_px + 1) {
         return 0.0;
     }
-    let size = vec2<i32>(frame.size_px);
     var nearest = FAR_AWAY;
     for (var y = -style.stroke_reach_px - 1; y <= style.stroke_reach_px; y++) {
         for (var x = -style.stroke_reach_px - 1; x <= style.stroke_reach_px; x++) {
             let near = vec2<i32>(at) + vec2<i32>(x, y);
-            if any(near < vec2<i32>(0)) || any(near >= size) {
+            if !is_in_frame(near) {
                 continue;
             }
             let word = borders[pixel_index(vec2<u32>(near))];

@@ -1,7 +1,8 @@
 //! Borders: between which neighbouring samples a stroke belongs, and of what class. One pass over the layers; 4 bytes a pixel.
 
+use super::pixels::over_pixels;
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
+use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
 /// Pixels along the side of a tile, which has a word that says whether any border is in it.
 const TILE: u32 = 16;
@@ -29,9 +30,13 @@ pub(super) fn borders_of(
         .product();
     let bytes = (scene.input.pixel_count() + tiles) * 4;
     let borders = plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
-    plan.add_pass(Pass::new(
-        pass,
-        "strokes are drawn where neighbouring samples differ in kind, part, clip-surface, depth or fold",
+    over_pixels(
+        plan,
+        scene,
+        (
+            pass,
+            "strokes are drawn where neighbouring samples differ in kind, part, clip-surface, depth or fold",
+        ),
         "effects/borders.wgsl",
         vec![
             scene.frame.clone(),
@@ -39,7 +44,6 @@ pub(super) fn borders_of(
             Binding::read("layers", layers),
             Binding::write("borders", borders),
         ],
-        Work::over(scene.input.view.size_px),
-    ));
+    );
     borders
 }

@@ -4,9 +4,10 @@
 use super::borders::borders;
 use super::hatch::hatch;
 use super::illustrate::style_numbers;
-use super::occlusion::{occlusion, over_pixels};
+use super::occlusion::occlusion;
+use super::pixels::{over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
+use crate::plan::{Binding, Plan, ResourceId};
 
 /// The buffer of the share that strokes cover, an f32 for each pixel.
 pub(crate) const STROKE: &str = "stroke_channel";
@@ -17,13 +18,9 @@ pub(crate) const HATCH: &str = "hatch_channel";
 pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
-    let pixels = scene.input.pixel_count();
-    let channel = |plan: &mut Plan, name, bytes| {
-        plan.add_resource(Resource::storage(name, pixels * bytes, Clock::Frame))
-    };
     let stroke = (style.strokes.widest() > 0.0).then(|| {
         let borders = borders(plan, scene, &numbers, layers);
-        let stroke = channel(plan, STROKE, 4);
+        let stroke = per_pixel(plan, scene, STROKE, 4);
         over_pixels(
             plan,
             scene,
@@ -42,7 +39,7 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
         stroke
     });
     let hatch = hatch(plan, scene, &style).map(|tables| {
-        let hatched = channel(plan, HATCH, 16);
+        let hatched = per_pixel(plan, scene, HATCH, 16);
         let mut bindings = vec![
             scene.frame.clone(),
             Binding::read("layers", layers),

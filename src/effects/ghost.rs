@@ -7,8 +7,8 @@
 
 use super::borders::borders_of;
 use super::illustrate::half_px;
-use super::occlusion::{numbers, over_pixels};
-use crate::passes::{DrawPass, SceneBuffers, Surfaces, Treatment, gather_into};
+use super::pixels::{numbers, over_pixels};
+use crate::passes::{DrawPass, SceneBuffers, Surfaces, gather_into};
 use crate::plan::{Binding, Draw, Plan, ResourceId, pack};
 use crate::scene::style::Style;
 use crate::scene::{linear_from_srgb, map_channels};
@@ -26,8 +26,11 @@ pub(super) fn ghost(
 ) {
     let input = scene.input;
     let style = &input.model.prepared.style;
+    if !style.ghost.is_drawn() {
+        return;
+    }
     let draws = draws(scene);
-    if !style.ghost.is_drawn() || draws.is_empty() {
+    if draws.is_empty() {
         return;
     }
     let mut surfaces = Surfaces::named(plan, scene, ["ghost_words", "ghost_depth"]);
@@ -91,19 +94,14 @@ pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
 /// The solids that cuts reach, by their numbers in the scene.
 fn draws(scene: &SceneBuffers<'_>) -> Vec<Draw> {
     let input = scene.input;
-    let treatments = input.relevance.parts.iter().enumerate();
-    let reached = treatments.filter(|(_, t)| !matches!(t, Treatment::Plain | Treatment::Cut(0)));
-    let draw = |(rank, _): (usize, &Treatment)| {
-        let range = &input.model.ranges[rank];
-        Draw {
-            indices: range.indices.clone(),
-            base_vertex: range.base_vertex,
-            vertex_count: range.vertex_count,
-            instance: input.model.prepared.parts[rank].part as u32,
-            arguments: None,
-        }
-    };
-    reached.map(draw).collect()
+    let relevance = &input.relevance;
+    let opened = (relevance.cut_parts().iter().copied()).filter(|r| relevance.cuts_of(*r) != 0);
+    let ranks: Vec<usize> = opened.chain(relevance.removed_parts()).collect();
+    let mut draws = input.draws_of(&ranks);
+    for (draw, rank) in draws.iter_mut().zip(ranks) {
+        draw.instance = input.model.prepared.parts[rank].part as u32;
+    }
+    draws
 }
 
 fn ghost_numbers(scene: &SceneBuffers<'_>, style: &Style) -> pack::Ghost {

@@ -4,7 +4,8 @@
 //!
 //! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
 
-use super::occlusion::{VISIBILITY, numbers, over_pixels, per_pixel};
+use super::occlusion::VISIBILITY;
+use super::pixels::{numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
@@ -30,7 +31,7 @@ pub(super) fn horizon(
         steps: style.steps,
     };
     let numbers = numbers(plan, "horizon", horizon);
-    let sky = per_pixel(plan, scene, "sky");
+    let sky = per_pixel(plan, scene, "sky", 4);
     over_pixels(
         plan,
         scene,
@@ -46,7 +47,7 @@ pub(super) fn horizon(
             numbers,
         ],
     );
-    let visibility = per_pixel(plan, scene, VISIBILITY);
+    let visibility = per_pixel(plan, scene, VISIBILITY, 4);
     over_pixels(
         plan,
         scene,

@@ -8,9 +8,10 @@ use super::Picture;
 use super::borders::borders;
 use super::ghost;
 use super::hatch::hatch;
-use super::occlusion::{self, occlusion};
+use super::occlusion::occlusion;
+use super::pixels::{self, over_pixels};
 use crate::passes::{SceneBuffers, overlap, picture};
-use crate::plan::{Binding, Pass, Plan, ResourceId, Work, pack};
+use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::style::{Paper, Shading, Style};
 use crate::scene::{View, linear_from_srgb, map_channels};
 use crate::shader::Shader;
@@ -76,14 +77,8 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
         bindings.push(numbers.clone());
     }
     bindings.extend(hatch.into_iter().flatten());
-    let pass = Pass::new(
-        "illustrate",
-        "the style turns layers into a picture",
-        shader,
-        bindings,
-        Work::over(scene.input.view.size_px),
-    );
-    plan.add_pass(pass);
+    let about = ("illustrate", "the style turns layers into a picture");
+    over_pixels(plan, scene, about, shader, bindings);
     ghost::ghost(plan, scene, &numbers, (layers, picture));
     Picture { layers, picture }
 }
@@ -91,7 +86,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
 /// The numbers of the style, as a binding.
 pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Binding {
     let style = &scene.input.model.prepared.style;
-    occlusion::numbers(plan, "style", numbers(style, scene.input.view))
+    pixels::numbers(plan, "style", numbers(style, scene.input.view))
 }
 
 /// How many rows around a band are looked at, of a picture of so many.

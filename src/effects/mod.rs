@@ -13,6 +13,7 @@ mod hatch_lines;
 mod horizon;
 mod illustrate;
 mod occlusion;
+mod pixels;
 mod shade;
 mod unsharp;
 

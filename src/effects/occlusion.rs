@@ -2,10 +2,9 @@
 
 use super::{horizon, unsharp};
 use crate::passes::SceneBuffers;
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
-use crate::shader::Shader;
 
 /// The buffer of what occlusion leaves of the light, an f32 for each pixel.
 pub(crate) const VISIBILITY: &str = "visibility";
@@ -35,37 +34,4 @@ pub(super) fn halo_rows(style: &Occlusion, view: &View) -> u32 {
         OcclusionKind::Horizon => horizon::halo_rows(view),
         OcclusionKind::Unsharp => unsharp::reach_px(style, view) as u32,
     }
-}
-
-/// A buffer of a number for each pixel.
-pub(super) fn per_pixel(
-    plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
-    name: &'static str,
-) -> ResourceId {
-    let bytes = scene.input.pixel_count() * 4;
-    plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
-}
-
-/// Numbers of an effect.
-pub(super) fn numbers<T: bytemuck::Pod>(
-    plan: &mut Plan,
-    name: &'static str,
-    numbers: T,
-) -> Binding {
-    let contents = Contents::from_values(&[numbers]);
-    let uniform = Resource::upload(name, Role::Uniform, contents, Clock::Cut);
-    Binding::read(name, plan.add_resource(uniform))
-}
-
-/// Adds a pass that goes over all pixels.
-pub(super) fn over_pixels(
-    plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
-    (name, help): (&'static str, &'static str),
-    shader: impl Into<Shader>,
-    bindings: Vec<Binding>,
-) {
-    let work = Work::over(scene.input.view.size_px);
-    plan.add_pass(Pass::new(name, help, shader, bindings, work));
 }

@@ -1,8 +1,9 @@
 //! The plain end: lit shading, one pass over the layers. What measurements take.
 
 use super::Picture;
+use super::pixels::over_pixels;
 use crate::passes::{SceneBuffers, overlap, picture};
-use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
+use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;
 
 /// Turns layers into a picture.
@@ -16,12 +17,8 @@ pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceI
         Binding::write("picture", picture),
     ];
     let overlap = overlap(plan, scene.input, &mut bindings);
-    plan.add_pass(Pass::new(
-        "shade",
-        "lit shading turns layers into a picture",
-        Shader::from("passes/shade.wgsl").with(overlap),
-        bindings,
-        Work::over(scene.input.view.size_px),
-    ));
+    let about = ("shade", "lit shading turns layers into a picture");
+    let shader = Shader::from("passes/shade.wgsl").with(overlap);
+    over_pixels(plan, scene, about, shader, bindings);
     Picture { layers, picture }
 }

@@ -4,7 +4,8 @@
 //!
 //! Cannot: darken narrow gaps between what lies equally deep.
 
-use super::occlusion::{VISIBILITY, numbers, over_pixels, per_pixel};
+use super::occlusion::VISIBILITY;
+use super::pixels::{numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
@@ -25,7 +26,7 @@ pub(super) fn unsharp(
         strength: style.strength,
     };
     let numbers = numbers(plan, "unsharp", unsharp);
-    let blurred = per_pixel(plan, scene, "blurred_depth");
+    let blurred = per_pixel(plan, scene, "blurred_depth", 4);
     over_pixels(
         plan,
         scene,
@@ -38,7 +39,7 @@ pub(super) fn unsharp(
             numbers.clone(),
         ],
     );
-    let visibility = per_pixel(plan, scene, VISIBILITY);
+    let visibility = per_pixel(plan, scene, VISIBILITY, 4);
     over_pixels(
         plan,
         scene,

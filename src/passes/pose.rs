@@ -175,19 +175,17 @@ pub(super) fn pose_parts(
     vertices: ResourceId,
 ) -> Result<(), Refusal> {
     // A ghost shows parts that are not drawn.
-    let removed = (0..input.relevance.parts.len()).filter(|rank| {
-        input.model.prepared.style.ghost.is_drawn()
-            && input.relevance.parts[*rank] == super::Treatment::Removed
-    });
-    let removed: Vec<usize> = removed.collect();
-    for rank in input.relevance.order.iter().chain(&removed) {
-        let Some(moving) = &input.model.moving[*rank] else {
+    let ghost = input.model.prepared.style.ghost.is_drawn();
+    let removed = ghost.then(|| input.relevance.removed_parts());
+    let drawn = input.relevance.order.iter().copied();
+    for rank in drawn.chain(removed.into_iter().flatten()) {
+        let Some(moving) = &input.model.moving[rank] else {
             continue;
         };
         if let Some(reason) = &moving.packed_pose.refusal {
             return Err(Refusal::amount(reason.clone()));
         }
-        pose_part(plan, input, *rank, moving, vertices);
+        pose_part(plan, input, rank, moving, vertices);
     }
     Ok(())
 }

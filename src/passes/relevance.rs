@@ -185,6 +185,14 @@ impl Relevance {
         &self.order[self.lanes..]
     }
 
+    /// Ranks of the parts that a cut removes altogether.
+    pub fn removed_parts(&self) -> impl Iterator<Item = usize> {
+        let parts = self.parts.iter().enumerate();
+        parts
+            .filter(|(_, t)| **t == Treatment::Removed)
+            .map(|(rank, _)| rank)
+    }
+
     /// Place of a part in the part table, by rank; 0 for parts that are not drawn.
     pub fn place_of(&self, rank: usize) -> usize {
         self.places[rank]

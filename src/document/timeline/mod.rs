@@ -7,7 +7,8 @@
 //!
 //! A scene that moves has one [`stage`](Scene::stage) for all its times, so that pictures do not jump and `z=50%` is the same
 //! plane always. It is found when first asked for, from the bounds at many times: between two of them a part may leave it
-//! by as little as it moves there off the straight line. What is kept of it, which its camera may be fitted to, is found likewise. Angles of the camera that are to be found are found for all times at once too.
+//! by as little as it moves there off the straight line. What is kept of it, which its camera may be fitted to, is found likewise, and so
+//! are angles of the camera that are to be found, for all times at once.
 //!
 //! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
 
