@@ -13,9 +13,9 @@ use crate::gpu::{
     BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Gpu, RunTimes, Target,
 };
 use crate::layers::Layers;
-use crate::passes::Model;
+use crate::passes::{GroundShadow, Model};
 use crate::plan::{Capacities, Clock, Plan};
-use crate::scene::View;
+use crate::scene::{Style, View};
 use crate::strategies::{self, Method, Obstacle, Refusal, Strategy};
 use crate::{Error, Result};
 
@@ -143,6 +143,31 @@ impl Session {
             view,
             |view, capacities| strategies::record(&model, view, Strategy::RAYCAST_MASK, capacities),
         )
+    }
+
+    /// The shadow on the ground of what a method keeps of a scene, for [`Model::on_ground`]: a small frame from below, which is read back.
+    /// It hangs on no camera but on every cut and motion.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Session::draw`], and a method that refuses the scene.
+    pub fn ground_shadow(
+        &self,
+        model: &Model,
+        method: impl Into<Method>,
+    ) -> Result<Result<GroundShadow, Refusal>> {
+        let asked = self.asked(method.into());
+        let view = GroundShadow::view(&model.prepared);
+        let plain = model.in_style(Style::default());
+        let mut slot = Slot::default();
+        let drawn = slot.draw(&self.gpu, false, &plain, &view, |view, capacities| {
+            strategies::record(&plain, view, asked, capacities)
+        })?;
+        if let Outcome::Refused(refusal) = drawn.outcome {
+            return Ok(Err(refusal));
+        }
+        let layers = slot.layers(&self.gpu)?;
+        Ok(Ok(GroundShadow::of(&model.prepared, &view, &layers)))
     }
 
     /// Runs the last frame with nothing cut again on some clocks, for its times.
@@ -291,17 +316,7 @@ impl Session {
 
     /// The layers of the last frame by a method.
     pub fn layers(&self, method: impl Into<Method>) -> Result<Layers> {
-        let slot = self.slot(method)?;
-        let mut pixels = Vec::new();
-        for band in &slot.bands {
-            let width = slot.size_px[0];
-            let layers = (band.program).layers(&self.gpu, band.drawn_px(width))?;
-            pixels.extend(band.rows.own(&layers.pixels, width as usize));
-        }
-        Ok(Layers {
-            size_px: slot.size_px,
-            pixels,
-        })
+        self.slot(method)?.layers(&self.gpu)
     }
 
     /// The picture of the last frame by a method: RGBA8, rows from the top.

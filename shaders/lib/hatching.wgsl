@@ -1,11 +1,12 @@
 // Hatches: families of parallel lines on caps, anchored to the clip-surface in units of the scene. Bound as @group(2) @binding(2), (3), (5).
 //
-// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel, which is
-// right at any distance from line to line: finer than a pixel it is their mean, and never noise. Dashes are pulses along the lines.
+// A line is a pulse of a period; what a pixel has of it is the integral of the pulses over the pixel, which is right at any distance from
+// line to line: finer than a pixel it is their mean, and never noise. Dashes are pulses along the lines.
 
 #define_import_path cutaway::hatching
 
 #import cutaway::frame::{centre_of, frame, ray_through}
+#import cutaway::hatch_zoom::{lines_cover, spacing_at}
 #import cutaway::layers::{NEAR_PLANE, OVERLAP, clip_surface_of}
 #import cutaway::pulses::pulse_cover
 #import cutaway::style::style
@@ -19,7 +20,7 @@ struct HatchPlane {
 struct HatchPlanes {
     planes: array<HatchPlane, 256>,
     count: u32,
-    padding_a: u32,
+    unit_px: f32,
     padding_b: u32,
     padding_c: u32,
 }
@@ -30,6 +31,9 @@ struct PartHatch {
     line_count: u32,
     alpha: f32,
     width_px: f32,
+    turned: vec4<f32>,
+    start: vec4<f32>,
+    end: vec4<f32>,
 }
 
 struct HatchLine {
@@ -87,27 +91,48 @@ fn moved_on(plane: HatchPlane, direction: vec3<f32>, step: vec3<f32>) -> vec2<f3
     return vec2<f32>(dot(plane.u_row.xyz, moved), dot(plane.v_row.xyz, moved));
 }
 
-fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>) -> Footing {
+// A footing as it was before its part moved: lines turn with the part about the normal of the plane and go where its middle goes.
+fn carried_back(plane: HatchPlane, footing: Footing, hatch: PartHatch) -> Footing {
+    if hatch.start.w < 0.5 {
+        return footing;
+    }
+    // The part of the turn that is about the normal: half its angle has these cosine and sine.
+    let half = vec2<f32>(hatch.turned.w, dot(hatch.turned.xyz, cross(plane.u_row.xyz, plane.v_row.xyz)));
+    let size = dot(half, half);
+    let turn = select(vec2<f32>(1.0, 0.0), vec2<f32>(half.x * half.x - half.y * half.y, 2.0 * half.x * half.y) / size, size > 1e-6);
+    let back = mat2x2<f32>(vec2<f32>(turn.x, -turn.y), vec2<f32>(turn.y, turn.x));
+    let end = vec4<f32>(hatch.end.xyz, 1.0);
+    let start = vec4<f32>(hatch.start.xyz, 1.0);
+    let centre = vec2<f32>(dot(plane.u_row, end), dot(plane.v_row, end));
+    let was_at = vec2<f32>(dot(plane.u_row, start), dot(plane.v_row, start));
+    return Footing(was_at + back * (footing.uv - centre), back * footing.right, back * footing.down);
+}
+
+fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>, hatch: PartHatch) -> Footing {
     let plane = plane_of(number, normal);
     let ray = ray_through(centre_of(at));
     let point = vec4<f32>(ray.origin + depth * ray.direction, 1.0);
     let reach = select(depth, 1.0, frame.orthographic != 0u);
-    return Footing(
+    let footing = Footing(
         vec2<f32>(dot(plane.u_row, point), dot(plane.v_row, point)),
         moved_on(plane, ray.direction, reach * frame.ray_step[0].xyz),
         moved_on(plane, ray.direction, reach * frame.ray_step[1].xyz),
     );
+    return carried_back(plane, footing, hatch);
 }
 
 // How much of a pixel the lines of a family cover.
 fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     let across = dot(hatch_line.across, footing.uv) + hatch_line.phase;
     let steps = vec2<f32>(dot(hatch_line.across, footing.right), dot(hatch_line.across, footing.down));
-    let cover = pulse_cover(across, min(width_px * length(steps), 1.0), steps / style.fineness);
+    // As many lines as at first where a pixel shows as much as it did.
+    let scale = length(steps) / max(length(hatch_line.across) * hatch_planes.unit_px, 1e-20);
+    let cover = lines_cover(across, steps, width_px * length(steps), scale);
     if hatch_line.dash_count == 0u || cover <= 0.0 {
         return cover;
     }
-    let along = dot(hatch_line.along, footing.uv) + hatch_line.dash_phase - hatch_line.shift * round(across);
+    let spread = spacing_at(scale);
+    let along = dot(hatch_line.along, footing.uv) + hatch_line.dash_phase - hatch_line.shift * spread * round(across / spread);
     let along_steps = vec2<f32>(dot(hatch_line.along, footing.right), dot(hatch_line.along, footing.down));
     // A dot is as long as a line is wide.
     let least = width_px * length(along_steps);

@@ -75,6 +75,16 @@ pub(super) struct LookArgs {
         help_heading = "Output"
     )]
     ghost: Option<String>,
+    /// Let the model stand on a ground that it darkens, by so much from 0 to 1
+    #[arg(
+        long,
+        value_name = "STRENGTH",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "0.35",
+        help_heading = "Output"
+    )]
+    shadow: Option<f64>,
     /// Leave what shows no model transparent: --background none
     #[arg(long, help_heading = "Output", conflicts_with = "background")]
     pub(super) no_background: bool,
@@ -135,6 +145,15 @@ impl LookArgs {
         if let Some(kind) = self.ghost.as_deref() {
             change_style(document)?;
             say(document, "style.ghost.kind", "--ghost", Some(kind.into()))?;
+        }
+        if let Some(strength) = self.shadow {
+            change_style(document)?;
+            say(
+                document,
+                "style.shadow.strength",
+                "--shadow",
+                Some(strength.into()),
+            )?;
         }
         let (option, background) = match (self.no_background, &self.background) {
             (true, _) => ("--no-background", Some("transparent".into())),

@@ -6,11 +6,12 @@
 
 use std::io::Cursor;
 
-use glam::{DVec2, Vec3};
+use glam::Vec3;
 use image::{ImageFormat, RgbaImage};
 use rayon::prelude::*;
 
 use crate::experiment::{Renderer, SceneAtTime};
+use crate::passes::{GroundShadow, Model};
 use crate::scene::{View, linear_from_srgb, srgb_from_linear};
 use crate::session::{Drawn, Outcome, Session};
 use crate::strategies::{Refusal, Strategy};
@@ -33,21 +34,18 @@ pub(super) fn draw(
     supersample: u32,
 ) -> Result<Picture> {
     let n = supersample;
+    let grounded = on_ground(session, shown, renderer)?;
+    let model = grounded.as_ref().unwrap_or(&shown.model);
     let mut samples = Samples::new(view.size_px, n);
     let mut frames = Vec::new();
-    for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
-        let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(n);
-        let view = View {
-            fineness: n,
-            ..view.sampled_at(at)
-        };
+    for (at, view) in view.samples(n) {
         let rgba = match renderer {
             Renderer::Cpu(evaluator) => {
                 let layers = evaluator.evaluate(shown.truth()?, &view).layers;
-                session.shade(&shown.model, &view, &layers)?
+                session.shade(model, &view, &layers)?
             }
             Renderer::Method(method) => {
-                let drawn = session.draw(&shown.model, &view, method)?;
+                let drawn = session.draw(model, &view, method)?;
                 if let Outcome::Refused(refusal) = &drawn.outcome {
                     return Err(refused(renderer, refusal));
                 }
@@ -55,10 +53,28 @@ pub(super) fn draw(
                 session.picture(method)?
             }
         };
-        samples.add([i, j], &rgba);
+        samples.add(at, &rgba);
     }
     let image = filtered(&samples);
     Ok(Picture { image, frames })
+}
+
+/// The model with its shadow on the ground, where the style has one.
+fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Result<Option<Model>> {
+    if !shown.model.prepared.style.shadow.is_drawn() {
+        return Ok(None);
+    }
+    let shadow = match renderer {
+        Renderer::Cpu(evaluator) => {
+            let truth = shown.truth()?;
+            let view = GroundShadow::view(truth);
+            GroundShadow::of(truth, &view, &evaluator.evaluate(truth, &view).layers)
+        }
+        Renderer::Method(method) => session
+            .ground_shadow(&shown.model, method)?
+            .map_err(|refusal| refused(renderer, &refusal))?,
+    };
+    Ok(Some(shown.model.on_ground(shadow)))
 }
 
 /// The samples of a picture: N x N in each pixel, as if it were drawn so much finer.

@@ -101,7 +101,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         session.gpu().report().name,
         session.gpu().report().driver
     ));
-    let shown = SceneAtTime::new(&subject.scene);
+    let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 
     console.step(renderer.to_string());

@@ -11,7 +11,7 @@ use super::places::InputFiles;
 use super::sections::SectionArgs;
 use super::upright;
 use crate::document::{Document, Timeline, part};
-use crate::experiment::{Renderer, means};
+use crate::experiment::{Renderer, SceneAtTime, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
@@ -78,6 +78,15 @@ impl Subject {
             console.note("nothing moves in this scene: it is the same at all times");
         }
         Ok(subject)
+    }
+
+    /// The scene as pictures show it: what hatches hang on is that of time 0, so that a picture is that of an animation at its time, in
+    /// whatever pieces that is drawn.
+    pub(super) fn shown(&self) -> Result<SceneAtTime> {
+        match self.timeline.moves() && self.scene.style.hatch.is_drawn() {
+            true => Ok(SceneAtTime::new(&self.timeline.at(0.0)?).updated(&self.scene)),
+            false => Ok(SceneAtTime::new(&self.scene)),
+        }
     }
 
     /// Refuses cuts of the command line that remove nothing.

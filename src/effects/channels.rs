@@ -2,12 +2,13 @@
 //! modules are those of the picture; the plan of a picture has no part of this.
 
 use super::borders::borders;
-use super::hatch::hatch;
+use super::hatch::{hatch, zoom_of};
 use super::illustrate::style_numbers;
 use super::occlusion::occlusion;
 use super::pixels::{over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId};
+use crate::shader::Shader;
 
 /// The buffer of the share that strokes cover, an f32 for each pixel.
 pub(crate) const STROKE: &str = "stroke_channel";
@@ -55,7 +56,7 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
                 "measure hatches",
                 "the share of each pixel that hatches cover",
             ),
-            "effects/channels/hatch.wgsl",
+            Shader::from("effects/channels/hatch.wgsl").with(zoom_of(&style.hatch)),
             bindings,
         );
         hatched

@@ -3,18 +3,19 @@
 //! The horizontal of a plane is across the up direction and its normal, from left to right as it is seen from the removed side, so that
 //! the angle of a hatch does not hang on the numbers of a plane; a plane that is moved along its normal carries its lines with it. The
 //! faces of cutters have the planes of the axes of the scene. Distances follow the mean thickness of parts, in steps of about the root of
-//! two, and are held from when the scene was first packed.
+//! two, and are held from when the scene was first packed. A part that moves as a whole carries its lines ([`HatchAnchor::Part`]): what
+//! of its turn is about the normal of the plane turns them.
 //!
 //! Costs a few multiplications for each family of lines at each pixel of a cap; contacts of parts are found once, where two parts are cut.
 //!
-//! Cannot: follow a part or a cutter that moves; tell more than eight classes by direction alone, after which spacing grows.
+//! Cannot: follow a part that bends or a cutter that moves; tell more than eight classes by direction alone, after which spacing grows.
 
 use glam::DVec3;
 
 use super::hatch_lines::{Placed, lines_of};
-use crate::passes::{SceneBuffers, or_one};
+use crate::passes::{Moved, SceneBuffers, or_one};
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role, pack};
-use crate::scene::style::{Hatch, Style};
+use crate::scene::style::{Hatch, HatchAnchor, HatchZoom, Style};
 use crate::scene::{CapHatch, PreparedSurface, linear_from_srgb, map_channels};
 
 /// What hatches bind: planes, parts, lines; none where no cap is in the picture or the style has no hatch.
@@ -30,6 +31,8 @@ pub(super) fn hatch(
     let prepared = &input.model.prepared;
     let up = prepared.up();
     let mut planes: pack::HatchPlanes = bytemuck::Zeroable::zeroed();
+    let rows = f64::from(input.view.band[1]);
+    planes.unit_px = (input.model.at_rest.picture_height() * prepared.scale / rows) as f32;
     for (plane, surface) in planes.planes.iter_mut().zip(&prepared.surfaces) {
         *plane = plane_of(surface, up);
         planes.count += 1;
@@ -112,6 +115,19 @@ fn part_hatches(
             CapHatch::Pattern(pattern) => lines.extend(lines_of(Some(pattern), &placed)),
             CapHatch::None | CapHatch::Solid => {}
         }
+        let moved = match hatch.anchor {
+            HatchAnchor::Part => input.model.moved[part.part],
+            HatchAnchor::Cut => None,
+        };
+        let point = |p: DVec3, w: f32| p.as_vec3().extend(w).to_array();
+        let [turned, start, end] = match moved {
+            Some(Moved { turned, start, end }) => [
+                turned.as_quat().to_array(),
+                point(start, 1.0),
+                point(end, 1.0),
+            ],
+            None => [[0.0; 4]; 3],
+        };
         pack::PartHatch {
             color,
             first_line,
@@ -121,9 +137,20 @@ fn part_hatches(
                 _ => hatch.alpha,
             },
             width_px: Style::px(hatch.width, input.view.band[1]),
+            turned,
+            start,
+            end,
         }
     });
     (parts.collect(), lines)
+}
+
+/// The file that fills `cutaway::hatch_zoom`.
+pub(super) fn zoom_of(hatch: &Hatch) -> &'static str {
+    match hatch.zoom {
+        HatchZoom::Fixed => "lib/hatch_zoom/fixed.wgsl",
+        HatchZoom::Banded => "lib/hatch_zoom/banded.wgsl",
+    }
 }
 
 /// From line to line, in thousandths of the picture's height.

@@ -7,7 +7,8 @@ use glam::Vec3;
 use super::Picture;
 use super::borders::borders;
 use super::ghost;
-use super::hatch::hatch;
+use super::ground::ground;
+use super::hatch::{hatch, zoom_of};
 use super::occlusion::occlusion;
 use super::pixels::{self, over_pixels};
 use crate::passes::{SceneBuffers, overlap, picture};
@@ -47,7 +48,9 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
         });
     let hatch = hatch(plan, scene, &style);
     shader = match &hatch {
-        Some(_) => shader.with("lib/cap_pattern/hatch.wgsl"),
+        Some(_) => shader
+            .with("lib/cap_pattern/hatch.wgsl")
+            .with(zoom_of(&style.hatch)),
         None => shader.with("lib/cap_pattern/plain.wgsl"),
     };
     shader = match borders {
@@ -79,6 +82,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     bindings.extend(hatch.into_iter().flatten());
     let about = ("illustrate", "the style turns layers into a picture");
     over_pixels(plan, scene, about, shader, bindings);
+    ground(plan, scene, (layers, picture));
     ghost::ghost(plan, scene, &numbers, (layers, picture));
     Picture { layers, picture }
 }

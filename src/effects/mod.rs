@@ -8,6 +8,7 @@
 mod borders;
 mod channels;
 mod ghost;
+mod ground;
 mod hatch;
 mod hatch_lines;
 mod horizon;

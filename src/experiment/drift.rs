@@ -1,14 +1,14 @@
-//! A camera that drifts sideways by parts of a pixel, and how much flickers while it does.
+//! A camera that drifts sideways by parts of a pixel, comes nearer or goes around the scene, and how much flickers while it does.
 //!
 //! From frame to frame some pixels change what they show, kind, part, clip-surface or side, because the picture moves. A strategy
 //! that is as good as exact changes where exact does; what it changes beyond that, and what it fails to change, is what an eye sees
 //! flicker. The frames are those of one camera whose picture is shifted: no part moves before another, so that little has to
-//! change. Costs one frame of every renderer and one of exact for each step, and as many more as pictures
-//! are held against, where they are.
+//! change. Costs one frame of every renderer and one of exact for each step, and as many more as pictures are held against, where
+//! they are.
 
 use std::collections::BTreeMap;
 
-use glam::DVec2;
+use glam::{DQuat, DVec2};
 
 use super::figures::OF_DRIFT;
 use super::picture_flicker::{PictureFlicker, luminance, sampled};
@@ -16,6 +16,7 @@ use super::{Question, Renderer};
 use crate::Result;
 use crate::exact::{Exact, evaluate};
 use crate::layers::{Kind, Layer, Layers};
+use crate::scene::{Prepared, View};
 use crate::session::{Outcome, Session};
 
 /// How a camera drifts.
@@ -25,8 +26,36 @@ pub struct Drift {
     pub frames: u32,
     /// By how many pixels the picture is shifted from each to the next.
     pub px: f64,
+    /// How much larger it is each time.
+    pub zoom: f64,
+    /// By how many degrees the camera goes around the middle of the scene each time.
+    pub turn_deg: f64,
     /// With how many samples along each side of a pixel the pictures are drawn that pictures are held against; 0 for none.
     pub samples: u32,
+}
+
+impl Drift {
+    /// The view in a frame.
+    fn view(&self, first: &View, prepared: &Prepared, frame: u32) -> View {
+        let frame = f64::from(frame);
+        let turn = DQuat::from_axis_angle(prepared.up(), (frame * self.turn_deg).to_radians());
+        let centre = prepared.bounds.centre();
+        let turned = View {
+            eye: centre + turn * (first.eye - centre),
+            right: turn * first.right,
+            up: turn * first.up,
+            forward: turn * first.forward,
+            half_height: first.half_height / self.zoom.powf(frame),
+            ..*first
+        };
+        // A camera that only shifts keeps its numbers.
+        let moved = if self.turn_deg == 0.0 && self.zoom == 1.0 {
+            *first
+        } else {
+            turned
+        };
+        moved.sampled_at(DVec2::new(frame * self.px, 0.0) + 0.5)
+    }
 }
 
 /// Pixels that change while a camera drifts: the sum over all pairs of frames that follow each other.
@@ -91,8 +120,7 @@ pub fn flicker(
             return Ok(None);
         }
         step(format!("drift {} of {}", frame + 1, drift.frames));
-        let shift = DVec2::new(f64::from(frame) * drift.px, 0.0);
-        let view = question.view.sampled_at(shift + 0.5);
+        let view = drift.view(&question.view, &question.shown.model.prepared, frame);
         let exact = evaluate(truth, &view);
         let mut drawn = Vec::with_capacity(renderers.len());
         for (renderer, pictures) in renderers.iter().zip(&mut pictures) {
@@ -110,8 +138,7 @@ pub fn flicker(
             if let Some(layers) = layers.as_ref().filter(|_| drift.samples > 0) {
                 let picture = luminance(session, method)?;
                 let channels = session.style_channels(&question.shown.model, &view, layers)?;
-                let of = (method, shift, drift.samples);
-                let truth = sampled(session, question.shown, &question.view, of)?;
+                let truth = sampled(session, question.shown, &view, (method, drift.samples))?;
                 pictures.add(&picture, &truth, layers, &channels);
             }
             drawn.push(layers);

@@ -6,8 +6,6 @@
 
 use std::collections::BTreeMap;
 
-use glam::DVec2;
-
 use super::SceneAtTime;
 use super::figures::OF_PICTURES;
 use crate::Result;
@@ -99,15 +97,10 @@ pub(super) fn sampled(
     session: &mut Session,
     shown: &SceneAtTime,
     view: &View,
-    (method, shift, samples): (Method, DVec2, u32),
+    (method, samples): (Method, u32),
 ) -> Result<Vec<f32>> {
     let mut mean = Vec::new();
-    for (i, j) in (0..samples).flat_map(|j| (0..samples).map(move |i| (i, j))) {
-        let at = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / f64::from(samples);
-        let view = View {
-            fineness: samples,
-            ..view.sampled_at(shift + at)
-        };
+    for (_, view) in view.samples(samples) {
         // The whole of it was drawn from the middle of the pixels.
         let _ = session.draw(&shown.model, &view, method)?;
         let sample = luminance(session, method)?;

@@ -6,7 +6,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use glam::DAffine3;
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::{Mesh, Prepared, Scene, classes, contacts};
@@ -15,6 +15,16 @@ use crate::scene::{Mesh, Prepared, Scene, classes, contacts};
 const CELLS: f64 = 150.0;
 /// The picture that the size of a scene is taken from: its shape matters little.
 const FRAMED_PX: [u32; 2] = [1024, 768];
+
+/// How a part has moved as a whole, in scene space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moved {
+    pub(crate) turned: DQuat,
+    /// Where its middle was.
+    pub(crate) start: DVec3,
+    /// Where it is.
+    pub(crate) end: DVec3,
+}
 
 /// The parts of a scene as they were placed when it was packed.
 #[derive(Debug)]
@@ -68,10 +78,38 @@ impl AtRest {
         })
     }
 
+    /// How each part of the scene has moved since, by its index: none where it stands, bends or is stretched.
+    pub(super) fn moved(&self, scene: &Scene, prepared: &Prepared) -> Vec<Option<Moved>> {
+        let to_scene = |p: DVec3| (p - prepared.centre_in_world) * prepared.scale;
+        let parts = scene.parts.iter().zip(&self.parts);
+        let moved = parts.map(|(part, (mesh, before))| {
+            let is_posed = !(part.pose.joints.is_empty() && part.pose.deformers.is_empty());
+            if part.world_from_part == *before || is_posed {
+                return None;
+            }
+            let now_from_before = part.world_from_part * before.inverse();
+            let turned = rotation_of(&now_from_before.matrix3)?;
+            let middle = before.transform_point3(mesh.bounds().centre());
+            Some(Moved {
+                turned,
+                start: to_scene(middle),
+                end: to_scene(now_from_before.transform_point3(middle)),
+            })
+        });
+        moved.collect()
+    }
+
     /// Height of the picture in world units at the depth of the middle of the scene, through the camera that the scene had.
     pub(crate) fn picture_height(&self) -> f64 {
         self.picture_height
     }
+}
+
+/// A map as a rotation, if it is one.
+fn rotation_of(map: &DMat3) -> Option<DQuat> {
+    let stretch = map.transpose() * *map - DMat3::IDENTITY;
+    let is_rigid = stretch.to_cols_array().iter().all(|x| x.abs() < 1e-6);
+    (is_rigid && map.determinant() > 0.0).then(|| DQuat::from_mat3(map))
 }
 
 fn picture_height(prepared: &Prepared) -> f64 {

@@ -10,8 +10,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::KeptContents;
-use super::at_rest::AtRest;
+use super::at_rest::{AtRest, Moved};
 use super::cutters::Cutters;
+use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, PackedPose};
@@ -19,7 +20,9 @@ use super::settled::SettledParts;
 use super::sliced::Sliced;
 use crate::plan::Contents;
 use crate::plan::pack::NO_RELIEF;
-use crate::scene::{Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace};
+use crate::scene::{
+    Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, Style,
+};
 
 /// A vertex as the shaders read it.
 #[repr(C)]
@@ -69,6 +72,10 @@ pub struct Model {
     pub grid_indices: Arc<KeptContents>,
     /// What its hatches hang on.
     pub(crate) at_rest: Arc<AtRest>,
+    /// The shadow on the ground, where there is one.
+    pub(crate) ground: Option<Arc<GroundShadow>>,
+    /// How parts have moved since, by index in the scene.
+    pub(crate) moved: Vec<Option<Moved>>,
     lineage: Arc<()>,
     /// Of this model and its copies alone.
     identity: Arc<()>,
@@ -147,6 +154,7 @@ impl Model {
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);
+        let at_rest = AtRest::of(scene, &prepared, before.map(|b| &b.at_rest));
         Self {
             cutters,
             ranges,
@@ -160,7 +168,9 @@ impl Model {
             rooms,
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
-            at_rest: AtRest::of(scene, &prepared, before.map(|b| &b.at_rest)),
+            ground: None,
+            moved: at_rest.moved(scene, &prepared),
+            at_rest,
             lineage: before.map_or_else(Arc::default, |b| b.lineage.clone()),
             identity: Arc::default(),
             prepared,
@@ -188,6 +198,25 @@ impl Model {
         uncut.settled = None;
         uncut.identity = Arc::default();
         uncut
+    }
+
+    /// The same scene on a ground with a shadow.
+    #[must_use]
+    pub fn on_ground(&self, shadow: GroundShadow) -> Self {
+        Self {
+            ground: Some(Arc::new(shadow)),
+            identity: Arc::default(),
+            ..self.clone()
+        }
+    }
+
+    /// The same scene in another style.
+    #[must_use]
+    pub(crate) fn in_style(&self, style: Style) -> Self {
+        let mut styled = self.clone();
+        styled.prepared.style = style;
+        styled.identity = Arc::default();
+        styled
     }
 
     /// What slicing a part needs again, by rank.

@@ -12,6 +12,7 @@ mod normal;
 
 pub use composite::Composite;
 pub use ghost::Ghost;
+pub use ground::Ground;
 pub use hatch::{HatchLine, HatchPlane, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
@@ -47,6 +48,7 @@ macro_rules! shared {
 // After the macro, which they use.
 mod composite;
 mod ghost;
+mod ground;
 mod hatch;
 mod lists;
 mod occlusion;

@@ -205,7 +205,7 @@ impl Prepared {
 
     /// A view whose depth reaches as far as there is anything: what lies behind is counted, of cutters too, which may reach farther than
     /// the parts.
-    pub(super) fn seen_to_the_end(&self, view: View) -> View {
+    pub(crate) fn seen_to_the_end(&self, view: View) -> View {
         let volumes = self.surfaces.iter().filter_map(|s| s.volume.as_ref());
         let boxes = volumes.map(|v| v.bounds).chain([self.bounds]);
         let farthest = boxes

@@ -102,6 +102,21 @@ impl View {
         }
     }
 
+    /// The views of a grid of so many points along each side of a pixel, each with its place in the grid: together they make one picture.
+    pub fn samples(&self, count: u32) -> impl Iterator<Item = ([u32; 2], Self)> + use<> {
+        let view = *self;
+        let places = (0..count).flat_map(move |j| (0..count).map(move |i| [i, j]));
+        places.map(move |place| {
+            let [x, y] = place.map(f64::from);
+            let at = (DVec2::new(x, y) + 0.5) / f64::from(count);
+            let sample = Self {
+                fineness: count,
+                ..view.sampled_at(at)
+            };
+            (place, sample)
+        })
+    }
+
     /// The view of some of the rows, with the same rays through them: pixel (x, y) of it is pixel (x, `first` + y) of this one.
     #[must_use]
     pub fn rows(&self, first: u32, count: u32) -> Self {

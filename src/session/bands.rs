@@ -10,6 +10,7 @@ use super::rows::Rows;
 use super::{Drawn, MOST_TRIES, Outcome};
 use crate::effects;
 use crate::gpu::{Clip, ClockSet, Compositor, Gpu, Program, Report, RunTimes};
+use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::{Capacities, Due, Recorded};
 use crate::scene::View;
@@ -111,6 +112,20 @@ impl Slot {
         self.refused = Some("it has drawn no frame".to_owned());
         self.last = None;
         self.is_clip_of_last = false;
+    }
+
+    /// The layers of the last frame.
+    pub(super) fn layers(&self, gpu: &Gpu) -> Result<Layers> {
+        let width = self.size_px[0];
+        let mut pixels = Vec::new();
+        for band in &self.bands {
+            let layers = band.program.layers(gpu, band.drawn_px(width))?;
+            pixels.extend(band.rows.own(&layers.pixels, width as usize));
+        }
+        Ok(Layers {
+            size_px: self.size_px,
+            pixels,
+        })
     }
 
     /// Cuts the picture into twice as many bands, if they may be smaller.

@@ -4,6 +4,7 @@
 mod borders;
 mod files;
 mod ghost;
+mod ground;
 mod hatch;
 mod occlusion;
 mod plans;

@@ -24,7 +24,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let place = place_of_part[part_of(word)];
     if has_hatch(word, place) {
-        let footing = footing_of(id.xy, clip_surface_of(word), bitcast<f32>(layers[first + 2u]), unpack_normal(layers[first + 1u]));
-        hatched[pixel] = vec4<f32>(hatch_cover(part_hatches[place], footing), footing.uv, 0.0);
+        let hatch = part_hatches[place];
+        let normal = unpack_normal(layers[first + 1u]);
+        let footing = footing_of(id.xy, clip_surface_of(word), bitcast<f32>(layers[first + 2u]), normal, hatch);
+        hatched[pixel] = vec4<f32>(hatch_cover(hatch, footing), footing.uv, 0.0);
     }
 }

@@ -10,6 +10,6 @@ fn patterned(color: vec3<f32>, at: vec2<u32>, word: u32, depth: f32, normal: vec
         return color;
     }
     let hatch = part_hatches[place];
-    let footing = footing_of(at, clip_surface_of(word), depth, normal);
+    let footing = footing_of(at, clip_surface_of(word), depth, normal, hatch);
     return mix(color, hatch.color.rgb, hatch.alpha * hatch_cover(hatch, footing));
 }

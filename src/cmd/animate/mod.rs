@@ -32,7 +32,7 @@ use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::ClipArgs;
 use crate::document::Document;
-use crate::experiment::{Identity, Renderer, SceneAtTime};
+use crate::experiment::{Identity, Renderer};
 use crate::load::Assets;
 use crate::load::frames::USUAL_FPS;
 use crate::session::Outcome;
@@ -189,7 +189,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         subject: &subject,
         times,
         renderer,
-        shown: SceneAtTime::new(&subject.scene),
+        shown: subject.shown()?,
         camera: subject.scene.camera,
     };
     let mut frames = Vec::with_capacity(times.count as usize);

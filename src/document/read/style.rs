@@ -12,7 +12,8 @@ use crate::document::Keys;
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::scene::style::{
-    Engraving, Ghost, GhostKind, Hatch, Occlusion, OcclusionKind, Paper, Shading, Style, Tint,
+    Engraving, Ghost, GhostKind, Hatch, HatchAnchor, HatchZoom, Occlusion, OcclusionKind, Paper,
+    Shading, Style, Tint,
 };
 
 static KEYS: Keys = Keys::below("style");
@@ -23,6 +24,7 @@ static HATCH: Keys = Keys::below("style.hatch");
 static GOOCH: Keys = Keys::below("style.gooch");
 static OCCLUSION: Keys = Keys::below("style.occlusion");
 static GHOST: Keys = Keys::below("style.ghost");
+static SHADOW: Keys = Keys::below("style.shadow");
 static ENGRAVING: Keys = Keys::below("style.engraving");
 
 /// The styles that come with the program, beside `lit`, which is the default of the library.
@@ -192,6 +194,11 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
     if let Some(entry) = table.get("ghost") {
         ghost(&mut style.ghost, &entry.table(GHOST.all())?)?;
     }
+    if let Some(entry) = table.get("shadow") {
+        let table = entry.table(SHADOW.all())?;
+        set(&mut style.shadow.strength, &table, "strength", 1.0)?;
+        set(&mut style.shadow.spread_deg, &table, "spread_deg", 70.0)?;
+    }
     if let Some(entry) = table.get("engraving") {
         engraving(&mut style.engraving, &entry.table(ENGRAVING.all())?)?;
     }
@@ -219,6 +226,12 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
 fn hatch(hatch: &mut Hatch, table: &Table<'_>) -> Result<()> {
     if let Some(entry) = table.get("color") {
         hatch.color = Some(color(&entry)?);
+    }
+    if let Some(entry) = table.get("anchor") {
+        hatch.anchor = entry.choice(&HatchAnchor::ALL)?;
+    }
+    if let Some(entry) = table.get("zoom") {
+        hatch.zoom = entry.choice(&HatchZoom::ALL)?;
     }
     if let Some(entry) = table.get("angle_deg") {
         hatch.angle_deg = entry.number()? as f32;

@@ -27,8 +27,8 @@ shared! {
         planes: [HatchPlane; MOST_HATCH_PLANES],
         /// How many there are.
         count: u32,
-        /// Unused.
-        padding_a: u32,
+        /// Scene units along a pixel of the picture as the scene was first seen.
+        unit_px: f32,
         /// Unused.
         padding_b: u32,
         /// Unused.
@@ -49,6 +49,12 @@ shared! {
         alpha: f32,
         /// Width of a line in pixels.
         width_px: f32,
+        /// How the part was turned since its lines were laid down, a quaternion.
+        turned: [f32; 4],
+        /// Its middle then, in scene space; the last is 1 where it has moved.
+        start: [f32; 4],
+        /// Its middle now.
+        end: [f32; 4],
     }
 }
 

@@ -8,13 +8,17 @@
 
 mod engraving;
 mod ghost;
+mod hatch;
 mod occlusion;
 mod oklab;
+mod shadow;
 mod tint;
 
 pub use engraving::Engraving;
 pub use ghost::{Ghost, GhostKind};
+pub use hatch::{Hatch, HatchAnchor, HatchZoom};
 pub use occlusion::{Occlusion, OcclusionKind};
+pub use shadow::Shadow;
 pub use tint::Tint;
 
 use glam::Vec3;
@@ -46,50 +50,8 @@ pub struct Style {
     pub occlusion: Occlusion,
     /// What was removed.
     pub ghost: Ghost,
-}
-
-/// Parallel lines on caps, in units of the scene: they stay where they are while the camera moves. Parts that touch have unlike ones.
-/// Lengths are in thousandths of the picture's height, as the scene was first seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hatch {
-    /// Width of a line; 0 draws none.
-    pub width: f32,
-    /// How much of the ink a line has, 0 to 1.
-    pub alpha: f32,
-    /// Colour of lines; `None` is the ink.
-    pub color: Option<Vec3>,
-    /// Direction of the lines of the first class of parts, in degrees from the horizontal of the cap.
-    pub angle_deg: f32,
-    /// Distance from line to line over the mean thickness of the part.
-    pub per_thickness: f32,
-    /// The least distance from line to line.
-    pub least: f32,
-    /// The greatest; what touches many others may have more.
-    pub most: f32,
-    /// Parts that are thinner on the mean have their caps filled.
-    pub solid_below: f32,
-}
-
-impl Default for Hatch {
-    fn default() -> Self {
-        Self {
-            width: 0.0,
-            alpha: 0.6,
-            color: None,
-            angle_deg: 45.0,
-            per_thickness: 0.20,
-            least: 5.2,
-            most: 9.5,
-            solid_below: 2.9,
-        }
-    }
-}
-
-impl Hatch {
-    /// Whether it draws anything.
-    pub fn is_drawn(&self) -> bool {
-        self.width > 0.0 && self.alpha > 0.0
-    }
+    /// What the model does to the ground.
+    pub shadow: Shadow,
 }
 
 /// How caps differ from surfaces.

@@ -12,11 +12,12 @@ const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 
     f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 /// Options that say something of the scene, and whether a value follows them after a space.
-const OF_SCENE: [(&str, bool); 28] = [
+const OF_SCENE: [(&str, bool); 29] = [
     ("--section", true),
     ("--relief", true),
     ("--flip", false),
     ("--ghost", false),
+    ("--shadow", false),
     ("--box", true),
     ("--wedge", true),
     ("--cut", true),

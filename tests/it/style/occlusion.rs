@@ -1,6 +1,7 @@
 //! Occlusion, held against closed forms, rays and a Gaussian in f64.
 
 use super::*;
+use common::real;
 use cutaway::layers::{Layer, Layers};
 use cutaway::scene::{Camera, Projection, View, Viewpoint};
 use glam::{DVec2, Vec3};
@@ -130,13 +131,28 @@ fn met(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
 
 #[test]
 fn horizons_are_near_what_rays_find() {
-    let occlusion = Occlusion {
+    let parts = vec![Part::new("crank", meshes::shape("crank"))];
+    rays_agree(scenes::of_parts("crank", parts, Vec::new()), [0.06, 0.03]);
+}
+
+#[test]
+fn horizons_are_near_what_rays_find_in_half_a_gearbox() {
+    for file in real::files(&["assembly"]) {
+        if file.ends_with("cycloidal_drive.ply") {
+            // Narrow gaps between bodies, most of whose walls no pixel shows: with 16 x 48 samples it is still 0.087.
+            rays_agree(real::cut(&file, None), [0.12, 0.05]);
+        }
+    }
+}
+
+/// Whether horizons are near what rays find, on the surfaces of a scene with one part and at most one plane: root of the mean square of what
+/// they differ by, and their mean.
+fn rays_agree(mut scene: Scene, [most_rms, most_bias]: [f64; 2]) {
+    scene.name = scene.parts[0].name.clone();
+    scene.style = with(Occlusion {
         kind: OcclusionKind::Horizon,
         ..Occlusion::default()
-    };
-    let parts = vec![Part::new("crank", meshes::shape("crank"))];
-    let mut scene = scenes::of_parts("crank", parts, Vec::new());
-    scene.style = with(occlusion);
+    });
     let model = Model::new(&scene);
     let view = model.prepared.view([640, 480]);
     let method = Method::from(Strategy::RAYCAST_MASK);
@@ -150,9 +166,14 @@ fn horizons_are_near_what_rays_find() {
     let triangles: Vec<[DVec3; 3]> = (part.triangles.iter())
         .map(|t| t.map(|i| DVec3::from(corner(i))))
         .collect();
+    // What is removed hides nothing, and no ray comes back from there.
+    let is_kept = |point: DVec3| {
+        let mut planes = model.prepared.surfaces.iter();
+        planes.all(|s| (point - s.origin).dot(s.frame.normal) >= 0.0)
+    };
     let radius = 0.05 * 2.0 * model.prepared.bounds.radius();
     let (mut errors, mut dark) = (Vec::new(), 0.0);
-    for (i, layer) in layers.pixels.iter().enumerate().step_by(211) {
+    for (i, layer) in layers.pixels.iter().enumerate().step_by(97) {
         if layer.kind != Kind::Surface {
             continue;
         }
@@ -175,7 +196,8 @@ fn horizons_are_near_what_rays_find() {
                 let share = (f64::from(k) + 0.5) / f64::from(count);
                 let flat = DVec2::from_angle(2.399_963 * f64::from(k)) * share.sqrt();
                 let way = x * flat.x + y * flat.y + normal * (1.0 - share).sqrt();
-                let far = near.iter().filter_map(|t| met(point, way, **t));
+                let hits = near.iter().filter_map(|t| met(point, way, **t));
+                let far = hits.filter(|far| is_kept(point + way * *far));
                 let far = far.fold(f64::INFINITY, f64::min) / radius;
                 (far * far).min(1.0)
             })
@@ -188,11 +210,15 @@ fn horizons_are_near_what_rays_find() {
     let rms = (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt();
     let bias = errors.iter().sum::<f64>() / count;
     println!(
-        "{count} points: rms {rms:.4}, bias {bias:.4}, mean darkness {:.4}",
+        "{}, {count} points: rms {rms:.4}, bias {bias:.4}, mean darkness {:.4}",
+        scene.name,
         dark / count
     );
     assert!(count > 200.0, "{count} points");
-    assert!(rms <= 0.06 && bias.abs() <= 0.03, "rms {rms}, bias {bias}");
+    assert!(
+        rms <= most_rms && bias.abs() <= most_bias,
+        "rms {rms}, bias {bias}"
+    );
     assert!(
         dark / count > 0.03,
         "without occlusion the bias would be seen"
