@@ -10,6 +10,7 @@ use super::edits::EditArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
+use super::roles;
 use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
@@ -25,6 +26,7 @@ Examples:
   cutaway inspect shape:gears
   cutaway inspect walk.glb --clip run --time 0.5
   cutaway inspect engine.stl --split                                  # each connected body by itself
+  cutaway inspect engine.stl --split --roles                          # what lies inside, for --breakaway
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
@@ -45,6 +47,10 @@ pub(super) struct InspectArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
+    /// Say which role each part has for cutouts and breakaways, and who says so; where nobody does, they are found by what is seen from
+    /// outside
+    #[arg(long)]
+    roles: bool,
     #[command(flatten)]
     defects: DefectArgs,
     /// The same as JSON; with `-` instead of the table
@@ -67,6 +73,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.when.amend(&mut document)?;
+    roles::amend(&mut document, &[], args.roles)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.edits)?;
     let clips = subject.timeline.clips();
@@ -81,12 +88,23 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
             bodies: facts.iter().map(|f| f.bodies).sum(),
         },
     };
+    let roles = args.roles.then(|| subject.timeline.roles()).transpose()?;
     if let Some(output) = &json {
-        let json = to_json(&facts, &total, clips)?;
+        let mut json = to_json(&facts, &total, clips)?;
+        for (i, (part, by)) in roles.iter().flatten().enumerate() {
+            if let (Some(facts), Value::Object(role)) =
+                (json["parts"][i].as_object_mut(), roles::to_json(part, by))
+            {
+                facts.extend(role);
+            }
+        }
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {
-        let mut text = to_text(&facts, &total);
+        let mut text = match &roles {
+            Some(roles) => roles::to_text(roles),
+            None => to_text(&facts, &total),
+        };
         text.extend(clips.iter().enumerate().map(describe));
         write_stdout(text.as_bytes())?;
     }

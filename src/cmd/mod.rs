@@ -31,6 +31,7 @@ mod places;
 mod plan;
 mod render;
 mod report;
+mod roles;
 mod scene;
 mod section;
 mod sections;

@@ -5,6 +5,7 @@
 
 use clap::{ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 
+use super::roles::{self, RoleWord};
 use super::subject::check_model;
 use crate::document::{CutDraft, Document, Node, SurfaceDraft, cut, section};
 use crate::scene::{Cut, Scene};
@@ -38,6 +39,31 @@ struct Words {
     /// y for x, z for y), as `z:0:90` or `-y:-30:200@0,50%,0`. Repeatable
     #[arg(long = "wedge", value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     wedges: Vec<String>,
+    /// Removes a wedge of so many degrees (110) about the main axis, open to the camera; or `axis=z,angle_deg=90,turn_deg=20`
+    #[arg(
+        long,
+        value_name = "DEG|SPEC",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "",
+        help_heading = HEADING
+    )]
+    cutout: Option<String>,
+    /// Opens what hides the interior parts from the camera, so far away from them (1%); or `distance=3%,bevel_deg=0,view=first`.
+    /// Finds out which parts are interior, unless --roles or the scene says it
+    #[arg(
+        long,
+        value_name = "DIST|SPEC",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "",
+        help_heading = HEADING
+    )]
+    breakaway: Option<String>,
+    /// Which parts are never cut: `auto`, those that are not seen from outside; or `interior=GLOB`, `whole=GLOB` (hidden where all of it is
+    /// removed), `exterior=GLOB`. Repeatable
+    #[arg(long, value_name = "ROLES", value_parser = roles::parse, help_heading = HEADING)]
+    roles: Vec<RoleWord>,
     /// Several sections, boxes and wedges: remove what any of them removes (union) or all of them (intersection)
     #[arg(long, value_enum, default_value = "union", help_heading = HEADING)]
     cut: Combination,
@@ -94,6 +120,9 @@ pub(super) struct SectionArgs {
     stray: Option<Stray>,
     combination: Combination,
     cutters: Vec<String>,
+    cutout: Option<String>,
+    breakaway: Option<String>,
+    roles: Vec<RoleWord>,
     exclude: Vec<String>,
 }
 
@@ -150,7 +179,8 @@ impl FromArgMatches for SectionArgs {
             }
         }
         let regions = [&words.boxes, &words.wedges, &words.cutter];
-        let cuts_nothing = sections.is_empty() && regions.iter().all(|r| r.is_empty());
+        let opens = words.cutout.is_some() || words.breakaway.is_some();
+        let cuts_nothing = !opens && sections.is_empty() && regions.iter().all(|r| r.is_empty());
         // A plane that moves is cut by as well.
         let sweeps = matches!(matches.try_contains_id("sweep"), Ok(true));
         if cuts_nothing && !sweeps && !words.exclude.is_empty() {
@@ -163,6 +193,9 @@ impl FromArgMatches for SectionArgs {
             stray,
             combination: words.cut,
             cutters: words.cutter,
+            cutout: words.cutout,
+            breakaway: words.breakaway,
+            roles: words.roles,
             exclude: words.exclude,
         })
     }
@@ -183,7 +216,7 @@ impl SectionArgs {
         for cut in self.drafts() {
             document.add_cut(self.spare(cut))?;
         }
-        Ok(())
+        roles::amend(document, &self.roles, self.breakaway.is_some())
     }
 
     /// A cut that spares what no cut of the command line cuts.
@@ -199,6 +232,8 @@ impl SectionArgs {
         if self.combination == Combination::Intersection {
             cuts = cuts.into_iter().reduce(CutDraft::and).into_iter().collect();
         }
+        cuts.extend(self.cutout.iter().map(|words| cut([]).cutout(words)));
+        cuts.extend(self.breakaway.iter().map(|words| cut([]).breakaway(words)));
         cuts.extend(self.cutters.iter().map(|cutter| cut([]).volume(cutter)));
         cuts
     }

@@ -291,6 +291,32 @@ impl CutDraft {
         self
     }
 
+    /// Removes a wedge that places itself, `ANGLE` or `key=value,...` of what a file has under `cutout`; the usual for no words.
+    #[must_use]
+    pub fn cutout(self, words: &str) -> Self {
+        self.opening("cutout", words, &["angle_deg", "axis", "turn_deg"])
+    }
+
+    /// Opens what hides the interiors, `DISTANCE` or `key=value,...` of what a file has under `breakaway`; the usual for no words.
+    #[must_use]
+    pub fn breakaway(self, words: &str) -> Self {
+        let keys = ["distance", "bevel_deg", "clusters", "view"];
+        self.opening("breakaway", words, &keys)
+    }
+
+    fn opening(mut self, name: &str, words: &str, keys: &[&str]) -> Self {
+        let origin = Origin::Option(format!("{name} `{words}`").into());
+        match spec::opening(words, name, keys) {
+            Ok(entries) => {
+                let table = table_of(entries, &origin);
+                self.table.push((name.into(), table));
+            }
+            Err(e) => self.fault = self.fault.or(Some(e)),
+        }
+        self.names.push(name.to_owned());
+        self
+    }
+
     /// Spares the parts whose names fit one of these globs.
     #[must_use]
     pub fn except(mut self, globs: &[String]) -> Self {

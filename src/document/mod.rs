@@ -47,7 +47,7 @@ pub use node::{Node, Number, Origin, Value};
 pub(crate) use parse::parse;
 pub(crate) use paths::Keys;
 pub(crate) use read::reader;
-pub use read::{Interpolation, Key, Settings, named_style, style_names};
+pub use read::{Interpolation, Key, RoleBy, Settings, named_style, style_names};
 pub use timeline::Timeline;
 
 use crate::error::{Error, Result};

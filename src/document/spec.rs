@@ -140,6 +140,25 @@ pub(super) fn wedge(text: &str) -> Result<Entries> {
     Ok(table)
 }
 
+/// Reads `key=value,...` of an opening that places itself, whose keys these are; a number alone is the first of them.
+pub(super) fn opening(text: &str, what: &str, keys: &[&str]) -> Result<Entries> {
+    let fault = |fault: String, help: String| Error::input(format!("{what} `{text}`"), fault, help);
+    let words = match text {
+        text if !text.is_empty() && !text.contains('=') => format!("{}={text}", keys[0]),
+        text => text.to_owned(),
+    };
+    let mut table = Entries::new();
+    let usual = || format!("write for example `{}=10`", keys[0]);
+    for (key, value) in settings(&words).map_err(|what| fault(what, usual()))? {
+        if !keys.contains(&key) {
+            let help = did_you_mean(key, keys.iter().copied());
+            return Err(fault(format!("`{key}` is no key of it"), help));
+        }
+        table.push((key.to_owned(), one(value)));
+    }
+    Ok(table)
+}
+
 fn point(text: &str) -> Result<Value, String> {
     let coordinates: Vec<Value> = text.split(',').map(one).collect();
     match coordinates.len() {

@@ -193,7 +193,10 @@ impl Model {
         let mut uncut = self.clone();
         uncut.prepared.cuts.clear();
         uncut.prepared.surfaces.clear();
-        uncut.prepared.parts.iter_mut().for_each(|p| p.cuts.clear());
+        for part in &mut uncut.prepared.parts {
+            part.cuts.clear();
+            part.is_hidden = false;
+        }
         uncut.first_texel.clear();
         uncut.settled = None;
         uncut.identity = Arc::default();

@@ -74,6 +74,10 @@ impl Relevance {
         let mut cuts: Vec<(usize, u32)> = Vec::new();
         let mut parts = Vec::with_capacity(prepared.parts.len());
         for part in &prepared.parts {
+            if part.is_hidden {
+                parts.push(Treatment::Removed);
+                continue;
+            }
             // What removes a part altogether is asked first: the other cuts of such a part do not matter.
             let reached: Vec<(usize, bool)> = (part.cuts.iter())
                 .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, &part.bounds)?)))

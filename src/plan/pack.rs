@@ -12,11 +12,10 @@ mod normal;
 
 pub use composite::Composite;
 pub use ghost::Ghost;
-pub use ground::Ground;
 pub use hatch::{HatchLine, HatchPlane, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
-pub use occlusion::{Horizon, Unsharp};
+pub use occlusion::{Ground, Horizon, Unsharp};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
 pub use style::Style;
@@ -48,7 +47,6 @@ macro_rules! shared {
 // After the macro, which they use.
 mod composite;
 mod ghost;
-mod ground;
 mod hatch;
 mod lists;
 mod occlusion;

@@ -2,7 +2,7 @@
 //!
 //! A part can have a region of its own: an [`Offset`] moves all clip-surfaces of a cut for the parts that it names.
 
-use super::{ClipSurface, Cutter, Part, Role};
+use super::{Breakaway, ClipSurface, Cutter, Part, Role};
 
 /// The intersection of the removed sides of its clip-surfaces and of its cutter, removed from the parts it applies to.
 #[derive(Clone, Debug)]
@@ -13,6 +13,10 @@ pub struct Cut {
     pub surfaces: Vec<ClipSurface>,
     /// A closed mesh that acts as one more clip-surface, after the others.
     pub volume: Option<Cutter>,
+    /// What places its cutter, if it places itself: see [`Scene::open_breakaways`](super::Scene::open_breakaways).
+    pub breakaway: Option<Breakaway>,
+    /// The number of its opening, from 0: a breakaway with several is several cuts.
+    pub opening: usize,
     /// Globs of the parts that are cut; `*` and `?` are understood.
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
@@ -40,6 +44,8 @@ impl Cut {
             name: name.into(),
             surfaces,
             volume: None,
+            breakaway: None,
+            opening: 0,
             applies_to: vec!["*".into()],
             except: Vec::new(),
             offsets: Vec::new(),
@@ -57,7 +63,12 @@ impl Cut {
 
     /// Whether the cut removes anything from a part.
     pub fn applies_to(&self, part: &Part) -> bool {
-        self.enabled && part.role == Role::Exterior && self.names(part)
+        self.is_on() && part.role == Role::Exterior && self.names(part)
+    }
+
+    /// Whether it removes anything: not where it is off, nor where its opening has found no place.
+    pub(crate) fn is_on(&self) -> bool {
+        self.enabled && (self.breakaway.is_none() || self.volume.is_some())
     }
 
     /// Whether the globs mean a part.

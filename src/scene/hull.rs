@@ -1,12 +1,12 @@
-//! Corners of the convex hull of points: all that the extent of the points in any direction depends on.
+//! The convex hull of points: all that their extent in any direction depends on.
 //!
 //! Quickhull (Barber, Dobkin & Huhdanpaa 1996, *The Quickhull algorithm for convex hulls*, ACM TOMS 22.4). Every point that is not
 //! decided yet is kept with one facet that it lies before; the farthest of them joins the hull, and takes the place of all facets that
 //! it sees. What it sees is decided by exact signs (Shewchuk 1997), and a facet that it lies in is not seen: so what is seen is a
 //! disk, whatever lies in one plane, and its border one ring with no edge in line with the point.
 //!
-//! Points that stand out by less than [`ASIDE`] are left out: a ball of a million corners has some ten thousand that matter.
-//! Cost: time in proportion to the points, times the logarithm of the corners. Points of one plane are returned as they are.
+//! Where only extents are asked for, points that stand out by less than [`ASIDE`] are left out: a ball of a million corners has some ten
+//! thousand that matter. Cost: time in proportion to the points, times the logarithm of the corners. Points of one plane have no hull.
 
 use std::collections::BTreeMap;
 
@@ -15,6 +15,39 @@ use robust::{Coord3D, orient3d};
 
 /// What stands out by less, as a share of the thickness of all, is left out: a tenth of a pixel in a picture of a thousand.
 const ASIDE: f64 = 1e-4;
+
+/// A convex hull as a closed mesh.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ConvexHull {
+    /// In no order.
+    pub(crate) corners: Vec<DVec3>,
+    /// Counter-clockwise from outside; flat faces are made of several.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+impl ConvexHull {
+    /// The hull of all points; `None` where they lie in one plane.
+    pub(crate) fn of(points: &[DVec3]) -> Option<Self> {
+        Hull::around(points, 0.0).map(|hull| hull.as_mesh())
+    }
+
+    /// That of points which need not all be in it: what stands out by less than a ten-thousandth of the thickness may be left out.
+    pub(crate) fn nearly(points: &[DVec3]) -> Option<Self> {
+        Hull::around(points, ASIDE).map(|hull| hull.as_mesh())
+    }
+
+    /// The corner that lies farthest in a direction.
+    pub(crate) fn farthest(&self, direction: DVec3) -> DVec3 {
+        let all = self.corners.iter().copied();
+        all.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)))
+            .unwrap_or_default()
+    }
+
+    /// The corners of each face.
+    pub(crate) fn faces(&self) -> impl Iterator<Item = [DVec3; 3]> {
+        (self.triangles.iter()).map(|t| t.map(|i| self.corners[i as usize]))
+    }
+}
 
 struct Facet {
     /// Counter-clockwise from outside.
@@ -36,26 +69,40 @@ struct Hull<'a> {
 
 /// The corners of the convex hull, in no order.
 pub(super) fn hull_corners(points: &[DVec3]) -> Vec<DVec3> {
-    let Some(mut hull) = Hull::begin(points) else {
-        return points.to_vec();
-    };
-    let mut next = 0;
-    while next < hull.facets.len() {
-        match hull.farthest_before(next) {
-            Some(point) => hull.add(point, next),
-            None => next += 1,
-        }
+    match ConvexHull::nearly(points) {
+        Some(hull) => hull.corners,
+        None => points.to_vec(),
     }
-    let standing = hull.facets.iter().filter(|f| !f.is_gone);
-    let mut corners: Vec<usize> = standing.flat_map(|f| f.corners).collect();
-    corners.sort_unstable();
-    corners.dedup();
-    corners.into_iter().map(|i| points[i]).collect()
 }
 
 impl<'a> Hull<'a> {
+    /// The hull of points, of which those that stand out by less than a share of the thickness may be left out.
+    fn around(points: &'a [DVec3], aside: f64) -> Option<Self> {
+        let mut hull = Self::begin(points, aside)?;
+        let mut next = 0;
+        while next < hull.facets.len() {
+            match hull.farthest_before(next) {
+                Some(point) => hull.add(point, next),
+                None => next += 1,
+            }
+        }
+        hull.facets.retain(|f| !f.is_gone);
+        Some(hull)
+    }
+
+    fn as_mesh(&self) -> ConvexHull {
+        let mut corners: Vec<usize> = self.facets.iter().flat_map(|f| f.corners).collect();
+        corners.sort_unstable();
+        corners.dedup();
+        let place = |point: usize| corners.partition_point(|c| *c < point) as u32;
+        ConvexHull {
+            triangles: self.facets.iter().map(|f| f.corners.map(place)).collect(),
+            corners: corners.iter().map(|i| self.points[*i]).collect(),
+        }
+    }
+
     /// The hull of four points that lie in no plane.
-    fn begin(points: &'a [DVec3]) -> Option<Self> {
+    fn begin(points: &'a [DVec3], aside: f64) -> Option<Self> {
         let farthest = |of: &dyn Fn(DVec3) -> f64| {
             let all = points.iter().enumerate().map(|(i, p)| (i, of(*p)));
             all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
@@ -69,7 +116,7 @@ impl<'a> Hull<'a> {
         let mut hull = Self {
             points,
             facets: Vec::new(),
-            aside: ASIDE * normal.dot(points[d] - points[a]).abs(),
+            aside: aside * normal.dot(points[d] - points[a]).abs(),
         };
         let side = hull.side([a, b, c], d);
         if side == 0.0 {

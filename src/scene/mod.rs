@@ -14,6 +14,7 @@ mod color;
 mod color_names;
 mod contacts;
 mod cut;
+mod cutaway;
 mod cutter;
 mod doubled;
 mod doubts;
@@ -61,6 +62,10 @@ pub(crate) use color::{color_help, linear_from_srgb, map_channels, srgb_from_lin
 pub(crate) use contacts::{classes, contacts};
 pub(crate) use cut::glob_matches;
 pub use cut::{Cut, Offset};
+pub(crate) use cutaway::is_removed_whole;
+pub use cutaway::{
+    AxisRule, Breakaway, BreakawayView, Clusters, CutoutFrame, MainAxes, Sight, sights,
+};
 pub use cutter::Cutter;
 pub(crate) use cutter::too_far;
 pub(crate) use doubled::doubled_faces;

@@ -17,7 +17,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::hull::hull_corners;
-use super::{Part, Scene};
+use super::{Part, Scene, is_removed_whole};
 use region::Regions;
 
 /// Corners of the convex hull of what the cuts keep, in world space.
@@ -41,7 +41,9 @@ impl Outline {
 
     /// Takes in what is kept of some parts of a scene.
     pub(crate) fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
-        let parts: Vec<&Part> = parts.collect();
+        // A ghost shows what is hidden.
+        let is_seen = |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, part);
+        let parts: Vec<&Part> = parts.filter(is_seen).collect();
         let kept = parts.par_iter().flat_map_iter(|part| {
             let regions = Regions::of(scene, part);
             hull_corners(&gather::kept_of(part, &regions))

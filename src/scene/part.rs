@@ -1,9 +1,10 @@
 //! A part: a named mesh placed in the world.
 
+use std::borrow::Cow;
 use std::cmp::Reverse;
 use std::sync::Arc;
 
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 use super::{Bounds, Driver, Fill, Material, Mesh, Motion, Pose};
 
@@ -15,6 +16,8 @@ pub enum Role {
     Exterior,
     /// Never cut.
     Interior,
+    /// Never cut, but hidden where cuts remove all of it: bolts, pins and shafts, which drawings do not cut lengthwise.
+    Whole,
 }
 
 /// A named mesh with a place, a look and a rank.
@@ -70,6 +73,16 @@ impl Part {
     /// Volume of a mesh as this part places it, not negative, from its volume in part space.
     pub(crate) fn placed_volume(&self, of_mesh: f64) -> f64 {
         of_mesh.abs() * self.world_from_part.matrix3.determinant().abs()
+    }
+
+    /// Vertices of the posed and placed mesh.
+    pub(crate) fn points_in_world(&self) -> impl Iterator<Item = DVec3> + use<> {
+        let mesh = match self.posed_mesh() {
+            Cow::Borrowed(_) => self.mesh.clone(),
+            Cow::Owned(posed) => Arc::new(posed),
+        };
+        let placed = self.world_from_part;
+        (0..mesh.positions.len()).map(move |i| placed.transform_point3(mesh.positions[i]))
     }
 
     /// Bounds of the posed and placed mesh.

@@ -21,7 +21,7 @@ use rayon::prelude::*;
 
 use super::{
     Bounds, Camera, ClipSurface, Cutter, OffsetMap, Outline, Part, Scene, Style, SurfaceFrame,
-    View, Wrap, who_wins,
+    View, Wrap, is_removed_whole, who_wins,
 };
 
 mod cuts;
@@ -160,6 +160,12 @@ impl Prepared {
             .enumerate()
             .map(|(index, part)| place(index, part, &space, table.cuts_of(scene, part)))
             .collect();
+        for part in &mut parts {
+            part.is_hidden = is_removed_whole(scene, &scene.parts[part.part]);
+            if part.is_hidden {
+                part.triangles = Arc::default();
+            }
+        }
         parts.sort_by_cached_key(|p| who_wins(&scene.parts[p.part], p.volume_at_rest, p.part));
 
         let (cuts, surfaces) = table.placed(scene, &space, place_volume);

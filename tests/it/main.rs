@@ -8,6 +8,7 @@ mod animate;
 mod cli;
 mod compare;
 mod controls;
+mod cutaways;
 mod cuts;
 mod cutters;
 mod defects;

@@ -103,6 +103,16 @@ fn besides(path: &str) -> Vec<(&'static str, &'static str)> {
             let wedge = "{ axis = \"z\", from_deg = 0, to_deg = 80, relief = \"ragged\" }";
             vec![ragged, ("cut.c.wedge", wedge)]
         }
+        _ if of("cut.*.cutout") => {
+            let ragged = ("relief.ragged", "{ kind = \"fractal\", size = 8 }");
+            vec![
+                ragged,
+                ("cut.c.cutout", "{ angle_deg = 80, relief = \"ragged\" }"),
+            ]
+        }
+        _ if of("cut.*.breakaway") => {
+            vec![("part.p.role", "interior"), ("cut.c.breakaway", "{}")]
+        }
         "cut.*.translate" | "cut.*.rotate_deg" | "cut.*.scale" | "cut.*.pivot" | "cut.*.matrix"
         | "cut.*.flip" => vec![("cut.c.volume", "shape:sphere")],
         "key.*.interpolation" => vec![],

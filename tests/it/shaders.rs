@@ -245,7 +245,6 @@ fn shared_structs_are_laid_out_alike() {
         include_str!("../../src/plan/pack.rs"),
         include_str!("../../src/plan/pack/composite.rs"),
         include_str!("../../src/plan/pack/ghost.rs"),
-        include_str!("../../src/plan/pack/ground.rs"),
         include_str!("../../src/plan/pack/hatch.rs"),
         include_str!("../../src/plan/pack/style.rs"),
         include_str!("../../src/plan/pack/lists.rs"),

@@ -14,7 +14,7 @@ use super::times::Times;
 use super::turntable::turned;
 use crate::Result;
 use crate::experiment::{Renderer, SceneAtTime, Stopwatch};
-use crate::scene::Camera;
+use crate::scene::Scene;
 use crate::scene::numbers::round;
 use crate::session::{Outcome, Session};
 
@@ -24,9 +24,9 @@ pub(super) struct Film<'a> {
     pub(super) subject: &'a Subject,
     pub(super) times: Times,
     pub(super) renderer: Renderer,
-    /// The scene at the time of the last frame.
+    /// The scene at the time of the last frame, as it is prepared.
     pub(super) shown: SceneAtTime,
-    pub(super) camera: Camera,
+    pub(super) scene: Scene,
 }
 
 impl Film<'_> {
@@ -41,25 +41,30 @@ impl Film<'_> {
         let (subject, time_s) = (self.subject, self.times.at(frame));
         // The first was opened, and what stands still stays as it is.
         if frame > 0 && subject.timeline.moves() {
-            let scene = subject.timeline.at(time_s)?;
-            self.camera = scene.camera;
-            self.shown = self.shown.updated(&scene);
+            self.scene = subject.timeline.at(time_s)?;
+            self.shown = self.shown.updated(&self.scene);
         }
-        let prepared = &self.shown.model.prepared;
-        let outline = prepared.outline();
+        let outline = self.shown.model.prepared.outline();
         let camera = match self.args.turn_deg {
             Some(turn_deg) => {
                 let share = self.times.share(frame);
                 turned(
-                    &self.camera,
+                    &self.scene.camera,
                     (&subject.scene.bounds(), outline),
                     subject.size_px(),
                     turn_deg,
                     share,
                 )
             }
-            None => self.camera,
+            None => self.scene.camera,
         };
+        // The timeline knows of no turn.
+        if self.args.turn_deg.is_some() && self.scene.has_breakaways() {
+            let view = self.scene.view_through(&camera, subject.size_px());
+            self.scene.open_breakaways_to(&view)?;
+            self.shown = self.shown.updated(&self.scene);
+        }
+        let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
         let fineness = subject.supersample();
         let drawn = picture::draw(session, &self.shown, &view, self.renderer, fineness)?;

@@ -190,7 +190,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         times,
         renderer,
         shown: subject.shown()?,
-        camera: subject.scene.camera,
+        scene: subject.scene.clone(),
     };
     let mut frames = Vec::with_capacity(times.count as usize);
     for frame in 0..times.count {

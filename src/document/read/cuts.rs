@@ -3,12 +3,13 @@
 //! `{ origin, u, v, scale }` is the paper's own parametrisation; `{ section = "z=50%" }` and `{ normal, origin }` are
 //! planes whose relief is placed by `amplitude` and `period`. `flip = true` keeps the other side in all of them. `box` and
 //! `wedge` ([`regions`]), or lists of them, stand beside `surfaces` or instead, and so does a closed mesh ([`cutters`]): what all have
-//! in common is removed.
+//! in common is removed. `cutout` and `breakaway` ([`cutaways`]) place themselves.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::cutaways;
 use super::cutters;
 use super::reader::{Entry, Table};
 use super::regions::{self, Union};
@@ -17,8 +18,8 @@ use crate::document::Keys;
 use crate::error::{Result, did_you_mean};
 use crate::scene::relief::{Placement, parse_wrap, place_map};
 use crate::scene::{
-    Amount, Bounds, ClipSurface, Cut, Offset, OffsetMap, Part, PlaneSpec, Up, Wrap, glob_matches,
-    range,
+    Amount, Bounds, ClipSurface, Cut, CutoutFrame, Offset, OffsetMap, Part, PlaneSpec, Role, Up,
+    Wrap, glob_matches, range,
 };
 
 /// Keys of a cut.
@@ -50,7 +51,7 @@ pub(super) struct Context<'a> {
 pub(super) fn read(
     entry: &Entry<'_>,
     index: usize,
-    cutter: Option<&cutters::CutterSource>,
+    (cutter, frame): (Option<&cutters::CutterSource>, Option<&CutoutFrame>),
     context: &Context<'_>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<Cut>> {
@@ -60,23 +61,35 @@ pub(super) fn read(
         None => format!("{index}"),
     };
     let volume = cutters::read(&table, cutter, &context.bounds)?;
-    let region = region(&table, volume.is_some(), context)?;
+    let breakaway = (table.get("breakaway")).map(|e| cutaways::breakaway(&e));
+    let breakaway = breakaway.transpose()?;
+    if let (Some(_), Some(entry)) = (&volume, table.get("breakaway")) {
+        let help = "let each be a cut of its own";
+        return Err(entry.fault(
+            "the cut has a `volume`, and there is one cutter to a cut",
+            help,
+        ));
+    }
+    let has_volume = volume.is_some() || breakaway.is_some();
+    let region = region(&table, has_volume, frame, context)?;
     let mut cut = Cut::new(name, Vec::new());
     cut.volume = volume;
+    cut.breakaway = breakaway;
     if let Some(globs) = table.get("applies_to") {
         cut.applies_to = globs_of(&globs, context)?;
     }
     if let Some(globs) = table.get("except") {
         cut.except = globs_of(&globs, context)?;
     }
-    if !context.parts.iter().any(|p| cut.applies_to(p)) {
+    let may_cut = |p: &Part| cut.enabled && p.role == Role::Exterior && cut.names(p);
+    if !context.parts.iter().any(may_cut) {
         notes.push(format!("{}: it cuts no part", entry.key));
     }
     if let Some(offsets) = table.get("offset") {
-        if cut.volume.is_some() {
+        if has_volume {
             let help =
                 "a mesh has no side to move to: scale it in a cut of its own for these parts";
-            return Err(offsets.fault("the cut has a `volume`, which no offset moves", help));
+            return Err(offsets.fault("the cut has a cutter, which no offset moves", help));
         }
         cut.offsets = offsets_of(&offsets, &cut, context, notes)?;
     }
@@ -90,7 +103,12 @@ pub(super) fn read(
 }
 
 /// The region of a cut: what `surfaces`, `box` and `wedge` have in common; all of space only beside a cutter.
-fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<Union> {
+fn region(
+    table: &Table<'_>,
+    has_volume: bool,
+    frame: Option<&CutoutFrame>,
+    context: &Context<'_>,
+) -> Result<Union> {
     let mut region = Union::everywhere();
     let surfaces = table.get("surfaces");
     let [boxes, wedges] = [
@@ -111,13 +129,16 @@ fn region(table: &Table<'_>, has_volume: bool, context: &Context<'_>) -> Result<
     for wedge in &wedges {
         region.intersect(regions::wedge(wedge, context)?);
     }
+    if let Some(entry) = table.get("cutout") {
+        region.intersect(cutaways::cutout(&entry, frame, context)?);
+    }
     if region.is_everywhere() && !has_volume {
         if let Some(wedge) = wedges.first() {
             let help = "let it turn by less than 360 degrees, or give it an end: `min` or `max`";
             let what = "it turns all the way round and has no end along its axis: it would remove everything";
             return Err(wedge.fault(what, help));
         }
-        let help = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge` or a `volume`";
+        let help = "add for example `surfaces = [{ section = \"z=50%\" }]`, a `box`, a `wedge`, a `cutout`, a `breakaway` or a `volume`";
         return Err(table
             .entry
             .fault("it has no clip-surface, and would remove everything", help));

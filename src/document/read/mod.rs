@@ -141,6 +141,7 @@
 
 mod camera;
 mod check;
+mod cutaways;
 mod cuts;
 mod cutters;
 mod defects;
@@ -151,6 +152,7 @@ mod parts;
 pub(crate) mod reader;
 mod regions;
 mod reliefs;
+mod roles;
 mod settings;
 mod solids;
 mod stock;
@@ -158,15 +160,18 @@ mod style;
 mod table;
 mod target;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 pub(super) use camera::Seen;
 pub(super) use check::check;
+pub(super) use cutaways::cutouts;
 pub use keys::{Interpolation, Key};
 pub(super) use keys::{Keyed, Moment};
+pub(super) use parts::all as parts_with_roles;
 use reader::{Entry, Source, Table};
 pub(super) use reliefs::{Images, Resolved};
+pub use roles::RoleBy;
 pub use settings::Settings;
 use stock::Opening;
 pub(super) use stock::PartSource;
@@ -178,7 +183,9 @@ use super::paths::Keys;
 use crate::error::Result;
 use crate::generate::defects::Defect;
 use crate::load::Assets;
-use crate::scene::{Bounds, ClipSurface, Fit, Outwards, Part, Scene, Style, Up};
+use crate::scene::{
+    Bounds, ClipSurface, CutoutFrame, Fit, Outwards, Part, Scene, Sight, Style, Up,
+};
 
 /// Keys of a scene.
 static KEYS: Keys = Keys::below("");
@@ -195,6 +202,10 @@ pub(super) struct Stock {
     pub(super) style: Option<Style>,
     /// What orbits are fitted to where the document does not say it.
     pub(super) fit: Fit,
+    /// How much is seen of each part from outside, where its role hangs on that.
+    pub(super) sights: Option<BTreeMap<String, Sight>>,
+    /// Where the cutouts of each cut lie, once it is known.
+    pub(super) frames: BTreeMap<usize, CutoutFrame>,
     /// What is to be said of it.
     pub(super) notes: Vec<String>,
     /// All that were read.
@@ -236,6 +247,8 @@ pub(super) fn open(root: &Table<'_>, folder: &Path, assets: &mut Assets) -> Resu
         images,
         style,
         fit: Fit::default(),
+        sights: None,
+        frames: BTreeMap::new(),
         notes: opening.notes,
         files: opening.files,
     })
@@ -258,11 +271,13 @@ pub(super) fn parts(
     time_s: f64,
     outwards: &Outwards,
 ) -> Result<Vec<Part>> {
-    let mut all = Vec::new();
-    for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
-        all.extend(parts::read(entry, held, time_s, outwards)?);
-    }
-    Ok(all)
+    let parts = parts::all(root, stock, time_s, outwards)?;
+    Ok(parts.into_iter().map(|(part, _)| part).collect())
+}
+
+/// Whether roles are to be found by what is seen from outside.
+pub(super) fn finds_roles(root: &Table<'_>) -> Result<bool> {
+    Ok(roles::read(root)?.auto)
 }
 
 /// How it looks.
@@ -306,7 +321,8 @@ pub(super) fn scene(
     let mut cuts = Vec::new();
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
-        cuts.extend(cuts::read(entry, i, cutter, &context, notes)?);
+        let frame = stock.frames.get(&i);
+        cuts.extend(cuts::read(entry, i, (cutter, frame), &context, notes)?);
     }
     if seen.faces_cut {
         scene.camera.viewpoint = camera::facing_first(&cuts, scene.camera.up, root)?;

@@ -2,8 +2,10 @@
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
+use super::Stock;
 use super::deform;
 use super::reader::{Entry, Table};
+use super::roles::{self, RoleBy};
 use super::settings::color;
 use super::stock::PartSource;
 use crate::document::Keys;
@@ -13,8 +15,34 @@ use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
+const ROLES: [(&str, Role); 3] = [
+    ("exterior", Role::Exterior),
+    ("interior", Role::Interior),
+    ("whole", Role::Whole),
+];
+
+/// The parts at a time, with who says which role each has.
+pub(in crate::document) fn all(
+    root: &Table<'_>,
+    stock: &Stock,
+    time_s: f64,
+    outwards: &Outwards,
+) -> Result<Vec<(Part, RoleBy)>> {
+    let roles = roles::read(root)?;
+    let mut all = Vec::new();
+    for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
+        let given = entry.open_table()?.get("role").is_some();
+        for mut part in read(entry, held, time_s, outwards)? {
+            let (role, by) = roles.of(&part, given, stock.sights.as_ref());
+            part.role = role;
+            all.push((part, by));
+        }
+    }
+    Ok(all)
+}
+
 /// Reads one entry at a time, which may hold several parts: a mesh file with several objects makes `NAME/OBJECT` of each.
-pub(super) fn read(
+fn read(
     entry: &Entry<'_>,
     held: &PartSource,
     time_s: f64,
@@ -23,9 +51,7 @@ pub(super) fn read(
     let table = entry.table(KEYS.all())?;
     let solids = held.at(time_s);
     let placed = placement(&table, held.rest)?;
-    let role = table
-        .get("role")
-        .map(|r| r.choice(&[("exterior", Role::Exterior), ("interior", Role::Interior)]));
+    let role = table.get("role").map(|r| r.choice(&ROLES));
     let role = role.transpose()?;
     let priority = table
         .get("priority")

@@ -21,7 +21,7 @@ use super::reader::{Entry, Table};
 use crate::error::Result;
 use crate::scene::{Amount, Block, Bounds, ClipSurface, Face, Wedge, in_common, next_axis};
 
-const RELIEF: &[&str] = &["relief", "amplitude", "period", "wrap", "faces"];
+pub(super) const RELIEF: &[&str] = &["relief", "amplitude", "period", "wrap", "faces"];
 const CORNERS: &[&str] = &["min", "max"];
 const CENTRED: &[&str] = &["centre", "size"];
 const WEDGE: &[&str] = &["axis", "origin", "from_deg", "to_deg", "min", "max"];
@@ -178,7 +178,7 @@ fn point(entry: &Entry<'_>, bounds: &Bounds) -> Result<DVec3> {
 }
 
 /// The faces that are to have the relief of the table; `present` are those that there are.
-fn listed(present: &[&'static str], table: &Table<'_>) -> Result<Vec<&'static str>> {
+pub(super) fn listed(present: &[&'static str], table: &Table<'_>) -> Result<Vec<&'static str>> {
     let has_relief = table.get("relief").is_some();
     match table.get("faces") {
         None if has_relief => Ok(present.to_vec()),
@@ -196,7 +196,7 @@ fn listed(present: &[&'static str], table: &Table<'_>) -> Result<Vec<&'static st
 }
 
 /// The clip-surfaces of faces, with the relief of the table on those that are listed.
-fn ruffled(
+pub(super) fn ruffled(
     faces: Vec<Face>,
     listed: &[&'static str],
     table: &Table<'_>,

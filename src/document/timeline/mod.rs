@@ -15,16 +15,20 @@
 mod stage;
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::read::reader::Table;
-use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, RoleBy, Seen, Settings, Stock};
 use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, Viewpoint};
+use crate::scene::{
+    AxisRule, Bounds, BreakawayView, Camera, Clip, Cut, CutoutFrame, Fit, Outline, Outwards, Part,
+    Scene, Style, Viewpoint, sights,
+};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -62,14 +66,31 @@ impl Timeline {
     /// The timeline of a document; its keys are tried.
     pub(super) fn of(document: &Document, assets: &mut Assets) -> Result<Self> {
         let root = read::root(document.path(), document.root(), None)?;
-        let stock = read::open(&root, document.folder(), assets)?;
+        let mut stock = read::open(&root, document.folder(), assets)?;
         let settings = read::settings(&root)?;
         let mut notes = stock.notes.clone();
         let (outwards, mut reliefs) = (Outwards::default(), Resolved::default());
-        let parts = read::parts(&root, &stock, 0.0, &outwards)?;
-        let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
-        if seen.is_free() {
-            rest.camera.viewpoint = seen.turned(rest.cuts.iter());
+        let mut parts = read::parts(&root, &stock, 0.0, &outwards)?;
+        if read::finds_roles(&root)? {
+            let names = parts.iter().map(|p| p.name.clone());
+            stock.sights = Some(names.zip(sights(&parts)).collect());
+            parts = read::parts(&root, &stock, 0.0, &outwards)?;
+        }
+        let mut scene_of = |stock: &Stock, parts: &[Part], notes: &mut Vec<String>| {
+            let parts = (parts.to_vec(), None);
+            let (mut scene, seen) = read::scene(&root, stock, parts, &mut reliefs, notes)?;
+            if seen.is_free() {
+                scene.camera.viewpoint = seen.turned(scene.cuts.iter());
+            }
+            Ok::<_, Error>(scene)
+        };
+        let mut rest = scene_of(&stock, &parts, &mut notes)?;
+        let cutouts = read::cutouts(&root)?;
+        if !cutouts.is_empty() {
+            stock.frames = frames_of(&rest, cutouts, settings.size_px())?;
+            // The viewpoint is that which the frames were made for.
+            let placed = scene_of(&stock, &parts, &mut Vec::new())?;
+            rest.cuts = placed.cuts;
         }
         rest.name = document.name();
         let firsts = rest.parts.iter().filter_map(|p| p.clips().first());
@@ -128,8 +149,44 @@ impl Timeline {
     pub fn scene(&self) -> Result<Scene> {
         match self.time_s() {
             Some(time_s) => self.at(time_s),
-            None => Ok(self.rest.clone()),
+            None => self.opened(self.rest.clone()),
         }
+    }
+
+    /// A scene with its breakaways open, those that stay as they are towards the eye of the first moment.
+    fn opened(&self, mut scene: Scene) -> Result<Scene> {
+        if !scene.has_breakaways() {
+            return Ok(scene);
+        }
+        let stays = |cut: &Cut| {
+            cut.breakaway
+                .is_some_and(|b| b.view == BreakawayView::First)
+        };
+        let size_px = self.settings.size_px();
+        if scene.cuts.iter().any(stays) && self.moves() {
+            let (first, cuts) = (
+                self.rest.view_through(&self.rest.camera, size_px),
+                scene.cuts.clone(),
+            );
+            scene.open_breakaways_to(&first)?;
+            let others = cuts.into_iter().filter(|cut| !stays(cut));
+            scene.cuts = (scene.cuts.into_iter().filter(stays))
+                .chain(others)
+                .collect();
+        }
+        scene.open_breakaways(size_px)?;
+        Ok(scene)
+    }
+
+    /// Who says which role each part has, in the order of the parts.
+    ///
+    /// # Errors
+    ///
+    /// None that opening the document had not.
+    pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
+        self.read_at(0.0, |root| {
+            read::parts_with_roles(root, &self.stock, 0.0, &self.outwards)
+        })
     }
 
     /// The moment that the document asks for. A clip without one begins.
@@ -138,7 +195,7 @@ impl Timeline {
         self.settings.time_s.or(begins)
     }
 
-    /// The scene at rest, framed by itself.
+    /// The scene at rest, framed by itself, with breakaways closed.
     pub fn rest(&self) -> &Scene {
         &self.rest
     }
@@ -229,7 +286,7 @@ impl Timeline {
         if scene.camera.fits_kept() {
             scene.outline = self.outline()?;
         }
-        Ok(scene)
+        self.opened(scene)
     }
 
     /// The box that holds all parts at all times, in world space; `None` where nothing moves.
@@ -322,6 +379,28 @@ impl Timeline {
     fn sequences(&self) -> impl Iterator<Item = &Sequence> {
         self.stock.parts.iter().filter_map(PartSource::sequence)
     }
+}
+
+/// Where cutouts lie, by the number of their cut, in a scene that is seen from its camera.
+fn frames_of(
+    scene: &Scene,
+    cutouts: Vec<(usize, AxisRule)>,
+    size_px: [u32; 2],
+) -> Result<BTreeMap<usize, CutoutFrame>> {
+    // What is kept is not known before they lie there.
+    let camera = Camera {
+        fit: Fit::All,
+        ..scene.camera
+    };
+    let view = camera.view(|p| p, 1.0, scene.bounds(), size_px);
+    let frame = |(number, rule)| {
+        let frame = CutoutFrame::of(scene.parts.iter(), rule, &view, camera.up.axis());
+        let help = "use parts with an inside, of which one at least has the role exterior";
+        let what = "there is nothing to cut out of: no exterior part, or a flat one";
+        let missing = || Error::input(format!("cut.{number}.cutout"), what, help);
+        Ok((number, frame.ok_or_else(missing)?))
+    };
+    cutouts.into_iter().map(frame).collect()
 }
 
 /// The clips of parts, by name, in the order in which they come; of several with one name the longest.

@@ -29,6 +29,8 @@ pub struct PreparedPart {
     pub is_posed: bool,
     /// A pass of the frame places the vertices, by the pose and the placement of the part: they are not here.
     pub is_on_device: bool,
+    /// It is [whole](crate::scene::Role::Whole) and cuts remove all of it: it has no triangles here.
+    pub is_hidden: bool,
     /// Bounds of `positions`, or a box that holds what the device makes of them.
     pub bounds: Bounds,
     /// Volume of the mesh in its rest pose, as it is placed, in world units: who wins where solids share a point.
@@ -88,6 +90,7 @@ impl PreparedPart {
             corner_normals: None,
             shading: Arc::default(),
             is_on_device: true,
+            is_hidden: false,
             is_posed: !part.pose.is_rest(),
             bounds,
             volume_at_rest: part.placed_volume(volume),

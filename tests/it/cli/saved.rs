@@ -12,12 +12,14 @@ const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 
     f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 /// Options that say something of the scene, and whether a value follows them after a space.
-const OF_SCENE: [(&str, bool); 29] = [
+const OF_SCENE: [(&str, bool); 31] = [
     ("--section", true),
     ("--relief", true),
     ("--flip", false),
     ("--ghost", false),
     ("--shadow", false),
+    ("--cutout", false),
+    ("--breakaway", false),
     ("--box", true),
     ("--wedge", true),
     ("--cut", true),
@@ -55,6 +57,8 @@ const MORE: &[&str] = &[
     "shape:shells --section 1,1,0.5@50%,50%,50% --strategy planar --no-background",
     "bracket.stl shape:shells --split --section x=50%",
     "bracket.stl maps/../bracket.stl --section x=50% --relief maps/rock.png:wrap=mirror,amplitude=0.1",
+    "shape:earth --breakaway=2% --roles interior=core",
+    "shape:crank --cutout=axis=x,angle_deg=90 --breakaway=view=first --roles whole=bolt* --roles interior=crank",
     "walk_%d.obj --section x=50% --time 0.05",
     "shape:sphere --section z=0.1 --rasteriser compute --interference=#00ff00 --set part.0.material.color=#fa0",
     "scene.toml --section x=0.2 --relief fractal --set cut.front.enabled=false --exclude solid",
@@ -116,6 +120,26 @@ fn fill(folder: &Scratch) {
     for name in ["bracket", "part", "scan", "engine", "walk_0", "walk_1"] {
         folder.write(&format!("{name}.obj"), CUBE);
     }
+    // One body within another.
+    let vertices = CUBE.lines().filter(|l| l.starts_with('v'));
+    let smaller = vertices.map(|line| {
+        let numbers = line
+            .split(' ')
+            .skip(1)
+            .map(|x| x.parse::<f64>().unwrap() * 0.5 + 0.25);
+        let numbers = numbers.map(|x| x.to_string()).collect::<Vec<_>>();
+        format!("v {}\n", numbers.join(" "))
+    });
+    let faces = CUBE.lines().filter(|l| l.starts_with('f')).map(|line| {
+        let numbers = line
+            .split(' ')
+            .skip(1)
+            .map(|i| i.parse::<i64>().unwrap() + 8);
+        let numbers = numbers.map(|i| i.to_string()).collect::<Vec<_>>();
+        format!("f {}\n", numbers.join(" "))
+    });
+    let inner: String = smaller.chain(faces).collect();
+    folder.write("gearbox.obj", format!("o housing\n{CUBE}o gear\n{inner}"));
     fs::create_dir_all(folder.path("maps")).unwrap();
     fs::create_dir_all(folder.path("below")).unwrap();
     let rock = image::GrayImage::from_fn(16, 16, |x, y| image::Luma([(x * y) as u8]));

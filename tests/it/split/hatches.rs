@@ -128,7 +128,7 @@ fn looks(session: &mut Session, scene: &Scene) -> BTreeMap<usize, Look> {
     let relevance = Relevance::new(&model.prepared, &view).expect("few enough parts");
     let rows = session.words(method, "part_hatches").expect("hatches");
     let lines = session.words(method, "hatch_lines").expect("lines");
-    let rows = rows.chunks_exact(8);
+    let rows = rows.chunks_exact(20);
     assert_eq!(rows.len(), relevance.order.len(), "a row for each part");
     (relevance.order[..relevance.lanes].iter().zip(rows))
         .map(|(rank, row)| {

@@ -1,0 +1,261 @@
+//! The axes of a solid, and which of them a cutout goes along (Diepstraten, Weiskopf and Ertl 2003, rule R3).
+//!
+//! They are the eigenvectors of the covariance of the surface of the convex hull, integrated in closed form over its triangles as in
+//! Gottschalk's oriented boxes: vertices of the mesh lie where it is finely divided, and those of the hull anywhere at all. (The paper sums
+//! from 0 to n over n triangles.) Disc-like solids have two axes of greatest spread that are as good as each other: what one cuts around is
+//! the third.
+//!
+//! Cost: one pass over the faces of the hull. Cannot: tell the axes of a cube, a ball or anything as even; that is said.
+
+use glam::{DMat3, DVec3};
+
+use crate::scene::hull::ConvexHull;
+use crate::scene::{Part, Role, View};
+
+/// Gaps between spreads, as shares of the greatest: by less two axes are alike.
+const ALIKE: f64 = 0.02;
+/// By less two axes may be exchanged where the third is far from both.
+const DISC: f64 = 0.10;
+/// Sweeps of Jacobi's method: it converges quadratically, and three rows take about five.
+const SWEEPS: usize = 16;
+
+/// The axes of a convex hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MainAxes {
+    /// The middle of the surface.
+    pub centre: DVec3,
+    /// Of length 1, at right angles, that of the greatest spread first; the greatest component of each is positive.
+    pub axes: [DVec3; 3],
+    /// Variances along them, in square units.
+    pub spreads: [f64; 3],
+}
+
+/// Which axis is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum AxisRule {
+    /// That of the greatest spread, or of a disc the one around which it is round; of what is even the one nearest to the up axis.
+    #[default]
+    Auto,
+    /// That of the greatest spread, as in the paper.
+    Main,
+    /// That of the least.
+    Symmetry,
+    /// A direction.
+    Along(DVec3),
+}
+
+impl MainAxes {
+    /// The axes of the hull of some points; `None` where they lie in one plane.
+    pub fn of(points: &[DVec3]) -> Option<Self> {
+        ConvexHull::nearly(points).map(|hull| Self::of_hull(&hull))
+    }
+
+    fn of_hull(hull: &ConvexHull) -> Self {
+        let faces = || {
+            hull.faces().map(|[p, q, r]| {
+                let area = (q - p).cross(r - p).length() / 2.0;
+                (area, (p + q + r) / 3.0, [p, q, r])
+            })
+        };
+        let whole: f64 = faces().map(|f| f.0).sum();
+        let centre = faces().map(|(area, c, _)| c * area).sum::<DVec3>() / whole;
+        let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);
+        let covariance = faces().fold(DMat3::ZERO, |sum, (area, c, corners)| {
+            let of_corners = corners.iter().map(|p| outer(*p - centre));
+            let of_face = of_corners.fold(outer(c - centre) * 9.0, |sum, m| sum + m);
+            sum + of_face * (area / (12.0 * whole))
+        });
+        let (spreads, axes) = eigen(covariance);
+        Self {
+            centre,
+            axes: axes.map(|axis| {
+                let size = axis.abs();
+                let greatest = (0..3).fold(0, |i, j| if size[j] > size[i] { j } else { i });
+                axis * axis[greatest].signum()
+            }),
+            spreads,
+        }
+    }
+
+    /// Whether no axis stands out.
+    pub fn is_even(&self) -> bool {
+        let [a, b, c] = self.spreads;
+        (a - b) / a < ALIKE && (b - c) / a < ALIKE
+    }
+
+    /// Whether two axes of the greatest spread are as good as each other.
+    pub fn is_disc(&self) -> bool {
+        let [a, b, c] = self.spreads;
+        (a - b) / a < DISC && (b - c) / a > DISC
+    }
+
+    /// The axis that a rule means, with two across it, so that all three are right-handed.
+    fn by(&self, rule: AxisRule, up: DVec3) -> [DVec3; 3] {
+        let [e1, e2, e3] = self.axes;
+        let nearest_up = || {
+            let all = self.axes.into_iter();
+            all.max_by(|a, b| a.dot(up).abs().total_cmp(&b.dot(up).abs()))
+                .unwrap_or(e1)
+        };
+        let along = match rule {
+            AxisRule::Along(along) => along.normalize_or(up),
+            AxisRule::Main => e1,
+            AxisRule::Symmetry => e3,
+            AxisRule::Auto if self.is_even() => nearest_up(),
+            AxisRule::Auto if self.is_disc() => e3,
+            AxisRule::Auto => e1,
+        };
+        let most_across = |a: &DVec3, b: &DVec3| b.dot(along).abs().total_cmp(&a.dot(along).abs());
+        let across = self.axes.into_iter().max_by(most_across).unwrap_or(e2);
+        let across =
+            (across - along * across.dot(along)).normalize_or(along.any_orthonormal_vector());
+        [along, across, along.cross(across)]
+    }
+}
+
+/// Eigenvalues of a symmetric matrix in descending order with their vectors, by Jacobi's rotations.
+fn eigen(mut matrix: DMat3) -> ([f64; 3], [DVec3; 3]) {
+    let mut vectors = DMat3::IDENTITY;
+    for _ in 0..SWEEPS {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            let off = matrix.col(p)[q];
+            if off == 0.0 {
+                continue;
+            }
+            let theta = (matrix.col(q)[q] - matrix.col(p)[p]) / (2.0 * off);
+            let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
+            let cosine = 1.0 / tangent.hypot(1.0);
+            let sine = tangent * cosine;
+            let mut turn = DMat3::IDENTITY;
+            turn.col_mut(p)[p] = cosine;
+            turn.col_mut(q)[q] = cosine;
+            turn.col_mut(q)[p] = sine;
+            turn.col_mut(p)[q] = -sine;
+            matrix = turn.transpose() * matrix * turn;
+            vectors *= turn;
+        }
+    }
+    let mut order = [0, 1, 2];
+    order.sort_by(|a, b| matrix.col(*b)[*b].total_cmp(&matrix.col(*a)[*a]));
+    (
+        order.map(|i| matrix.col(i)[i]),
+        order.map(|i| vectors.col(i).normalize_or(DVec3::AXES[i])),
+    )
+}
+
+/// Where a cutout lies: what its wedge is placed by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutoutFrame {
+    /// A point of the axis.
+    pub origin: DVec3,
+    /// Direction of the axis, of length 1.
+    pub along: DVec3,
+    /// Direction of 0 degrees, of length 1.
+    pub zero: DVec3,
+    /// Where the eye is, in degrees about the axis.
+    pub eye_deg: f64,
+    /// No axis stands out.
+    pub is_even: bool,
+}
+
+impl CutoutFrame {
+    /// The frame of a cutout through the exteriors among some parts, as they are seen in a view in world space; `None` where they are flat.
+    pub fn of<'a>(
+        parts: impl Iterator<Item = &'a Part>,
+        rule: AxisRule,
+        view: &View,
+        up: DVec3,
+    ) -> Option<Self> {
+        let exteriors = parts.filter(|p| p.role == Role::Exterior);
+        let points: Vec<DVec3> = exteriors.flat_map(Part::points_in_world).collect();
+        let axes = MainAxes::of(&points)?;
+        let [along, zero, third] = axes.by(rule, up);
+        let to_eye = match view.orthographic {
+            true => -view.forward,
+            false => view.eye - axes.centre,
+        };
+        Some(Self {
+            origin: axes.centre,
+            along,
+            zero,
+            eye_deg: to_eye.dot(third).atan2(to_eye.dot(zero)).to_degrees(),
+            is_even: axes.is_even() && rule == AxisRule::Auto,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn box_of(size: DVec3) -> Vec<DVec3> {
+        let corner =
+            |i: u32| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2));
+        (0..8).map(|i| (corner(i) - 0.5) * size).collect()
+    }
+
+    /// Variances of the surface of a box, along its sides.
+    fn closed_form(size: DVec3) -> [f64; 3] {
+        let DVec3 { x, y, z } = size;
+        let whole = 2.0 * (x * y + y * z + z * x);
+        // Two faces across each axis lie half a side away, the others go along all of it.
+        [(x, y * z), (y, z * x), (z, x * y)].map(|(side, face)| {
+            side * side * (2.0 * face / 4.0 + (whole - 2.0 * face) / 12.0) / whole
+        })
+    }
+
+    #[test]
+    fn a_box_has_its_closed_form_however_it_is_turned_and_divided() {
+        let size = DVec3::new(3.0, 2.0, 1.0);
+        let turn = DMat3::from_rotation_z(0.7) * DMat3::from_rotation_x(-0.4);
+        let mut points: Vec<DVec3> = box_of(size).into_iter().map(|p| turn * p + 5.0).collect();
+        let plain = MainAxes::of(&points).unwrap_or_else(|| panic!("a hull"));
+        // Many more points on one face, and some within.
+        points.extend((0..200).map(|i| {
+            let t = f64::from(i) / 200.0 - 0.5;
+            turn * DVec3::new(1.5, 2.0 * t, (13.0 * t).fract() - 0.5) + 5.0
+        }));
+        let divided = MainAxes::of(&points).unwrap_or_else(|| panic!("a hull"));
+        for axes in [plain, divided] {
+            for i in 0..3 {
+                let wanted = closed_form(size)[i];
+                assert!(
+                    (axes.spreads[i] - wanted).abs() < 1e-6,
+                    "{:?}",
+                    axes.spreads
+                );
+                let along = axes.axes[i].dot(turn.col(i)).abs();
+                assert!(along > 1.0 - 1e-12, "axis {i} is off by {along}");
+            }
+            assert!((axes.centre - 5.0).length() < 1e-6, "{}", axes.centre);
+        }
+        // The control: the mean of the points is elsewhere.
+        let mean = points.iter().sum::<DVec3>() / points.len() as f64;
+        assert!((mean - 5.0).length() > 0.5, "{mean}");
+    }
+
+    #[test]
+    fn discs_are_cut_around_their_axis_and_even_solids_around_the_upright() {
+        let axis = |size: DVec3, rule| {
+            let axes = MainAxes::of(&box_of(size)).unwrap_or_else(|| panic!("a hull"));
+            let [along, across, third] = axes.by(rule, DVec3::Y);
+            assert!(along.dot(across).abs() < 1e-12 && third.dot(along).abs() < 1e-12);
+            (along.abs(), axes.is_even())
+        };
+        let (along, is_even) = axis(DVec3::new(4.0, 4.0, 1.0), AxisRule::Auto);
+        assert!(along.abs_diff_eq(DVec3::Z, 1e-9) && !is_even, "{along}");
+        let (along, is_even) = axis(DVec3::ONE, AxisRule::Auto);
+        assert!(along.abs_diff_eq(DVec3::Y, 1e-9) && is_even, "{along}");
+        let (along, _) = axis(DVec3::new(1.0, 5.0, 1.0), AxisRule::Auto);
+        assert!(along.abs_diff_eq(DVec3::Y, 1e-9), "{along}");
+        let (along, _) = axis(DVec3::new(3.0, 2.0, 1.0), AxisRule::Symmetry);
+        assert!(along.abs_diff_eq(DVec3::Z, 1e-9), "{along}");
+        let diagonal = DVec3::new(1.0, 1.0, 0.0);
+        let (along, _) = axis(DVec3::new(3.0, 2.0, 1.0), AxisRule::Along(diagonal));
+        assert!(along.abs_diff_eq(diagonal.normalize(), 1e-9), "{along}");
+        assert!(
+            MainAxes::of(&[DVec3::ZERO, DVec3::X, DVec3::Y]).is_none(),
+            "flat"
+        );
+    }
+}

@@ -1,0 +1,351 @@
+//! Breakaways: an opening through which what is inside is seen from the eye (Diepstraten, Weiskopf and Ertl 2003, rules R6 and R7).
+//!
+//! The hull of the interiors, extended by a ball, is swept towards the eye by a cone that holds all directions from it to the eye; the hull of
+//! the two ends is a closed convex mesh, which is a cutter like any other, so that its walls have caps. The paper clips exteriors before the
+//! foremost surface of the extended hull in the picture, and can show walls in parts alone.
+//!
+//! Whatever lies between an interior and the eye is within: of a point p of the extended hull and a direction u of the cone, p + t u is in the
+//! hull of both ends for all t up to the length of the sweep. Cost: the hull of the vertices of the interiors, and one of some ten thousand
+//! points for each opening. Cannot: open towards an eye that is within the extended hull; there is none then.
+
+use glam::DVec3;
+
+use crate::error::Result;
+use crate::scene::hull::ConvexHull;
+use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
+
+/// Sides of the cone.
+const SIDES: u32 = 24;
+/// Corners of the extended hull lie so much farther out than the ball, for a hull that leaves out what hardly stands out.
+const SLACK: f64 = 1.001;
+/// The widest half angle of a cone.
+const WIDEST_DEG: f64 = 80.0;
+/// How far towards the eye it goes, of the way, where that is out of the model.
+const NEAR_THE_EYE: f64 = 0.75;
+/// Steps towards the point of a difference of two hulls that is nearest to the origin.
+const MOST_STEPS: usize = 256;
+
+/// An opening that is placed by what it shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Breakaway {
+    /// How far it stays away from what it shows: in world units, or percent of the diagonal of the scene.
+    pub distance: Amount,
+    /// How much wider than the rays of sight its walls open, in degrees: at 0 they are hardly seen.
+    pub bevel_deg: f64,
+    /// How many openings there are.
+    pub clusters: Clusters,
+    /// Whom it follows.
+    pub view: BreakawayView,
+}
+
+/// How many openings a breakaway has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Clusters {
+    /// One around all that is inside, as in the paper.
+    One,
+    /// One for all whose extended hulls meet.
+    #[default]
+    Auto,
+}
+
+/// Whom a breakaway follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum BreakawayView {
+    /// The eye of each frame, as in the paper.
+    #[default]
+    Each,
+    /// The eye of the first: it stays where it is while the camera moves.
+    First,
+}
+
+impl Default for Breakaway {
+    fn default() -> Self {
+        Self {
+            distance: Amount::Percent(1.0),
+            bevel_deg: 12.0,
+            clusters: Clusters::default(),
+            view: BreakawayView::default(),
+        }
+    }
+}
+
+impl Breakaway {
+    /// How far it stays away, in world units.
+    fn distance_in(&self, bounds: &Bounds) -> f64 {
+        match self.distance {
+            Amount::Units(units) => units,
+            Amount::Percent(percent) => bounds.size().length() * percent / 100.0,
+        }
+    }
+
+    /// The extended hulls of solids by their points in world space, each solid its own; those that meet together.
+    pub(crate) fn hulls(&self, solids: Vec<Vec<DVec3>>, bounds: &Bounds) -> Vec<ConvexHull> {
+        let distance = self.distance_in(bounds);
+        let mut apart: Vec<(Vec<DVec3>, ConvexHull)> = Vec::new();
+        for points in solids {
+            let corners = match ConvexHull::nearly(&points) {
+                Some(hull) => hull.corners,
+                None => points,
+            };
+            let mut own = corners;
+            // Those that it meets are taken in, and what they were met by may be met by it.
+            while let Some(extended) = extended(&own, distance) {
+                let met = apart.iter().position(|(_, other)| match self.clusters {
+                    Clusters::One => true,
+                    Clusters::Auto => meet(other, &extended),
+                });
+                match met {
+                    Some(at) => own.extend(apart.swap_remove(at).0),
+                    None => {
+                        apart.push((own, extended));
+                        break;
+                    }
+                }
+            }
+        }
+        apart.into_iter().map(|(_, hull)| hull).collect()
+    }
+
+    /// The opening of an extended hull, towards the eye of a view in world space; `None` where the eye is in the hull, or too near to it.
+    pub(crate) fn cutter(
+        &self,
+        hull: &ConvexHull,
+        view: &View,
+        bounds: &Bounds,
+    ) -> Result<Option<Cutter>> {
+        let centre = hull.corners.iter().sum::<DVec3>() / hull.corners.len() as f64;
+        let to_eye = view.eye - centre;
+        let axis = match view.orthographic {
+            true => -view.forward,
+            false => to_eye.normalize_or_zero(),
+        };
+        let widest = match view.orthographic {
+            true => 0.0,
+            false => (hull.corners.iter())
+                .map(|corner| (view.eye - *corner).angle_between(axis))
+                .fold(0.0, f64::max),
+        };
+        if axis == DVec3::ZERO || widest > WIDEST_DEG.to_radians() || widest.is_nan() {
+            return Ok(None);
+        }
+        let half_angle = (widest + self.bevel_deg.to_radians()).min(WIDEST_DEG.to_radians());
+        // The sides of the cone touch the round one from outside.
+        let spread = half_angle.tan() / (std::f64::consts::PI / f64::from(SIDES)).cos();
+        let corners = bounds.corners();
+        let out_of_model = corners
+            .iter()
+            .map(|c| (*c - centre).dot(axis))
+            .fold(0.0, f64::max)
+            * 1.01;
+        let back = hull
+            .corners
+            .iter()
+            .map(|c| (centre - *c).dot(axis))
+            .fold(0.0, f64::max);
+        let length = match view.orthographic {
+            true => out_of_model + back,
+            false => match NEAR_THE_EYE * to_eye.length() {
+                near if near >= out_of_model + back => near,
+                // An eye near the model or in it is within the opening.
+                _ => to_eye.length() + out_of_model + back,
+            },
+        };
+        let (x, y) = axis.any_orthonormal_pair();
+        let mut points = hull.corners.clone();
+        for side in 0..SIDES {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(side) / f64::from(SIDES)).sin_cos();
+            let end = (axis + (x * cos + y * sin) * spread) * length;
+            points.extend(hull.corners.iter().map(|c| *c + end));
+        }
+        let Some(ConvexHull { corners, triangles }) = ConvexHull::of(&points) else {
+            return Ok(None);
+        };
+        let mesh = Mesh {
+            positions: corners,
+            triangles,
+            corner_normals: None,
+        };
+        Cutter::new("breakaway", mesh).map(Some)
+    }
+}
+
+/// The hull of points and a ball around each; `None` where that has no inside.
+fn extended(points: &[DVec3], distance: f64) -> Option<ConvexHull> {
+    let ball = ball();
+    let around = points
+        .iter()
+        .flat_map(|p| ball.iter().map(move |b| *p + *b * distance));
+    ConvexHull::of(&around.collect::<Vec<_>>())
+}
+
+/// Points whose hull holds the unit ball: the middles of faces and the corners of an icosahedron, so far out that no face of theirs cuts it.
+fn ball() -> Vec<DVec3> {
+    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
+    let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    let around = |a: f64, b: f64| {
+        signs.into_iter().flat_map(move |(s, t)| {
+            let (a, b) = (a * s, b * t);
+            [
+                DVec3::new(0.0, a, b),
+                DVec3::new(a, b, 0.0),
+                DVec3::new(b, 0.0, a),
+            ]
+        })
+    };
+    let corners = around(1.0, golden);
+    let cube = [1.0, -1.0]
+        .into_iter()
+        .flat_map(move |s| signs.into_iter().map(move |(t, u)| DVec3::new(s, t, u)));
+    let middles = around(golden, 1.0 / golden).chain(cube);
+    let points: Vec<DVec3> = corners
+        .chain(middles)
+        .map(|p| p.normalize_or(DVec3::X))
+        .collect();
+    // The nearest of the faces of their hull is at this distance.
+    let nearest = ConvexHull::of(&points).map_or(1.0, |hull| {
+        let distances = hull.faces().map(|[a, b, c]| {
+            let normal = (b - a).cross(c - a).normalize_or(DVec3::X);
+            normal.dot(a)
+        });
+        distances.fold(1.0, f64::min)
+    });
+    points.into_iter().map(|p| p * (SLACK / nearest)).collect()
+}
+
+/// Whether two hulls have a point in common, by the point of their difference that is nearest to the origin (Frank and Wolfe 1956): where a
+/// plane is found between them they do not; where none is found in time they are taken to.
+fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
+    let Some((first, second)) = a.corners.first().zip(b.corners.first()) else {
+        return false;
+    };
+    let mut nearest = *first - *second;
+    for _ in 0..MOST_STEPS {
+        let corner = a.farthest(-nearest) - b.farthest(nearest);
+        if nearest.dot(corner) > 0.0 {
+            return false;
+        }
+        let way = corner - nearest;
+        let size = way.length_squared();
+        if size == 0.0 {
+            break;
+        }
+        let share = (-nearest.dot(way) / size).clamp(0.0, 1.0);
+        nearest += way * share;
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Camera;
+
+    fn cube(centre: DVec3, half: f64) -> Vec<DVec3> {
+        let corner =
+            |i: u32| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2));
+        (0..8)
+            .map(|i| centre + (corner(i) * 2.0 - 1.0) * half)
+            .collect()
+    }
+
+    fn reach(hull: &ConvexHull, direction: DVec3) -> f64 {
+        hull.farthest(direction).dot(direction)
+    }
+
+    /// Directions all around.
+    fn directions() -> impl Iterator<Item = DVec3> {
+        (0..500).map(|i| {
+            let z = 1.0 - 2.0 * (f64::from(i) + 0.5) / 500.0;
+            let flat = glam::DVec2::from_angle(2.399_963 * f64::from(i)) * (1.0 - z * z).sqrt();
+            flat.extend(z)
+        })
+    }
+
+    #[test]
+    fn an_extended_hull_is_as_far_away_as_it_is_told_everywhere() {
+        let points = cube(DVec3::ZERO, 1.0);
+        let extended = extended(&points, 0.25).unwrap_or_else(|| panic!("a hull"));
+        let plain = ConvexHull::of(&points).unwrap_or_else(|| panic!("a hull"));
+        let mut most = 0.0_f64;
+        for direction in directions() {
+            let away = reach(&extended, direction) - reach(&plain, direction);
+            assert!(away >= 0.25, "{away} towards {direction}");
+            most = most.max(away);
+        }
+        assert!(most < 0.33, "{most}");
+    }
+
+    #[test]
+    fn solids_that_meet_share_an_opening() {
+        let bounds = Bounds::from_points(cube(DVec3::ZERO, 10.0));
+        let breakaway = Breakaway {
+            distance: Amount::Units(0.1),
+            ..Breakaway::default()
+        };
+        let hulls = |xs: &[f64], clusters| {
+            let solids = xs.iter().map(|x| cube(DVec3::X * *x, 0.5)).collect();
+            let breakaway = Breakaway {
+                clusters,
+                ..breakaway
+            };
+            breakaway.hulls(solids, &bounds).len()
+        };
+        assert_eq!(hulls(&[0.0, 1.1, 5.0], Clusters::Auto), 2);
+        assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::Auto), 3);
+        // The middle one comes last and joins the others.
+        assert_eq!(hulls(&[0.0, 2.2, 1.1], Clusters::Auto), 1);
+        assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::One), 1);
+        assert_eq!(hulls(&[], Clusters::Auto), 0);
+    }
+
+    #[test]
+    fn all_between_the_hull_and_the_eye_is_in_the_opening() {
+        let bounds = Bounds::from_points(cube(DVec3::ZERO, 4.0));
+        for bevel_deg in [0.0, 12.0] {
+            let breakaway = Breakaway {
+                bevel_deg,
+                ..Breakaway::default()
+            };
+            let solids = vec![cube(DVec3::new(1.0, 0.5, 0.0), 0.5)];
+            let hulls = breakaway.hulls(solids, &bounds);
+            let view = Camera::default().view(|p| p, 1.0, bounds, [400, 300]);
+            let cutter = breakaway.cutter(&hulls[0], &view, &bounds);
+            let cutter = cutter.unwrap_or_else(|e| panic!("{e}"));
+            let mesh = cutter
+                .unwrap_or_else(|| panic!("an opening"))
+                .mesh()
+                .clone();
+            let is_within = |p: DVec3| {
+                mesh.triangles.iter().all(|t| {
+                    let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+                    (b - a).cross(c - a).dot(p - a) <= 1e-9
+                })
+            };
+            for corner in &hulls[0].corners {
+                for share in [0.0, 0.2, 0.5, 0.7] {
+                    let between = corner.lerp(view.eye, share);
+                    let is_out = !bounds_hold(&bounds, between);
+                    assert!(is_out || is_within(between), "{between} of {corner}");
+                }
+            }
+            assert!(!is_within(DVec3::new(-3.0, -3.0, -3.0)), "far beside it");
+        }
+    }
+
+    fn bounds_hold(bounds: &Bounds, point: DVec3) -> bool {
+        point.cmpge(bounds.min).all() && point.cmple(bounds.max).all()
+    }
+
+    #[test]
+    fn an_eye_within_has_no_opening() {
+        let bounds = Bounds::from_points(cube(DVec3::ZERO, 4.0));
+        let breakaway = Breakaway::default();
+        let hulls = breakaway.hulls(vec![cube(DVec3::ZERO, 1.0)], &bounds);
+        let view = View {
+            eye: DVec3::splat(0.1),
+            ..Camera::default().view(|p| p, 1.0, bounds, [400, 300])
+        };
+        let cutter = breakaway.cutter(&hulls[0], &view, &bounds);
+        assert!(cutter.unwrap_or_else(|e| panic!("{e}")).is_none());
+    }
+}
