@@ -29,6 +29,7 @@ mod output;
 mod picture;
 mod places;
 mod plan;
+mod relief;
 mod render;
 mod report;
 mod roles;
@@ -108,6 +109,9 @@ enum Command {
     /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
     #[command(after_help = scene::EXAMPLES, after_long_help = scene::long_help())]
     Scene(scene::SceneCommandArgs),
+    /// Say how large, high and steep a relief is, and write its heights, normals and occlusion as images; needs no graphics adapter
+    #[command(after_help = relief::EXAMPLES)]
+    Relief(relief::ReliefCommandArgs),
     /// Show the passes of a frame and why each is there; needs no graphics adapter
     #[command(after_help = plan::EXAMPLES, after_long_help = with_shapes(plan::EXAMPLES))]
     Plan(plan::PlanArgs),
@@ -133,6 +137,7 @@ pub fn main() -> ExitCode {
         Command::Inspect(args) => inspect::run(&args),
         Command::Section(args) => section::run(&args),
         Command::Scene(args) => scene::run(&args),
+        Command::Relief(args) => relief::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),

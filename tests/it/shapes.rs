@@ -134,6 +134,13 @@ fn every_part_is_closed_oriented_and_of_the_right_genus() {
         ("comb", vec![2]),
         ("comb?teeth=1", vec![2]),
         ("slivers", vec![2]),
+        ("conduit?inside=2", vec![0, 2, 2]),
+        ("column", vec![2]),
+        ("column?flutes=5&detail=2", vec![2]),
+        ("house", vec![2; 7]),
+        // Four bores, and a jacket around four liners; then head, case and crank, three parts for each cylinder, and ten bolts.
+        ("engine", of_engine()),
+        ("engine?detail=16", of_engine()),
         // Bores through each pin, each main journal, and six bolt holes.
         ("crank", vec![2 - 2 * (4 + 5 + 6)]),
         ("crank?detail=16", vec![2 - 2 * (4 + 5 + 6)]),
@@ -151,9 +158,18 @@ fn every_part_is_closed_oriented_and_of_the_right_genus() {
     }
 }
 
+fn of_engine() -> Vec<i64> {
+    let solids = [2 - 2 * 4 + 2 - 2 * 4, 2, 2, 2 - 2 * (4 + 5 + 6)];
+    let cylinders = [2 - 2 * 2, 2, 2].repeat(4);
+    [&solids[..], &cylinders, &[2; 10]].concat()
+}
+
 #[test]
 fn no_part_overlaps_itself() {
     for spec in [
+        "engine?detail=24",
+        "column",
+        "house",
         "crank",
         "crank?detail=16",
         "crank?throws=3&detail=50",

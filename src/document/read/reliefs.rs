@@ -184,11 +184,11 @@ fn computed(entry: &Entry<'_>, mut procedure: Procedure) -> Result<Relief> {
 
 fn blended(table: &Table<'_>) -> Result<Relief> {
     let blend = table.need("blend", "[\"a\", \"b\"]")?;
-    let names = blend.texts()?;
-    let Ok(of) = <[String; 2]>::try_from(names) else {
-        let help = "name two; blend the result with a third in another relief";
-        return Err(blend.fault("a blend is of exactly two reliefs", help));
-    };
+    let of = blend.texts()?;
+    if of.len() < 2 {
+        let help = "name at least two: `blend = [\"a\", \"b\"]`";
+        return Err(blend.fault("a blend is of two reliefs or more", help));
+    }
     let op = table.need("op", "\"add\"")?;
     let name = op.text()?;
     let mut operation = BlendOp::named(name).ok_or_else(|| {

@@ -12,23 +12,20 @@
 //!
 //! Cost of a time: that of reading the tree, which is small, and of whatever relief changed.
 
+mod cutaways;
 mod stage;
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::read::reader::Table;
-use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, RoleBy, Seen, Settings, Stock};
+use super::read::{self, Key, Keyed, Moment, PartSource, Resolved, Seen, Settings, Stock};
 use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{
-    AxisRule, Bounds, BreakawayView, Camera, Clip, Cut, CutoutFrame, Fit, Outline, Outwards, Part,
-    Scene, Style, Viewpoint, sights,
-};
+use crate::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, Viewpoint, sights};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -87,7 +84,7 @@ impl Timeline {
         let mut rest = scene_of(&stock, &parts, &mut notes)?;
         let cutouts = read::cutouts(&root)?;
         if !cutouts.is_empty() {
-            stock.frames = frames_of(&rest, cutouts, settings.size_px())?;
+            stock.frames = cutaways::frames_of(&rest, cutouts, settings.size_px())?;
             // The viewpoint is that which the frames were made for.
             let placed = scene_of(&stock, &parts, &mut Vec::new())?;
             rest.cuts = placed.cuts;
@@ -151,42 +148,6 @@ impl Timeline {
             Some(time_s) => self.at(time_s),
             None => self.opened(self.rest.clone()),
         }
-    }
-
-    /// A scene with its breakaways open, those that stay as they are towards the eye of the first moment.
-    fn opened(&self, mut scene: Scene) -> Result<Scene> {
-        if !scene.has_breakaways() {
-            return Ok(scene);
-        }
-        let stays = |cut: &Cut| {
-            cut.breakaway
-                .is_some_and(|b| b.view == BreakawayView::First)
-        };
-        let size_px = self.settings.size_px();
-        if scene.cuts.iter().any(stays) && self.moves() {
-            let (first, cuts) = (
-                self.rest.view_through(&self.rest.camera, size_px),
-                scene.cuts.clone(),
-            );
-            scene.open_breakaways_to(&first)?;
-            let others = cuts.into_iter().filter(|cut| !stays(cut));
-            scene.cuts = (scene.cuts.into_iter().filter(stays))
-                .chain(others)
-                .collect();
-        }
-        scene.open_breakaways(size_px)?;
-        Ok(scene)
-    }
-
-    /// Who says which role each part has, in the order of the parts.
-    ///
-    /// # Errors
-    ///
-    /// None that opening the document had not.
-    pub fn roles(&self) -> Result<Vec<(Part, RoleBy)>> {
-        self.read_at(0.0, |root| {
-            read::parts_with_roles(root, &self.stock, 0.0, &self.outwards)
-        })
     }
 
     /// The moment that the document asks for. A clip without one begins.
@@ -379,28 +340,6 @@ impl Timeline {
     fn sequences(&self) -> impl Iterator<Item = &Sequence> {
         self.stock.parts.iter().filter_map(PartSource::sequence)
     }
-}
-
-/// Where cutouts lie, by the number of their cut, in a scene that is seen from its camera.
-fn frames_of(
-    scene: &Scene,
-    cutouts: Vec<(usize, AxisRule)>,
-    size_px: [u32; 2],
-) -> Result<BTreeMap<usize, CutoutFrame>> {
-    // What is kept is not known before they lie there.
-    let camera = Camera {
-        fit: Fit::All,
-        ..scene.camera
-    };
-    let view = camera.view(|p| p, 1.0, scene.bounds(), size_px);
-    let frame = |(number, rule)| {
-        let frame = CutoutFrame::of(scene.parts.iter(), rule, &view, camera.up.axis());
-        let help = "use parts with an inside, of which one at least has the role exterior";
-        let what = "there is nothing to cut out of: no exterior part, or a flat one";
-        let missing = || Error::input(format!("cut.{number}.cutout"), what, help);
-        Ok((number, frame.ok_or_else(missing)?))
-    };
-    cutouts.into_iter().map(frame).collect()
 }
 
 /// The clips of parts, by name, in the order in which they come; of several with one name the longest.

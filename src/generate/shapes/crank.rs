@@ -11,12 +11,13 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::Part;
 use super::lathe::{Fineness, turned};
 use super::milled::{Facing, Milled, Side};
 use super::outline::inset;
 use super::spec::{Parameter, ShapeInfo};
 use super::web::{Web, throw_angles};
+use super::{Mesh, Part};
+use crate::Result;
 
 /// The picture of the documentation.
 pub(super) const CRANK: ShapeInfo = ShapeInfo {
@@ -33,14 +34,26 @@ pub(super) const CRANK: ShapeInfo = ShapeInfo {
     ],
     triangles: |v| 2.0 * (v.real("throws") + 1.0) * (v.real("detail").powi(2) + 600.0),
     build: |v| {
-        let crank = crank(v.count("throws"), v.count("detail"));
-        let half = crank.length * 0.5;
-        let mesh = crank
-            .solid
-            .mesh(|station, p| DVec3::new(station - half, p.x, p.y))?;
+        let mesh = built(v.count("throws"), v.count("detail"))?;
         Ok(vec![Part::new("crank", mesh)])
     },
 };
+
+/// A crank along x, its middle at the origin.
+pub(super) fn built(throws: usize, detail: usize) -> Result<Mesh> {
+    let crank = crank(throws, detail);
+    let half = crank.length * 0.5;
+    let place = |station: f64, p: DVec2| DVec3::new(station - half, p.x, p.y);
+    crank.solid.mesh(place)
+}
+
+/// The middle of a crank pin of such a crank.
+pub(super) fn pin_middle(throws: usize, k: usize) -> DVec3 {
+    let half = (main_end(throws) + FLANGE_LENGTH) * 0.5;
+    let along = (main_end(k) + main_start(k + 1)) * 0.5;
+    let across = DVec2::from_angle(throw_angles(throws)[k]) * THROW;
+    DVec3::new(along - half, across.x, across.y)
+}
 
 /// With four throws these two give 99,968 triangles.
 const DETAIL: u32 = 120;

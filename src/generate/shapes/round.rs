@@ -126,7 +126,7 @@ fn icosphere_triangles(v: &Values, spheres: f64) -> f64 {
 }
 
 /// A geodesic sphere around the origin.
-fn icosphere(radius: f64, subdivisions: usize) -> Mesh {
+pub(super) fn icosphere(radius: f64, subdivisions: usize) -> Mesh {
     let golden = (1.0 + 5_f64.sqrt()) * 0.5;
     // The cyclic turns of a golden rectangle.
     let mut directions: Vec<DVec3> = Vec::new();

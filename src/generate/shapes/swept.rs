@@ -8,8 +8,10 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
+use super::round::icosphere;
 use super::spec::{Parameter, ShapeInfo};
 use super::{Mesh, Part};
+use crate::scene::{Material, Role};
 
 const AROUND: [u32; 2] = [3, 100_000];
 
@@ -105,8 +107,17 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
         Parameter::length("inner", "inner radius of the pipe", 0.15),
         Parameter::count("segments", "sections along the bend", 48, [1, 100_000]),
         Parameter::count("sides", "corners of a section", 64, AROUND),
+        Parameter::count(
+            "inside",
+            "balls in the bend, parts of their own",
+            0,
+            [0, 64],
+        ),
     ],
-    triangles: |v| 4.0 * (v.real("segments") + 3.0) * v.real("sides"),
+    triangles: |v| {
+        let balls = v.real("inside") * 20.0 * 4.0_f64.powi(BALL_SUBDIVISIONS as i32);
+        4.0 * (v.real("segments") + 3.0) * v.real("sides") + balls
+    },
     build: |v| {
         let (bend, outer, inner) = (v.real("bend"), v.real("outer"), v.real("inner"));
         v.require(inner < outer, "inner outer", "let inner < outer")?;
@@ -148,9 +159,26 @@ pub(super) const CONDUIT: ShapeInfo = ShapeInfo {
             let along = DVec3::new(-sin, cos, 0.0);
             out * (bend + section.x) + along * straight + DVec3::Z * section.y
         });
-        Ok(vec![Part::new("conduit", mesh)])
+        let mut parts = vec![Part::new("conduit", mesh)];
+        let balls = v.count("inside");
+        let radius = (0.7 * inner).min(0.4 * bend * angle / (balls as f64).max(1.0));
+        parts.extend((0..balls).map(|i| {
+            let (sin, cos) = (angle * (i as f64 + 0.5) / balls as f64).sin_cos();
+            let mut mesh = icosphere(radius, BALL_SUBDIVISIONS);
+            let at = DVec3::new(cos, sin, 0.0) * bend;
+            mesh.positions.iter_mut().for_each(|p| *p += at);
+            Part {
+                role: Role::Interior,
+                material: Material::of_index(i + 1),
+                ..Part::new(format!("ball {}", i + 1), mesh)
+            }
+        }));
+        Ok(parts)
     },
 };
+
+/// How finely the balls of a conduit are divided.
+const BALL_SUBDIVISIONS: usize = 4;
 
 /// A grid that is periodic in both directions. A section turns so that row times column direction points outward.
 fn closed_grid(rows: usize, columns: usize, at: impl Fn(usize, usize) -> DVec3) -> Mesh {

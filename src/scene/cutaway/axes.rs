@@ -213,7 +213,7 @@ mod tests {
         // Many more points on one face, and some within.
         points.extend((0..200).map(|i| {
             let t = f64::from(i) / 200.0 - 0.5;
-            turn * DVec3::new(1.5, 2.0 * t, (13.0 * t).fract() - 0.5) + 5.0
+            turn * DVec3::new(1.5, 2.0 * t, (13.0 * t).rem_euclid(1.0) - 0.5) + 5.0
         }));
         let divided = MainAxes::of(&points).unwrap_or_else(|| panic!("a hull"));
         for axes in [plain, divided] {

@@ -1,4 +1,4 @@
-//! Two offset maps made into one.
+//! Offset maps made into one.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -16,6 +16,12 @@ pub enum BlendOp {
     Min,
     /// The higher one.
     Max,
+    /// `1 - (1 - a) (1 - b)`: what is high in either is high, and nothing beyond 1.
+    Screen,
+    /// The product twice where the first is below one half, and the screen of what is left above: the second deepens and raises the first.
+    Overlay,
+    /// How far apart they are.
+    Difference,
     /// `a (1 - share) + b share`.
     Mix {
         /// Share of the second map, 0..=1.
@@ -25,7 +31,16 @@ pub enum BlendOp {
 
 impl BlendOp {
     /// Names that [`BlendOp::named`] knows.
-    pub const NAMES: [&str; 5] = ["add", "multiply", "min", "max", "mix"];
+    pub const NAMES: [&str; 8] = [
+        "add",
+        "multiply",
+        "min",
+        "max",
+        "screen",
+        "overlay",
+        "difference",
+        "mix",
+    ];
 
     /// The operation of a name; `mix` takes one half of each.
     pub fn named(name: &str) -> Option<Self> {
@@ -34,6 +49,9 @@ impl BlendOp {
             "multiply" => Self::Multiply,
             "min" => Self::Min,
             "max" => Self::Max,
+            "screen" => Self::Screen,
+            "overlay" => Self::Overlay,
+            "difference" => Self::Difference,
             "mix" => Self::Mix { share: 0.5 },
             _ => return None,
         })
@@ -45,6 +63,10 @@ impl BlendOp {
             Self::Multiply => a * b,
             Self::Min => a.min(b),
             Self::Max => a.max(b),
+            Self::Screen => 1.0 - (1.0 - a) * (1.0 - b),
+            Self::Overlay if a < 0.5 => 2.0 * a * b,
+            Self::Overlay => 1.0 - 2.0 * (1.0 - a) * (1.0 - b),
+            Self::Difference => (a - b).abs(),
             Self::Mix { share } => a * (1.0 - share) + b * share,
         }
     }
@@ -87,6 +109,9 @@ mod tests {
             ("multiply", [0.125, 0.0625]),
             ("min", [0.25, 0.125]),
             ("max", [0.5, 0.5]),
+            ("screen", [0.625, 0.5625]),
+            ("overlay", [0.25, 0.125]),
+            ("difference", [0.25, 0.375]),
             ("mix", [0.375, 0.3125]),
         ] {
             let op = BlendOp::named(name).expect(name);

@@ -4,6 +4,7 @@
 //! [`ClipSurface::with_relief`](super::ClipSurface::with_relief) puts a map on a section, so high and so wide as a [`Placement`] says.
 
 mod blend;
+mod derived;
 mod heights;
 mod layers;
 mod noise;
@@ -15,6 +16,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 pub use blend::BlendOp;
+pub use derived::MapScale;
 pub use layers::between_layers;
 pub use place::Placement;
 pub(crate) use place::{parse_wrap, place_map};
@@ -30,10 +32,10 @@ pub enum Relief {
     Procedure(Procedure),
     /// The map of an image file.
     Image(Image),
-    /// Two named reliefs made into one.
+    /// Named reliefs made into one, from the first on: the second goes onto the first, the third onto what that gives.
     Blend {
-        /// Names of the two.
-        of: [String; 2],
+        /// Their names, at least two.
+        of: Vec<String>,
         /// How.
         op: BlendOp,
     },
@@ -123,9 +125,13 @@ fn resolve_within(
         Relief::Procedure(procedure) => Arc::new(procedure.map()),
         Relief::Image(image) => Arc::clone(&image.map),
         Relief::Blend { op, .. } => {
-            let blended = op.blend(&parts[0], &parts[1]);
-            let help = "scale the images of the two down";
-            Arc::new(blended.map_err(|what| Error::input(culprit, what, help))?)
+            let mut all = parts.into_iter();
+            let first = all.next().ok_or_else(|| {
+                let help = "name at least two: `blend = [\"a\", \"b\"]`";
+                Error::input(&culprit, "it blends nothing", help)
+            })?;
+            all.try_fold(first, |below, above| op.blend(&below, &above).map(Arc::new))
+                .map_err(|what| Error::input(culprit, what, "scale their images down"))?
         }
         Relief::Profile(heights) => {
             let help = "give heights within the range of f32";
@@ -153,7 +159,7 @@ mod tests {
 
     fn blend(a: &str, b: &str) -> Relief {
         Relief::Blend {
-            of: [a.into(), b.into()],
+            of: vec![a.into(), b.into()],
             op: BlendOp::Add,
         }
     }
@@ -168,6 +174,14 @@ mod tests {
         ]);
         let map = resolve("four", &reliefs, &mut BTreeMap::new()).expect("no ring");
         assert_eq!(map.texels(), [2.0], "four halves");
+
+        let three = Relief::Blend {
+            of: vec!["one".into(), "one".into(), "two".into()],
+            op: BlendOp::Multiply,
+        };
+        reliefs.insert("three".to_owned(), three);
+        let map = resolve("three", &reliefs, &mut BTreeMap::new()).expect("no ring");
+        assert_eq!(map.texels(), [0.25], "a half of a half of one");
 
         reliefs.insert("two".to_owned(), blend("one", "four"));
         let error = resolve("four", &reliefs, &mut BTreeMap::new()).expect_err("a ring");

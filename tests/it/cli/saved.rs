@@ -58,7 +58,7 @@ const MORE: &[&str] = &[
     "bracket.stl shape:shells --split --section x=50%",
     "bracket.stl maps/../bracket.stl --section x=50% --relief maps/rock.png:wrap=mirror,amplitude=0.1",
     "shape:earth --breakaway=2% --roles interior=core",
-    "shape:crank --cutout=axis=x,angle_deg=90 --breakaway=view=first --roles whole=bolt* --roles interior=crank",
+    "shape:engine?detail=16 --cutout=axis=x,angle_deg=90 --breakaway=view=first --roles whole=bolt* --roles interior=crank",
     "walk_%d.obj --section x=50% --time 0.05",
     "shape:sphere --section z=0.1 --rasteriser compute --interference=#00ff00 --set part.0.material.color=#fa0",
     "scene.toml --section x=0.2 --relief fractal --set cut.front.enabled=false --exclude solid",

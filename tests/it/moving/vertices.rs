@@ -1,9 +1,10 @@
 //! What the pose pass writes, vertex by vertex.
 
 use cutaway::Model;
+use cutaway::plan::Capacities;
 use cutaway::plan::pack::unpack_normal;
 use cutaway::scene::{Part, Prepared, Scene};
-use cutaway::strategies::Strategy;
+use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
 
 use super::actors::{bent_bar, both, defined, deformed_bar, deformers, morphing_ball, still};
@@ -92,11 +93,11 @@ pub(super) fn farthest_of_moving(scene: &Scene, model: &Model) -> f64 {
     }
     let truth = Prepared::new(scene);
     let vertices = vertices(scene, model);
-    let placed: Vec<String> = {
-        let session = session();
-        let plan = session.plan(Strategy::RAYCAST_MASK).expect("a plan");
-        plan.passes.iter().map(|p| p.name.clone()).collect()
-    };
+    // Planned anew: other tests may have made the shared session forget.
+    let view = model.prepared.view([32, 32]);
+    let plan = strategies::plan(model, &view, Strategy::RAYCAST_MASK, &Capacities::UNKNOWN);
+    let plan = plan.unwrap_or_else(|refusal| panic!("{}", refusal.reason));
+    let placed: Vec<String> = plan.passes.iter().map(|p| p.name.clone()).collect();
     let indices: Vec<u32> = bytemuck::pod_collect_to_vec(&model.indices.bytes());
     let mut farthest = 0.0_f64;
     for (rank, part) in truth.parts.iter().enumerate() {
