@@ -176,6 +176,7 @@ pub const PATHS: &[Path] = &[
     moved("style.occlusion.strength", Number(0.0, 100.0), "", "6", "how much darker what lies deeper is (unsharp)"),
     moved("style.occlusion.surface", Number(0.0, 1.0), "", "0.7", "how much of it surfaces have"),
     moved("style.occlusion.cap", Number(0.0, 1.0), "", "0.35", "how much of it caps have"),
+    moved("style.occlusion.relief", Number(0.0, 1.0), "", "0.5", "how much caps have of what their own relief hides of the sky"),
     fixed("style.ghost.kind", Choice(&["none", "lines", "glass", "both"]), "", "\"lines\"", "what is drawn of what cuts remove"),
     moved("style.ghost.width", WIDTH, MIL, "1.2", "width of phantom lines"),
     moved("style.ghost.alpha", Number(0.0, 1.0), "", "0.85", "how much of the colour they have"),

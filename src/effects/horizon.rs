@@ -4,7 +4,6 @@
 //!
 //! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
 
-use super::occlusion::VISIBILITY;
 use super::pixels::{numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
@@ -20,7 +19,7 @@ const SMOOTH_PX: u32 = 2;
 pub(super) fn horizon(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
-    style: &Occlusion,
+    (style, name): (&Occlusion, &'static str),
     layers: ResourceId,
 ) -> ResourceId {
     let diagonal = 2.0 * scene.input.model.prepared.bounds.radius();
@@ -47,7 +46,7 @@ pub(super) fn horizon(
             numbers,
         ],
     );
-    let visibility = per_pixel(plan, scene, VISIBILITY, 4);
+    let visibility = per_pixel(plan, scene, name, 4);
     over_pixels(
         plan,
         scene,

@@ -11,6 +11,7 @@ use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
 use super::occlusion::occlusion;
 use super::pixels::{self, over_pixels};
+use super::relief_sky;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::style::{Paper, Shading, Style};
@@ -90,7 +91,12 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
 /// The numbers of the style, as a binding.
 pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Binding {
     let style = &scene.input.model.prepared.style;
-    pixels::numbers(plan, "style", numbers(style, scene.input.view))
+    let mut numbers = numbers(style, scene.input.view);
+    if relief_sky::is_drawn(scene) {
+        // How much of it caps have is in what was found.
+        numbers.occlusion_cap = 1.0;
+    }
+    pixels::numbers(plan, "style", numbers)
 }
 
 /// How many rows around a band are looked at, of a picture of so many.

@@ -15,6 +15,7 @@ mod horizon;
 mod illustrate;
 mod occlusion;
 mod pixels;
+mod relief_sky;
 mod shade;
 mod unsharp;
 

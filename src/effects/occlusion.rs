@@ -1,6 +1,6 @@
 //! Occlusion: how much of the sky is seen, a number for each pixel, by what the style asks for.
 
-use super::{horizon, unsharp};
+use super::{horizon, relief_sky, unsharp};
 use crate::passes::SceneBuffers;
 use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
@@ -16,13 +16,17 @@ pub(super) fn occlusion(
     layers: ResourceId,
 ) -> Option<ResourceId> {
     let style = &scene.input.model.prepared.style.occlusion;
-    if !style.is_drawn() {
-        return None;
-    }
-    match style.kind {
+    let relieved = relief_sky::is_drawn(scene);
+    let name = if relieved { "open_sky" } else { VISIBILITY };
+    let found = match style.kind {
+        _ if !style.is_drawn() => None,
         OcclusionKind::None => None,
-        OcclusionKind::Horizon => Some(horizon::horizon(plan, scene, style, layers)),
-        OcclusionKind::Unsharp => Some(unsharp::unsharp(plan, scene, style, layers)),
+        OcclusionKind::Horizon => Some(horizon::horizon(plan, scene, (style, name), layers)),
+        OcclusionKind::Unsharp => Some(unsharp::unsharp(plan, scene, (style, name), layers)),
+    };
+    match relieved {
+        true => Some(relief_sky::relief_sky(plan, scene, layers, found)),
+        false => found,
     }
 }
 

@@ -4,7 +4,6 @@
 //!
 //! Cannot: darken narrow gaps between what lies equally deep.
 
-use super::occlusion::VISIBILITY;
 use super::pixels::{numbers, over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
@@ -15,7 +14,7 @@ use crate::scene::style::Occlusion;
 pub(super) fn unsharp(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
-    style: &Occlusion,
+    (style, name): (&Occlusion, &'static str),
     layers: ResourceId,
 ) -> ResourceId {
     let view = scene.input.view;
@@ -39,7 +38,7 @@ pub(super) fn unsharp(
             numbers.clone(),
         ],
     );
-    let visibility = per_pixel(plan, scene, VISIBILITY, 4);
+    let visibility = per_pixel(plan, scene, name, 4);
     over_pixels(
         plan,
         scene,

@@ -29,6 +29,7 @@ mod rasterise;
 mod rasteriser;
 mod refusal;
 mod relevance;
+mod relief_sky;
 mod resolve;
 mod rest;
 mod scan;

@@ -16,6 +16,7 @@ use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
 use super::pose::{Moving, PackedPose};
+use super::relief_sky::ReliefSky;
 use super::settled::SettledParts;
 use super::sliced::Sliced;
 use crate::plan::Contents;
@@ -72,6 +73,8 @@ pub struct Model {
     pub grid_indices: Arc<KeptContents>,
     /// What its hatches hang on.
     pub(crate) at_rest: Arc<AtRest>,
+    /// What reliefs hide of the sky.
+    pub(crate) relief_sky: Arc<ReliefSky>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
     /// How parts have moved since, by index in the scene.
@@ -151,6 +154,7 @@ impl Model {
             first_texel,
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
+        let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);
@@ -168,6 +172,7 @@ impl Model {
             rooms,
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
+            relief_sky,
             ground: None,
             moved: at_rest.moved(scene, &prepared),
             at_rest,

@@ -15,7 +15,7 @@ pub use ghost::Ghost;
 pub use hatch::{HatchLine, HatchPlane, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
-pub use occlusion::{Ground, Horizon, Unsharp};
+pub use occlusion::{Ground, Horizon, ReliefSky, Unsharp};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
 pub use sprite::{Sprite, sprite_frame};
 pub use style::Style;

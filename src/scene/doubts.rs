@@ -44,6 +44,14 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
         )));
     }
     let cuts = scene.cuts.iter().filter(|c| c.enabled);
+    let closed = cuts.clone().filter(|c| !c.is_on());
+    doubts.extend(closed.map(|cut| {
+        Remark::warning(format!(
+            "{} opens nothing: the eye is in the middle of what it is to show, or what that is has no inside\n  help: move the camera \
+             away from it",
+            cut.name
+        ))
+    }));
     let cutters = cuts.filter_map(|c| c.volume.as_ref());
     doubts.extend(cutters.filter_map(|cutter| missing(cutter, scene)));
     doubts

@@ -277,6 +277,7 @@ fn occlusion(occlusion: &mut Occlusion, table: &Table<'_>) -> Result<()> {
         (&mut occlusion.strength, "strength", 100.0),
         (&mut occlusion.surface, "surface", 1.0),
         (&mut occlusion.cap, "cap", 1.0),
+        (&mut occlusion.relief, "relief", 1.0),
     ] {
         set(slot, table, key, most)?;
     }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::Timeline;
 use super::read::{self, RoleBy};
 use crate::error::{Error, Result};
+use crate::scene::numbers::round;
 use crate::scene::{AxisRule, BreakawayView, Camera, Cut, CutoutFrame, Fit, Part, Scene};
 
 impl Timeline {
@@ -43,6 +44,18 @@ impl Timeline {
             read::parts_with_roles(root, &self.stock, 0.0, &self.outwards)
         })
     }
+}
+
+/// What is to be said of where cutouts lie.
+pub(super) fn notes_of(frames: &BTreeMap<usize, CutoutFrame>) -> impl Iterator<Item = String> {
+    let even = frames.iter().filter(|(_, frame)| frame.is_even);
+    even.map(|(number, frame)| {
+        let axis = frame.along.to_array().map(round);
+        let axis = axis.join(", ");
+        format!(
+            "cut.{number}.cutout: no axis of the model stands out, so it goes around [{axis}], the one nearest to the upright; `axis` names another"
+        )
+    })
 }
 
 /// Where cutouts lie, by the number of their cut, in a scene that is seen from its camera.

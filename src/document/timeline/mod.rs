@@ -85,6 +85,7 @@ impl Timeline {
         let cutouts = read::cutouts(&root)?;
         if !cutouts.is_empty() {
             stock.frames = cutaways::frames_of(&rest, cutouts, settings.size_px())?;
+            notes.extend(cutaways::notes_of(&stock.frames));
             // The viewpoint is that which the frames were made for.
             let placed = scene_of(&stock, &parts, &mut Vec::new())?;
             rest.cuts = placed.cuts;

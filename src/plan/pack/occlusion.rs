@@ -33,6 +33,20 @@ shared! {
 }
 
 shared! {
+    /// What of occlusion caps on reliefs have: `shaders/effects/relief_sky.wgsl`.
+    ReliefSky {
+        /// How much they have of what was found in the picture.
+        cap: f32,
+        /// How much of what the relief hides.
+        relief: f32,
+        /// Unused.
+        padding_a: u32,
+        /// Unused.
+        padding_b: u32,
+    }
+}
+
+shared! {
     /// A level ground and the map of its shadow: `shaders/effects/ground.wgsl`.
     Ground {
         /// From a point of the scene to the column of the map.

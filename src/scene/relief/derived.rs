@@ -1,11 +1,11 @@
 //! What follows from an offset map (Trapp and Döllner 2013, section 4.2): its normals, and how much of the sky each place sees.
 //!
 //! Normals are of the gradient at texel centres, the mean of those of the four cells that meet there. Of the sky, slices through the normal of
-//! the plane are looked at; in each the horizon to both sides is found along growing steps up to one repeat, and what is between them is
+//! the plane are looked at; in each the horizon to both sides is found along growing steps up to two repeats, and what is between them is
 //! integrated in closed form with the cosine to the surface (the integral of ground-truth occlusion, Jimenez et al. 2016).
 //!
 //! Cost: two texels a normal; [`SLICES`] times twice [`STEPS`] heights a place of the sky, on all cores. Cannot: see what is farther away than
-//! one repeat, or steps over ridges that are thinner than the last steps.
+//! two repeats, or steps over ridges that are thinner than the last steps.
 
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
@@ -13,9 +13,9 @@ use rayon::prelude::*;
 use crate::scene::{ClipSurface, OffsetMap, Wrap};
 
 /// Directions that are looked along, to both sides.
-const SLICES: u32 = 16;
+const SLICES: u32 = 12;
 /// Heights to each side.
-const STEPS: u32 = 64;
+const STEPS: u32 = 48;
 
 /// How a map lies on its plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ impl OffsetMap {
         let height = |t: DVec2| self.sample(scale.wrap, t).0 * scale.height;
         let own = height(at);
         let normal = self.normal(scale, x, y);
-        let reach = scale.repeat.abs().max_element();
+        let reach = 2.0 * scale.repeat.abs().max_element();
         let slices = (0..SLICES).map(|slice| {
             let turn = std::f64::consts::PI * (f64::from(slice) + 0.5) / f64::from(SLICES);
             let along = DVec2::from_angle(turn);
@@ -127,7 +127,8 @@ mod tests {
         let tau = std::f64::consts::TAU;
         let map = profile(4096, |t| 0.5 + 0.5 * (tau * t).cos());
         let scale = scale(3.0, 0.4);
-        let most = map.normals(&scale).iter().enumerate().map(|(i, normal)| {
+        let normals = map.normals(&scale);
+        let most = normals.iter().enumerate().map(|(i, normal)| {
             let t = (i as f64 + 0.5) / 4096.0;
             let slope = -0.5 * tau * (tau * t).sin() * scale.height / scale.repeat.x;
             let truth = DVec3::new(-slope, 0.0, 1.0).normalize();

@@ -19,6 +19,8 @@ pub struct Occlusion {
     pub surface: f32,
     /// How much of it caps have, 0 to 1.
     pub cap: f32,
+    /// How much caps have of what their own relief hides of the sky, 0 to 1, whatever the kind.
+    pub relief: f32,
 }
 
 /// How occlusion is found.
@@ -54,6 +56,7 @@ impl Default for Occlusion {
             strength: 6.0,
             surface: 0.70,
             cap: 0.35,
+            relief: 0.0,
         }
     }
 }

@@ -45,6 +45,22 @@ fn what_cannot_be_opened_says_what_to_do() {
 }
 
 #[test]
+fn what_is_doubtful_is_said() {
+    let folder = Scratch::new("doubtful");
+    let said = |line: &str| folder.run(line).exits(0).stderr;
+    let small = "--resolution 32x24 --supersample 1 -o a.png";
+    let even = said(&format!("render shape:cube --cutout {small}"));
+    assert!(even.contains("no axis of the model stands out"), "{even}");
+    let long = said(&format!("render shape:crank?detail=16 --cutout {small}"));
+    assert!(!long.contains("stands out"), "the control: {long}");
+    let within = "--camera-position 0.01,0,0 --camera-focal-point 1,0,0";
+    let within = said(&format!(
+        "render shape:earth?subdivisions=2 --breakaway {within} {small}"
+    ));
+    assert!(within.contains("opens nothing"), "{within}");
+}
+
+#[test]
 fn roles_are_found_or_said_and_the_command_says_by_whom() {
     let folder = Scratch::new("roles");
     let by = |line: &str| folder.run(line).exits(0).text().to_owned();

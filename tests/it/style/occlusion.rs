@@ -2,7 +2,9 @@
 
 use super::*;
 use common::real;
+use cutaway::document::{SurfaceDraft, section};
 use cutaway::layers::{Layer, Layers};
+use cutaway::scene::relief::MapScale;
 use cutaway::scene::{Camera, Projection, View, Viewpoint};
 use glam::{DVec2, Vec3};
 
@@ -270,4 +272,73 @@ fn the_unsharp_mask_is_depth_less_its_gaussian() {
     }
     assert!(most < 1e-3, "{most}");
     assert!(dark > 0.05, "the control: something is dark, by {dark}");
+}
+
+#[test]
+fn caps_have_what_their_relief_hides_and_nothing_else_has() {
+    let in_relief = |section: SurfaceDraft| {
+        let mut scene = scene_in(with(Occlusion {
+            relief: 1.0,
+            ..Occlusion::default()
+        }));
+        let surface = section.on(&scene.bounds()).expect("a section");
+        scene.cuts = vec![Cut::new("cut", vec![surface])];
+        scene
+    };
+    let ragged = section("-z=50%").relief("waves:amplitude=8%,period=30%,size=64");
+    let scene = in_relief(ragged);
+    let model = Model::new(&scene);
+    let view = model.prepared.view([160, 120]);
+    let method = Method::from(Strategy::RAYCAST_MASK);
+    let mut session = session();
+    let drawn = session.draw(&model, &view, method).expect("a frame");
+    assert_eq!(drawn.outcome, Outcome::Complete, "a frame");
+    let layers = session.layers(method).expect("layers");
+    let found = visibility(&mut session, &model, &view, &layers);
+    let surface = &scene.cuts[0].surfaces[0];
+    let map = surface.relief.as_ref().expect("a relief");
+    let sky = map.visibility(&MapScale::of(surface));
+    let sky = cutaway::scene::OffsetMap::new(map.size(), sky).expect("numbers");
+    let frame = surface.frame();
+    let (mut caps, mut darkest) = (0, 1.0_f64);
+    for (i, (layer, found)) in layers.pixels.iter().zip(found).enumerate() {
+        if layer.kind != Kind::Cap {
+            assert_eq!(found, 1.0, "a surface has all its light");
+            continue;
+        }
+        let at = DVec2::new((i % 160) as f64, (i / 160) as f64) + 0.5;
+        let (origin, direction) = view.ray(at);
+        let point = (origin + direction * layer.depth) / model.prepared.scale;
+        let from = point + model.prepared.centre_in_world - surface.origin;
+        let t = DVec2::new(
+            frame.u_hat.dot(from) * surface.scale.x / surface.u.length(),
+            frame.v_hat.dot(from) * surface.scale.y / surface.v.length(),
+        );
+        let truth = sky.sample(surface.wrap, t).0;
+        assert!(
+            (f64::from(found) - truth).abs() < 2e-3,
+            "{found}, not {truth}"
+        );
+        (caps, darkest) = (caps + 1, darkest.min(truth));
+    }
+    assert!(
+        caps > 1000 && darkest < 0.9,
+        "{caps} pixels, {darkest} at the least"
+    );
+    let has_pass = |scene: &Scene| {
+        let model = Model::new(scene);
+        let view = model.prepared.view([160, 120]);
+        let plan = cutaway::strategies::plan(
+            &model,
+            &view,
+            Strategy::RAYCAST_MASK,
+            &cutaway::plan::Capacities::UNKNOWN,
+        );
+        let plan = plan.unwrap_or_else(|r| panic!("{}", r.reason));
+        plan.passes.iter().any(|p| p.name == "light reliefs")
+    };
+    assert!(
+        has_pass(&scene) && !has_pass(&in_relief(section("-z=50%"))),
+        "a plane hides nothing"
+    );
 }

@@ -1,0 +1,48 @@
+// What a relief hides of the sky from the caps that it makes, beside what was found around them in the picture. One invocation owns a pixel.
+//
+// The map of the sky lies texel by texel as the heights do, and is read as they are.
+
+#import cutaway::cuts::{cut_table, NO_RELIEF}
+#import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
+#import cutaway::layers::{CAP, WORDS_PER_PIXEL, clip_surface_of, kind_of}
+#import cutaway::relief::height_at
+#import cutaway::sky_before::sky_before
+
+struct ReliefSky {
+    cap: f32,
+    relief: f32,
+    padding_a: u32,
+    padding_b: u32,
+}
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+@group(1) @binding(1) var<storage, read_write> visibility: array<f32>;
+@group(1) @binding(2) var<uniform> relief_sky: ReliefSky;
+
+// What the relief leaves of the light at a point of a cap.
+fn light_of(number: u32, point: vec4<f32>) -> f32 {
+    for (var slot = 0u; slot < cut_table.surface_count; slot++) {
+        if cut_table.surfaces[slot].surface != number || cut_table.surfaces[slot].first_texel == NO_RELIEF {
+            continue;
+        }
+        let texel = vec2<f32>(dot(cut_table.surfaces[slot].texel_x_row, point), dot(cut_table.surfaces[slot].texel_y_row, point));
+        return 1.0 - relief_sky.relief * (1.0 - height_at(slot, texel));
+    }
+    return 1.0;
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    let first = pixel * WORDS_PER_PIXEL;
+    var light = sky_before(pixel);
+    if kind_of(layers[first]) == CAP {
+        let ray = ray_through(centre_of(id.xy));
+        let point = vec4<f32>(ray.origin + bitcast<f32>(layers[first + 2u]) * ray.direction, 1.0);
+        light = (1.0 - relief_sky.cap * (1.0 - light)) * light_of(clip_surface_of(layers[first]), point);
+    }
+    visibility[pixel] = light;
+}

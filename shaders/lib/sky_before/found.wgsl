@@ -1,0 +1,9 @@
+// What the search around a pixel found of the sky. Bound as @group(2) @binding(0).
+
+#define_import_path cutaway::sky_before
+
+@group(2) @binding(0) var<storage, read> open_sky: array<f32>;
+
+fn sky_before(pixel: u32) -> f32 {
+    return open_sky[pixel];
+}
