@@ -145,7 +145,7 @@ impl Session {
         )
     }
 
-    /// The shadow on the ground of what a method keeps of a scene, for [`Model::on_ground`]: a small frame from below, which is read back.
+    /// The shadow on the ground of what a method keeps of a scene, for [`Model::on_ground`]: small frames from below and above, which are read back.
     /// It hangs on no camera but on every cut and motion.
     ///
     /// # Errors
@@ -157,17 +157,30 @@ impl Session {
         method: impl Into<Method>,
     ) -> Result<Result<GroundShadow, Refusal>> {
         let asked = self.asked(method.into());
-        let view = GroundShadow::view(&model.prepared);
+        let views = GroundShadow::views(&model.prepared);
         let plain = model.in_style(Style::default());
         let mut slot = Slot::default();
-        let drawn = slot.draw(&self.gpu, false, &plain, &view, |view, capacities| {
-            strategies::record(&plain, view, asked, capacities)
-        })?;
-        if let Outcome::Refused(refusal) = drawn.outcome {
-            return Ok(Err(refusal));
+        let mut seen = Vec::with_capacity(views.len());
+        for view in &views {
+            let drawn = slot.draw(&self.gpu, false, &plain, view, |view, capacities| {
+                strategies::record(&plain, view, asked, capacities)
+            })?;
+            match drawn.outcome {
+                Outcome::Complete => seen.push(slot.layers(&self.gpu)?),
+                Outcome::Refused(refusal) => return Ok(Err(refusal)),
+                Outcome::Overflowed(reason) => {
+                    return Ok(Err(Refusal::new(Obstacle::Limit, reason)));
+                }
+            }
         }
-        let layers = slot.layers(&self.gpu)?;
-        Ok(Ok(GroundShadow::of(&model.prepared, &view, &layers)))
+        let [below, above] = &seen[..] else {
+            return Err(Error::Plan("a view of the ground is missing".into()));
+        };
+        Ok(Ok(GroundShadow::of(
+            &model.prepared,
+            &views,
+            [below, above],
+        )))
     }
 
     /// Runs the last frame with nothing cut again on some clocks, for its times.

@@ -67,8 +67,9 @@ fn on_ground(session: &Session, shown: &SceneAtTime, renderer: Renderer) -> Resu
     let shadow = match renderer {
         Renderer::Cpu(evaluator) => {
             let truth = shown.truth()?;
-            let view = GroundShadow::view(truth);
-            GroundShadow::of(truth, &view, &evaluator.evaluate(truth, &view).layers)
+            let views = GroundShadow::views(truth);
+            let [below, above] = views.map(|view| evaluator.evaluate(truth, &view).layers);
+            GroundShadow::of(truth, &views, [&below, &above])
         }
         Renderer::Method(method) => session
             .ground_shadow(&shown.model, method)?

@@ -26,6 +26,9 @@ offset.png has 16 bits of grey from the lowest to the highest place. normal.png 
 plane, -1 to 1 as 0 to 255. occlusion.png is white where all of the sky is seen. They hang on how high the relief is over how long: on
 `amplitude` and `period`, of which percentages are of a cube's diagonal.";
 
+/// Images have at least so many pixels along each side.
+const FEWEST_TEXELS: u32 = 128;
+
 /// Options of `relief`.
 #[derive(Args)]
 pub(super) struct ReliefCommandArgs {
@@ -52,6 +55,9 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         return Err(Error::input(&args.relief, "it is no relief", help));
     };
     let scale = MapScale::of(&surface);
+    // Of a map of few texels the slopes lie between these.
+    let texels = map.size();
+    let map = &map.at_least(FEWEST_TEXELS);
     console.step("normals");
     let normals = map.normals(&scale);
     if let Some(folder) = &args.maps {
@@ -77,10 +83,10 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         write("occlusion.png", occlusion.unwrap_or_default().into())?;
     }
     let steepest = normals.iter().map(|n| n.z).fold(1.0_f32, f32::min);
-    let [width, rows] = map.size();
+    let [width, rows] = texels;
     let text = format!(
         "{width} x {rows} texels, {} high over a repeat of {} x {}, at most {} degrees steep\n",
-        round(f64::from(map.range()[1] - map.range()[0]) * scale.height),
+        round((f64::from(map.range()[1] - map.range()[0]) * scale.height).abs()),
         round(scale.repeat.x),
         round(scale.repeat.y),
         round(f64::from(steepest).acos().to_degrees()),

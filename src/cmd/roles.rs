@@ -1,4 +1,4 @@
-//! `--roles`: which parts are inside and which are never cut, and who says so.
+//! `--roles`: which parts are inside and which are never cut, and where that is said.
 
 use serde_json::{Value as Json, json};
 
@@ -31,21 +31,28 @@ pub(super) fn parse(text: &str) -> Result<RoleWord, String> {
     }
 }
 
-/// Puts them into a document. Where it says nothing of roles and nobody else does, they are found if that `is_needed`.
+/// Puts them into a document. Where nothing says what is inside, that is found if it `is_needed`.
 pub(super) fn amend(document: &mut Document, words: &[RoleWord], is_needed: bool) -> Result<()> {
     let root = document.root();
     let parts = root.get("part").map_or(&[] as &[_], Node::items);
     let is_said = root.get("roles").is_some() || parts.iter().any(|p| p.get("role").is_some());
-    let words = match words {
-        [] if is_needed && !is_said => &[RoleWord::Auto],
-        words => words,
-    };
-    let is_text = |node: &Node| matches!(node.value, Value::Text(_));
-    if !words.is_empty() && root.get("roles").is_some_and(is_text) {
-        document.remove("roles")?;
-        document.set("roles.auto", true)?;
+    let says_what_is_inside =
+        |word: &RoleWord| !matches!(word, RoleWord::Glob(key, _) if *key != "interior");
+    let finds = is_needed && !is_said && !words.iter().any(says_what_is_inside);
+    let found = finds.then_some(&RoleWord::Auto);
+    if let (Some(Value::Text(text)), false) =
+        (root.get("roles").map(|n| &n.value), words.is_empty())
+    {
+        // What is neither is for the reader to refuse.
+        if let Some(auto) = [("auto", true), ("none", false)]
+            .iter()
+            .find(|(word, _)| **text == **word)
+        {
+            document.remove("roles")?;
+            document.set("roles.auto", auto.1)?;
+        }
     }
-    words.iter().try_for_each(|word| match word {
+    words.iter().chain(found).try_for_each(|word| match word {
         RoleWord::Auto => document.set("roles.auto", true),
         RoleWord::Glob(key, glob) => {
             let held = document
@@ -92,6 +99,7 @@ pub(super) fn to_json(part: &Part, by: &RoleBy) -> Json {
         "role": name_of(part.role),
         "role_by": match by {
             RoleBy::Default => "default",
+            RoleBy::Model => "model",
             RoleBy::Part => "part",
             RoleBy::Glob(_) => "glob",
             RoleBy::Sight(_) => "sight",

@@ -228,12 +228,13 @@ impl SectionArgs {
         let sections = self.sections.iter().map(|words| cut([words.draft()]));
         let boxes = self.boxes.iter().map(|words| cut([]).block(words));
         let wedges = self.wedges.iter().map(|words| cut([]).wedge(words));
-        let mut cuts: Vec<CutDraft> = sections.chain(boxes).chain(wedges).collect();
+        let cutout = self.cutout.iter().map(|words| cut([]).cutout(words));
+        let breakaway = self.breakaway.iter().map(|words| cut([]).breakaway(words));
+        let regions = boxes.chain(wedges).chain(cutout).chain(breakaway);
+        let mut cuts: Vec<CutDraft> = sections.chain(regions).collect();
         if self.combination == Combination::Intersection {
             cuts = cuts.into_iter().reduce(CutDraft::and).into_iter().collect();
         }
-        cuts.extend(self.cutout.iter().map(|words| cut([]).cutout(words)));
-        cuts.extend(self.breakaway.iter().map(|words| cut([]).breakaway(words)));
         cuts.extend(self.cutters.iter().map(|cutter| cut([]).volume(cutter)));
         cuts
     }

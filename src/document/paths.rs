@@ -312,7 +312,7 @@ pub const PATHS: &[Path] = &[
     fixed("cut.*.wedge.wrap", WRAP, "", "\"mirror\"", "as of a surface"),
     fixed("cut.*.wedge.faces", Texts, "", "[\"from\"]", "which faces have the relief: from, to, min, max"),
     fixed("cut.*.cutout.axis", Other, "", "\"auto\"", "what it goes along: \"auto\", \"main\", \"symmetry\", \"x\" to \"-z\", or a direction"),
-    moved("cut.*.cutout.angle_deg", Number(0.0, 360.0), "degrees", "110", "between its two faces"),
+    moved("cut.*.cutout.angle_deg", Number(0.0, 359.0), "degrees", "110", "between its two faces"),
     moved("cut.*.cutout.turn_deg", REAL, "degrees", "0", "how far it is turned away from the camera of the first moment, or with `fixed` from the second axis"),
     moved("cut.*.cutout.fixed", Flag, "", "true", "whether it lies where it does whatever the camera"),
     moved("cut.*.cutout.offset", Numbers(2), "units", "[0, 0]", "how far it is moved along the second and the third axis"),

@@ -48,6 +48,17 @@ impl Drift {
             half_height: first.half_height / self.zoom.powf(frame),
             ..*first
         };
+        // A corner of the scene that comes nearer than any did is not to be cut by the near plane.
+        let corners = prepared.bounds.corners().into_iter();
+        let nearest = corners.map(|c| (c - turned.eye).dot(turned.forward));
+        let nearest = nearest.fold(f64::INFINITY, f64::min) * 0.99;
+        let turned = View {
+            near: match nearest > 0.0 {
+                true => first.near.min(nearest),
+                false => first.near,
+            },
+            ..turned
+        };
         // A camera that only shifts keeps its numbers.
         let moved = if self.turn_deg == 0.0 && self.zoom == 1.0 {
             *first

@@ -1,16 +1,17 @@
 //! The ground and the shadow on it: how much of the light from above is hidden from each place.
 //!
-//! What is kept is looked at from straight below, through parallel rays, by whoever draws the scene, so that all cuts count. Light comes
-//! from a disc of the sky: what is `h` above the ground has a shadow that is blurred over `h` times the tangent of its radius. Heights are
+//! What is kept is looked at from straight below and above, through parallel rays, by the method that draws the scene, so that all cuts count.
+//! Light comes from a disc of the sky: what is `h` above the ground has a shadow that is blurred over `h` times the tangent of its radius. So
+//! have the undersides, which makes contacts dark, and the tops, which hide half of the disc beside a wall; the darker counts. Heights are
 //! sorted into [`BINS`], each of which is blurred at once by three boxes, which is nearly a Gaussian; a height between two bins
 //! belongs to both.
 //!
-//! Costs a frame of [`SIDE_PX`] squared and its read-back, then a few additions for each of its pixels and bin. Cannot: cast light aslant,
-//! shade the model itself, or see a second thing above the first.
+//! Costs two frames of [`SIDE_PX`] squared and their read-back, then a few additions for each of its pixels and bin. Cannot: cast light aslant,
+//! shade the model itself, or see what is between the first thing above the ground and the last.
 
 use glam::{DVec2, DVec3};
 
-use crate::layers::{Kind, Layers};
+use crate::layers::{Kind, Layer, Layers};
 use crate::plan::Contents;
 use crate::plan::pack;
 use crate::scene::style::Shadow;
@@ -31,8 +32,21 @@ pub struct GroundShadow {
 }
 
 impl GroundShadow {
-    /// The view from below that a shadow is made of, of a scene whose style has one.
-    pub fn view(prepared: &Prepared) -> View {
+    /// The views from below and from above that a shadow is made of, of a scene whose style has one. Both have the same columns, and rows the
+    /// other way round.
+    pub fn views(prepared: &Prepared) -> [View; 2] {
+        let below = Self::view_from_below(prepared);
+        let way = 2.0 * (prepared.bounds.centre() - below.eye).dot(below.forward);
+        let above = View {
+            eye: below.eye + below.forward * way,
+            up: -below.up,
+            forward: -below.forward,
+            ..below
+        };
+        [below, above].map(|view| prepared.seen_to_the_end(view))
+    }
+
+    fn view_from_below(prepared: &Prepared) -> View {
         let up = prepared.up();
         let across = up.any_orthonormal_vector();
         let right = up.cross(across);
@@ -48,7 +62,7 @@ impl GroundShadow {
             half.max(from.dot(across).abs()).max(from.dot(right).abs())
         });
         let radius = prepared.bounds.radius();
-        let view = View {
+        View {
             size_px: [SIDE_PX; 2],
             centre_px: DVec2::splat(f64::from(SIDE_PX) / 2.0),
             eye: centre + up * (level - centre.dot(up) - radius),
@@ -62,19 +76,29 @@ impl GroundShadow {
             near_cap: false,
             band: [0, SIDE_PX],
             fineness: 1,
-        };
-        prepared.seen_to_the_end(view)
+        }
     }
 
-    /// The shadow of what was seen from below.
-    pub fn of(prepared: &Prepared, view: &View, layers: &Layers) -> Self {
+    /// The shadow of what was seen from below and from above.
+    pub fn of(prepared: &Prepared, views: &[View; 2], layers: [&Layers; 2]) -> Self {
+        let [view, above] = views;
         let level = level(prepared) - view.eye.dot(view.forward);
         let side = view.size_px[0];
-        let heights: Vec<Option<f64>> = (layers.pixels.iter())
-            .map(|l| (l.kind != Kind::Background).then(|| (l.depth - level).max(0.0)))
-            .collect();
+        let shown = |l: &Layer| l.kind != Kind::Background;
+        let lowest = layers[0]
+            .pixels
+            .iter()
+            .map(|l| shown(l).then(|| (l.depth - level).max(0.0)));
+        // Of the columns the tops, in the rows of the view from below.
+        let top = above.eye.dot(view.forward) - view.eye.dot(view.forward) - level;
+        let rows = layers[1].pixels.chunks(side as usize).rev();
+        let highest = rows
+            .flatten()
+            .map(|l| shown(l).then(|| (top - l.depth).max(0.0)));
         let reach_px = |h: f64| reach(&prepared.style.shadow, h) / view.pixel_size(0.0);
-        let darkness = darkness(&heights, side as usize, reach_px);
+        let of = |heights: Vec<Option<f64>>| darkness(&heights, side as usize, reach_px);
+        let (under, beside) = (of(lowest.collect()), of(highest.collect()));
+        let darkness: Vec<f32> = under.iter().zip(&beside).map(|(a, b)| a.max(*b)).collect();
         let per_px = 1.0 / view.pixel_size(0.0);
         let row = |axis: DVec3, offset: f64| {
             let moved = offset - axis.dot(view.eye) * per_px;
@@ -121,7 +145,7 @@ fn reach(shadow: &Shadow, height: f64) -> f64 {
 /// How much of the sky what stands at these heights hides from each place.
 fn darkness(heights: &[Option<f64>], side: usize, reach_px: impl Fn(f64) -> f64) -> Vec<f32> {
     let tallest = heights.iter().flatten().copied().fold(0.0, f64::max);
-    let mut lit = vec![1.0_f64; heights.len()];
+    let mut dark = vec![0.0_f64; heights.len()];
     for bin in 0..BINS {
         // Bins are closer near the ground, where shadows are sharp.
         let place = |h: f64| (h / tallest.max(1e-12)).sqrt() * (BINS - 1) as f64;
@@ -133,11 +157,10 @@ fn darkness(heights: &[Option<f64>], side: usize, reach_px: impl Fn(f64) -> f64)
         }
         let height = tallest * (bin as f64 / (BINS - 1) as f64).powi(2);
         blur(&mut cover, side, (DEVIATION * reach_px(height)).max(1.0));
-        lit.iter_mut()
-            .zip(cover)
-            .for_each(|(lit, c)| *lit *= 1.0 - c);
+        // A column has one height: what it hides by one bin it does not hide by the other.
+        dark.iter_mut().zip(cover).for_each(|(dark, c)| *dark += c);
     }
-    lit.into_iter().map(|lit| (1.0 - lit) as f32).collect()
+    dark.into_iter().map(|d| d.min(1.0) as f32).collect()
 }
 
 /// Blurs a square picture by three boxes along each side; what is outside is 0.
@@ -200,6 +223,13 @@ mod tests {
             heights[0] = Some(16.0);
             heights
         };
+        // A slope belongs to two bins nearly everywhere, and is as dark.
+        let slope: Vec<Option<f64>> = (0..side * side)
+            .map(|i| Some((i % side) as f64 * 0.1))
+            .collect();
+        let dark = darkness(&slope, side, |h| h * 0.1);
+        let middle = &dark[32 * side..][8..56];
+        assert!(middle.iter().all(|d| *d > 0.97), "{middle:?}");
         let edge = |h: f64| {
             let dark = darkness(&slab(h), side, |h| h * 0.5);
             [dark[32 * side + 32], dark[32 * side + 43]]

@@ -15,8 +15,10 @@ pub struct Cut {
     pub volume: Option<Cutter>,
     /// What places its cutter, if it places itself: see [`Scene::open_breakaways`](super::Scene::open_breakaways).
     pub breakaway: Option<Breakaway>,
-    /// The number of its opening, from 0: a breakaway with several is several cuts.
+    /// The number of its opening, from 0: a breakaway with several is several cuts. Set where breakaways are opened.
     pub opening: usize,
+    /// Names of the whole parts among what its opening shows, which it does not hide. Set where breakaways are opened.
+    pub shows: Vec<String>,
     /// Globs of the parts that are cut; `*` and `?` are understood.
     pub applies_to: Vec<String>,
     /// Globs of the parts that are spared.
@@ -46,6 +48,7 @@ impl Cut {
             volume: None,
             breakaway: None,
             opening: 0,
+            shows: Vec::new(),
             applies_to: vec!["*".into()],
             except: Vec::new(),
             offsets: Vec::new(),

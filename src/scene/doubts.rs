@@ -1,7 +1,7 @@
 //! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
 
 use super::numbers::describe_bounds;
-use super::{Cut, Cutter, Fill, Part, Scene, Topology};
+use super::{Cut, Cutter, Fill, Part, Role, Scene, Topology};
 
 /// What is said of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +41,16 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
              the bounds, or a percentage of them such as z=50%",
             cut.name,
             describe_bounds(&bounds)
+        )));
+    }
+    let spared = scene.parts.iter().filter(|p| p.role != Role::Exterior);
+    let spared: Vec<&str> = spared.map(|p| p.name.as_str()).collect();
+    let is_plain = |cut: &Cut| cut.enabled && cut.breakaway.is_none();
+    if let ([first, ..], true) = (&spared[..], scene.cuts.iter().any(is_plain)) {
+        doubts.push(Remark::note(format!(
+            "{} of {} parts are interior or whole and not cut, {first} among them; --roles 'exterior=*' cuts them",
+            spared.len(),
+            scene.parts.len()
         )));
     }
     let cuts = scene.cuts.iter().filter(|c| c.enabled);

@@ -33,7 +33,12 @@ impl ConvexHull {
 
     /// That of points which need not all be in it: what stands out by less than a ten-thousandth of the thickness may be left out.
     pub(crate) fn nearly(points: &[DVec3]) -> Option<Self> {
-        Hull::around(points, ASIDE).map(|hull| hull.as_mesh())
+        Self::roughly(points, ASIDE)
+    }
+
+    /// That of points of which those may be left out that stand out by less than a share of the thickness.
+    pub(crate) fn roughly(points: &[DVec3], aside: f64) -> Option<Self> {
+        Hull::around(points, aside).map(|hull| hull.as_mesh())
     }
 
     /// The corner that lies farthest in a direction.
@@ -41,6 +46,12 @@ impl ConvexHull {
         let all = self.corners.iter().copied();
         all.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)))
             .unwrap_or_default()
+    }
+
+    /// Whether a point lies in it or on it.
+    pub(crate) fn holds(&self, point: DVec3) -> bool {
+        self.faces()
+            .all(|[a, b, c]| (b - a).cross(c - a).dot(point - a) <= 0.0)
     }
 
     /// The corners of each face.

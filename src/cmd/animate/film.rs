@@ -14,8 +14,8 @@ use super::times::Times;
 use super::turntable::turned;
 use crate::Result;
 use crate::experiment::{Renderer, SceneAtTime, Stopwatch};
-use crate::scene::Scene;
 use crate::scene::numbers::round;
+use crate::scene::{Breakaway, BreakawayView, Cut, Scene};
 use crate::session::{Outcome, Session};
 
 /// All that frames are drawn from.
@@ -59,9 +59,12 @@ impl Film<'_> {
             None => self.scene.camera,
         };
         // The timeline knows of no turn.
-        if self.args.turn_deg.is_some() && self.scene.has_breakaways() {
+        let follows = |b: &Breakaway| b.view == BreakawayView::Each;
+        let mut breakaways = self.scene.cuts.iter().filter_map(|c| c.breakaway.as_ref());
+        if self.args.turn_deg.is_some() && breakaways.any(follows) {
             let view = self.scene.view_through(&camera, subject.size_px());
-            self.scene.open_breakaways_to(&view)?;
+            let opened = |_: &Cut, b: &Breakaway| follows(b).then_some(&view);
+            self.scene.open_breakaways_to(opened)?;
             self.shown = self.shown.updated(&self.scene);
         }
         let prepared = &self.shown.model.prepared;

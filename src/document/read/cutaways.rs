@@ -39,6 +39,9 @@ pub(super) fn axis_rule(entry: &Entry<'_>) -> Result<AxisRule> {
         ("x", AxisRule::Along(DVec3::X)),
         ("y", AxisRule::Along(DVec3::Y)),
         ("z", AxisRule::Along(DVec3::Z)),
+        ("-x", AxisRule::Along(DVec3::NEG_X)),
+        ("-y", AxisRule::Along(DVec3::NEG_Y)),
+        ("-z", AxisRule::Along(DVec3::NEG_Z)),
     ])
 }
 
@@ -64,12 +67,10 @@ pub(super) fn cutout(
     let table = entry.table(&[CUTOUT, RELIEF].concat())?;
     let number = |key: &str, usual| table.get(key).map_or(Ok(usual), |e| e.number());
     let angle_deg = number("angle_deg", USUAL_ANGLE_DEG)?;
-    if !(0.0..=360.0).contains(&angle_deg) {
+    if !(0.0..=359.0).contains(&angle_deg) {
         let angle = table.need("angle_deg", "110")?;
-        return Err(angle.fault(
-            "it must be from 0 to 360",
-            "write for example `angle_deg = 110`",
-        ));
+        let what = "it must be from 0 to 359: a full turn would remove everything";
+        return Err(angle.fault(what, "write for example `angle_deg = 110`"));
     }
     let fixed = table.get("fixed").map_or(Ok(false), |e| e.flag())?;
     let [second, third] = table.get("offset").map_or(Ok([0.0; 2]), |e| e.vector())?;

@@ -272,7 +272,16 @@ pub(super) fn parts(
     outwards: &Outwards,
 ) -> Result<Vec<Part>> {
     let parts = parts::all(root, stock, time_s, outwards)?;
+    let names: Vec<&str> = (stock.parts.iter().flat_map(PartSource::names))
+        .map(String::as_str)
+        .collect();
+    roles::read(root)?.must_name(root, &names)?;
     Ok(parts.into_iter().map(|(part, _)| part).collect())
+}
+
+/// What is to be said of the roles of some parts.
+pub(super) fn role_notes(root: &Table<'_>, parts: &[Part]) -> Result<Vec<String>> {
+    Ok(roles::read(root)?.notes(parts))
 }
 
 /// Whether roles are to be found by what is seen from outside.
@@ -318,14 +327,19 @@ pub(super) fn scene(
         names: &names,
         maps: &maps,
     };
-    let mut cuts = Vec::new();
+    let (mut cuts, mut plain) = (Vec::new(), Vec::new());
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
         let frame = stock.frames.get(&i);
-        cuts.extend(cuts::read(entry, i, (cutter, frame), &context, notes)?);
+        let read = cuts::read(entry, i, (cutter, frame), &context, notes)?;
+        // A cutout lies where the camera has it.
+        if entry.open_table()?.get("cutout").is_none() {
+            plain.extend(read.iter().cloned());
+        }
+        cuts.extend(read);
     }
     if seen.faces_cut {
-        scene.camera.viewpoint = camera::facing_first(&cuts, scene.camera.up, root)?;
+        scene.camera.viewpoint = camera::facing_first(&plain, scene.camera.up, root)?;
     }
     scene.cuts = cuts;
     Ok((scene, seen))

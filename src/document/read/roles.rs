@@ -9,26 +9,28 @@
 //! whole = ["bolt*", "shaft*"]
 //! ```
 //!
-//! The `role` of a part counts first, then globs, then what is seen.
+//! The `role` of a part counts first, then globs, then what the model says of itself, then what is seen.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use super::reader::Table;
 use crate::document::Keys;
-use crate::error::Result;
+use crate::error::{Result, did_you_mean};
 use crate::scene::{Part, Role, Sight, glob_matches};
 
 static KEYS: Keys = Keys::below("roles");
 
-/// From what share of what one expects a part counts as seen from outside.
+/// What is seen of each part from outside, by its name.
 type Sights = BTreeMap<String, Sight>;
 
-/// Who said which role a part has.
+/// Where the role of a part comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RoleBy {
-    /// Nobody: it is usual.
+    /// It is not given: the usual one.
     Default,
+    /// The model, such as a built-in shape.
+    Model,
     /// `role` of the part.
     Part,
     /// A glob of `roles`.
@@ -40,11 +42,16 @@ pub enum RoleBy {
 impl fmt::Display for RoleBy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Default => f.write_str("nobody says it"),
+            Self::Default => f.write_str("not given"),
+            Self::Model => f.write_str("the model"),
             Self::Part => f.write_str("role of the part"),
             Self::Glob(glob) => write!(f, "roles, {glob}"),
-            Self::Sight(sight) => {
-                write!(f, "seen {:.2}, level {}", sight.seen, sight.level)
+            Self::Sight(Sight { level: None, .. }) => f.write_str("too small to tell"),
+            Self::Sight(Sight {
+                seen,
+                level: Some(level),
+            }) => {
+                write!(f, "seen {seen:.2}, level {level}")
             }
         }
     }
@@ -89,6 +96,28 @@ pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
 }
 
 impl Roles {
+    /// Refuses names that no part has; globs may have none at some time.
+    pub(super) fn must_name(&self, root: &Table<'_>, names: &[&str]) -> Result<()> {
+        let is_name = |glob: &&String| !glob.contains(['*', '?']);
+        let mut said = self.globs.iter().map(|(glob, _)| glob).filter(is_name);
+        match said.find(|name| !names.contains(&name.as_str())) {
+            None => Ok(()),
+            Some(name) => {
+                let entry = root.need("roles", "\"auto\"")?;
+                let what = format!("there is no part `{name}`");
+                Err(entry.fault(what, did_you_mean(name, names.iter().copied())))
+            }
+        }
+    }
+
+    /// What is to be said of globs that no part fits.
+    pub(super) fn notes(&self, parts: &[Part]) -> Vec<String> {
+        let fits = |glob: &str| parts.iter().any(|p| glob_matches(glob, &p.name));
+        let idle = self.globs.iter().filter(|(glob, _)| !fits(glob));
+        idle.map(|(glob, _)| format!("roles: no part is called `{glob}`"))
+            .collect()
+    }
+
     /// The role of a part, which its own table has `given` or not, and who says so.
     pub(super) fn of(&self, part: &Part, given: bool, sights: Option<&Sights>) -> (Role, RoleBy) {
         if given {
@@ -97,11 +126,14 @@ impl Roles {
         if let Some((glob, role)) = self.globs.iter().find(|(g, _)| glob_matches(g, &part.name)) {
             return (*role, RoleBy::Glob(glob.clone()));
         }
+        if part.role != Role::default() {
+            return (part.role, RoleBy::Model);
+        }
         match sights.and_then(|sights| sights.get(&part.name)) {
             Some(sight) if self.auto => {
                 let role = match sight.level {
-                    0 => Role::Exterior,
-                    _ => Role::Interior,
+                    Some(0) | None => Role::Exterior,
+                    Some(_) => Role::Interior,
                 };
                 (role, RoleBy::Sight(*sight))
             }

@@ -25,7 +25,9 @@ use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, Viewpoint, sights};
+use crate::scene::{
+    Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint, sights,
+};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -57,6 +59,8 @@ pub struct Timeline {
     outline: OnceLock<Arc<Outline>>,
     /// From where it is seen at all times, where that is to be found.
     viewpoint: OnceLock<Viewpoint>,
+    /// The view at time 0, in world space, where something opens to its eye.
+    first_view: OnceLock<View>,
 }
 
 impl Timeline {
@@ -73,22 +77,10 @@ impl Timeline {
             stock.sights = Some(names.zip(sights(&parts)).collect());
             parts = read::parts(&root, &stock, 0.0, &outwards)?;
         }
-        let mut scene_of = |stock: &Stock, parts: &[Part], notes: &mut Vec<String>| {
-            let parts = (parts.to_vec(), None);
-            let (mut scene, seen) = read::scene(&root, stock, parts, &mut reliefs, notes)?;
-            if seen.is_free() {
-                scene.camera.viewpoint = seen.turned(scene.cuts.iter());
-            }
-            Ok::<_, Error>(scene)
-        };
-        let mut rest = scene_of(&stock, &parts, &mut notes)?;
-        let cutouts = read::cutouts(&root)?;
-        if !cutouts.is_empty() {
-            stock.frames = cutaways::frames_of(&rest, cutouts, settings.size_px())?;
-            notes.extend(cutaways::notes_of(&stock.frames));
-            // The viewpoint is that which the frames were made for.
-            let placed = scene_of(&stock, &parts, &mut Vec::new())?;
-            rest.cuts = placed.cuts;
+        notes.extend(read::role_notes(&root, &parts)?);
+        let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
+        if seen.is_free() {
+            rest.camera.viewpoint = seen.turned(rest.cuts.iter());
         }
         rest.name = document.name();
         let firsts = rest.parts.iter().filter_map(|p| p.clips().first());
@@ -109,6 +101,7 @@ impl Timeline {
             stage: OnceLock::new(),
             outline: OnceLock::new(),
             viewpoint: OnceLock::new(),
+            first_view: OnceLock::new(),
             settings: Settings::default(),
         };
         if let (Some(clip), Some(entry)) = (&settings.clip, root.get("clip")) {
@@ -116,6 +109,10 @@ impl Timeline {
             timeline.chosen = Some(called?);
         }
         timeline.settings = settings;
+        let cutouts = read::cutouts(&root)?;
+        if !cutouts.is_empty() {
+            timeline.place_cutouts(cutouts)?;
+        }
         timeline.try_keys()?;
         Ok(timeline)
     }
@@ -231,6 +228,11 @@ impl Timeline {
     /// The scene at a time in seconds, not negative. Its parts stand in the poses of their clips, and parts without the clip that is
     /// played stand at rest; its stage is that of all times.
     pub fn at(&self, time_s: f64) -> Result<Scene> {
+        self.opened(self.closed_at(time_s)?)
+    }
+
+    /// The scene at a time, with its breakaways closed.
+    fn closed_at(&self, time_s: f64) -> Result<Scene> {
         if !(time_s.is_finite() && time_s >= 0.0) {
             let help = "times are seconds from the beginning, 0 or more";
             let what = "it is not a time of the scene";
@@ -248,7 +250,7 @@ impl Timeline {
         if scene.camera.fits_kept() {
             scene.outline = self.outline()?;
         }
-        self.opened(scene)
+        Ok(scene)
     }
 
     /// The box that holds all parts at all times, in world space; `None` where nothing moves.

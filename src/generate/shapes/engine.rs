@@ -1,7 +1,7 @@
 //! `engine`: an inline engine with all that moves in it, about 145,000 triangles: what there is to cut open.
 //!
 //! Block with bores and water jacket, head, crankcase; inside crank, rods, pistons and their pins, in the position that the crank has; bolts
-//! through the head. The block, the head and the case are exterior, what moves is interior, bolts and piston pins are whole. Solids that are
+//! through the head. The block, the head and the case are exterior, what moves is interior, bolts are whole. Solids that are
 //! driven into others (bolts, pins, the crank in the walls of its case) have the higher priority there.
 
 use glam::{DVec2, DVec3, Vec3};
@@ -177,7 +177,7 @@ impl Engine {
             let pin = part(
                 &format!("piston pin {n}"),
                 self.pin(k)?,
-                Role::Whole,
+                Role::Interior,
                 2,
                 Vec3::new(0.45, 0.45, 0.48),
             );

@@ -15,7 +15,7 @@ pub(super) const HOUSE: ShapeInfo = ShapeInfo {
         "wall",
         "thickness of the walls",
         0.08,
-        [0.01, 0.2],
+        [0.01, 0.14],
     )],
     triangles: |_| 600.0,
     build: |v| {
@@ -46,8 +46,11 @@ const FLOOR: f64 = 0.06;
 /// Inner points of planar faces are so far apart that there are none.
 const NO_POINTS: f64 = 100.0;
 
-/// What stands in the rooms: its name, its least and greatest corner, its colour.
-const FURNITURE: [(&str, [[f64; 3]; 2], [f32; 3]); 5] = [
+/// Its name, its least and greatest corner, its colour.
+type Furniture = (&'static str, [[f64; 3]; 2], [f32; 3]);
+
+/// What stands in the rooms.
+const FURNITURE: [Furniture; 5] = [
     (
         "bed",
         [[0.3, 0.06, 0.2], [1.2, 0.3, 0.75]],

@@ -109,7 +109,7 @@ mod tests {
             // Bounds from here on.
             ("engine", ["", "cylinders=1&detail=16"]),
             ("column", ["", "flutes=4&detail=2"]),
-            ("house", ["", "wall=0.2"]),
+            ("house", ["", "wall=0.14"]),
             ("crank", ["", "throws=1&detail=16"]),
             ("crank", ["throws=12&detail=24", "throws=2&detail=300"]),
             ("gears", ["", "flank=1&wheel=17&pinion=17"]),

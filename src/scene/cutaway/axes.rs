@@ -10,7 +10,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::scene::hull::ConvexHull;
-use crate::scene::{Part, Role, View};
+use crate::scene::{Part, Role, View, next_axis};
 
 /// Gaps between spreads, as shares of the greatest: by less two axes are alike.
 const ALIKE: f64 = 0.02;
@@ -33,7 +33,7 @@ pub struct MainAxes {
 /// Which axis is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum AxisRule {
-    /// That of the greatest spread, or of a disc the one around which it is round; of what is even the one nearest to the up axis.
+    /// That of the greatest spread, or of a disc the one around which it is round; of a solid without a main axis the up axis.
     #[default]
     Auto,
     /// That of the greatest spread, as in the paper.
@@ -91,24 +91,25 @@ impl MainAxes {
 
     /// The axis that a rule means, with two across it, so that all three are right-handed.
     fn by(&self, rule: AxisRule, up: DVec3) -> [DVec3; 3] {
-        let [e1, e2, e3] = self.axes;
-        let nearest_up = || {
-            let all = self.axes.into_iter();
-            all.max_by(|a, b| a.dot(up).abs().total_cmp(&b.dot(up).abs()))
-                .unwrap_or(e1)
-        };
+        let [e1, _, e3] = self.axes;
         let along = match rule {
             AxisRule::Along(along) => along.normalize_or(up),
             AxisRule::Main => e1,
             AxisRule::Symmetry => e3,
-            AxisRule::Auto if self.is_even() => nearest_up(),
+            AxisRule::Auto if self.is_even() => up,
             AxisRule::Auto if self.is_disc() => e3,
             AxisRule::Auto => e1,
         };
-        let most_across = |a: &DVec3, b: &DVec3| b.dot(along).abs().total_cmp(&a.dot(along).abs());
-        let across = self.axes.into_iter().max_by(most_across).unwrap_or(e2);
-        let across =
-            (across - along * across.dot(along)).normalize_or(along.any_orthonormal_vector());
+        // The axis that lies most across, unless that across both is as good.
+        let mut across: Vec<(f64, f64, DVec3)> = (self.axes.iter().zip(self.spreads))
+            .map(|(axis, spread)| (axis.dot(along).abs(), spread, *axis))
+            .collect();
+        across.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let alike = (across[0].1 - across[1].1).abs() < ALIKE * self.spreads[0];
+        let across = match alike {
+            true => next_axis(along),
+            false => (across[0].2 - along * across[0].2.dot(along)).normalize_or(next_axis(along)),
+        };
         [along, across, along.cross(across)]
     }
 }
@@ -248,6 +249,13 @@ mod tests {
         assert!(along.abs_diff_eq(DVec3::Y, 1e-9) && is_even, "{along}");
         let (along, _) = axis(DVec3::new(1.0, 5.0, 1.0), AxisRule::Auto);
         assert!(along.abs_diff_eq(DVec3::Y, 1e-9), "{along}");
+        // A cube has no axes that rounding does not make.
+        let turned: Vec<DVec3> = box_of(DVec3::ONE)
+            .into_iter()
+            .map(|p| DMat3::from_rotation_x(0.5) * p)
+            .collect();
+        let cube = MainAxes::of(&turned).unwrap_or_else(|| panic!("a hull"));
+        assert_eq!(cube.by(AxisRule::Auto, DVec3::Y)[0], DVec3::Y);
         let (along, _) = axis(DVec3::new(3.0, 2.0, 1.0), AxisRule::Symmetry);
         assert!(along.abs_diff_eq(DVec3::Z, 1e-9), "{along}");
         let diagonal = DVec3::new(1.0, 1.0, 0.0);

@@ -16,8 +16,10 @@ use crate::scene::{Amount, Bounds, Cutter, Mesh, View};
 
 /// Sides of the cone.
 const SIDES: u32 = 24;
-/// Corners of the extended hull lie so much farther out than the ball, for a hull that leaves out what hardly stands out.
+/// Corners of the extended hull lie so much farther out than the ball, for rounding.
 const SLACK: f64 = 1.001;
+/// What stands out by less than this share of the distance is left out of the hull, for which the distance is so much larger.
+const LEFT_OUT: f64 = 0.05;
 /// The widest half angle of a cone.
 const WIDEST_DEG: f64 = 80.0;
 /// How far towards the eye it goes, of the way, where that is out of the model.
@@ -34,7 +36,7 @@ pub struct Breakaway {
     pub bevel_deg: f64,
     /// How many openings there are.
     pub clusters: Clusters,
-    /// Whom it follows.
+    /// Which eye it opens to.
     pub view: BreakawayView,
 }
 
@@ -48,7 +50,7 @@ pub enum Clusters {
     Auto,
 }
 
-/// Whom a breakaway follows.
+/// Which eye a breakaway opens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum BreakawayView {
     /// The eye of each frame, as in the paper.
@@ -82,22 +84,20 @@ impl Breakaway {
     pub(crate) fn hulls(&self, solids: Vec<Vec<DVec3>>, bounds: &Bounds) -> Vec<ConvexHull> {
         let distance = self.distance_in(bounds);
         let mut apart: Vec<(Vec<DVec3>, ConvexHull)> = Vec::new();
-        for points in solids {
-            let corners = match ConvexHull::nearly(&points) {
-                Some(hull) => hull.corners,
-                None => points,
-            };
-            let mut own = corners;
+        for mut own in solids {
             // Those that it meets are taken in, and what they were met by may be met by it.
-            while let Some(extended) = extended(&own, distance) {
+            while let Some((corners, extended)) = extended(&own, distance) {
                 let met = apart.iter().position(|(_, other)| match self.clusters {
                     Clusters::One => true,
                     Clusters::Auto => meet(other, &extended),
                 });
                 match met {
-                    Some(at) => own.extend(apart.swap_remove(at).0),
+                    Some(at) => {
+                        own = corners;
+                        own.extend(apart.swap_remove(at).0);
+                    }
                     None => {
-                        apart.push((own, extended));
+                        apart.push((corners, extended));
                         break;
                     }
                 }
@@ -169,13 +169,22 @@ impl Breakaway {
     }
 }
 
-/// The hull of points and a ball around each; `None` where that has no inside.
-fn extended(points: &[DVec3], distance: f64) -> Option<ConvexHull> {
+/// The corners of points that matter, and the hull of these and a ball around each; `None` where that has no inside. The ball is larger by what
+/// the corners that were left out stand out.
+fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
+    let size = Bounds::from_points(points.iter().copied()).size().length();
+    let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
+    let corners = match ConvexHull::roughly(points, aside) {
+        Some(hull) => hull.corners,
+        None => points.to_vec(),
+    };
+    let radius = distance + aside * size;
     let ball = ball();
-    let around = points
+    let around = corners
         .iter()
-        .flat_map(|p| ball.iter().map(move |b| *p + *b * distance));
-    ConvexHull::of(&around.collect::<Vec<_>>())
+        .flat_map(|p| ball.iter().map(move |b| *p + *b * radius));
+    let hull = ConvexHull::of(&around.collect::<Vec<_>>())?;
+    Some((corners, hull))
 }
 
 /// Points whose hull holds the unit ball: the middles of faces and the corners of an icosahedron, so far out that no face of theirs cuts it.
@@ -213,7 +222,8 @@ fn ball() -> Vec<DVec3> {
 }
 
 /// Whether two hulls have a point in common, by the point of their difference that is nearest to the origin (Frank and Wolfe 1956): where a
-/// plane is found between them they do not; where none is found in time they are taken to.
+/// plane is found between them they do not. Where none is found in time, as between long solids near each other, the planes of their faces are
+/// tried; what only an edge of each sets apart is then taken to meet.
 fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
     let Some((first, second)) = a.corners.first().zip(b.corners.first()) else {
         return false;
@@ -232,7 +242,14 @@ fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
         let share = (-nearest.dot(way) / size).clamp(0.0, 1.0);
         nearest += way * share;
     }
-    true
+    let is_before_a_face = |of: &ConvexHull, other: &ConvexHull| {
+        of.faces().any(|[p, q, r]| {
+            let normal = (q - p).cross(r - p);
+            let nearest = other.farthest(-normal);
+            normal.dot(nearest - p) > 0.0
+        })
+    };
+    !(is_before_a_face(a, b) || is_before_a_face(b, a))
 }
 
 #[cfg(test)]
@@ -264,7 +281,7 @@ mod tests {
     #[test]
     fn an_extended_hull_is_as_far_away_as_it_is_told_everywhere() {
         let points = cube(DVec3::ZERO, 1.0);
-        let extended = extended(&points, 0.25).unwrap_or_else(|| panic!("a hull"));
+        let (_, extended) = extended(&points, 0.25).unwrap_or_else(|| panic!("a hull"));
         let plain = ConvexHull::of(&points).unwrap_or_else(|| panic!("a hull"));
         let mut most = 0.0_f64;
         for direction in directions() {
@@ -272,7 +289,7 @@ mod tests {
             assert!(away >= 0.25, "{away} towards {direction}");
             most = most.max(away);
         }
-        assert!(most < 0.33, "{most}");
+        assert!(most < 0.34, "{most}");
     }
 
     #[test]
@@ -296,6 +313,25 @@ mod tests {
         assert_eq!(hulls(&[0.0, 2.2, 1.1], Clusters::Auto), 1);
         assert_eq!(hulls(&[0.0, 1.5, 3.0], Clusters::One), 1);
         assert_eq!(hulls(&[], Clusters::Auto), 0);
+    }
+
+    #[test]
+    fn long_solids_beside_each_other_are_apart() {
+        let rod = |x: f64| -> ConvexHull {
+            let points: Vec<DVec3> = (0..64)
+                .map(|i| {
+                    let turn = std::f64::consts::TAU * f64::from(i / 2) / 32.0;
+                    let end = if i % 2 == 0 { -4.0 } else { 4.0 };
+                    let point = DVec3::new(x + 0.1 * turn.cos(), 0.1 * turn.sin(), end);
+                    glam::DMat3::from_rotation_x(0.4) * glam::DMat3::from_rotation_y(0.9) * point
+                })
+                .collect();
+            ConvexHull::of(&points).unwrap_or_else(|| panic!("a hull"))
+        };
+        for gap in [0.1, 0.02] {
+            assert!(!meet(&rod(0.0), &rod(0.2 + gap)), "a gap of {gap}");
+        }
+        assert!(meet(&rod(0.0), &rod(0.19)), "the control");
     }
 
     #[test]

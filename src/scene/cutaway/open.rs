@@ -6,25 +6,25 @@ use glam::DVec3;
 
 use super::{Breakaway, BreakawayView};
 use crate::error::{Error, Result};
-use crate::scene::{Camera, Cut, Role, Scene, View};
+use crate::scene::{Camera, Cut, Part, Role, Scene, View};
 
 impl Scene {
     /// Opens breakaways ([`Cut::breakaway`]) towards the eye of the scene's camera in a picture of a size: they get their cutters, those with
-    /// several openings as cuts beside each other. To be done again when the camera or what is inside has moved.
+    /// several openings as cuts beside each other. To be done again when the camera or what is inside has moved; those that open to the
+    /// first eye alone ([`BreakawayView::First`]) stay as they are then.
     ///
     /// # Errors
     ///
-    /// A breakaway of a scene in which no part is interior.
+    /// A breakaway of a scene in which no part is interior; the scene stays as it was.
     pub fn open_breakaways(&mut self, size_px: [u32; 2]) -> Result<()> {
         if !self.has_breakaways() {
             return Ok(());
         }
-        // What is kept does not hang on breakaways, and is asked for once more when the scene is prepared.
-        if self.camera.fits_kept() && self.outline.is_none() {
-            self.outline = self.fitted_outline();
-        }
         let view = self.view_through(&self.camera, size_px);
-        self.open_breakaways_to(&view)
+        self.open_breakaways_to(|cut, breakaway| {
+            let stays = breakaway.view == BreakawayView::First && cut.volume.is_some();
+            (!stays).then_some(&view)
+        })
     }
 
     /// Whether any cut is a breakaway.
@@ -32,56 +32,72 @@ impl Scene {
         self.cuts.iter().any(|cut| cut.breakaway.is_some())
     }
 
-    /// Opens breakaways towards the eye of a view in world space; those that open to the first eye alone, if they have not.
-    pub(crate) fn open_breakaways_to(&mut self, view: &View) -> Result<()> {
-        let bounds = self.bounds();
+    /// Opens breakaways towards the eyes of views in world space, those that have one.
+    pub(crate) fn open_breakaways_to<'a>(
+        &mut self,
+        view_for: impl Fn(&Cut, &Breakaway) -> Option<&'a View>,
+    ) -> Result<()> {
         let mut cuts = Vec::with_capacity(self.cuts.len());
-        for cut in std::mem::take(&mut self.cuts) {
-            let stays = |b: &Breakaway| b.view == BreakawayView::First && cut.volume.is_some();
-            let Some(breakaway) = cut.breakaway.filter(|b| !stays(b)) else {
-                cuts.push(cut);
-                continue;
-            };
-            if cut.opening > 0 {
-                continue;
+        for cut in &self.cuts {
+            let view = cut.breakaway.as_ref().and_then(|b| view_for(cut, b));
+            match (&cut.breakaway, view) {
+                (Some(breakaway), Some(view)) if cut.enabled => {
+                    // Those beside the first were made of it.
+                    if cut.opening == 0 {
+                        cuts.extend(self.openings(cut, breakaway, view)?);
+                    }
+                }
+                _ => cuts.push(cut.clone()),
             }
-            let interiors = self.parts.iter().filter(|p| p.role == Role::Interior);
-            let solids: Vec<Vec<DVec3>> =
-                interiors.map(|p| p.points_in_world().collect()).collect();
-            if solids.is_empty() {
-                let help = "say which parts are, by role = \"interior\", [roles] or --roles; --split makes parts of the bodies of a mesh";
-                let what = "there is nothing to show: no part is interior";
-                return Err(Error::input(
-                    format!("breakaway `{}`", cut.name),
-                    what,
-                    help,
-                ));
-            }
-            let closed = Cut {
-                volume: None,
-                ..cut
-            };
-            let mut openings = Vec::new();
-            for hull in breakaway.hulls(solids, &bounds) {
-                openings.extend(breakaway.cutter(&hull, view, &bounds)?);
-            }
-            if openings.is_empty() {
-                cuts.push(closed);
-                continue;
-            }
-            cuts.extend(
-                openings
-                    .into_iter()
-                    .enumerate()
-                    .map(|(opening, cutter)| Cut {
-                        volume: Some(cutter),
-                        opening,
-                        ..closed.clone()
-                    }),
-            );
         }
         self.cuts = cuts;
         Ok(())
+    }
+
+    /// A breakaway as a cut for each of its openings; closed, where it has none.
+    fn openings(&self, cut: &Cut, breakaway: &Breakaway, view: &View) -> Result<Vec<Cut>> {
+        let bounds = self.bounds();
+        let interiors = self.parts.iter().filter(|p| p.role == Role::Interior);
+        let solids: Vec<Vec<DVec3>> = interiors.map(|p| p.points_in_world().collect()).collect();
+        if solids.is_empty() {
+            let help = "say which parts are, by role = \"interior\", [roles] or --roles; --split makes parts of the bodies of a mesh";
+            let what = "there is nothing to show: no part is interior";
+            return Err(Error::input(
+                format!("breakaway `{}`", cut.name),
+                what,
+                help,
+            ));
+        }
+        let hulls = breakaway.hulls(solids, &bounds);
+        let wholes = self.parts.iter().filter(|p| p.role == Role::Whole);
+        let is_shown = |part: &&Part| {
+            let mut within = hulls
+                .iter()
+                .map(|hull| part.points_in_world().all(|p| hull.holds(p)));
+            within.any(|w| w)
+        };
+        let closed = Cut {
+            volume: None,
+            opening: 0,
+            shows: wholes.filter(is_shown).map(|p| p.name.clone()).collect(),
+            ..cut.clone()
+        };
+        let mut openings = Vec::new();
+        for hull in &hulls {
+            openings.extend(breakaway.cutter(hull, view, &bounds)?);
+        }
+        if openings.is_empty() {
+            return Ok(vec![closed]);
+        }
+        let openings = openings
+            .into_iter()
+            .enumerate()
+            .map(|(opening, cutter)| Cut {
+                volume: Some(cutter),
+                opening,
+                ..closed.clone()
+            });
+        Ok(openings.collect())
     }
 
     /// The view of a camera in world space, fitted to what that of the scene is.

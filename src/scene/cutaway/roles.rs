@@ -3,7 +3,7 @@
 //!
 //! All parts are looked at from 26 sides, uncut. A part of which less than [`LEAST_SEEN`] of what its area would make one expect is seen lies
 //! within; what is seen once all others are gone is one level deeper. Costs 26 pictures of 256 x 256 of the corners of all triangles, on
-//! all cores. Cannot: take for interior what an opening shows as well as a wall would.
+//! all cores. Cannot: say anything of parts much smaller than a pixel, nor take for interior what an opening shows as well as a wall would.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -14,6 +14,8 @@ use crate::scene::{Bounds, Part};
 const SIDE_PX: usize = 256;
 /// Share of the pixels of all over share of the area of all, from which a part counts as seen.
 const LEAST_SEEN: f64 = 0.15;
+/// Of a part that would have fewer in all pictures together nothing is said.
+const FEWEST_PX: f64 = 40.0;
 /// No solid has more layers than this that matter.
 const MOST_LEVELS: u32 = 16;
 
@@ -22,8 +24,8 @@ const MOST_LEVELS: u32 = 16;
 pub struct Sight {
     /// Share of the pixels of all parts over share of the area of all; 1 is as much as one expects.
     pub seen: f64,
-    /// 0 for what is seen from outside, 1 for what is once that is gone, and so on.
-    pub level: u32,
+    /// 0 for what is seen from outside, 1 for what is once that is gone, and so on; none where the part is too small to tell.
+    pub level: Option<u32>,
 }
 
 /// The triangles of a part in world space, and their area.
@@ -38,21 +40,26 @@ pub fn sights(parts: &[Part]) -> Vec<Sight> {
     let mut left: Vec<usize> = (0..parts.len()).collect();
     let nothing = Sight {
         seen: 0.0,
-        level: MOST_LEVELS,
+        level: None,
     };
     let mut sights = vec![nothing; parts.len()];
     for level in 0..MOST_LEVELS {
         let seen = seen_of(&shapes, &left);
-        for (part, seen) in left.iter().zip(&seen) {
+        let mut stays = Vec::new();
+        for (part, Seen { share, expected_px }) in left.iter().zip(seen) {
+            let sight = &mut sights[*part];
             if level == 0 {
-                sights[*part].seen = *seen;
+                sight.seen = share;
             }
-            if *seen >= LEAST_SEEN {
-                sights[*part].level = level;
+            let is_told = expected_px >= FEWEST_PX;
+            match share >= LEAST_SEEN {
+                true if is_told => sight.level = Some(level),
+                _ if is_told => stays.push(*part),
+                _ => {}
             }
         }
         let before = left.len();
-        left.retain(|part| sights[*part].level == MOST_LEVELS);
+        left = stays;
         if left.is_empty() || left.len() == before {
             break;
         }
@@ -80,8 +87,15 @@ impl Shape {
     }
 }
 
+/// What pictures say of a shape.
+struct Seen {
+    /// Share of the pixels over share of the area.
+    share: f64,
+    expected_px: f64,
+}
+
 /// How much is seen of some of the shapes where there is nothing else.
-fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<f64> {
+fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<Seen> {
     let corners = of.iter().flat_map(|i| &shapes[*i].corners).flatten();
     let bounds = Bounds::from_points(corners.copied());
     let sides: Vec<DVec3> = (0..27)
@@ -97,15 +111,19 @@ fn seen_of(shapes: &[Shape], of: &[usize]) -> Vec<f64> {
     );
     let all_px = counts.iter().sum::<u64>() as f64;
     let all_area: f64 = of.iter().map(|i| shapes[*i].area).sum();
-    let share = |(part, count): (&usize, &u64)| {
-        let expected = shapes[*part].area / all_area * all_px;
-        if expected > 0.0 {
-            *count as f64 / expected
-        } else {
-            0.0
+    let seen = |(part, count): (&usize, &u64)| {
+        let expected_px = shapes[*part].area / all_area * all_px;
+        let is_there = expected_px > 0.0;
+        Seen {
+            share: if is_there {
+                *count as f64 / expected_px
+            } else {
+                0.0
+            },
+            expected_px,
         }
     };
-    of.iter().zip(&counts).map(share).collect()
+    of.iter().zip(&counts).map(seen).collect()
 }
 
 /// How many pixels of each show in a picture through parallel rays.
@@ -177,8 +195,8 @@ mod tests {
                 part
             })
             .collect();
-        let levels: Vec<u32> = sights(&parts).iter().map(|s| s.level).collect();
-        assert_eq!(levels, [1, 3, 2, 0]);
+        let levels: Vec<Option<u32>> = sights(&parts).iter().map(|s| s.level).collect();
+        assert_eq!(levels, [1, 3, 2, 0].map(Some));
         let beside: Vec<Part> = (0..3)
             .map(|i| {
                 let mut part = ball[0].clone();
@@ -188,7 +206,7 @@ mod tests {
             .collect();
         for sight in sights(&beside) {
             assert!(
-                sight.level == 0 && (0.7..1.4).contains(&sight.seen),
+                sight.level == Some(0) && (0.7..1.4).contains(&sight.seen),
                 "{sight:?}"
             );
         }

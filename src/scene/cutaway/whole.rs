@@ -1,77 +1,109 @@
 //! Parts that are never cut, and hidden where all of them lies in what is removed: bolts, pins, shafts. A pin that is spared would stand in the
 //! air before the cut.
 //!
-//! Cost: for each such part the sides of its vertices, up to the first that is kept.
+//! A part is hidden where each of its triangles lies in one of the cuts with all its corners; of a cutter that is not convex its edges may
+//! leave it in between. What a breakaway shows it does not hide. Cost: for each such part the sides of its corners, up to the first triangle
+//! that is kept.
 
 use glam::{DVec2, DVec3};
 use robust::{Coord, orient2d};
 
-use crate::scene::{Bounds, Cut, Cutter, Part, Role, Scene};
+use crate::scene::{Bounds, ClipSurface, Cut, Cutter, Part, Role, Scene};
 
-/// Whether cuts remove every vertex of a part that is whole.
+/// What lies within this share of the size of the scene of a clip-surface lies on it: nothing without thickness is left.
+const FLUSH: f64 = 1e-9;
+
+/// Whether each triangle of a part that is whole lies in what some cut removes.
 pub(crate) fn is_removed_whole(scene: &Scene, part: &Part) -> bool {
     if part.role != Role::Whole {
         return false;
     }
-    let cuts: Vec<Removed<'_>> = (scene.cuts.iter())
-        .filter(|cut| cut.is_on() && cut.names(part))
-        .map(|cut| Removed::of(cut, part))
+    let flush = FLUSH * scene.bounds().size().length();
+    let cuts: Vec<Removed> = (scene.cuts.iter())
+        .filter(|cut| cut.is_on() && cut.names(part) && !cut.shows.contains(&part.name))
+        .map(|cut| Removed::of(cut, part, flush))
         .collect();
-    let mut points = part.points_in_world().peekable();
-    !cuts.is_empty()
-        && points.peek().is_some()
-        && points.all(|p| cuts.iter().any(|cut| cut.holds(p)))
+    if cuts.is_empty() {
+        return false;
+    }
+    let mesh = part.posed_mesh();
+    let place = |i: u32| {
+        part.world_from_part
+            .transform_point3(mesh.positions[i as usize])
+    };
+    let mut triangles = mesh.triangles.iter().map(|t| t.map(place));
+    !mesh.triangles.is_empty()
+        && triangles.all(|t| cuts.iter().any(|cut| t.iter().all(|p| cut.holds(*p))))
 }
 
 /// What a cut removes of a part.
-struct Removed<'a> {
-    cut: &'a Cut,
-    keeps: f64,
-    bounds: Option<Bounds>,
+struct Removed {
+    surfaces: Vec<ClipSurface>,
+    flush: f64,
+    cutter: Option<Inside>,
 }
 
-impl<'a> Removed<'a> {
-    fn of(cut: &'a Cut, part: &Part) -> Self {
+/// The inside of a cutter, or what is outside of it.
+struct Inside {
+    bounds: Bounds,
+    triangles: Vec<[DVec3; 3]>,
+    keeps_inside: bool,
+}
+
+impl Removed {
+    fn of(cut: &Cut, part: &Part, flush: f64) -> Self {
+        let keeps = cut.offset_for(part);
         Self {
-            cut,
-            keeps: cut.offset_for(part),
-            bounds: cut.volume.as_ref().map(Cutter::bounds_in_world),
+            surfaces: cut.surfaces.iter().map(|s| s.keeping(keeps)).collect(),
+            flush,
+            cutter: cut.volume.as_ref().map(Inside::of),
         }
     }
 
     fn holds(&self, point: DVec3) -> bool {
-        let mut surfaces = self.cut.surfaces.iter();
-        surfaces.all(|s| s.keeping(self.keeps).kept_height(point) < 0.0)
-            && match (&self.cut.volume, &self.bounds) {
-                (Some(cutter), Some(bounds)) => {
-                    let near = point.cmpge(bounds.min).all() && point.cmple(bounds.max).all();
-                    (near && is_inside(cutter, point)) != cutter.keeps_inside
-                }
-                _ => true,
-            }
+        let mut surfaces = self.surfaces.iter();
+        surfaces.all(|s| s.kept_height(point) <= self.flush)
+            && self
+                .cutter
+                .as_ref()
+                .is_none_or(|cutter| cutter.removes(point))
     }
 }
 
-/// Whether a ray along z crosses a cutter an odd number of times.
-fn is_inside(cutter: &Cutter, point: DVec3) -> bool {
-    let mesh = cutter.mesh();
-    let place = |i: u32| {
-        cutter
-            .world_from_cutter
-            .transform_point3(mesh.positions[i as usize])
-    };
-    let crosses = |triangle: &&[u32; 3]| {
-        let [a, b, c] = triangle.map(place);
-        let side = |p: DVec3, q: DVec3| side_of(p.truncate(), q.truncate(), point.truncate());
-        let sides = [side(a, b), side(b, c), side(c, a)];
-        if sides != [true; 3] && sides != [false; 3] {
-            return false;
+impl Inside {
+    fn of(cutter: &Cutter) -> Self {
+        let mesh = cutter.mesh();
+        let place = |i: u32| {
+            cutter
+                .world_from_cutter
+                .transform_point3(mesh.positions[i as usize])
+        };
+        Self {
+            bounds: cutter.bounds_in_world(),
+            triangles: mesh.triangles.iter().map(|t| t.map(place)).collect(),
+            keeps_inside: cutter.keeps_inside,
         }
-        let normal = (b - a).cross(c - a);
-        // Above the point: along z to the plane.
-        normal.z != 0.0 && (a - point).dot(normal) / normal.z > 0.0
-    };
-    mesh.triangles.iter().filter(crosses).count() % 2 == 1
+    }
+
+    fn removes(&self, point: DVec3) -> bool {
+        let is_near = point.cmpge(self.bounds.min).all() && point.cmple(self.bounds.max).all();
+        (is_near && self.holds(point)) != self.keeps_inside
+    }
+
+    /// Whether a ray along z crosses it an odd number of times.
+    fn holds(&self, point: DVec3) -> bool {
+        let crosses = |[a, b, c]: &&[DVec3; 3]| {
+            let side = |p: DVec3, q: DVec3| side_of(p.truncate(), q.truncate(), point.truncate());
+            let sides = [side(*a, *b), side(*b, *c), side(*c, *a)];
+            if sides != [true; 3] && sides != [false; 3] {
+                return false;
+            }
+            let normal = (b - a).cross(c - a);
+            // Above the point: along z to the plane.
+            normal.z != 0.0 && (a - point).dot(normal) / normal.z > 0.0
+        };
+        self.triangles.iter().filter(crosses).count() % 2 == 1
+    }
 }
 
 /// On which side of an edge a point is, the same for both triangles of the edge; points on it lie to one side of it.
@@ -86,7 +118,6 @@ fn side_of(from: DVec2, to: DVec2, point: DVec2) -> bool {
 mod tests {
     use super::*;
     use crate::generate::shapes::shape;
-    use crate::scene::ClipSurface;
     use glam::DAffine3;
 
     fn cube_at(x: f64) -> Part {
@@ -94,6 +125,35 @@ mod tests {
         part.role = Role::Whole;
         part.world_from_part = DAffine3::from_translation(DVec3::X * x);
         part
+    }
+
+    #[test]
+    fn what_is_kept_in_the_middle_stays_and_what_touches_a_cut_goes() {
+        let cut = |x: f64, keeps: f64| {
+            Cut::new(
+                "cut",
+                vec![ClipSurface::plane(DVec3::X * x, DVec3::X * keeps)],
+            )
+        };
+        let mut scene = Scene {
+            cuts: vec![cut(-1.0, 1.0), cut(1.0, -1.0)],
+            ..Scene::default()
+        };
+        let mut pin = cube_at(0.0);
+        pin.world_from_part = DAffine3::from_scale(DVec3::new(6.0, 0.2, 0.2));
+        assert!(!is_removed_whole(&scene, &pin), "its middle is kept");
+        // A face of the cube lies in the plane.
+        scene.cuts = vec![cut(0.5, 1.0)];
+        scene.parts = vec![cube_at(0.0)];
+        assert!(
+            is_removed_whole(&scene, &cube_at(0.0)),
+            "nothing without thickness is left"
+        );
+        scene.cuts[0].shows = vec![cube_at(0.0).name];
+        assert!(
+            !is_removed_whole(&scene, &cube_at(0.0)),
+            "it is what an opening shows"
+        );
     }
 
     #[test]

@@ -26,6 +26,10 @@ pub(super) fn risen(regions: &Regions, side: usize, rim: &[DVec3], least: f64) -
         DVec2::new(d.dot(frame.u_hat), d.dot(frame.v_hat))
     };
     let ring = ring(rim.iter().map(flat).collect());
+    // A part that the relief passes by has none.
+    if ring.len() < 3 {
+        return Vec::new();
+    }
     let (least_corner, most_corner) = ring.iter().fold(
         (DVec2::INFINITY, DVec2::NEG_INFINITY),
         |(least, most), p| (least.min(*p), most.max(*p)),

@@ -58,6 +58,17 @@ impl OffsetMap {
         visibility.collect()
     }
 
+    /// The same heights on a grid of at least so many texels along each side: a smaller map repeats, and is interpolated.
+    #[must_use]
+    pub fn at_least(&self, texels: u32) -> Self {
+        let size = self.size().map(|n| n.max(1) * texels.div_ceil(n.max(1)));
+        let extent = DVec2::from(size.map(f64::from));
+        let heights = (0..size[1])
+            .flat_map(|y| (0..size[0]).map(move |x| DVec2::new(f64::from(x), f64::from(y))));
+        let heights = heights.map(|p| self.sample(Wrap::Repeat, (p + 0.5) / extent).0 as f32);
+        Self::new(size, heights.collect()).unwrap_or_else(|_| self.clone())
+    }
+
     fn places(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
         let [width, rows] = self.size();
         (0..rows).flat_map(move |y| (0..width).map(move |x| [x, y]))

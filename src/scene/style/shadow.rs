@@ -1,7 +1,8 @@
 //! Shadow: what stands on a ground darkens it.
 
 /// The shadow on a level ground below all that is kept, of light from straight above. Lights of a style shine from the camera; this one
-/// says where the model stands, and is drawn where it is asked for alone.
+/// says where the model stands, and is drawn where it is asked for alone: by `render` and `animate`, and of a [`Model`](crate::Model) that was
+/// given one by [`Model::on_ground`](crate::Model::on_ground), which its updates forget.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
     /// How much of the light is missing where all of it is hidden, 0 to 1; 0 draws none.

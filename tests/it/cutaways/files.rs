@@ -58,6 +58,10 @@ fn what_is_doubtful_is_said() {
         "render shape:earth?subdivisions=2 --breakaway {within} {small}"
     ));
     assert!(within.contains("opens nothing"), "{within}");
+    let idle = said(&format!(
+        "render shape:earth?subdivisions=2 --section x=50% --roles whole=blot* {small}"
+    ));
+    assert!(idle.contains("no part is called `blot*`"), "{idle}");
 }
 
 #[test]
@@ -131,17 +135,51 @@ fn an_opening_follows_the_camera_and_a_cutout_stays() {
 #[test]
 fn a_turntable_opens_to_each_of_its_views() {
     let folder = Scratch::new("turntable");
-    let line = "animate shape:earth --breakaway --turntable=180 --frames 2 --resolution 96x72 --supersample 1 -o f_%d.png";
-    folder.run(line).exits(0);
-    let frames = folder.files();
-    assert_eq!(frames.len(), 2, "{frames:?}");
-    for frame in frames {
-        let picture = image::open(folder.path(&frame))
-            .expect("a picture")
-            .to_rgb8();
-        // The core is in the middle of both: the crust has another colour.
-        let middle = picture.get_pixel(48, 36);
-        let border = picture.get_pixel(48, 8);
-        assert!(middle != border, "frame {frame}: {middle:?} and {border:?}");
+    let middles = |options: &str, name: &str| -> Vec<image::Rgb<u8>> {
+        let line = format!(
+            "animate shape:earth?subdivisions=3 {options} --turntable=180 --frames 2 --resolution 96x72 --supersample 1 -o {name}_%d.png"
+        );
+        folder.run(&line).exits(0);
+        let files = folder.files();
+        let files: Vec<_> = files.iter().filter(|f| f.starts_with(name)).collect();
+        assert_eq!(files.len(), 2, "{files:?}");
+        let pictures = files
+            .iter()
+            .map(|f| image::open(folder.path(f)).expect("a picture"));
+        pictures.map(|p| *p.to_rgb8().get_pixel(48, 36)).collect()
+    };
+    let (open, closed) = (middles("--breakaway", "open"), middles("", "closed"));
+    // The crust is before the mantle in all views, unless it is opened to each.
+    for (open, closed) in open.iter().zip(&closed) {
+        assert!(open != closed, "{open:?} and {closed:?}");
     }
+}
+
+#[test]
+fn an_opening_to_the_first_eye_is_that_of_time_0() {
+    let folder = Scratch::new("first");
+    let text = |view: &str, azimuth: &str| {
+        format!(
+            "roles = \"auto\"\npart = [{{ shape = \"earth?subdivisions=2\" }}]\ncut = [{{ breakaway = {{ view = \"{view}\" }} }}]\n\
+             [camera]\nazimuth_deg = {azimuth}"
+        )
+    };
+    let keyed = "35\n[[key]]\ntarget = \"camera.azimuth_deg\"\ntimes_s = [0, 1]\nvalues = [0, 90]";
+    let opening = |text: &str, time_s: f64| {
+        let scene = folder.timeline(text).at(time_s).expect("a scene");
+        let cutter = scene.cuts[0].volume.as_ref().expect("an opening");
+        cutter.bounds_in_world()
+    };
+    let of_zero = opening(&text("each", "0"), 0.0);
+    for time_s in [0.0, 0.5, 1.0] {
+        assert_eq!(
+            opening(&text("first", keyed), time_s),
+            of_zero,
+            "at {time_s} s"
+        );
+    }
+    assert!(
+        opening(&text("each", keyed), 1.0) != of_zero,
+        "the control follows"
+    );
 }

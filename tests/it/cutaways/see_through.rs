@@ -70,12 +70,18 @@ fn the_bearings_of_a_gearbox_are_seen_from_everywhere() {
         );
         let mut scene = folder.scene(&text);
         scene.stage = Some(scene.bounds());
+        let (mut before, mut wrong): (Option<Question>, usize) = (None, 0);
         for camera in cameras_around(&scene.bounds(), 12, 3.0) {
             scene.camera = camera;
             let (_, question) = opened(&scene, SIZE_PX);
             let [all, missing] = hidden(&scene, &question, &camera);
             assert!(all > 50 && missing == 0, "{missing} of {all}: {camera:?}");
+            if let Some(before) = before {
+                wrong += hidden(&scene, &before, &camera)[1];
+            }
+            before = Some(question);
         }
+        assert!(wrong > 100, "{wrong} pixels of wrong openings are noticed");
     }
 }
 

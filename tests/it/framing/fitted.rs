@@ -137,6 +137,20 @@ fn what_reliefs_and_cutters_keep_is_fitted_nearly() {
     fits(&shaped("sphere", inside), 2.0);
 }
 
+/// A part that a relief passes by had points that were no numbers in what the camera was fitted to, and the picture was empty.
+#[test]
+fn regression_0011_a_part_beside_a_relief_is_fitted_too() {
+    let relief = "[relief.rock]\nkind = \"waves\"\n";
+    let cut =
+        "[[cut]]\nsurfaces = [{ section = \"x=0\", relief = \"rock\", amplitude = \"2%\" }]\n";
+    for x in [2.0, -2.0] {
+        let beside = format!(
+            "[[part]]\nname = \"beside\"\nshape = \"cube?size=0.5\"\ntranslate = [{x}, 0, 0]\n"
+        );
+        fits(&shaped("cube", &format!("{beside}{relief}{cut}")), ROUGH_PX);
+    }
+}
+
 #[test]
 fn where_nothing_is_kept_all_is_shown() {
     let gone = cuts(&["z=10000", "x=50%"]);
