@@ -30,6 +30,8 @@ pub struct Drift {
     pub zoom: f64,
     /// By how many degrees the camera goes around the middle of the scene each time.
     pub turn_deg: f64,
+    /// With how many samples along each side of a pixel the pictures are drawn; 1 is what a frame has.
+    pub fineness: u32,
     /// With how many samples along each side of a pixel the pictures are drawn that pictures are held against; 0 for none.
     pub samples: u32,
 }
@@ -147,8 +149,11 @@ pub fn flicker(
             };
             let layers = layers?;
             if let Some(layers) = layers.as_ref().filter(|_| drift.samples > 0) {
-                let picture = luminance(session, method)?;
                 let channels = session.style_channels(&question.shown.model, &view, layers)?;
+                let picture = match drift.fineness {
+                    0 | 1 => luminance(session, method)?,
+                    fineness => sampled(session, question.shown, &view, (method, fineness))?,
+                };
                 let truth = sampled(session, question.shown, &view, (method, drift.samples))?;
                 pictures.add(&picture, &truth, layers, &channels);
             }
