@@ -219,7 +219,8 @@ impl Session {
         self.encode_into(encoder, model, view, method.into(), Some(&target))
     }
 
-    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] says is removed,
+    /// As [`Session::encode`], into no attachments yet: the host draws surfaces itself, less what [`Session::clip_group`] says is removed and
+    /// less the parts that are [hidden](crate::scene::PreparedPart::is_hidden),
     /// and has the caps composed beside them by [`Session::encode`] with [`Target::caps_only`]. [`Session::poll`] belongs before this or
     /// after the submission, for it may ask for longer lists.
     pub fn encode_passes(

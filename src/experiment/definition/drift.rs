@@ -30,7 +30,10 @@ pub(super) fn drift(table: &Table<'_>) -> Result<Option<Drift>> {
     }
     if !(1..=4).contains(&drift.fineness) {
         let fineness = table.need("fineness", "2")?;
-        return Err(fineness.fault("it must be from 1 to 4", "use 2, which pictures usually have"));
+        return Err(fineness.fault(
+            "it must be from 1 to 4",
+            "use 2, which pictures usually have",
+        ));
     }
     if drift.samples > 16 {
         let samples = table.need("samples", "4")?;
