@@ -1,8 +1,8 @@
 // Darkens the background where the ray of a pixel meets the ground from above. One invocation owns a pixel.
 
-#import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
+#import cutaway::over::laid_over
 
 struct Ground {
     x_row: vec4<f32>,
@@ -57,11 +57,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let dark = ground.strength * darkness_at(at);
-    let color = unpack4x8unorm(picture[pixel]);
-    let alpha = dark + color.a * (1.0 - dark);
-    if dark <= 0.0 {
-        return;
+    if dark > 0.0 {
+        picture[pixel] = laid_over(picture[pixel], vec3<f32>(0.0), dark);
     }
-    let mixed = linear_from_srgb(color.rgb) * color.a * (1.0 - dark) / alpha;
-    picture[pixel] = pack4x8unorm(vec4<f32>(srgb_from_linear(mixed), alpha));
 }

@@ -47,8 +47,8 @@ pub(super) struct InspectArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
-    /// Say which role each part has for cutouts and breakaways, and who says so; where nobody does, they are found by what is seen from
-    /// outside
+    /// Say which role each part has for cutouts and breakaways, and where that is said; where it is not, roles are found by what is seen
+    /// from outside
     #[arg(long)]
     roles: bool,
     #[command(flatten)]

@@ -1,10 +1,10 @@
 // Draws what is gone over a picture, as glass and as lines. One invocation owns a pixel.
 
-#import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::ghost::{ghost_layers, is_gone}
 #import cutaway::ghost_look::ghost
 #import cutaway::layers::unpack_normal
+#import cutaway::over::laid_over
 #import cutaway::phantom::phantom_cover
 #import cutaway::shown::first_word_of
 
@@ -32,8 +32,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let pixel = pixel_index(id.xy);
-    let color = unpack4x8unorm(picture[pixel]);
-    let alpha = cover + color.a * (1.0 - cover);
-    let mixed = ghost.color.rgb * cover + linear_from_srgb(color.rgb) * color.a * (1.0 - cover);
-    picture[pixel] = pack4x8unorm(vec4<f32>(srgb_from_linear(mixed / alpha), alpha));
+    picture[pixel] = laid_over(picture[pixel], ghost.color.rgb, cover);
 }

@@ -9,7 +9,7 @@ use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::Value;
 use crate::error::Result;
-use crate::scene::{Bounds, Camera, Cut, Fit, Projection, Up, Viewpoint};
+use crate::scene::{Bounds, Camera, ClipSurface, Cut, Fit, Projection, Up, Viewpoint};
 
 static KEYS: Keys = Keys::below("camera");
 
@@ -147,8 +147,11 @@ fn says_nothing_else(table: &Table<'_>) -> Result<()> {
 }
 
 /// Where a camera is that looks straight at the first section of some cuts.
-pub(super) fn facing_first(cuts: &[Cut], up: Up, root: &Table<'_>) -> Result<Viewpoint> {
-    let first = cuts.iter().find_map(|cut| cut.surfaces.first());
+pub(super) fn facing_first(
+    first: Option<&ClipSurface>,
+    up: Up,
+    root: &Table<'_>,
+) -> Result<Viewpoint> {
     match first {
         Some(surface) => Ok(Viewpoint::facing(surface, up)),
         None => {

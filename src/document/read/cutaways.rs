@@ -9,10 +9,8 @@
 //!
 //! A cutout lies where the axes of the exteriors put it at rest, and is turned to where the camera is then; both stay as the scene moves.
 
-use glam::DVec3;
-
 use super::cuts::Context;
-use super::deform::direction;
+use super::deform::{AXES, direction};
 use super::reader::{Entry, Table};
 use super::regions::{RELIEF, Union, listed, ruffled};
 use crate::error::Result;
@@ -32,17 +30,13 @@ pub(super) fn axis_rule(entry: &Entry<'_>) -> Result<AxisRule> {
     if !axis.is_text() {
         return direction(&axis).map(AxisRule::Along);
     }
-    axis.choice(&[
+    let rules = [
         ("auto", AxisRule::Auto),
         ("main", AxisRule::Main),
         ("symmetry", AxisRule::Symmetry),
-        ("x", AxisRule::Along(DVec3::X)),
-        ("y", AxisRule::Along(DVec3::Y)),
-        ("z", AxisRule::Along(DVec3::Z)),
-        ("-x", AxisRule::Along(DVec3::NEG_X)),
-        ("-y", AxisRule::Along(DVec3::NEG_Y)),
-        ("-z", AxisRule::Along(DVec3::NEG_Z)),
-    ])
+    ];
+    let axes = AXES.map(|(name, axis)| (name, AxisRule::Along(axis)));
+    axis.choice(&[&rules[..], &axes].concat())
 }
 
 /// Of each cut that is a cutout, by its number, which axis it goes along.

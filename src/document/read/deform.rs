@@ -147,17 +147,20 @@ fn axis(table: &Table<'_>, bounds: Bounds) -> Result<Axis> {
     })
 }
 
+/// Directions by their names.
+pub(super) const AXES: [(&str, DVec3); 6] = [
+    ("x", DVec3::X),
+    ("y", DVec3::Y),
+    ("z", DVec3::Z),
+    ("-x", DVec3::NEG_X),
+    ("-y", DVec3::NEG_Y),
+    ("-z", DVec3::NEG_Z),
+];
+
 /// `"x"`, `"-y"` or a vector of any length but 0.
 pub(super) fn direction(entry: &Entry<'_>) -> Result<DVec3> {
     if entry.is_text() {
-        return entry.choice(&[
-            ("x", DVec3::X),
-            ("y", DVec3::Y),
-            ("z", DVec3::Z),
-            ("-x", DVec3::NEG_X),
-            ("-y", DVec3::NEG_Y),
-            ("-z", DVec3::NEG_Z),
-        ]);
+        return entry.choice(&AXES);
     }
     let v = DVec3::from(entry.vector()?);
     let greatest = v.abs().max_element();

@@ -272,16 +272,20 @@ pub(super) fn parts(
     outwards: &Outwards,
 ) -> Result<Vec<Part>> {
     let parts = parts::all(root, stock, time_s, outwards)?;
-    let names: Vec<&str> = (stock.parts.iter().flat_map(PartSource::names))
-        .map(String::as_str)
-        .collect();
-    roles::read(root)?.must_name(root, &names)?;
     Ok(parts.into_iter().map(|(part, _)| part).collect())
 }
 
-/// What is to be said of the roles of some parts.
-pub(super) fn role_notes(root: &Table<'_>, parts: &[Part]) -> Result<Vec<String>> {
-    Ok(roles::read(root)?.notes(parts))
+/// What is to be said of the roles of some parts; refused, where they name none that there is at any time.
+pub(super) fn role_notes(root: &Table<'_>, stock: &Stock, parts: &[Part]) -> Result<Vec<String>> {
+    let roles = roles::read(root)?;
+    roles.must_name(root, &names_of(stock))?;
+    Ok(roles.notes(parts))
+}
+
+/// Names of all parts that there are at any time.
+fn names_of(stock: &Stock) -> Vec<&str> {
+    let names = stock.parts.iter().flat_map(PartSource::names);
+    names.map(String::as_str).collect()
 }
 
 /// Whether roles are to be found by what is seen from outside.
@@ -317,9 +321,7 @@ pub(super) fn scene(
         Some(entry) => reliefs::read(&entry, &stock.images, reliefs)?,
         None => reliefs::Maps::new(),
     };
-    let names: Vec<&str> = (stock.parts.iter().flat_map(PartSource::names))
-        .map(String::as_str)
-        .collect();
+    let names = names_of(stock);
     let context = cuts::Context {
         bounds,
         up: scene.camera.up,
@@ -327,19 +329,19 @@ pub(super) fn scene(
         names: &names,
         maps: &maps,
     };
-    let (mut cuts, mut plain) = (Vec::new(), Vec::new());
+    let (mut cuts, mut faced) = (Vec::new(), None);
     for (i, entry) in root.tables("cut")?.iter().enumerate() {
         let cutter = stock.cutters.get(i).and_then(Option::as_ref);
         let frame = stock.frames.get(&i);
         let read = cuts::read(entry, i, (cutter, frame), &context, notes)?;
         // A cutout lies where the camera has it.
-        if entry.open_table()?.get("cutout").is_none() {
-            plain.extend(read.iter().cloned());
+        if faced.is_none() && entry.open_table()?.get("cutout").is_none() {
+            faced = read.iter().find_map(|cut| cut.surfaces.first().cloned());
         }
         cuts.extend(read);
     }
     if seen.faces_cut {
-        scene.camera.viewpoint = camera::facing_first(&plain, scene.camera.up, root)?;
+        scene.camera.viewpoint = camera::facing_first(faced.as_ref(), scene.camera.up, root)?;
     }
     scene.cuts = cuts;
     Ok((scene, seen))

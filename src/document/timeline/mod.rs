@@ -77,7 +77,7 @@ impl Timeline {
             stock.sights = Some(names.zip(sights(&parts)).collect());
             parts = read::parts(&root, &stock, 0.0, &outwards)?;
         }
-        notes.extend(read::role_notes(&root, &parts)?);
+        notes.extend(read::role_notes(&root, &stock, &parts)?);
         let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
         if seen.is_free() {
             rest.camera.viewpoint = seen.turned(rest.cuts.iter());

@@ -8,6 +8,8 @@
 //! hull of both ends for all t up to the length of the sweep. Cost: the hull of the vertices of the interiors, and one of some ten thousand
 //! points for each opening. Cannot: open towards an eye that is within the extended hull; there is none then.
 
+use std::sync::LazyLock;
+
 use glam::DVec3;
 
 use crate::error::Result;
@@ -179,13 +181,14 @@ fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)>
         None => points.to_vec(),
     };
     let radius = distance + aside * size;
-    let ball = ball();
     let around = corners
         .iter()
-        .flat_map(|p| ball.iter().map(move |b| *p + *b * radius));
+        .flat_map(|p| BALL.iter().map(move |b| *p + *b * radius));
     let hull = ConvexHull::of(&around.collect::<Vec<_>>())?;
     Some((corners, hull))
 }
+
+static BALL: LazyLock<Vec<DVec3>> = LazyLock::new(ball);
 
 /// Points whose hull holds the unit ball: the middles of faces and the corners of an icosahedron, so far out that no face of theirs cuts it.
 fn ball() -> Vec<DVec3> {
