@@ -1,16 +1,19 @@
 // Strokes along borders: of a width, in ink, smooth at their edges. Bound as @group(2) @binding(1).
 //
-// A border is a unit segment between two samples. The distance to a stroke is that to its segment less half its width; the least over
-// all borders nearby is one distance for all classes, so that lines of unlike widths join at corners.
+// A stroke is a segment on a border, between two samples, with its ends where `strokes.wgsl` placed them. The distance to it is that to its
+// segment less half its width; the least over all borders nearby is one distance for all classes, so that lines of unlike widths join at
+// corners. Strokes are filtered by a tent that is two pixels wide, as one integral: a line thinner than a pixel that is filtered by a box is
+// a row of beads, dark where it lies in one pixel and pale where it lies in two (Chan and Durand 2005, "Fast prefiltered lines").
 
 #define_import_path cutaway::stroke_cover
 
 #import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::shown::is_in_frame
+#import cutaway::stroke_place::ends_of
 #import cutaway::style::style
 
-@group(2) @binding(1) var<storage, read> borders: array<u32>;
+@group(2) @binding(1) var<storage, read> strokes: array<u32>;
 
 const FAR_AWAY: f32 = 1000.0;
 
@@ -18,14 +21,26 @@ fn half_px_of(border: u32) -> f32 {
     return style.stroke_halves[(border - 1u) / 4u][(border - 1u) % 4u];
 }
 
-// Distance to the stroke on a border, negative inside, of a pixel that is `off` from the centre of the border across it and along it.
-fn distance_to(border: u32, across: f32, along: f32) -> f32 {
+// The nearest stroke to a point: the distance to its edge, negative inside, and half its width.
+struct Nearest {
+    edge: f32,
+    half_px: f32,
+}
+
+// The nearer of a stroke and that on a border, of a point that is `off` from the middle of the border across it and along it.
+fn nearer(nearest: Nearest, border: u32, ends: array<vec2<f32>, 2>, off: vec2<f32>) -> Nearest {
     if border == NO_BORDER {
-        return FAR_AWAY;
+        return nearest;
     }
     let half_px = half_px_of(border);
-    let distance = length(vec2<f32>(across, max(abs(along) - 0.5, 0.0))) - half_px;
-    return select(FAR_AWAY, distance, half_px > 0.0);
+    let from_first = off - ends[0];
+    let way = ends[1] - ends[0];
+    let share = clamp(dot(from_first, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
+    let edge = length(from_first - share * way) - half_px;
+    if half_px <= 0.0 || edge >= nearest.edge {
+        return nearest;
+    }
+    return Nearest(edge, half_px);
 }
 
 // Whether a tile within a distance of a pixel has a border.
@@ -34,10 +49,16 @@ fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
     var found = 0u;
     for (var y = tiles.y; y <= tiles.w; y++) {
         for (var x = tiles.x; x <= tiles.z; x++) {
-            found |= borders[word_of_tile(vec2<u32>(x, y), frame.size_px)];
+            found |= strokes[word_of_tile(vec2<u32>(x, y), frame.size_px)];
         }
     }
     return found != 0u;
+}
+
+// How much of the filter's weight lies up to a distance.
+fn weight_up_to(distance: f32) -> f32 {
+    let within = 1.0 - min(abs(distance), 1.0);
+    return 0.5 + sign(distance) * 0.5 * (1.0 - within * within);
 }
 
 // The share of a pixel that strokes cover.
@@ -45,21 +66,21 @@ fn stroke_cover(at: vec2<u32>) -> f32 {
     if !has_border_near(at, style.stroke_reach_px + 1) {
         return 0.0;
     }
-    var nearest = FAR_AWAY;
+    var nearest = Nearest(FAR_AWAY, 0.0);
     for (var y = -style.stroke_reach_px - 1; y <= style.stroke_reach_px; y++) {
         for (var x = -style.stroke_reach_px - 1; x <= style.stroke_reach_px; x++) {
             let near = vec2<i32>(at) + vec2<i32>(x, y);
             if !is_in_frame(near) {
                 continue;
             }
-            let word = borders[pixel_index(vec2<u32>(near))];
+            let word = strokes[pixel_index(vec2<u32>(near))];
             if word == 0u {
                 continue;
             }
-            let off = vec2<f32>(f32(x), f32(y));
-            nearest = min(nearest, distance_to(right_of(word), off.x + 0.5, off.y));
-            nearest = min(nearest, distance_to(below_of(word), off.y + 0.5, off.x));
+            let off = -vec2<f32>(f32(x), f32(y));
+            nearest = nearer(nearest, right_of(word), ends_of(word, true), off - vec2<f32>(0.5, 0.0));
+            nearest = nearer(nearest, below_of(word), ends_of(word, false), off.yx - vec2<f32>(0.5, 0.0));
         }
     }
-    return clamp(0.5 - nearest, 0.0, 1.0);
+    return weight_up_to(nearest.edge + 2.0 * nearest.half_px) - weight_up_to(nearest.edge);
 }

@@ -1,7 +1,7 @@
 //! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
 //! modules are those of the picture; the plan of a picture has no part of this.
 
-use super::borders::borders;
+use super::borders::strokes;
 use super::hatch::{hatch, zoom_of};
 use super::illustrate::style_numbers;
 use super::occlusion::occlusion;
@@ -20,7 +20,7 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let stroke = (style.strokes.widest() > 0.0).then(|| {
-        let borders = borders(plan, scene, &numbers, layers);
+        let strokes = strokes(plan, scene, &numbers, layers);
         let stroke = per_pixel(plan, scene, STROKE, 4);
         over_pixels(
             plan,
@@ -34,7 +34,7 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
                 scene.frame.clone(),
                 Binding::write("stroke", stroke),
                 numbers.clone(),
-                Binding::read("borders", borders),
+                Binding::read("strokes", strokes),
             ],
         );
         stroke

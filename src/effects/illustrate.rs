@@ -5,7 +5,7 @@
 use glam::Vec3;
 
 use super::Picture;
-use super::borders::borders;
+use super::borders::{RAMP_PX, strokes};
 use super::ghost;
 use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
@@ -25,7 +25,7 @@ const MOST_HALF_PX: f32 = 16.0;
 pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
-    let borders = (style.strokes.widest() > 0.0).then(|| borders(plan, scene, &numbers, layers));
+    let strokes = (style.strokes.widest() > 0.0).then(|| strokes(plan, scene, &numbers, layers));
     let visibility = occlusion(plan, scene, layers);
     let picture = picture(plan, scene.input);
     let mut bindings = vec![
@@ -54,9 +54,9 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
             .with(zoom_of(&style.hatch)),
         None => shader.with("lib/cap_pattern/plain.wgsl"),
     };
-    shader = match borders {
-        Some(borders) => {
-            bindings.push(Binding::read("borders", borders));
+    shader = match strokes {
+        Some(strokes) => {
+            bindings.push(Binding::read("strokes", strokes));
             shader.with("lib/strokes/drawn.wgsl")
         }
         None => shader.with("lib/strokes/none.wgsl"),
@@ -69,7 +69,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
         None => shader.with("lib/occlusion/none.wgsl"),
     };
     // Gradient, light and no strokes ask for no number of the style.
-    let reads_style = borders.is_some()
+    let reads_style = strokes.is_some()
         || hatch.is_some()
         || visibility.is_some()
         || style.paper != Paper::Gradient
@@ -102,8 +102,8 @@ pub(super) fn style_numbers(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Bindin
 /// How many rows around a band are looked at, of a picture of so many.
 pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     let of_strokes = match style.strokes.widest() > 0.0 {
-        // A border two samples beyond a stroke's reach is judged by the sample next to it.
-        true => reach_px(style, rows) as u32 + 4,
+        // Beyond a stroke's reach those borders say where it is that lead to it, and two samples around them what they are.
+        true => reach_px(style, rows) as u32 + RAMP_PX + 4,
         false => 0,
     };
     of_strokes.max(ghost::halo_rows(style, rows))

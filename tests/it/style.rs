@@ -8,6 +8,7 @@ mod ground;
 mod hatch;
 mod occlusion;
 mod plans;
+mod strokes;
 
 use crate::common;
 

@@ -35,18 +35,20 @@ fn each_style_has_the_passes_that_it_asks_for() {
             "technical",
             &[
                 "find borders",
+                "place strokes",
                 "find horizons",
                 "smooth occlusion",
                 "illustrate",
             ][..],
         ),
-        ("drafting", &["find borders", "illustrate"]),
+        ("drafting", &["find borders", "place strokes", "illustrate"]),
         ("clay", &["find horizons", "smooth occlusion", "illustrate"]),
     ] {
         let plan = plan_in(style(name));
         assert_eq!(passes(&plan), [shared, end].concat(), "{name}");
         for (resource, pass) in [
             ("borders", "find borders"),
+            ("strokes", "place strokes"),
             ("visibility", "smooth occlusion"),
         ] {
             let is_there = plan.resource_named(resource).is_some();

@@ -1,0 +1,104 @@
+// Places the stroke of each border within the pixel. One invocation owns a pixel, with the borders on its right and below it.
+//
+// Borders lie between samples, so a slanting edge is a staircase of them, which moves by whole pixels while the edge glides. The staircase
+// tells where the edge is: between the middles of the steps at the two ends of a run it is a straight line (Reshetov 2009, "Morphological
+// antialiasing", section 2.2, there for colours). Each run of borders in one line leads at an end that the staircase goes on from to the
+// middle of that step, and is where it was from half its length on, or from RAMP / 2 on if it is longer. A border that is itself a step
+// ends in its middle. At corners, where the staircase does not go on, a run keeps its place.
+
+#import cutaway::borders::{below_of, right_of, word_of_tile}
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::shown::is_in_frame
+#import cutaway::stroke_place::{Place, placed}
+#import cutaway::style::style
+
+@group(1) @binding(0) var<storage, read> borders: array<u32>;
+@group(1) @binding(1) var<storage, read_write> strokes: array<u32>;
+
+// The longest run whose ends meet in its middle; `RAMP_PX` in `src/effects/borders.rs`.
+const RAMP: i32 = 16;
+
+// Whether a stroke is drawn between a sample and the next one in a direction, (1, 0) or (0, 1).
+fn is_drawn(at: vec2<i32>, step: vec2<i32>) -> bool {
+    if !is_in_frame(at) {
+        return false;
+    }
+    let word = borders[pixel_index(vec2<u32>(at))];
+    let class_of = select(below_of(word), right_of(word), step.x == 1);
+    return class_of != 0u && style.stroke_halves[(class_of - 1u) / 4u][(class_of - 1u) % 4u] > 0.0;
+}
+
+// How the staircase goes on at an end of a run.
+struct End {
+    // How many borders of the run come before it.
+    distance: i32,
+    // To which side the next run is off: -1, 1, or 0 at corners and where no step is near.
+    side: i32,
+    // Whether the border is itself a step between runs across it.
+    is_step: bool,
+}
+
+// The end of the run of the border between a sample and the next one across, `sign` ways along it.
+fn end_of(at: vec2<i32>, across: vec2<i32>, sign: i32) -> End {
+    let along = across.yx;
+    var last = at;
+    for (var distance = 0; distance < RAMP; distance++) {
+        if is_drawn(last + sign * along, across) {
+            last += sign * along;
+            continue;
+        }
+        // The corner of samples that the run ends at has a border across the run on either side, or none.
+        let beside = last + select(vec2<i32>(0), -along, sign < 0);
+        let before = is_drawn(beside, along);
+        let behind = is_drawn(beside + across, along);
+        let goes_on = vec2<bool>(
+            before && is_drawn(last + sign * along - across, across),
+            behind && is_drawn(last + sign * along + across, across),
+        );
+        let side = select(0, 1, goes_on.y) - select(0, 1, goes_on.x);
+        return End(distance, side, before != behind);
+    }
+    return End(RAMP, 0, false);
+}
+
+// Which side of the run the border across it is on, at an end.
+fn turns_to(at: vec2<i32>, across: vec2<i32>, sign: i32) -> i32 {
+    let beside = at + select(vec2<i32>(0), -across.yx, sign < 0);
+    return select(-1, 1, is_drawn(beside + across, across.yx));
+}
+
+// Where the stroke on a border is.
+fn place_of(at: vec2<i32>, across: vec2<i32>) -> u32 {
+    let start = end_of(at, across, -1);
+    let end = end_of(at, across, 1);
+    let length = f32(min(start.distance + 1 + end.distance, RAMP));
+    let from_start = vec2<f32>(f32(start.distance), f32(start.distance + 1));
+    let from_end = vec2<f32>(f32(end.distance + 1), f32(end.distance));
+    let ramps = max(vec2<f32>(0.0), 0.5 - from_start / length) * f32(start.side) +
+        max(vec2<f32>(0.0), 0.5 - from_end / length) * f32(end.side);
+    // A step turns to one side at one end and to the other at the other.
+    let is_step = start.is_step && end.is_step && start.distance + end.distance == 0 &&
+        turns_to(at, across, -1) != turns_to(at, across, 1);
+    let shortened = vec2<bool>(is_step && start.side == 0, is_step && end.side == 0);
+    return placed(Place(ramps, shortened));
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    if local == 0u {
+        let word = word_of_tile(tile.xy, frame.size_px);
+        strokes[word] = borders[word];
+    }
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let at = vec2<i32>(id.xy);
+    var word = borders[pixel_index(id.xy)];
+    if is_drawn(at, vec2<i32>(1, 0)) {
+        word |= place_of(at, vec2<i32>(1, 0)) << 8u;
+    }
+    if is_drawn(at, vec2<i32>(0, 1)) {
+        word |= place_of(at, vec2<i32>(0, 1)) << 20u;
+    }
+    strokes[pixel_index(id.xy)] = word;
+}
