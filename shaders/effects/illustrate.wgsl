@@ -1,13 +1,15 @@
-// Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `shading`, `occlusion`,
-// `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
+// Makes a picture of layers as a style asks. One invocation owns one pixel. What a style can do fills open modules: `dress`, `shading`,
+// `occlusion`, `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
 #import cutaway::base::base_of
 #import cutaway::cap_pattern::patterned
 #import cutaway::color::srgb_from_linear
+#import cutaway::dress::dressed
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
 #import cutaway::occlusion::occluded
+#import cutaway::picture::picture
 #import cutaway::shading::shaded
 #import cutaway::strokes::stroked
 #import cutaway::surface_pattern::engraved
@@ -15,7 +17,6 @@
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 // Place of each part of the scene in the table.
 @group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
-@group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 
 // Linear light, and how much of the pixel is covered.
 fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
@@ -25,7 +26,7 @@ fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
         return backdrop(at.y);
     }
     let place = place_of_part[part_of(word)];
-    let base = base_of(at, word, place);
+    let base = dressed(base_of(at, word, place), pixel);
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let normal = unpack_normal(layers[first + 1u]);
     let depth = bitcast<f32>(layers[first + 2u]);

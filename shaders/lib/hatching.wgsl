@@ -5,20 +5,14 @@
 
 #define_import_path cutaway::hatching
 
-#import cutaway::frame::{centre_of, frame, ray_through}
+#import cutaway::cap_plane::{CapPlane, Footing, faced, footing_on, plane_of_view}
 #import cutaway::hatch_zoom::{lines_cover, spacing_at}
 #import cutaway::layers::{NEAR_PLANE, OVERLAP, clip_surface_of}
 #import cutaway::pulses::pulse_cover
 #import cutaway::style::style
 
-struct HatchPlane {
-    u_row: vec4<f32>,
-    v_row: vec4<f32>,
-    normal: vec4<f32>,
-}
-
 struct HatchPlanes {
-    planes: array<HatchPlane, 256>,
+    planes: array<CapPlane, 256>,
     count: u32,
     unit_px: f32,
     padding_b: u32,
@@ -53,46 +47,16 @@ struct HatchLine {
 @group(2) @binding(3) var<storage, read> part_hatches: array<PartHatch>;
 @group(2) @binding(5) var<storage, read> hatch_lines: array<HatchLine>;
 
-// Where a pixel is on the plane of its cap, in scene units, and how far the next pixels are.
-struct Footing {
-    uv: vec2<f32>,
-    right: vec2<f32>,
-    down: vec2<f32>,
-}
-
-// The plane of a cap: of a cutter the one of the axes that its normal is nearest to, of the near plane that of the view.
-fn plane_of(number: u32, normal: vec3<f32>) -> HatchPlane {
+// The plane of a cap.
+fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if number == NEAR_PLANE {
-        let right = vec4<f32>(normalize(frame.ray_step[0].xyz), 0.0);
-        let up = vec4<f32>(-normalize(frame.ray_step[1].xyz), 0.0);
-        return HatchPlane(right, up, vec4<f32>(frame.forward.xyz, 0.0));
+        return plane_of_view();
     }
-    let plane = hatch_planes.planes[number];
-    if plane.normal.w < 0.5 {
-        return plane;
-    }
-    let size = abs(normal);
-    if size.x >= size.y && size.x >= size.z {
-        return HatchPlane(vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
-    }
-    if size.y >= size.z {
-        return HatchPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(normal, 0.0));
-    }
-    return HatchPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
-}
-
-// How far a point of the plane moves when the pixel moves by `step` at its depth.
-fn moved_on(plane: HatchPlane, direction: vec3<f32>, step: vec3<f32>) -> vec2<f32> {
-    let towards = dot(direction, plane.normal.xyz);
-    // At grazing angles a footprint would be infinite.
-    let least = 0.05 * length(direction);
-    let bounded = select(min(towards, -least), max(towards, least), towards > 0.0);
-    let moved = step - direction * (dot(step, plane.normal.xyz) / bounded);
-    return vec2<f32>(dot(plane.u_row.xyz, moved), dot(plane.v_row.xyz, moved));
+    return faced(hatch_planes.planes[number], normal);
 }
 
 // A footing as it was before its part moved: lines turn with the part about the normal of the plane and go where its middle goes.
-fn carried_back(plane: HatchPlane, footing: Footing, hatch: PartHatch) -> Footing {
+fn carried_back(plane: CapPlane, footing: Footing, hatch: PartHatch) -> Footing {
     if hatch.start.w < 0.5 {
         return footing;
     }
@@ -110,15 +74,7 @@ fn carried_back(plane: HatchPlane, footing: Footing, hatch: PartHatch) -> Footin
 
 fn footing_of(at: vec2<u32>, number: u32, depth: f32, normal: vec3<f32>, hatch: PartHatch) -> Footing {
     let plane = plane_of(number, normal);
-    let ray = ray_through(centre_of(at));
-    let point = vec4<f32>(ray.origin + depth * ray.direction, 1.0);
-    let reach = select(depth, 1.0, frame.orthographic != 0u);
-    let footing = Footing(
-        vec2<f32>(dot(plane.u_row, point), dot(plane.v_row, point)),
-        moved_on(plane, ray.direction, reach * frame.ray_step[0].xyz),
-        moved_on(plane, ray.direction, reach * frame.ray_step[1].xyz),
-    );
-    return carried_back(plane, footing, hatch);
+    return carried_back(plane, footing_on(plane, at, depth), hatch);
 }
 
 // How much of a pixel the lines of a family cover.

@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::node::{Node, Place, Value};
+use super::paths::{PATHS, Takes};
 use super::{Document, read};
 use crate::error::Result;
 use crate::load::frames::Pattern;
@@ -60,46 +62,62 @@ struct Named<'a> {
 /// All files that are named.
 fn names(root: &Node) -> Vec<Named<'_>> {
     let mut names = Vec::new();
-    let below = |node: &Node| match &node.value {
-        Value::Table(entries) => entries.len(),
-        Value::List(list) => list.len(),
-        _ => 0,
-    };
-    let Value::Table(entries) = &root.value else {
-        return names;
-    };
-    for (at, (key, entries)) in entries.iter().enumerate() {
-        if **key == *"style" {
-            names.extend(style(at, entries));
-            continue;
-        }
-        let keys: &[&str] = match &**key {
-            "part" => &["mesh"],
-            "cut" => &["volume"],
-            "relief" => &["image", "images"],
-            _ => continue,
-        };
-        for entry in 0..below(entries) {
-            let Some(Value::Table(fields)) = entries.child(entry).map(|n| &n.value) else {
-                continue;
-            };
-            let first = fields.iter().find(|(key, _)| **key == *"first");
+    for path in PATHS.iter().filter(|path| path.takes == Takes::File) {
+        let keys: Vec<&str> = path.path.split('.').collect();
+        named_below(root, &keys, None, &mut Vec::new(), &mut names);
+    }
+    if let Value::Table(entries) = &root.value
+        && let Some(at) = entries.iter().position(|(key, _)| **key == *"style")
+    {
+        names.extend(style(at, &entries[at].1));
+    }
+    names.sort_by(|a, b| a.place.cmp(&b.place));
+    names
+}
+
+/// The files that keys lead to, of which `*` is any; `beside` is the table that the node is in.
+fn named_below<'a>(
+    node: &'a Node,
+    keys: &[&str],
+    beside: Option<&'a [(Arc<str>, Node)]>,
+    place: &mut Place,
+    names: &mut Vec<Named<'a>>,
+) {
+    let Some((key, rest)) = keys.split_first() else {
+        if let Some(name) = node.text().filter(|name| !name.starts_with("shape:")) {
+            let first = beside.and_then(|fields| fields.iter().find(|(key, _)| **key == *"first"));
             let first = first.and_then(|(_, node)| match &node.value {
                 Value::Number(number) => number.whole?.try_into().ok(),
                 _ => None,
             });
-            for (field, (key, node)) in fields.iter().enumerate() {
-                if let Value::Text(name) = &node.value
-                    && keys.contains(&&**key)
-                    && !name.starts_with("shape:")
-                {
-                    let place = vec![at, entry, field];
-                    names.push(Named { place, name, first });
+            names.push(Named {
+                place: place.clone(),
+                name,
+                first,
+            });
+        }
+        return;
+    };
+    let mut go_on = |at: usize, node: &'a Node, beside| {
+        place.push(at);
+        named_below(node, rest, beside, place, names);
+        place.pop();
+    };
+    match &node.value {
+        Value::Table(fields) => {
+            for (at, (name, node)) in fields.iter().enumerate() {
+                if *key == "*" || **name == **key {
+                    go_on(at, node, Some(fields.as_slice()));
                 }
             }
         }
+        Value::List(list) if *key == "*" => {
+            for (at, node) in list.iter().enumerate() {
+                go_on(at, node, None);
+            }
+        }
+        _ => {}
     }
-    names
 }
 
 /// The file of a style, in the place of its name or of that of its base.

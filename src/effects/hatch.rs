@@ -57,7 +57,7 @@ fn row(direction: DVec3, origin: DVec3) -> [f32; 4] {
     direction.extend(offset).as_vec4().to_array()
 }
 
-fn plane_of(surface: &PreparedSurface, up: DVec3) -> pack::HatchPlane {
+fn plane_of(surface: &PreparedSurface, up: DVec3) -> pack::CapPlane {
     // As it is seen: from the removed side.
     let normal = -surface.frame.normal;
     let across = up.cross(normal);
@@ -68,7 +68,7 @@ fn plane_of(surface: &PreparedSurface, up: DVec3) -> pack::HatchPlane {
             .try_normalize()
             .unwrap_or(DVec3::Z),
     };
-    pack::HatchPlane {
+    pack::CapPlane {
         u_row: row(u, surface.origin),
         v_row: row(normal.cross(u), surface.origin),
         normal: (normal.extend(f64::from(u8::from(surface.volume.is_some()))))
@@ -134,6 +134,8 @@ fn part_hatches(
             line_count: lines.len() as u32 - first_line,
             alpha: match part.material.hatch {
                 CapHatch::None => 0.0,
+                // What it is made of is seen.
+                CapHatch::General if part.material.cap.is_some() => 0.0,
                 _ => hatch.alpha,
             },
             width_px: Style::px(hatch.width, input.view.band[1]),

@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use super::Picture;
 use super::borders::{RAMP_PX, strokes};
+use super::dress::dress;
 use super::ghost;
 use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
@@ -28,16 +29,24 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     let strokes = (style.strokes.widest() > 0.0).then(|| strokes(plan, scene, &numbers, layers));
     let visibility = occlusion(plan, scene, layers);
     let picture = picture(plan, scene.input);
+    let lit = dress(plan, scene, (layers, picture));
     let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
-        Binding::read("layers", layers),
+        Binding::read("layers", lit.unwrap_or(layers)),
         scene.place_of_part.clone(),
-        Binding::write("picture", picture),
+        match lit {
+            Some(_) => Binding::update("picture", picture),
+            None => Binding::write("picture", picture),
+        },
     ];
     let overlap = overlap(plan, scene.input, &mut bindings);
     let mut shader = Shader::from("effects/illustrate.wgsl")
         .with(overlap)
+        .with(match lit {
+            Some(_) => "lib/dress/drawn.wgsl",
+            None => "lib/dress/none.wgsl",
+        })
         .with(shading(style.shading))
         .with(match style.shading {
             Shading::Engraved => "lib/surface_pattern/engraving.wgsl",

@@ -7,6 +7,7 @@
 
 mod borders;
 mod channels;
+mod dress;
 mod ghost;
 mod ground;
 mod hatch;

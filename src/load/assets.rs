@@ -1,4 +1,4 @@
-//! What documents name, read once and shared: meshes, built-in shapes, height maps.
+//! What documents name, read once and shared: meshes, built-in shapes, height maps, textures.
 //!
 //! A file is read when it is first asked for, from disk or from the [`Files`] of a host, and what it holds stays in memory; whoever asks
 //! again gets the same [`Arc`]s. A program that has a mesh already puts it in under the name that documents call it by. Files that
@@ -11,18 +11,20 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::image::read_offset_map_from;
+use super::texture::read_texture_from;
 use super::{Disk, Files, Loaded, load_mesh_file_from};
 use crate::error::Result;
 use crate::generate::shapes::shape;
-use crate::scene::{OffsetMap, Part};
+use crate::scene::{OffsetMap, Part, Texture, TextureKind};
 
-/// Meshes, shapes and height maps by name.
+/// Meshes, shapes, height maps and textures by name.
 #[derive(Debug)]
 pub struct Assets {
     store: Arc<dyn Files>,
     meshes: BTreeMap<PathBuf, Loaded>,
     shapes: BTreeMap<String, Vec<Part>>,
     images: BTreeMap<PathBuf, Arc<OffsetMap>>,
+    textures: BTreeMap<(PathBuf, bool), Arc<Texture>>,
 }
 
 impl Default for Assets {
@@ -39,6 +41,7 @@ impl Assets {
             meshes: BTreeMap::new(),
             shapes: BTreeMap::new(),
             images: BTreeMap::new(),
+            textures: BTreeMap::new(),
         }
     }
 
@@ -117,9 +120,24 @@ impl Assets {
         Ok(&self.images[path])
     }
 
+    /// The texture of an image.
+    ///
+    /// # Errors
+    ///
+    /// As of [`read_texture_from`].
+    pub fn texture(&mut self, path: &Path, kind: TextureKind) -> Result<Arc<Texture>> {
+        let key = (path.to_owned(), kind == TextureKind::Color);
+        if !self.textures.contains_key(&key) {
+            let texture = read_texture_from(path, kind, &*self.store)?;
+            self.textures.insert(key.clone(), Arc::new(texture));
+        }
+        Ok(self.textures[&key].clone())
+    }
+
     /// All files that were read, with those that they name.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let of_meshes = self.meshes.values().flat_map(|loaded| &loaded.files);
-        of_meshes.chain(self.images.keys()).map(PathBuf::as_path)
+        let of_textures = self.textures.keys().map(|(path, _)| path);
+        (of_meshes.chain(self.images.keys()).chain(of_textures)).map(PathBuf::as_path)
     }
 }

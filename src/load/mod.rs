@@ -22,6 +22,7 @@ mod obj;
 mod pat;
 mod ply;
 mod stl;
+mod texture;
 mod welded;
 
 use std::collections::HashSet;
@@ -35,6 +36,7 @@ pub use companions::companions;
 pub use files::{Disk, Files, Memory};
 pub use image::{read_offset_map, read_offset_map_from};
 pub use pat::read_patterns;
+pub use texture::read_texture_from;
 
 use crate::error::{Error, Result, did_you_mean};
 use crate::scene::{Driver, Edges, Material, Mesh, Part, Up, range};

@@ -87,7 +87,7 @@ impl<'a> Input<'a> {
 
     /// Whether the picture is one that is made of layers alone, a pixel at a time.
     pub(crate) fn is_plain(&self) -> bool {
-        self.model.prepared.style.is_plain()
+        self.model.prepared.style.is_plain() && self.model.dress.is_none()
     }
 
     /// The draws of some parts, by rank; the instance is the part's place in the table.

@@ -11,6 +11,7 @@ mod at_rest;
 mod buffers;
 mod crossings;
 mod cutters;
+mod dress;
 mod fragments;
 mod ground;
 mod height_filter;

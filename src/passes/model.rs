@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use super::KeptContents;
 use super::at_rest::{AtRest, Moved};
 use super::cutters::Cutters;
+use super::dress::Dress;
 use super::ground::GroundShadow;
 use super::heights::{Heights, PackedMap};
 use super::packed::{self, Packed, Room};
@@ -75,6 +76,8 @@ pub struct Model {
     pub(crate) at_rest: Arc<AtRest>,
     /// What reliefs hide of the sky.
     pub(crate) relief_sky: Arc<ReliefSky>,
+    /// What caps are made of, where that is more than a colour.
+    pub(crate) dress: Option<Arc<Dress>>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
     /// How parts have moved since, by index in the scene.
@@ -155,6 +158,7 @@ impl Model {
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
+        let dress = Dress::of(scene, &space, before.and_then(|b| b.dress.as_ref()));
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);
@@ -173,6 +177,7 @@ impl Model {
             settled,
             grid_indices: before.map_or_else(Arc::default, |b| b.grid_indices.clone()),
             relief_sky,
+            dress,
             ground: None,
             moved: at_rest.moved(scene, &prepared),
             at_rest,

@@ -11,8 +11,9 @@ use crate::scene::{Bounds, PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
+pub use dress::{CapMaterial, DressPlanes, MOST_CAP_PLANES, NO_TEXTURE, Texture};
 pub use ghost::Ghost;
-pub use hatch::{HatchLine, HatchPlane, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
+pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use occlusion::{Ground, Horizon, ReliefSky, Unsharp};
@@ -46,6 +47,7 @@ macro_rules! shared {
 
 // After the macro, which they use.
 mod composite;
+mod dress;
 mod ghost;
 mod hatch;
 mod lists;

@@ -1,11 +1,13 @@
 //! How a part looks; nothing here changes what is visible.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 
-use super::CapHatch;
+use super::{CapHatch, CapMaterial};
 
 /// Colours of a part, as sRGB in 0..=1.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Material {
     /// Colour of the mesh.
     pub color: Vec3,
@@ -13,6 +15,21 @@ pub struct Material {
     pub cap_color: Option<Vec3>,
     /// Hatch of the cap, where a style has hatches.
     pub hatch: CapHatch,
+    /// What the cap is made of, in the place of one colour and of [`CapHatch::General`].
+    pub cap: Option<Arc<CapMaterial>>,
+}
+
+impl PartialEq for Material {
+    /// Materials of caps are told apart as objects: what they hold is large.
+    fn eq(&self, other: &Self) -> bool {
+        let is_same_cap = match (&self.cap, &other.cap) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        (self.color, self.cap_color) == (other.color, other.cap_color)
+            && self.hatch == other.hatch
+            && is_same_cap
+    }
 }
 
 impl Default for Material {
@@ -21,6 +38,7 @@ impl Default for Material {
             color: Vec3::new(0.56, 0.62, 0.70),
             cap_color: None,
             hatch: CapHatch::General,
+            cap: None,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::reader::{Entry, Table};
-use super::{camera, cuts, hatches, keys, parts, settings, stock, style};
+use super::{camera, cap_materials, cuts, hatches, keys, parts, settings, stock, style};
 use crate::document::paths::keys_below;
 use crate::error::Result;
 use crate::generate::shapes;
@@ -30,8 +30,11 @@ pub(in crate::document) fn check(root: &Table<'_>, folder: &Path, assets: &Asset
     }
     for entry in root.tables("part")? {
         let table = entry.table(parts::KEYS.all())?;
-        if let Some(hatch) = stock::hatch_of(&table)? {
+        if let Some(hatch) = stock::of_material(&table, "hatch")? {
             hatches::check(&hatch, folder, assets)?;
+        }
+        if let Some(cap) = stock::of_material(&table, "cap")? {
+            cap_materials::check(&cap, folder, assets)?;
         }
         match (table.get("shape"), table.get("mesh")) {
             (Some(shape), _) => {

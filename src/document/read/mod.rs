@@ -140,6 +140,7 @@
 //! the first one is, whose triangles all must have. `defects` come after all that.
 
 mod camera;
+mod cap_materials;
 mod check;
 mod cutaways;
 mod cuts;

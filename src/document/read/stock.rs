@@ -12,7 +12,7 @@ use glam::DAffine3;
 use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
 use super::solids::{Solid, Splits, chosen};
-use super::{defects, hatches};
+use super::{cap_materials, defects, hatches};
 use crate::document::Origin;
 use crate::error::{Error, Result};
 use crate::load::Assets;
@@ -145,7 +145,7 @@ impl Form {
 pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<Vec<PartSource>> {
     let mut stock = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
-    let mut hatches = Vec::with_capacity(entries.len());
+    let mut of_caps = Vec::with_capacity(entries.len());
     for entry in entries {
         let table = entry.table(KEYS.all())?;
         let name = table.get("name");
@@ -156,10 +156,11 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
         }
         given.push(name.map(|n| n.text()).transpose()?);
         stock.push(opening.entry(&table)?);
-        hatches.push(match hatch_of(&table)? {
-            Some(hatch) => Some(hatches::open(&hatch, opening)?),
-            None => None,
-        });
+        let hatch = of_material(&table, "hatch")?;
+        let hatch = hatch.map(|hatch| hatches::open(&hatch, opening));
+        let cap = of_material(&table, "cap")?;
+        let cap = cap.map(|cap| cap_materials::open(&cap, opening));
+        of_caps.push((hatch.transpose()?, cap.transpose()?));
     }
     let mut taken = BTreeSet::new();
     // What the document calls its parts counts before what files call them.
@@ -171,19 +172,22 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     }
     let mut shapes = Vec::new();
     stock.iter_mut().for_each(|held| held.colour(&mut shapes));
-    for (held, hatch) in stock.iter_mut().zip(hatches) {
-        let solids = held.frames.iter_mut().flatten();
-        if let Some(hatch) = hatch {
-            solids.for_each(|s| s.part.material.hatch = hatch.clone());
+    for (held, (hatch, cap)) in stock.iter_mut().zip(of_caps) {
+        for solid in held.frames.iter_mut().flatten() {
+            let material = &mut solid.part.material;
+            if let Some(hatch) = &hatch {
+                material.hatch = hatch.clone();
+            }
+            material.cap.clone_from(&cap);
         }
     }
     Ok(stock)
 }
 
-/// The hatch that a part asks for.
-pub(super) fn hatch_of<'a>(part: &Table<'a>) -> Result<Option<Entry<'a>>> {
+/// What the material of a part says under a key.
+pub(super) fn of_material<'a>(part: &Table<'a>, key: &str) -> Result<Option<Entry<'a>>> {
     let material = part.get("material").map(|m| m.table(MATERIAL.all()));
-    Ok(material.transpose()?.and_then(|m| m.get("hatch")))
+    Ok(material.transpose()?.and_then(|m| m.get(key)))
 }
 
 /// What it takes to open what a document names.

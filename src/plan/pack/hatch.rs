@@ -6,8 +6,8 @@ use super::Layout;
 use crate::scene::MOST_STROKES;
 
 shared! {
-    /// The plane of a clip-surface: `shaders/lib/hatching.wgsl`.
-    HatchPlane {
+    /// The plane of a clip-surface: `shaders/lib/cap_plane.wgsl`.
+    CapPlane {
         /// First coordinate of a point in the plane, in scene units.
         u_row: [f32; 4],
         /// Second coordinate.
@@ -24,7 +24,7 @@ shared! {
     /// The planes of all clip-surfaces.
     HatchPlanes {
         /// By the number of the clip-surface.
-        planes: [HatchPlane; MOST_HATCH_PLANES],
+        planes: [CapPlane; MOST_HATCH_PLANES],
         /// How many there are.
         count: u32,
         /// Scene units along a pixel of the picture as the scene was first seen.

@@ -1,0 +1,150 @@
+// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2). One invocation owns a pixel.
+//
+// What a pixel is made of is left in the picture, which nobody has painted yet: sRGB colour, and alpha 1 where it is in the place of the
+// colour of the part. Layers are copied with the normals that the material bends, which light is to see and nobody else.
+
+#import cutaway::cap_plane::{CapPlane, Footing, faced, footing_on, moved_along, plane_of_view}
+#import cutaway::color::{linear_from_srgb, srgb_from_linear}
+#import cutaway::cuts::parts
+#import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
+#import cutaway::layers::{CAP, NEAR_PLANE, WORDS_PER_PIXEL, clip_surface_of, kind_of, pack_normal, part_of, unpack_normal}
+#import cutaway::picture::picture
+#import cutaway::solids::{granite, marble, wood}
+#import cutaway::texture::{NO_TEXTURE, sampled}
+
+struct CapMaterial {
+    x_row: vec4<f32>,
+    y_row: vec4<f32>,
+    z_row: vec4<f32>,
+    diffuse: u32,
+    normal: u32,
+    light: u32,
+    solid: u32,
+    first_image: u32,
+    image_count: u32,
+    per_unit: f32,
+    is_there: u32,
+}
+
+struct DressPlanes {
+    planes: array<CapPlane, 256>,
+    per_unit: array<vec4<f32>, 256>,
+    count: u32,
+    default_per_unit: f32,
+    padding_a: u32,
+    padding_b: u32,
+}
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+// By the number of the part in the scene.
+@group(1) @binding(1) var<storage, read> cap_materials: array<CapMaterial>;
+@group(1) @binding(3) var<storage, read_write> lit_layers: array<u32>;
+@group(1) @binding(4) var<uniform> dress_planes: DressPlanes;
+// Place of each part of the scene in the table.
+@group(1) @binding(5) var<storage, read> place_of_part: array<u32>;
+
+struct Dress {
+    color: vec4<f32>,
+    normal: u32,
+}
+
+// The plane of a cap with its repeats in a scene unit; `w` of the plane's rows is free.
+fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
+    if number == NEAR_PLANE || number >= dress_planes.count {
+        return plane_of_view();
+    }
+    return faced(dress_planes.planes[number], normal);
+}
+
+fn repeats_of(number: u32, per_unit: f32) -> vec2<f32> {
+    if per_unit > 0.0 {
+        return vec2<f32>(per_unit);
+    }
+    if number == NEAR_PLANE || number >= dress_planes.count {
+        return vec2<f32>(dress_planes.default_per_unit);
+    }
+    return dress_planes.per_unit[number].xy;
+}
+
+fn stack_color(material: CapMaterial, p: vec3<f32>, right: vec3<f32>, down: vec3<f32>) -> vec4<f32> {
+    let at = fract(p.z) * f32(material.image_count) - 0.5;
+    let below = i32(floor(at));
+    let count = i32(material.image_count);
+    let first = material.first_image + u32((below + count) % count);
+    let next = material.first_image + u32((below + 1) % count);
+    let a = sampled(first, p.xy, right.xy, down.xy);
+    return mix(a, sampled(next, p.xy, right.xy, down.xy), at - floor(at));
+}
+
+fn in_solid(material: CapMaterial, point: vec4<f32>) -> vec3<f32> {
+    return vec3<f32>(dot(material.x_row, point), dot(material.y_row, point), dot(material.z_row, point));
+}
+
+// What a cap is made of all through.
+fn solid_color(material: CapMaterial, at: vec2<u32>, depth: f32, normal: vec3<f32>) -> vec4<f32> {
+    let ray = ray_through(centre_of(at));
+    let reach = select(depth, 1.0, frame.orthographic != 0u);
+    let right = moved_along(normal, ray.direction, reach * frame.ray_step[0].xyz);
+    let down = moved_along(normal, ray.direction, reach * frame.ray_step[1].xyz);
+    let p = in_solid(material, vec4<f32>(ray.origin + depth * ray.direction, 1.0));
+    let p_right = in_solid(material, vec4<f32>(right, 0.0));
+    let p_down = in_solid(material, vec4<f32>(down, 0.0));
+    let footprint = max(length(p_right), length(p_down));
+    switch material.solid {
+        case 1u: { return vec4<f32>(wood(p, footprint), 1.0); }
+        case 2u: { return vec4<f32>(marble(p, footprint), 1.0); }
+        case 3u: { return vec4<f32>(granite(p, footprint), 1.0); }
+        case 4u: { return stack_color(material, p, p_right, p_down); }
+        default: { return vec4<f32>(0.0); }
+    }
+}
+
+fn dress_of(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> Dress {
+    let material = cap_materials[part_of(word)];
+    if material.is_there == 0u {
+        return Dress(vec4<f32>(0.0), packed_normal);
+    }
+    var normal = unpack_normal(packed_normal);
+    var color = solid_color(material, at, depth, normal);
+    let number = clip_surface_of(word);
+    let plane = plane_of(number, normal);
+    let repeats = repeats_of(number, material.per_unit);
+    let footing = footing_on(plane, at, depth);
+    let place = footing.uv * repeats;
+    let right = footing.right * repeats;
+    let down = footing.down * repeats;
+    if material.diffuse != NO_TEXTURE {
+        let diffuse = sampled(material.diffuse, place, right, down);
+        color = vec4<f32>(mix(color.rgb, diffuse.rgb, diffuse.a), max(color.a, diffuse.a));
+    }
+    let own = linear_from_srgb(parts[place_of_part[part_of(word)]].cap_color.rgb);
+    color = vec4<f32>(mix(own, color.rgb, color.a), 1.0);
+    if material.light != NO_TEXTURE {
+        color = vec4<f32>(color.rgb * sampled(material.light, place, right, down).r, 1.0);
+    }
+    if material.normal != NO_TEXTURE {
+        let bent = sampled(material.normal, place, right, down).xyz * 2.0 - 1.0;
+        // Rows of an image go down, green is up.
+        let slope = (bent.x * plane.u_row.xyz - bent.y * plane.v_row.xyz) / max(bent.z, 0.05);
+        normal = normalize(normal + slope);
+    }
+    return Dress(color, select(packed_normal, pack_normal(normal), material.normal != NO_TEXTURE));
+}
+
+@compute @workgroup_size(16, 16)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size_px) {
+        return;
+    }
+    let pixel = pixel_index(id.xy);
+    let first = pixel * WORDS_PER_PIXEL;
+    let word = layers[first];
+    var dress = Dress(vec4<f32>(0.0), layers[first + 1u]);
+    if kind_of(word) == CAP {
+        dress = dress_of(id.xy, word, dress.normal, bitcast<f32>(layers[first + 2u]));
+    }
+    picture[pixel] = pack4x8unorm(vec4<f32>(srgb_from_linear(dress.color.rgb), dress.color.a));
+    lit_layers[first] = word;
+    lit_layers[first + 1u] = dress.normal;
+    lit_layers[first + 2u] = layers[first + 2u];
+}

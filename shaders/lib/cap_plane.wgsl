@@ -1,0 +1,63 @@
+// Planes of caps: what lies on a cut is placed by coordinates in the plane of its clip-surface.
+
+#define_import_path cutaway::cap_plane
+
+#import cutaway::frame::{centre_of, frame, ray_through}
+
+struct CapPlane {
+    u_row: vec4<f32>,
+    v_row: vec4<f32>,
+    // The last is 1 where there is no one plane but the faces of a cutter.
+    normal: vec4<f32>,
+}
+
+// Where a pixel is on the plane of its cap, in scene units, and how far the next pixels are.
+struct Footing {
+    uv: vec2<f32>,
+    right: vec2<f32>,
+    down: vec2<f32>,
+}
+
+// The plane of caps that the near plane makes.
+fn plane_of_view() -> CapPlane {
+    let right = vec4<f32>(normalize(frame.ray_step[0].xyz), 0.0);
+    let up = vec4<f32>(-normalize(frame.ray_step[1].xyz), 0.0);
+    return CapPlane(right, up, vec4<f32>(frame.forward.xyz, 0.0));
+}
+
+// A plane, or of a cutter the one of the axes that the normal of its face is nearest to.
+fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
+    if plane.normal.w < 0.5 {
+        return plane;
+    }
+    let size = abs(normal);
+    if size.x >= size.y && size.x >= size.z {
+        return CapPlane(vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
+    }
+    if size.y >= size.z {
+        return CapPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(normal, 0.0));
+    }
+    return CapPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
+}
+
+// How far a point of a plane with this normal moves when the pixel moves by `step` at its depth.
+fn moved_along(normal: vec3<f32>, direction: vec3<f32>, step: vec3<f32>) -> vec3<f32> {
+    let towards = dot(direction, normal);
+    // At grazing angles a footprint would be infinite.
+    let least = 0.05 * length(direction);
+    let bounded = select(min(towards, -least), max(towards, least), towards > 0.0);
+    return step - direction * (dot(step, normal) / bounded);
+}
+
+fn footing_on(plane: CapPlane, at: vec2<u32>, depth: f32) -> Footing {
+    let ray = ray_through(centre_of(at));
+    let point = vec4<f32>(ray.origin + depth * ray.direction, 1.0);
+    let reach = select(depth, 1.0, frame.orthographic != 0u);
+    let right = moved_along(plane.normal.xyz, ray.direction, reach * frame.ray_step[0].xyz);
+    let down = moved_along(plane.normal.xyz, ray.direction, reach * frame.ray_step[1].xyz);
+    return Footing(
+        vec2<f32>(dot(plane.u_row, point), dot(plane.v_row, point)),
+        vec2<f32>(dot(plane.u_row.xyz, right), dot(plane.v_row.xyz, right)),
+        vec2<f32>(dot(plane.u_row.xyz, down), dot(plane.v_row.xyz, down)),
+    );
+}

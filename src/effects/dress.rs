@@ -1,0 +1,73 @@
+//! Materials of caps: images in the (u, v) of clip-surfaces, and solid textures (Trapp and Döllner 2013, sections 4.1 and 4.2, Fig. 11).
+//!
+//! One pass over the pixels before light falls on them; 12 bytes a pixel, and the images with a third more. Cannot: follow a part that bends,
+//! or lay images on the faces of a cutter otherwise than along the axes of the scene.
+
+use super::pixels::{over_pixels, per_pixel};
+use crate::passes::SceneBuffers;
+use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pack};
+use crate::scene::PreparedSurface;
+
+/// Leaves the colours of what has a material in the picture; the layers with the normals that light is to see, where something has one.
+pub(super) fn dress(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    (layers, picture): (ResourceId, ResourceId),
+) -> Option<ResourceId> {
+    let is_cut = scene.input.relevance.lanes > 0;
+    let dress = scene.input.model.dress.as_ref().filter(|_| is_cut)?;
+    let lit = per_pixel(plan, scene, "lit_layers", 12);
+    let mut table = |name: &'static str, role, contents| {
+        let table = Resource::upload(name, role, contents, Clock::Cut);
+        Binding::read(name, plan.add_resource(table))
+    };
+    let [textures, texels] = dress.textures();
+    let planes = planes_of(scene, dress.default_per_unit());
+    let planes = Contents::from_values(&[planes]);
+    let bindings = vec![
+        scene.frame.clone(),
+        scene.parts.clone(),
+        scene.place_of_part.clone(),
+        Binding::read("layers", layers),
+        table("cap_materials", Role::Storage, dress.materials()),
+        Binding::write("picture", picture),
+        Binding::write("lit_layers", lit),
+        table("dress_planes", Role::Uniform, planes),
+        table("textures", Role::Storage, textures),
+        table("texels", Role::Storage, texels),
+    ];
+    let about = ("dress caps", "materials give caps their colours");
+    over_pixels(plan, scene, about, "effects/dress.wgsl", bindings);
+    Some(lit)
+}
+
+/// The planes of all clip-surfaces; those without a relief have so many repeats in a scene unit.
+fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::DressPlanes {
+    let mut planes: pack::DressPlanes = bytemuck::Zeroable::zeroed();
+    planes.default_per_unit = default_per_unit;
+    let rows = planes.planes.iter_mut().zip(&mut planes.per_unit);
+    for ((plane, per_unit), surface) in rows.zip(&scene.input.model.prepared.surfaces) {
+        *plane = plane_of(surface);
+        let [u, v] = match surface.relief {
+            Some(_) => surface.map_per_unit.map(|per_unit| per_unit as f32),
+            None => [default_per_unit; 2],
+        };
+        *per_unit = [u, v, 0.0, 0.0];
+        planes.count += 1;
+    }
+    planes
+}
+
+/// The coordinates of the relief itself.
+fn plane_of(surface: &PreparedSurface) -> pack::CapPlane {
+    let row = |direction: glam::DVec3| {
+        let offset = -direction.dot(surface.origin);
+        direction.extend(offset).as_vec4().to_array()
+    };
+    let is_cutter = f64::from(u8::from(surface.volume.is_some()));
+    pack::CapPlane {
+        u_row: row(surface.frame.u_hat),
+        v_row: row(surface.frame.v_hat),
+        normal: surface.frame.normal.extend(is_cutter).as_vec4().to_array(),
+    }
+}

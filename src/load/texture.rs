@@ -1,0 +1,40 @@
+//! Textures from image files: 8 bits a channel, as they are written.
+
+use std::path::Path;
+
+use image::{GenericImageView, ImageReader, Limits};
+use std::io::Cursor;
+
+use super::{Files, input_file};
+use crate::error::{Error, Result};
+use crate::scene::{MOST_TEXELS_ALONG, Texture, TextureKind};
+
+/// Reads an image as a texture, from where a host has it.
+///
+/// # Errors
+///
+/// A file that is not there, that is no PNG, JPEG, TIFF, BMP, PNM or TGA, or that is larger than [`MOST_TEXELS_ALONG`] along a side.
+pub fn read_texture_from(path: &Path, kind: TextureKind, store: &dyn Files) -> Result<Texture> {
+    let bytes = input_file::read(path, store)?;
+    texture_of(&bytes, kind).map_err(|what| {
+        let help = format!(
+            "give a PNG, JPEG, TIFF, BMP, PNM or TGA of at most {MOST_TEXELS_ALONG} x {MOST_TEXELS_ALONG} pixels"
+        );
+        Error::file(path, what, help)
+    })
+}
+
+/// The texture that the bytes of an image file hold; what is wrong with them otherwise.
+pub(super) fn texture_of(bytes: &[u8], kind: TextureKind) -> Result<Texture, String> {
+    let undecodable = |e: &dyn std::fmt::Display| format!("cannot be decoded: {e}");
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
+    let mut reader = reader.map_err(|e| undecodable(&e))?;
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(MOST_TEXELS_ALONG);
+    limits.max_image_height = Some(MOST_TEXELS_ALONG);
+    reader.limits(limits);
+    let picture = reader.decode().map_err(|e| undecodable(&e))?;
+    let size = <[u32; 2]>::from(picture.dimensions());
+    let rgba = picture.into_rgba8().into_raw();
+    Texture::new(size, rgba.as_chunks::<4>().0.to_vec(), kind)
+}

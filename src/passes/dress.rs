@@ -1,0 +1,243 @@
+//! What caps are made of, packed for upload: the textures of all materials one after the other, and for each part what it has.
+//!
+//! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
+//! placed, and not with its vertices.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::plan::pack::{self, NO_TEXTURE};
+use crate::plan::{Contents, Piece};
+use crate::scene::{Amount, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
+
+/// Of what repeats and has no size, in percent of the diagonal of the scene.
+const USUAL_SIZE: Amount = Amount::Percent(10.0);
+
+/// The materials of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Dress {
+    textures: Vec<Arc<Texture>>,
+    table: Contents,
+    texels: Contents,
+    /// By the number of a part in the scene.
+    materials: Vec<pack::CapMaterial>,
+    /// Repeats in a scene unit where nothing is said.
+    default_per_unit: f32,
+}
+
+impl Dress {
+    /// Of a scene, with the textures of before where they are the same; none where no part has a material.
+    pub(super) fn of(
+        scene: &Scene,
+        space: &SceneSpace,
+        before: Option<&Arc<Self>>,
+    ) -> Option<Arc<Self>> {
+        let parts = scene.parts.iter();
+        let mut materials = parts
+            .filter_map(|part| part.material.cap.as_ref())
+            .peekable();
+        materials.peek()?;
+        let textures = materials.flat_map(|m| m.textures().cloned());
+        let textures: Vec<Arc<Texture>> = textures.collect();
+        let is_same = |before: &&Arc<Self>| {
+            let pairs = before.textures.iter().zip(&textures);
+            before.textures.len() == textures.len()
+                && pairs.into_iter().all(|(a, b)| Arc::ptr_eq(a, b))
+        };
+        let [table, texels] = match before.filter(is_same) {
+            Some(before) => [before.table.clone(), before.texels.clone()],
+            None => packed(&textures),
+        };
+        let diagonal = scene.bounds().size().length();
+        let length = |size: Amount| size.between(0.0, diagonal);
+        let mut first = 0;
+        let rows = scene.parts.iter().map(|part| {
+            let row = row_of(part, space, first, length);
+            first += part
+                .material
+                .cap
+                .as_ref()
+                .map_or(0, |m| m.textures().count()) as u32;
+            row
+        });
+        Some(Arc::new(Self {
+            materials: rows.collect(),
+            default_per_unit: (1.0 / (length(USUAL_SIZE) * space.scale)) as f32,
+            textures,
+            table,
+            texels,
+        }))
+    }
+
+    /// What each part has, by its number in the scene.
+    pub(crate) fn materials(&self) -> Contents {
+        Contents::from_values(&self.materials)
+    }
+
+    /// Where each texture is among texels, and the texels.
+    pub(crate) fn textures(&self) -> [Contents; 2] {
+        [self.table.clone(), self.texels.clone()]
+    }
+
+    /// Repeats in a scene unit where nothing is said.
+    pub(crate) fn default_per_unit(&self) -> f32 {
+        self.default_per_unit
+    }
+}
+
+/// Textures that several parts have are there once.
+fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
+    let mut known: Vec<(&Arc<Texture>, u32)> = Vec::new();
+    let mut pieces = Vec::new();
+    let mut count = 0_u64;
+    let mut rows = Vec::with_capacity(textures.len().max(1));
+    for texture in textures {
+        let place = known.iter().find(|(k, _)| Arc::ptr_eq(k, texture));
+        let first = match place {
+            Some((_, first)) => *first,
+            None => {
+                let first = count as u32;
+                pieces.push(Piece::from_values(count * 4, texture.texels()));
+                count += texture.texels().len() as u64;
+                known.push((texture, first));
+                first
+            }
+        };
+        rows.push(pack::Texture {
+            first,
+            is_color: u32::from(texture.kind() == TextureKind::Color),
+            size: texture.size(),
+        });
+    }
+    if rows.is_empty() {
+        // WebGPU has no empty bindings.
+        return [
+            Contents::from_values(&[[0_u32; 4]]),
+            Contents::from_values(&[0_u32]),
+        ];
+    }
+    [
+        Contents::from_values(&rows),
+        Contents::in_pieces(count * 4, pieces, false),
+    ]
+}
+
+/// What a part has, whose textures begin at `first`.
+fn row_of(
+    part: &Part,
+    space: &SceneSpace,
+    first: u32,
+    length: impl Fn(Amount) -> f64,
+) -> pack::CapMaterial {
+    let Some(material) = &part.material.cap else {
+        return bytemuck::Zeroable::zeroed();
+    };
+    let mut next = first;
+    let mut number_of = |image: &Option<Arc<Texture>>| match image {
+        Some(_) => {
+            next += 1;
+            next - 1
+        }
+        None => NO_TEXTURE,
+    };
+    let [diffuse, normal, light] =
+        [&material.diffuse, &material.normal, &material.light].map(&mut number_of);
+    let (solid, image_count) = match &material.solid {
+        None => (0, 0),
+        Some(SolidTexture::Wood) => (1, 0),
+        Some(SolidTexture::Marble) => (2, 0),
+        Some(SolidTexture::Granite) => (3, 0),
+        Some(SolidTexture::Stack(images)) => (4, images.len() as u32),
+    };
+    let size = length(material.size.unwrap_or(USUAL_SIZE));
+    let is_filled = image_count > 0 && material.size.is_none();
+    let rows = solid_from_scene(part, space, (!is_filled).then_some(size)).transpose_rows();
+    pack::CapMaterial {
+        x_row: rows[0],
+        y_row: rows[1],
+        z_row: rows[2],
+        diffuse,
+        normal,
+        light,
+        solid,
+        first_image: next,
+        image_count,
+        per_unit: material
+            .size
+            .map_or(0.0, |size| (1.0 / (length(size) * space.scale)) as f32),
+        is_there: 1,
+    }
+}
+
+/// From scene space to the solid of a part: in repeats of a size around its middle, the third axis along its longest side, or without a size
+/// once through its box, with the rows of images downwards.
+fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffine3 {
+    let part_from_scene = (space.from_world() * part.world_from_part).inverse();
+    let bounds = part.mesh.bounds();
+    let solid_from_part = match size {
+        Some(size) => {
+            // In units of the world, whatever scales the part.
+            let scale = part.world_from_part.matrix3.determinant().abs().cbrt() / size;
+            let sides = bounds.size().to_array();
+            let longest = (0..3).max_by(|a, b| sides[*a].total_cmp(&sides[*b]));
+            let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+            let longest = longest.unwrap_or(2);
+            let [x, y, z] = [longest + 1, longest + 2, longest].map(|i| axes[i % 3] * scale);
+            let turned = DMat3::from_cols(x, y, z).transpose();
+            DAffine3::from_mat3_translation(turned, -(turned * bounds.centre()))
+        }
+        None => {
+            let sides = bounds.size().max(DVec3::splat(1e-300));
+            let scale = DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0) / sides);
+            let corner = DVec3::new(bounds.min.x, bounds.max.y, bounds.min.z);
+            DAffine3::from_mat3_translation(scale, -(scale * corner))
+        }
+    };
+    solid_from_part * part_from_scene
+}
+
+trait Rows {
+    /// The rows that take a point (x, y, z, 1) to each coordinate.
+    fn transpose_rows(&self) -> [[f32; 4]; 3];
+}
+
+impl Rows for DAffine3 {
+    fn transpose_rows(&self) -> [[f32; 4]; 3] {
+        [0, 1, 2].map(|i| {
+            let row = self.matrix3.row(i).extend(self.translation[i]);
+            row.as_vec4().to_array()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::shapes::shape;
+
+    #[test]
+    fn the_longest_side_is_along_the_grain_and_boxes_are_filled() {
+        let parts = shape("cube").expect("a shape");
+        let mut part = parts[0].clone();
+        part.world_from_part = DAffine3::from_scale(DVec3::new(1.0, 4.0, 1.0));
+        let mut mesh = (*part.mesh).clone();
+        mesh.positions.iter_mut().for_each(|p| p.y *= 3.0);
+        part.mesh = Arc::new(mesh);
+        let world = part.bounds_in_world();
+        let space = SceneSpace::new(&world);
+        let scene = |p: DVec3| space.point(p);
+        let once = solid_from_scene(&part, &space, None);
+        assert!(
+            once.transform_point3(scene(world.max))
+                .abs_diff_eq(DVec3::new(1.0, 0.0, 1.0), 1e-9)
+        );
+        assert!(
+            once.transform_point3(scene(world.min))
+                .abs_diff_eq(DVec3::new(0.0, 1.0, 0.0), 1e-9)
+        );
+        let grain = solid_from_scene(&part, &space, Some(0.5));
+        let up = grain.transform_vector3(DVec3::Y * space.scale);
+        assert!(up.z.abs() > 0.0 && up.truncate().length() < 1e-9, "{up}");
+    }
+}
