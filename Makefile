@@ -1,15 +1,20 @@
-# Two commands on a fresh machine: `make demo` and `make test`. Both install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`. All install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: demo test setup
+.PHONY: demo gallery test setup
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
 	$(CARGO) run --release --quiet -- demo --out target/demo
+
+# The pictures of docs/gallery anew, by the commands of its page.
+gallery: setup
+	$(CARGO) build --release --quiet
+	scripts/gallery.sh target/release/cutaway
 
 # In order of cost, so that the cheap complaints come first.
 test: setup

@@ -1,9 +1,11 @@
-// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2). One invocation owns a pixel.
+// Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their coats, by the open module `coat`. One
+// invocation owns a pixel.
 //
 // What a pixel is made of is left in the picture, which nobody has painted yet: sRGB colour, and alpha 1 where it is in the place of the
 // colour of the part. Layers are copied with the normals that the material bends, which light is to see and nobody else.
 
 #import cutaway::cap_plane::{CapPlane, Footing, faced, footing_on, moved_along, plane_of_view}
+#import cutaway::coat::coat_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::cuts::parts
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
@@ -143,7 +145,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if kind_of(word) == CAP {
         dress = dress_of(id.xy, word, dress.normal, bitcast<f32>(layers[first + 2u]));
     }
-    picture[pixel] = pack4x8unorm(vec4<f32>(srgb_from_linear(dress.color.rgb), dress.color.a));
+    let of_cap = pack4x8unorm(vec4<f32>(srgb_from_linear(dress.color.rgb), dress.color.a));
+    picture[pixel] = select(coat_at(id.xy, word), of_cap, kind_of(word) == CAP);
     lit_layers[first] = word;
     lit_layers[first + 1u] = dress.normal;
     lit_layers[first + 2u] = layers[first + 2u];

@@ -55,15 +55,15 @@ fn turbulence(p: vec3<f32>, footprint: f32) -> f32 {
     return sum;
 }
 
-// Rings around the third axis: a slow rise from early to late wood, and a fast end.
+// Rings around the third axis, four in a size: a slow rise from early to late wood, and a fast end.
 fn wood(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let early = linear_from_srgb(vec3<f32>(0.86, 0.70, 0.47));
     let late = linear_from_srgb(vec3<f32>(0.55, 0.35, 0.18));
-    let bent = p.xy + 0.35 * vec2<f32>(turbulence(p * vec3<f32>(0.5, 0.5, 0.12), footprint), turbulence(p.yxz * vec3<f32>(0.5, 0.5, 0.12) + 7.0, footprint));
-    let ring = fract(2.0 * length(bent));
+    let bent = p.xy + 0.22 * vec2<f32>(turbulence(p * vec3<f32>(0.5, 0.5, 0.12), footprint), turbulence(p.yxz * vec3<f32>(0.5, 0.5, 0.12) + 7.0, footprint));
+    let ring = fract(4.0 * length(bent));
     let dark = ring * ring * (1.0 - smoothstep(0.88, 1.0, ring));
     let fibre = 0.12 * noise(p * vec3<f32>(14.0, 14.0, 0.8)) * kept_at(1.0 / 14.0, footprint);
-    return mix(early, late, clamp(mix(0.25, dark, kept_at(0.5, footprint)) + fibre, 0.0, 1.0));
+    return mix(early, late, clamp(mix(0.25, dark, kept_at(0.25, footprint)) + fibre, 0.0, 1.0));
 }
 
 // Veins where a warped wave is near zero.
@@ -78,13 +78,13 @@ fn marble(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     return mix(pale * (0.92 + 0.22 * cloud), vein, clamp(cover * (0.65 + cloud), 0.0, 0.9));
 }
 
-// Grains: the nearest of jittered points, one a cell, says which mineral (Worley 1996).
+// Grains, fourteen along a size: the nearest of jittered points, one a cell, says which mineral (Worley 1996).
 fn granite(p: vec3<f32>, footprint: f32) -> vec3<f32> {
     let rose = linear_from_srgb(vec3<f32>(0.80, 0.66, 0.60));
     let quartz = linear_from_srgb(vec3<f32>(0.80, 0.79, 0.78));
     let mica = linear_from_srgb(vec3<f32>(0.18, 0.18, 0.20));
     let mean = 0.45 * rose + 0.37 * quartz + 0.18 * mica;
-    let scaled = p * 9.0;
+    let scaled = p * 14.0;
     let cell = vec3<i32>(floor(scaled));
     var nearest = 1e9;
     var which = 0.0;
@@ -99,5 +99,5 @@ fn granite(p: vec3<f32>, footprint: f32) -> vec3<f32> {
         }
     }
     let grain = select(select(mica, quartz, which < 0.82), rose, which < 0.45);
-    return mix(mean, grain, kept_at(1.0 / 9.0, footprint));
+    return mix(mean, grain, kept_at(1.0 / 14.0, footprint));
 }

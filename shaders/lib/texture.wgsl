@@ -18,7 +18,7 @@ struct Texture {
 @group(2) @binding(1) var<storage, read> texels: array<u32>;
 
 const NO_TEXTURE: u32 = 0xffffffffu;
-const MOST_SAMPLES: f32 = 4.0;
+const MOST_SAMPLES: i32 = 4;
 
 fn texel_at(first: u32, size: vec2<u32>, at: vec2<i32>, is_color: bool) -> vec4<f32> {
     let n = vec2<i32>(size);
@@ -72,12 +72,12 @@ fn sampled(number: u32, place: vec2<f32>, right: vec2<f32>, down: vec2<f32>) -> 
     let is_right = sides.x >= sides.y;
     let longer = max(max(sides.x, sides.y), 1e-6);
     let shorter = min(sides.x, sides.y);
-    let count = clamp(ceil(longer / max(shorter, 1.0)), 1.0, MOST_SAMPLES);
-    let level = log2(max(longer / count, 1.0));
+    let count = u32(clamp(ceil(longer / max(shorter, 1.0)), 1.0, f32(MOST_SAMPLES)));
+    let level = log2(max(longer / f32(count), 1.0));
     let along = select(down, right, is_right);
     var sum = vec4<f32>(0.0);
-    for (var i = 0.0; i < count; i += 1.0) {
-        sum += at_level(texture, level, place + along * ((i + 0.5) / count - 0.5));
+    for (var i = 0u; i < count; i++) {
+        sum += at_level(texture, level, place + along * ((f32(i) + 0.5) / f32(count) - 0.5));
     }
-    return sum / count;
+    return sum / f32(count);
 }

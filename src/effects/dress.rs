@@ -3,10 +3,12 @@
 //! One pass over the pixels before light falls on them; 12 bytes a pixel, and the images with a third more. Cannot: follow a part that bends,
 //! or lay images on the faces of a cutter otherwise than along the axes of the scene.
 
+use super::coat::coat;
 use super::pixels::{over_pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pack};
 use crate::scene::PreparedSurface;
+use crate::shader::Shader;
 
 /// Leaves the colours of what has a material in the picture; the layers with the normals that light is to see, where something has one.
 pub(super) fn dress(
@@ -14,17 +16,28 @@ pub(super) fn dress(
     scene: &SceneBuffers<'_>,
     (layers, picture): (ResourceId, ResourceId),
 ) -> Option<ResourceId> {
+    let dress = scene.input.model.dress.as_ref()?;
     let is_cut = scene.input.relevance.lanes > 0;
-    let dress = scene.input.model.dress.as_ref().filter(|_| is_cut)?;
+    if dress.coats.is_none() && !(is_cut && dress.has_materials()) {
+        return None;
+    }
+    let [textures, texels] = dress.textures();
+    let textures = Resource::upload("textures", Role::Storage, textures, Clock::Cut);
+    let texels = Resource::upload("texels", Role::Storage, texels, Clock::Cut);
+    let textures = [
+        Binding::read("textures", plan.add_resource(textures)),
+        Binding::read("texels", plan.add_resource(texels)),
+    ];
+    let coats = dress.coats.as_ref();
+    let coats = coats.map(|coats| coat(plan, scene, coats, (layers, &textures)));
     let lit = per_pixel(plan, scene, "lit_layers", 12);
     let mut table = |name: &'static str, role, contents| {
         let table = Resource::upload(name, role, contents, Clock::Cut);
         Binding::read(name, plan.add_resource(table))
     };
-    let [textures, texels] = dress.textures();
     let planes = planes_of(scene, dress.default_per_unit());
     let planes = Contents::from_values(&[planes]);
-    let bindings = vec![
+    let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
         scene.place_of_part.clone(),
@@ -33,11 +46,18 @@ pub(super) fn dress(
         Binding::write("picture", picture),
         Binding::write("lit_layers", lit),
         table("dress_planes", Role::Uniform, planes),
-        table("textures", Role::Storage, textures),
-        table("texels", Role::Storage, texels),
     ];
-    let about = ("dress caps", "materials give caps their colours");
-    over_pixels(plan, scene, about, "effects/dress.wgsl", bindings);
+    bindings.extend(textures);
+    let shader = Shader::from("effects/dress.wgsl").with(match coats {
+        Some(_) => "lib/coat/drawn.wgsl",
+        None => "lib/coat/none.wgsl",
+    });
+    bindings.extend(coats.map(|coats| Binding::read("coat_colors", coats)));
+    let about = (
+        "dress",
+        "materials and coats give caps and surfaces their colours",
+    );
+    over_pixels(plan, scene, about, shader, bindings);
     Some(lit)
 }
 

@@ -7,6 +7,7 @@
 
 mod borders;
 mod channels;
+mod coat;
 mod dress;
 mod ghost;
 mod ground;
@@ -25,7 +26,7 @@ pub(crate) use occlusion::VISIBILITY;
 
 use crate::passes::{Input, Lanes, Layered, Model, Refusal, SceneBuffers};
 use crate::plan::{Capacities, Clock, Contents, Plan, Resource, ResourceId, Role};
-use crate::scene::{Style, View};
+use crate::scene::View;
 
 /// What a frame ends with.
 #[derive(Clone, Copy, Debug)]
@@ -36,10 +37,13 @@ pub(crate) struct Picture {
     pub picture: ResourceId,
 }
 
-/// How many rows around a band the effects of a style look at.
-pub(crate) fn halo_rows(style: &Style, view: &View) -> u32 {
+/// How many rows around a band the effects of a model look at.
+pub(crate) fn halo_rows(model: &Model, view: &View) -> u32 {
+    let style = &model.prepared.style;
     let strokes = illustrate::halo_rows(style, view.band[1]);
-    strokes.max(occlusion::halo_rows(&style.occlusion, view))
+    let of_style = strokes.max(occlusion::halo_rows(&style.occlusion, view));
+    // Surfaces may take their coats from the next pixel.
+    of_style.max(u32::from(model.dress.is_some()))
 }
 
 /// Makes the picture.
@@ -69,7 +73,9 @@ fn over_layers<'a>(
     layers: &[u32],
 ) -> Result<(SceneBuffers<'a>, ResourceId), Refusal> {
     let style = &input.model.prepared.style;
-    let scene = match style.ghost.is_drawn() {
+    let dress = input.model.dress.as_ref();
+    let has_coats = dress.is_some_and(|dress| dress.coats.is_some());
+    let scene = match style.ghost.is_drawn() || has_coats {
         true => SceneBuffers::upload(plan, input, Lanes::none())?,
         // Nothing looks at a vertex.
         false => SceneBuffers::unposed(plan, input, Lanes::none()),

@@ -65,6 +65,20 @@ impl Assets {
         self.images.insert(path.into(), map.into());
     }
 
+    /// Puts a texture in the place of an image file.
+    pub fn insert_texture(&mut self, path: impl Into<PathBuf>, texture: impl Into<Arc<Texture>>) {
+        let (path, texture) = (path.into(), texture.into());
+        for is_color in [false, true] {
+            self.textures
+                .insert((path.clone(), is_color), texture.clone());
+        }
+    }
+
+    /// Whether there is a texture of this name, put in or to be read.
+    pub(crate) fn has_texture(&self, path: &Path) -> bool {
+        self.textures.contains_key(&(path.to_owned(), true)) || self.store.is_file(path)
+    }
+
     /// Whether there is a mesh of this name, put in or to be read.
     pub fn has_mesh(&self, path: &Path) -> bool {
         self.meshes.contains_key(path) || self.store.is_file(path)

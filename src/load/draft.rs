@@ -95,6 +95,9 @@ impl Draft {
         if let Some(normals) = &mut self.mesh.corner_normals {
             retain(normals, &kept);
         }
+        if let Some(coat) = &mut self.mesh.coat {
+            retain(&mut coat.triangles, &kept);
+        }
     }
 
     /// Drops vertices that no triangle uses, keeps the order of the others, returns how many are left.
@@ -157,12 +160,14 @@ impl Draft {
             let members = || (0..groups).filter(|g| solid_of_group[*g] as usize == solid);
             let by_size = |g: &usize| (size[*g], std::cmp::Reverse(*g));
             let colored = members().filter(|g| self.groups[*g].color.is_some());
-            let (mesh, motion) = if count == 1 {
+            let (mut mesh, motion) = if count == 1 {
                 (self.mesh.clone(), self.motion.clone())
             } else {
                 let (mesh, vertices) = self.mesh.picked(triangles);
                 (mesh, self.motion.of_positions(&vertices))
             };
+            // Exporters write white to every vertex: one colour all over says nothing.
+            mesh.coat = mesh.coat.filter(|coat| !coat.is_of_one_color());
             solids.push(Solid {
                 name: members().find_map(|g| self.groups[g].name.clone()),
                 color: colored

@@ -19,6 +19,8 @@ mod image;
 pub(crate) mod input_file;
 mod mtl;
 mod obj;
+mod obj_coat;
+mod painted;
 mod pat;
 mod ply;
 mod stl;

@@ -1,23 +1,39 @@
-//! Wavefront material libraries: which ones an OBJ names, and their colours; everything else in them is passed over.
+//! Wavefront material libraries: which ones an OBJ names, their colours and the images of them (`Kd`, `map_Kd`); everything else in them is
+//! passed over, options of images too.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use glam::Vec3;
 
-use super::{Files, input_file, without_mark};
+use super::gltf::leads_away;
+use super::painted::Paint;
+use super::{Files, input_file, read_texture_from, without_mark};
 use crate::error::Error;
+use crate::scene::{Texture, TextureKind};
 
-/// The material libraries that an OBJ names, in its order.
+/// The material libraries that an OBJ names, in its order, and the images that they name.
 pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<PathBuf> {
     let text = String::from_utf8_lossy(without_mark(bytes));
     let words = text
         .lines()
         .filter_map(|l| l.trim().split_once(char::is_whitespace));
     let lines = words.filter(|(word, _)| *word == "mtllib");
-    lines
+    let libraries: Vec<PathBuf> = lines
         .flat_map(|(_, rest)| named(folder, rest.trim(), store))
-        .collect()
+        .collect();
+    let images = libraries.iter().flat_map(|library| {
+        let bytes = input_file::read(library, store).unwrap_or_default();
+        let beside = library.parent().unwrap_or(Path::new("")).to_owned();
+        let text = String::from_utf8_lossy(without_mark(&bytes)).into_owned();
+        let names: Vec<String> = images_in(&text)
+            .filter(|name| leads_away(name).is_none())
+            .collect();
+        names.into_iter().map(move |name| beside.join(name))
+    });
+    let images: Vec<PathBuf> = images.collect();
+    [libraries, images].concat()
 }
 
 /// The files of an `mtllib`, which takes one name with spaces or several without.
@@ -32,22 +48,31 @@ fn named(folder: &Path, line: &str, store: &dyn Files) -> Vec<PathBuf> {
     names.map(|name| folder.join(name)).collect()
 }
 
-/// Colours by material name.
+/// Colours and images by material name.
 pub(super) fn read_all(
     obj: &Path,
     lines: &[String],
     store: &dyn Files,
     (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
-) -> HashMap<String, Vec3> {
+) -> HashMap<String, Paint> {
     let folder = obj.parent().unwrap_or(Path::new(""));
-    let mut colors = HashMap::new();
+    let mut paints = HashMap::new();
+    let mut images: HashMap<PathBuf, Option<Arc<Texture>>> = HashMap::new();
     for line in lines {
         for path in named(folder, line, store) {
             match input_file::read(&path, store) {
                 Ok(bytes) => {
+                    let beside = path.parent().unwrap_or(Path::new("")).to_owned();
                     files.push(path);
-                    let all = colors_of(&String::from_utf8_lossy(without_mark(&bytes)));
-                    colors.extend(all.into_iter().filter_map(|(n, c)| Some((n, c?))));
+                    for look in looks_of(&String::from_utf8_lossy(without_mark(&bytes))) {
+                        let image = look.image.and_then(|name| {
+                            let at = beside.join(&name);
+                            let read = || image(&at, &name, store, (notes, files));
+                            images.entry(at.clone()).or_insert_with(read).clone()
+                        });
+                        let color = look.color;
+                        paints.insert(look.name, Paint { color, image });
+                    }
                 }
                 Err(e) => {
                     let why = match e {
@@ -62,30 +87,84 @@ pub(super) fn read_all(
             }
         }
     }
-    colors
+    paints
 }
 
-/// Names and `Kd` colours, as sRGB in 0..=1. A colour that does not parse leaves its material without one.
-fn colors_of(text: &str) -> Vec<(String, Option<Vec3>)> {
-    let mut all: Vec<(String, Option<Vec3>)> = Vec::new();
+/// An image that a library names, of its own folder or below; what is wrong with it becomes a note.
+fn image(
+    path: &Path,
+    name: &str,
+    store: &dyn Files,
+    (notes, files): (&mut Vec<String>, &mut Vec<PathBuf>),
+) -> Option<Arc<Texture>> {
+    let read = match leads_away(name) {
+        Some(what) => Err(what.to_owned()),
+        None => read_texture_from(path, TextureKind::Color, store).map_err(|e| match e {
+            Error::File { what, .. } => what,
+            other => other.to_string(),
+        }),
+    };
+    match read {
+        Ok(texture) => {
+            files.push(path.to_owned());
+            Some(Arc::new(texture))
+        }
+        Err(why) => {
+            notes.push(format!("image {name} {why}: shown without it"));
+            None
+        }
+    }
+}
+
+/// What a library says of a material.
+#[derive(Debug, PartialEq)]
+struct Look {
+    name: String,
+    /// `Kd`, as sRGB in 0..=1.
+    color: Option<Vec3>,
+    /// `map_Kd`.
+    image: Option<String>,
+}
+
+/// The images that a library names.
+fn images_in(text: &str) -> impl Iterator<Item = String> {
+    looks_of(text).into_iter().filter_map(|look| look.image)
+}
+
+/// All materials. A colour that does not parse leaves its material without one.
+fn looks_of(text: &str) -> Vec<Look> {
+    let mut all: Vec<Look> = Vec::new();
     for line in text.lines().map(str::trim) {
         if let Some(name) = line.strip_prefix("newmtl") {
-            all.push((name.trim().to_owned(), None));
-        } else if let Some(rest) = line.strip_prefix("Kd ")
-            && let Some((_, color)) = all.last_mut()
-        {
+            all.push(Look {
+                name: name.trim().to_owned(),
+                color: None,
+                image: None,
+            });
+            continue;
+        }
+        let Some(look) = all.last_mut() else { continue };
+        if let Some(rest) = line.strip_prefix("Kd ") {
             let parsed: Vec<f32> = rest
                 .split_whitespace()
                 .map_while(|w| w.parse().ok())
                 .collect();
             // A single number stands for all three channels.
-            *color = match parsed.as_slice() {
+            look.color = match parsed.as_slice() {
                 [r, g, b, ..] => Some(Vec3::new(*r, *g, *b)),
                 [grey] => Some(Vec3::splat(*grey)),
                 _ => None,
             }
             .filter(|c| c.is_finite())
             .map(|c| c.clamp(Vec3::ZERO, Vec3::ONE));
+        } else if let Some(rest) = line.strip_prefix("map_Kd ") {
+            let rest = rest.trim();
+            // The name is what is left behind options, which begin with `-`; it may hold spaces where there are none.
+            let name = match rest.starts_with('-') {
+                true => rest.split_whitespace().next_back().unwrap_or(rest),
+                false => rest,
+            };
+            look.image = Some(name.replace('\\', "/"));
         }
     }
     all
@@ -98,12 +177,18 @@ mod tests {
     #[test]
     fn colours_are_read_and_odd_ones_survive() {
         let text = "newmtl red steel\n  Kd 1 0.25 0\nnewmtl grey\nKd 0.5\nnewmtl odd\nKd spectral x\nKa 1 1 1\n";
-        let all = colors_of(text);
-        assert_eq!(
-            all[0],
-            ("red steel".to_owned(), Some(Vec3::new(1.0, 0.25, 0.0)))
-        );
-        assert_eq!(all[1].1, Some(Vec3::splat(0.5)));
-        assert_eq!(all[2].1, None);
+        let all = looks_of(text);
+        assert_eq!(all[0].name, "red steel");
+        assert_eq!(all[0].color, Some(Vec3::new(1.0, 0.25, 0.0)));
+        assert_eq!(all[1].color, Some(Vec3::splat(0.5)));
+        assert_eq!(all[2].color, None);
+    }
+
+    #[test]
+    fn images_are_named_behind_their_options() {
+        let text = "newmtl a\nmap_Kd my wall.png\nnewmtl b\nmap_Kd -s 2 2 1 sub\\b.png\nnewmtl c\n";
+        let images: Vec<_> = looks_of(text).into_iter().map(|look| look.image).collect();
+        let named = ["my wall.png", "sub/b.png"].map(|name| Some(name.to_owned()));
+        assert_eq!(images, [&named[..], &[None]].concat());
     }
 }

@@ -2,9 +2,9 @@
 //!
 //! Written here because topology needs what the ready-made readers drop: positions stay shared by their index in the file
 //! across objects, groups and materials, and every complaint knows its line. Polygons become fans from their first corner:
-//! a concave one may overlap itself, its outline and thus the parity of every ray stay the same. Numbers after the third
-//! of a `v` (weights, colours) are passed over. Positions are all that a face needs: texture indices are not read, and a
-//! normal index that names no normal is dropped with a note. So is a line whose first word is unknown.
+//! a concave one may overlap itself, its outline and thus the parity of every ray stay the same. Positions are all that a face needs:
+//! colours and texture coordinates are taken where they are right ([`obj_coat`](super::obj_coat)), and a normal index that names no normal
+//! is dropped with a note. So is a line whose first word is unknown.
 //!
 //! Cost: one pass over the text. A file cut off between two lines looks like a whole one, unless a face names a
 //! vertex that never comes.
@@ -14,13 +14,14 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 
+use super::obj_coat::ObjCoat;
+use super::painted::Paint;
 use super::{Draft, Files, Group, mtl, without_mark};
 use crate::error::{Error, Result};
 
-/// First words of lines without effect on the surface: texture and parameter coordinates, smoothing, points, lines, display.
-const PASSED_OVER: [&str; 14] = [
+/// First words of lines without effect on the surface: parameter coordinates, smoothing, points, lines, display.
+const PASSED_OVER: [&str; 13] = [
     "",
-    "vt",
     "vp",
     "s",
     "mg",
@@ -60,6 +61,14 @@ impl LeftOut {
     }
 }
 
+/// What a corner of a face names, from 0.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    position: u32,
+    place: Option<u32>,
+    normal: Option<u32>,
+}
+
 struct Reader<'a> {
     path: &'a Path,
     draft: Draft,
@@ -67,6 +76,7 @@ struct Reader<'a> {
     corner_normals: Vec<[Vec3; 3]>,
     /// Index into `normals` per corner, resolved at the end because a face may precede its normals.
     normal_of_corner: Vec<Option<[u32; 3]>>,
+    coat: ObjCoat,
     label: Label,
     labels: HashMap<Label, u32>,
     group: Option<u32>,
@@ -94,6 +104,7 @@ pub(super) fn read(
         normals: Vec::new(),
         corner_normals: Vec::new(),
         normal_of_corner: Vec::new(),
+        coat: ObjCoat::default(),
         label: Label::default(),
         labels: HashMap::new(),
         group: None,
@@ -125,8 +136,10 @@ impl Reader<'_> {
         match word {
             "v" => {
                 let p = self.three(number, rest, "a vertex")?;
+                self.coat.color(self.draft.mesh.positions.len(), rest);
                 self.draft.mesh.positions.push(DVec3::from(p));
             }
+            "vt" => self.coat.place(rest),
             "vn" => {
                 let n = DVec3::from(self.three(number, rest, "a normal")?);
                 self.normals.push(n.normalize_or_zero().as_vec3());
@@ -170,7 +183,7 @@ impl Reader<'_> {
     }
 
     fn face(&mut self, line: usize, rest: &str) -> Result<()> {
-        let mut polygon: Vec<(u32, Option<u32>)> = Vec::with_capacity(4);
+        let mut polygon: Vec<Corner> = Vec::with_capacity(4);
         for word in rest.split_ascii_whitespace() {
             polygon.push(self.corner(line, word)?);
         }
@@ -181,9 +194,10 @@ impl Reader<'_> {
         let group = self.current_group();
         for k in 2..polygon.len() {
             let t = [polygon[0], polygon[k - 1], polygon[k]];
-            self.draft.mesh.triangles.push(t.map(|c| c.0));
+            self.draft.mesh.triangles.push(t.map(|c| c.position));
             self.draft.group_of_triangle.push(group);
-            self.normal_of_corner.push(match t.map(|c| c.1) {
+            self.coat.corners(t.map(|c| c.place));
+            self.normal_of_corner.push(match t.map(|c| c.normal) {
                 [Some(a), Some(b), Some(c)] => Some([a, b, c]),
                 _ => None,
             });
@@ -191,17 +205,21 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`; texture coordinates are passed over.
-    fn corner(&mut self, line: usize, word: &str) -> Result<(u32, Option<u32>)> {
+    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    fn corner(&mut self, line: usize, word: &str) -> Result<Corner> {
         let mut fields = word.split('/');
         let position = fields.next().unwrap_or("");
-        let normal = fields.nth(1).filter(|f| !f.is_empty());
+        let place = fields.next().and_then(|word| word.parse().ok());
+        let normal = fields.next().filter(|f| !f.is_empty());
         if fields.next().is_some() {
             return Err(self.error(line, format!("`{word}` has more than two slashes")));
         }
-        let v = self.position(line, position)?;
-        let n = normal.and_then(|n| self.normal(line, n));
-        Ok((v, n))
+        let place = place.and_then(|index| from_zero(index, self.coat.places.len()));
+        Ok(Corner {
+            position: self.position(line, position)?,
+            place: place.and_then(|place| u32::try_from(place).ok()),
+            normal: normal.and_then(|n| self.normal(line, n)),
+        })
     }
 
     /// The index of a normal; none where there cannot be such a normal.
@@ -325,10 +343,17 @@ impl Reader<'_> {
         } else if with_normals > 0 && self.no_normals.count == 0 {
             notes.push("the file gives normals to some faces only: they are not used".to_owned());
         }
-        let colors = mtl::read_all(self.path, &self.libraries, store, (notes, files));
-        for (label, group) in sorted(self.labels) {
-            self.draft.groups[group as usize].color = colors.get(&label.material).copied();
+        let paints = mtl::read_all(self.path, &self.libraries, store, (notes, files));
+        let paints: Vec<Paint> = (sorted(self.labels).into_iter())
+            .map(|(label, _)| paints.get(&label.material).cloned().unwrap_or_default())
+            .collect();
+        for (group, paint) in self.draft.groups.iter_mut().zip(&paints) {
+            group.color = paint.color;
         }
+        let mesh = &mut self.draft.mesh;
+        mesh.coat = self
+            .coat
+            .finish(&mesh.triangles, &self.draft.group_of_triangle, &paints);
         Ok(self.draft)
     }
 }

@@ -1,6 +1,6 @@
 //! PLY, ASCII and binary of either byte order, through `ply-rs-bw`.
 //!
-//! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type) and `face` (`vertex_indices` or
+//! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue`) and `face` (`vertex_indices` or
 //! `vertex_index`, polygons become fans from their first corner). Other elements are parsed and dropped. A line of the
 //! header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
 //! versions of Blender wrote such lines.
@@ -15,7 +15,7 @@ use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAcc
 
 use super::{Draft, without_mark};
 use crate::error::{Error, Result};
-use crate::scene::Mesh;
+use crate::scene::{Coat, CoatedTriangle, Mesh};
 
 /// First words of the lines of a header.
 const HEADER_WORDS: [&str; 7] = [
@@ -28,6 +28,9 @@ const HEADER_WORDS: [&str; 7] = [
     "end_header",
 ];
 
+/// Colours of vertices.
+const COLORS: [&str; 3] = ["red", "green", "blue"];
+
 /// A header is looked for in so many bytes.
 const LONGEST_HEADER: usize = 1 << 20;
 
@@ -38,6 +41,8 @@ const MISSPELT: f64 = 0.8;
 struct Vertex {
     at: DVec3,
     normal: Vec3,
+    /// sRGB, each in 0 to the greatest of its type, or in 0..=1.
+    color: [u8; 4],
 }
 
 #[derive(Debug, Default)]
@@ -64,6 +69,16 @@ impl PropertyAccess for Vertex {
     }
 
     fn set_property(&mut self, name: &str, value: Property) -> PropertyAccessResult {
+        if let Some(channel) = COLORS.iter().position(|known| *known == name) {
+            self.color[channel] = match value {
+                Property::UChar(n) => n,
+                Property::UShort(n) => (n >> 8) as u8,
+                Property::Float(n) => (n.clamp(0.0, 1.0) * 255.0).round() as u8,
+                Property::Double(n) => (n.clamp(0.0, 1.0) * 255.0).round() as u8,
+                _ => return PropertyAccessResult::Ignored,
+            };
+            return PropertyAccessResult::Set;
+        }
         let number = match value {
             Property::Char(n) => f64::from(n),
             Property::UChar(n) => f64::from(n),
@@ -163,12 +178,14 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
     let mut vertices = Vec::new();
     let mut faces = Vec::new();
     let mut has_normals = false;
+    let mut has_colors = false;
     for (name, element) in &header.elements {
         check(path, element)?;
         let complain = |e: ParseError| wrong(path, bytes, &e, in_lines);
         match name.as_str() {
             "vertex" => {
                 has_normals = ["nx", "ny", "nz"].iter().all(|n| has(element, n));
+                has_colors = COLORS.iter().all(|n| has(element, n));
                 vertices = Parser::<Vertex>::new()
                     .read_payload_for_element(&mut reader, element, &header)
                     .map_err(complain)?;
@@ -193,7 +210,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
         ));
     }
     Ok(Draft {
-        mesh: mesh_of(path, &vertices, &faces, has_normals)?,
+        mesh: mesh_of(path, &vertices, &faces, [has_normals, has_colors])?,
         ..Draft::default()
     })
 }
@@ -227,7 +244,12 @@ fn check(path: &Path, element: &ElementDef) -> Result<()> {
     Ok(())
 }
 
-fn mesh_of(path: &Path, vertices: &[Vertex], faces: &[Face], has_normals: bool) -> Result<Mesh> {
+fn mesh_of(
+    path: &Path,
+    vertices: &[Vertex],
+    faces: &[Face],
+    [has_normals, has_colors]: [bool; 2],
+) -> Result<Mesh> {
     let mut triangles = Vec::with_capacity(faces.len());
     for (number, face) in faces.iter().enumerate() {
         let mut fan = |all: &[u32]| {
@@ -262,7 +284,19 @@ fn mesh_of(path: &Path, vertices: &[Vertex], faces: &[Face], has_normals: bool) 
         let normal = |i: u32| vertices[i as usize].normal.normalize_or_zero();
         triangles.iter().map(|t| t.map(normal)).collect()
     });
+    let coat = (has_colors && in_range).then(|| {
+        let color = |i: u32| vertices[i as usize].color;
+        let coated = triangles.iter().map(|t: &[u32; 3]| CoatedTriangle {
+            colors: t.map(color),
+            ..CoatedTriangle::default()
+        });
+        Coat {
+            images: Vec::new(),
+            triangles: coated.collect(),
+        }
+    });
     Ok(Mesh {
+        coat,
         positions: vertices.iter().map(|v| v.at).collect(),
         triangles,
         corner_normals,

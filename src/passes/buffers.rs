@@ -123,7 +123,7 @@ impl<'a> SceneBuffers<'a> {
     }
 
     /// The mesh of all parts in storage bindings, for passes on a clock.
-    pub(super) fn mesh_in_storage(&self, clock: Clock) -> [Binding; 2] {
+    pub(crate) fn mesh_in_storage(&self, clock: Clock) -> [Binding; 2] {
         let indices = match clock {
             Clock::Frame => self.indices,
             Clock::Solid | Clock::Cut => self.solid_indices,

@@ -1,4 +1,5 @@
-//! What caps are made of, packed for upload: the textures of all materials one after the other, and for each part what it has.
+//! What caps are made of and what surfaces are painted with, packed for upload: the textures of all one after the other, and for each part
+//! what it has.
 //!
 //! Textures that stay the same objects are packed once. A part that is bent is dressed as it stood: its solid texture goes where the part is
 //! placed, and not with its vertices.
@@ -7,6 +8,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::coat::{self, Coats};
+use super::packed::{Packed, Room};
 use crate::plan::pack::{self, NO_TEXTURE};
 use crate::plan::{Contents, Piece};
 use crate::scene::{Amount, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
@@ -14,7 +17,7 @@ use crate::scene::{Amount, Part, Scene, SceneSpace, SolidTexture, Texture, Textu
 /// Of what repeats and has no size, in percent of the diagonal of the scene.
 const USUAL_SIZE: Amount = Amount::Percent(10.0);
 
-/// The materials of a scene.
+/// The materials and coats of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Dress {
     textures: Vec<Arc<Texture>>,
@@ -22,24 +25,41 @@ pub(crate) struct Dress {
     texels: Contents,
     /// By the number of a part in the scene.
     materials: Vec<pack::CapMaterial>,
+    /// Whether some part has a material.
+    has_materials: bool,
     /// Repeats in a scene unit where nothing is said.
     default_per_unit: f32,
+    /// What surfaces are painted with.
+    pub(crate) coats: Option<Coats>,
 }
 
 impl Dress {
-    /// Of a scene, with the textures of before where they are the same; none where no part has a material.
+    /// Of a scene, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
     pub(super) fn of(
         scene: &Scene,
         space: &SceneSpace,
+        places: (&[Packed], &[Room]),
         before: Option<&Arc<Self>>,
     ) -> Option<Arc<Self>> {
-        let parts = scene.parts.iter();
-        let mut materials = parts
-            .filter_map(|part| part.material.cap.as_ref())
-            .peekable();
-        materials.peek()?;
-        let textures = materials.flat_map(|m| m.textures().cloned());
-        let textures: Vec<Arc<Texture>> = textures.collect();
+        let materials = scene
+            .parts
+            .iter()
+            .filter_map(|part| part.material.cap.as_ref());
+        let has_materials = materials.clone().next().is_some();
+        let mut textures: Vec<Arc<Texture>> =
+            (materials.flat_map(|m| m.textures().cloned())).collect();
+        let coats = scene.style.coat.then(|| {
+            let known = before.and_then(|b| b.coats.as_ref());
+            Coats::of(scene, places, textures.len() as u32, known)
+        });
+        let coats = coats.flatten();
+        if !has_materials && coats.is_none() {
+            return None;
+        }
+        if coats.is_some() {
+            let shown = scene.parts.iter().filter_map(coat::shown);
+            textures.extend(shown.flat_map(|coat| coat.images.iter().cloned()));
+        }
         let is_same = |before: &&Arc<Self>| {
             let pairs = before.textures.iter().zip(&textures);
             before.textures.len() == textures.len()
@@ -63,11 +83,18 @@ impl Dress {
         });
         Some(Arc::new(Self {
             materials: rows.collect(),
+            has_materials,
+            coats,
             default_per_unit: (1.0 / (length(USUAL_SIZE) * space.scale)) as f32,
             textures,
             table,
             texels,
         }))
+    }
+
+    /// Whether some part has a material.
+    pub(crate) fn has_materials(&self) -> bool {
+        self.has_materials
     }
 
     /// What each part has, by its number in the scene.
@@ -178,12 +205,13 @@ fn solid_from_scene(part: &Part, space: &SceneSpace, size: Option<f64>) -> DAffi
     let solid_from_part = match size {
         Some(size) => {
             // In units of the world, whatever scales the part.
-            let scale = part.world_from_part.matrix3.determinant().abs().cbrt() / size;
-            let sides = bounds.size().to_array();
+            let m = part.world_from_part.matrix3;
+            let lengths = DVec3::from([0, 1, 2].map(|i| m.col(i).length()));
+            let sides = (bounds.size() * lengths).to_array();
             let longest = (0..3).max_by(|a, b| sides[*a].total_cmp(&sides[*b]));
-            let axes = [DVec3::X, DVec3::Y, DVec3::Z];
             let longest = longest.unwrap_or(2);
-            let [x, y, z] = [longest + 1, longest + 2, longest].map(|i| axes[i % 3] * scale);
+            let rows = DMat3::from_diagonal(lengths / size);
+            let [x, y, z] = [longest + 1, longest + 2, longest].map(|i| rows.col(i % 3));
             let turned = DMat3::from_cols(x, y, z).transpose();
             DAffine3::from_mat3_translation(turned, -(turned * bounds.centre()))
         }

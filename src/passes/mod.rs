@@ -9,6 +9,7 @@
 
 mod at_rest;
 mod buffers;
+mod coat;
 mod crossings;
 mod cutters;
 mod dress;
@@ -45,6 +46,7 @@ mod sweep;
 
 pub(crate) use at_rest::Moved;
 pub(crate) use buffers::{SceneBuffers, or_one};
+pub(crate) use coat::Coats;
 pub(crate) use crossings::Crossings;
 pub(crate) use fragments::{FragmentLists, leave_fragments};
 pub use ground::GroundShadow;

@@ -76,7 +76,7 @@ pub struct Model {
     pub(crate) at_rest: Arc<AtRest>,
     /// What reliefs hide of the sky.
     pub(crate) relief_sky: Arc<ReliefSky>,
-    /// What caps are made of, where that is more than a colour.
+    /// What caps are made of and surfaces painted with, where that is more than a colour.
     pub(crate) dress: Option<Arc<Dress>>,
     /// The shadow on the ground, where there is one.
     pub(crate) ground: Option<Arc<GroundShadow>>,
@@ -158,7 +158,8 @@ impl Model {
             maps,
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
-        let dress = Dress::of(scene, &space, before.and_then(|b| b.dress.as_ref()));
+        let known = before.and_then(|b| b.dress.as_ref());
+        let dress = Dress::of(scene, &space, (&packed, &rooms), known);
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);

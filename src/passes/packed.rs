@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, Vec3};
 
+use super::coat::PackedCoat;
 use super::model::Vertex;
 use super::rest::Rest;
 use super::settled::{Numbered, Sorted};
@@ -34,6 +35,8 @@ pub(super) struct Packed {
     pub(super) vertex_count: u32,
     /// Of a part that moves.
     pub(super) rest: Option<Arc<Rest>>,
+    /// Its coat, if its mesh has one.
+    pub(super) coat: Option<Arc<PackedCoat>>,
     /// Triangles that lie on another one.
     doubled: Arc<Vec<u32>>,
     /// What slicing it needs again.
@@ -87,6 +90,10 @@ impl Packed {
                 placed.positions[shading.positions_of_vertex[v as usize] as usize]
             }),
             rest: None,
+            coat: part.mesh.coat.as_ref().map(|coat| {
+                let mirrored = part.world_from_part.matrix3.determinant() < 0.0;
+                Arc::new(PackedCoat::of(coat, &shading.triangles, mirrored))
+            }),
             doubled: Arc::new(doubled_faces(&part.mesh)),
             ..Self::unpacked(part, space, placed)
         }
@@ -122,6 +129,7 @@ impl Packed {
             vertices: None,
             vertex_count: rest.vertex_count,
             indices: rest.indices.clone(),
+            coat: rest.coat.clone(),
             rest: Some(rest),
             doubled: match known {
                 Some(known) => known.doubled.clone(),
@@ -146,6 +154,7 @@ impl Packed {
             indices: Arc::new([]),
             vertex_count: 0,
             rest: None,
+            coat: None,
             doubled: Arc::default(),
             sliced: Arc::default(),
             is_other: false,

@@ -12,6 +12,7 @@ use crate::plan::Contents;
 use crate::plan::pack::pack_normal;
 use crate::scene::{Bounds, Motion, Part, Prepared, Scene, SceneSpace, facing_out};
 
+use super::coat::PackedCoat;
 use super::model::Vertex;
 use super::packed::packed_triangles;
 
@@ -34,6 +35,8 @@ pub(super) struct Rest {
     pub(super) position_of_vertex: Contents,
     /// Corners of the triangles.
     pub(super) indices: Arc<[u8]>,
+    /// Its coat, if its mesh has one.
+    pub(super) coat: Option<Arc<PackedCoat>>,
     /// The triangles as they are cut, by position.
     pub(super) triangles: Arc<Vec<[u32; 3]>>,
     /// Whether they are turned over for a placement that mirrors.
@@ -71,6 +74,8 @@ impl Rest {
                 normal: pack_normal(*n),
             })
             .collect();
+        let turned = shading.triangles.iter().map(|t| facing_out(*t, mirrored));
+        let turned: Vec<[u32; 3]> = turned.collect();
         let positions = part.mesh.positions.len();
         let motion = part.motion.as_deref();
         Self {
@@ -78,10 +83,11 @@ impl Rest {
             vertex_count: vertices.len() as u32,
             position_count: positions as u32,
             position_of_vertex: Contents::from_values(&shading.positions_of_vertex),
-            indices: packed_triangles(
-                shading.triangles.iter().map(|t| facing_out(*t, mirrored)),
-                |v| placed.positions[shading.positions_of_vertex[v as usize] as usize],
-            ),
+            indices: packed_triangles(turned.iter().copied(), |v| {
+                placed.positions[shading.positions_of_vertex[v as usize] as usize]
+            }),
+            coat: (part.mesh.coat.as_ref())
+                .map(|coat| Arc::new(PackedCoat::of(coat, &turned, mirrored))),
             triangles: placed.triangles.clone(),
             mirrored,
             bounds: part.mesh.bounds(),

@@ -11,7 +11,9 @@ use crate::scene::{Bounds, PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
-pub use dress::{CapMaterial, DressPlanes, MOST_CAP_PLANES, NO_TEXTURE, Texture};
+pub use dress::{
+    COAT_WORDS, CapMaterial, CoatRow, DressPlanes, MOST_CAP_PLANES, NO_TEXTURE, Texture,
+};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};

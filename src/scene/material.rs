@@ -15,6 +15,8 @@ pub struct Material {
     pub cap_color: Option<Vec3>,
     /// Hatch of the cap, where a style has hatches.
     pub hatch: CapHatch,
+    /// Whether `color` is in the place of the coat of the mesh, where it has one ([`Mesh::coat`](super::Mesh::coat)).
+    pub is_painted_over: bool,
     /// What the cap is made of, in the place of one colour and of [`CapHatch::General`].
     pub cap: Option<Arc<CapMaterial>>,
 }
@@ -28,6 +30,7 @@ impl PartialEq for Material {
         };
         (self.color, self.cap_color) == (other.color, other.cap_color)
             && self.hatch == other.hatch
+            && self.is_painted_over == other.is_painted_over
             && is_same_cap
     }
 }
@@ -38,6 +41,7 @@ impl Default for Material {
             color: Vec3::new(0.56, 0.62, 0.70),
             cap_color: None,
             hatch: CapHatch::General,
+            is_painted_over: false,
             cap: None,
         }
     }

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::Bounds;
+use super::{Bounds, Coat};
 
 /// An indexed triangle mesh in part space.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// Normals for shading at the corners of `triangles`, where the file has them.
     pub corner_normals: Option<Vec<[Vec3; 3]>>,
+    /// Colours that vary over the surface, for each of `triangles`.
+    pub coat: Option<Coat>,
 }
 
 /// Why a mesh is refused.
@@ -96,6 +98,7 @@ impl Mesh {
                 .collect(),
             triangles: corners.map(|t| t.map(number)).collect(),
             corner_normals: self.corner_normals.as_ref().map(of_triangles),
+            coat: self.coat.as_ref().map(|coat| coat.picked(triangles)),
         };
         (picked, vertices)
     }

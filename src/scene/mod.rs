@@ -10,6 +10,7 @@ mod bounds;
 mod camera;
 mod cap_material;
 mod clip_surface;
+mod coat;
 mod coincide;
 mod color;
 mod color_names;
@@ -59,6 +60,7 @@ pub use bounds::Bounds;
 pub use camera::{Camera, Fit, Projection, Up, Viewpoint};
 pub use cap_material::{CapMaterial, SolidTexture};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
+pub use coat::{Coat, CoatedTriangle};
 pub(crate) use coincide::lies_in;
 pub use color::parse_color;
 pub(crate) use color::{color_help, linear_from_srgb, map_channels, srgb_from_linear};
@@ -144,7 +146,8 @@ impl Scene {
         let mut posed = self.clone();
         posed.stage = Some(self.bounds());
         for part in &mut posed.parts {
-            if let Cow::Owned(mesh) = part.posed_mesh() {
+            if let Cow::Owned(mut mesh) = part.posed_mesh() {
+                mesh.coat.clone_from(&part.mesh.coat);
                 part.mesh = Arc::new(mesh);
             }
             part.motion = None;

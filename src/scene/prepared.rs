@@ -337,6 +337,7 @@ mod tests {
             positions,
             triangles: vec![[0, 1, 2]],
             corner_normals: None,
+            coat: None,
         };
         Scene {
             parts: vec![Part::new("t", mesh)],

@@ -17,7 +17,7 @@ pub enum TextureKind {
 }
 
 /// An image, repeated on all sides.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     size: [u32; 2],
     kind: TextureKind,

@@ -244,6 +244,7 @@ mod tests {
             positions,
             triangles,
             corner_normals: None,
+            coat: None,
         }
     }
 
@@ -269,6 +270,7 @@ mod tests {
                 })
                 .collect(),
             corner_normals: None,
+            coat: None,
         }
     }
 
@@ -283,6 +285,7 @@ mod tests {
                 .chain(b.triangles.iter().map(|t| t.map(|i| i + n)))
                 .collect(),
             corner_normals: None,
+            coat: None,
         }
     }
 

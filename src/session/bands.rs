@@ -97,7 +97,7 @@ impl Slot {
             // What one solid needed at one size says nothing of another.
             self.capacities = None;
         }
-        let halo_rows = effects::halo_rows(&model.prepared.style, view);
+        let halo_rows = effects::halo_rows(model, view);
         if self.size_px != view.size_px || self.bands.is_empty() {
             (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
             self.cut_into(1);

@@ -87,7 +87,7 @@ impl Session {
         finish: impl Fn(&Self, &Rows, &View, &Layers) -> Result<T>,
     ) -> Result<Vec<T>> {
         let rows = layers.size_px[1];
-        let halo = effects::halo_rows(&model.prepared.style, view);
+        let halo = effects::halo_rows(model, view);
         let mut bands = 1;
         loop {
             let all = Rows::bands(rows, bands, halo).map(|band| {

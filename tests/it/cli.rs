@@ -9,6 +9,7 @@ use serde_json::Value;
 
 mod cameras;
 use crate::common::command;
+mod gallery;
 mod saved;
 mod settings;
 

@@ -6,7 +6,7 @@
 use cutaway::document::paths::{PATHS, Path, Takes};
 use cutaway::document::{Document, Node, Value};
 use cutaway::load::{Assets, Loaded};
-use cutaway::scene::OffsetMap;
+use cutaway::scene::{OffsetMap, Texture, TextureKind};
 
 /// A scene with an entry of everything that has entries.
 const SCENE: &str = r#"
@@ -168,6 +168,11 @@ fn assets() -> Assets {
     assets.insert_mesh("crank.obj", Loaded::from(several));
     let map = |value: f32| OffsetMap::new([2, 2], vec![0.0, value, 0.5, 1.0]).unwrap();
     assets.insert_image("rock.png", map(0.5));
+    for name in ["rust.png", "grain.png", "soft.png"] {
+        let texels = vec![[200, 90, 30, 255]; 4];
+        let texture = Texture::new([2, 2], texels, TextureKind::Color).unwrap();
+        assets.insert_texture(name, texture);
+    }
     assets
 }
 

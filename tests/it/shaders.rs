@@ -9,9 +9,9 @@ use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
-    Frame, HatchPlane, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS,
-    MOST_SETTLED_GROUPS, NO_RELIEF, Part, PartHatch, Pose, Pyramid, Quad, RayRow, RaySurface,
-    Refinement, SettledGroup, Sprite, Sweep,
+    Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS,
+    NO_RELIEF, Part, PartHatch, Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup,
+    Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
@@ -232,7 +232,11 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<Pyramid>(&modules);
     holds_in_all_shaders::<Composite>(&modules);
     holds_in_all_shaders::<pack::Style>(&modules);
-    holds_in_all_shaders::<HatchPlane>(&modules);
+    holds_in_all_shaders::<pack::CapPlane>(&modules);
+    holds_in_all_shaders::<pack::CapMaterial>(&modules);
+    holds_in_all_shaders::<pack::CoatRow>(&modules);
+    holds_in_all_shaders::<pack::DressPlanes>(&modules);
+    holds_in_all_shaders::<pack::Texture>(&modules);
     holds_in_all_shaders::<pack::Ground>(&modules);
     holds_in_all_shaders::<pack::ReliefSky>(&modules);
     holds_in_all_shaders::<pack::HatchPlanes>(&modules);
@@ -245,6 +249,7 @@ fn shared_structs_are_laid_out_alike() {
     let files = [
         include_str!("../../src/plan/pack.rs"),
         include_str!("../../src/plan/pack/composite.rs"),
+        include_str!("../../src/plan/pack/dress.rs"),
         include_str!("../../src/plan/pack/ghost.rs"),
         include_str!("../../src/plan/pack/hatch.rs"),
         include_str!("../../src/plan/pack/style.rs"),
@@ -258,7 +263,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 29, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 33, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -411,6 +416,8 @@ fn constants_have_one_value_on_both_sides() {
     };
     let expected = [
         ("NO_RELIEF", NO_RELIEF),
+        ("NO_TEXTURE", pack::NO_TEXTURE),
+        ("COAT_WORDS", pack::COAT_WORDS as u32),
         ("MAX_SURFACES", MAX_SURFACES as u32),
         ("WORDS_PER_PIXEL", words_per_pixel),
         (

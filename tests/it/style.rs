@@ -2,10 +2,12 @@
 //! nowhere else.
 
 mod borders;
+mod coats;
 mod files;
 mod ghost;
 mod ground;
 mod hatch;
+mod materials;
 mod occlusion;
 mod plans;
 mod strokes;

@@ -33,13 +33,10 @@ pub(super) fn check(entry: &Entry<'_>, folder: &Path, assets: &Assets) -> Result
     let table = entry.table(KEYS.all())?;
     for (key, _) in IMAGES {
         if let Some(image) = table.get(key)
-            && !assets.store().is_file(&folder.join(image.text()?))
+            && !assets.has_texture(&folder.join(image.text()?))
         {
             return Err(stock::missing(&image, &folder.join(image.text()?)));
         }
-    }
-    if let Some(images) = table.get("images") {
-        slices(&images, folder, assets)?;
     }
     plain(&table).map(|_| ())
 }
@@ -86,7 +83,7 @@ pub(super) fn open(entry: &Entry<'_>, opening: &mut Opening<'_>) -> Result<Arc<C
     let table = entry.table(KEYS.all())?;
     let mut material = plain(&table)?;
     let mut read = |entry: &Entry<'_>, path: &Path, kind| -> Result<Arc<Texture>> {
-        if !opening.assets.store().is_file(path) {
+        if !opening.assets.has_texture(path) {
             return Err(stock::missing(entry, path));
         }
         let texture = opening.assets.texture(path, kind);

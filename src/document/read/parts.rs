@@ -71,6 +71,7 @@ fn read(
         part.fill = fill.unwrap_or(part.fill);
         if let Some(look) = &look {
             part.material.color = look.color.unwrap_or(part.material.color);
+            part.material.is_painted_over |= look.color.is_some();
             part.material.cap_color = look.cap_color.or(part.material.cap_color);
         }
         let whole = if held.share_a_space { held.rest } else { *rest };

@@ -165,7 +165,11 @@ fn amend(style: &mut Style, table: &Table<'_>) -> Result<()> {
         style.shading = entry.choice(&Shading::ALL)?;
     }
     if let Some(entry) = table.get("surface") {
-        tint(&mut style.surface, &entry.table(SURFACE.all())?)?;
+        let table = entry.table(SURFACE.all())?;
+        let before = style.surface;
+        tint(&mut style.surface, &table)?;
+        let coat = table.get("coat").map(|coat| coat.flag()).transpose()?;
+        style.coat = coat.unwrap_or(style.coat && style.surface == before);
     }
     if let Some(entry) = table.get("cap") {
         let table = entry.table(CAP.all())?;

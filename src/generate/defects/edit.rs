@@ -93,6 +93,8 @@ impl Edit {
         let normals = || self.faces.iter().filter_map(|f| f.normals).collect();
         let mesh = Mesh {
             corner_normals: self.has_normals.then(normals),
+            // What is broken on purpose is shown as it is, without paint.
+            coat: None,
             triangles: self.faces.iter().map(|f| f.corners).collect(),
             positions: self.positions,
         };

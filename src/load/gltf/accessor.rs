@@ -25,6 +25,27 @@ pub(super) const VEC3: Wanted = Wanted {
     dimensions: Dimensions::Vec3,
 };
 
+/// `TEXCOORD_n`.
+pub(super) const PLACES: Wanted = Wanted {
+    what: "texture coordinates",
+    types: &[DataType::F32, DataType::U8, DataType::U16],
+    dimensions: Dimensions::Vec2,
+};
+
+/// `COLOR_0` with alpha.
+pub(super) const COLORS_WITH_ALPHA: Wanted = Wanted {
+    what: "colours",
+    types: &[DataType::F32, DataType::U8, DataType::U16],
+    dimensions: Dimensions::Vec4,
+};
+
+/// `COLOR_0`.
+pub(super) const COLORS: Wanted = Wanted {
+    what: "colours",
+    types: &[DataType::F32, DataType::U8, DataType::U16],
+    dimensions: Dimensions::Vec3,
+};
+
 /// Vertex indices of triangles.
 pub(super) const INDICES: Wanted = Wanted {
     what: "indices",

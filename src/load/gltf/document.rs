@@ -56,14 +56,18 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
     Ok((root.map_err(gltf::Error::Deserialize)?, blob))
 }
 
-/// The files that its buffers are in, of a document that can be read.
+/// The files that its buffers and images are in, of a document that can be read.
 pub(in crate::load) fn named_buffers(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
     if check_glb(bytes).is_err() {
         return Vec::new();
     }
     let root = root(bytes, &mut Vec::new());
-    let buffers = root.map_or_else(|_| Vec::new(), |(root, _)| root.buffers);
-    let uris = buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
+    let Ok((root, _)) = root else {
+        return Vec::new();
+    };
+    let buffers = root.buffers.iter().map(|buffer| buffer.uri.as_deref());
+    let images = root.images.iter().map(|image| image.uri.as_deref());
+    let uris = buffers.chain(images).flatten();
     let files = uris.filter(|uri| !uri.starts_with("data:"));
     files
         .map(|uri| folder.join(uri::percent_decoded(uri)))
@@ -159,7 +163,7 @@ fn buffers(
         .map(|buffer| {
             let bytes = match buffer.source() {
                 gltf::buffer::Source::Bin => blob.take().unwrap_or_default(),
-                gltf::buffer::Source::Uri(at) => uri::read(path, at, store, files)?,
+                gltf::buffer::Source::Uri(at) => uri::read(path, ("buffer", at), store, files)?,
             };
             if bytes.len() < buffer.length() {
                 let what = format!(

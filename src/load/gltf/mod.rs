@@ -1,4 +1,5 @@
-//! glTF 2.0 and GLB: geometry, placement, base colours, and what moves it: nodes, skins, morph targets, clips. No images.
+//! glTF 2.0 and GLB: geometry, placement, base colours with their images, colours of vertices, and what moves it: nodes, skins, morph
+//! targets, clips.
 //!
 //! Every node with a mesh becomes a part, or several if the mesh's primitives are closed solids of their own. Nodes that
 //! show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the default weights of its
@@ -11,8 +12,10 @@ mod accessor;
 mod clips;
 mod document;
 mod follow;
+mod images;
 mod nodes;
 mod notes;
+mod paint;
 mod primitives;
 mod skin;
 mod uri;
@@ -30,6 +33,8 @@ use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
 
 use document::Opened;
 pub(super) use document::named_buffers;
+use images::Images;
+pub(super) use uri::leads_away;
 
 const DAMAGED: &str =
     "the file is cut off, damaged or uses an extension: export it again as plain glTF 2.0";
@@ -57,6 +62,14 @@ pub(super) fn read(
     }
     .read(&opened.animations, &mut rig, notes);
     let rig = Arc::new(rig);
+    let mut images = Images {
+        path,
+        store,
+        buffers,
+        read: BTreeMap::new(),
+        files: Vec::new(),
+        notes: Vec::new(),
+    };
     let mut placed = Vec::new();
     let mut said_of_nodes = Vec::new();
     let mut shared: BTreeMap<(usize, Option<usize>), Vec<Shape>> = BTreeMap::new();
@@ -70,7 +83,8 @@ pub(super) fn read(
             Entry::Occupied(known) => known.into_mut(),
             Entry::Vacant(new) => {
                 let joints = skin.map(|s| rig.skins[s].joints.len());
-                let draft = primitives::draft(&mesh, joints, buffers, &mut said).map_err(wrong)?;
+                let draft = primitives::draft(&mesh, joints, (buffers, &mut images), &mut said)
+                    .map_err(wrong)?;
                 let solids = match draft.mesh.triangles.is_empty() {
                     true => Vec::new(),
                     false => draft.into_solids(path, &mut said)?,
@@ -91,6 +105,8 @@ pub(super) fn read(
         said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
     }
     notes.extend(notes::grouped(said_of_nodes));
+    notes.append(&mut images.notes);
+    files.append(&mut images.files);
     if placed.is_empty() {
         return Err(Error::file(
             path,

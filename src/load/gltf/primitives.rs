@@ -4,19 +4,24 @@ use glam::{DVec3, Vec3};
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
+use super::super::painted::coat;
 use super::super::{Draft, Group};
 use super::accessor::{INDICES, VEC3, check, items};
 use super::follow::Followers;
+use super::images::Images;
+use super::paint;
 use super::skin;
 
 /// All primitives of a mesh as groups of one draft. `joints` is how many joints its skin has, if it hangs on one.
 pub(super) fn draft(
     mesh: &gltf::Mesh<'_>,
     joints: Option<usize>,
-    buffers: &[Vec<u8>],
+    (buffers, images): (&[Vec<u8>], &mut Images<'_>),
     notes: &mut Vec<String>,
 ) -> Result<Draft, String> {
     let mut draft = Draft::default();
+    let mut paints = Vec::new();
+    let mut painted = Vec::new();
     let mut normals = Some(Vec::new());
     let mut followers = Followers::new(joints);
     let mut left_out = 0;
@@ -61,8 +66,11 @@ pub(super) fn draft(
         let group = draft.groups.len() as u32;
         draft.groups.push(Group {
             name: None,
-            color: color(&primitive),
+            color: paint::color(&primitive),
         });
+        paints.push(paint::of(&primitive, images));
+        let group_paint = (group, &primitive);
+        paint::triangles(group_paint, &triangles, vertices, buffers, &mut painted).map_err(at)?;
         let more = triangles.len();
         draft
             .group_of_triangle
@@ -80,6 +88,7 @@ pub(super) fn draft(
         );
     }
     draft.mesh.corner_normals = normals;
+    draft.mesh.coat = coat(&paints, &painted);
     draft.motion = followers.finish(draft.mesh.positions.len(), notes);
     if left_out > 0 {
         notes.push(format!("left out {left_out} primitives of points or lines"));
@@ -141,25 +150,4 @@ fn triangles(
             .map(|c| [c[0], c[1], c[2]])
             .collect(),
     }))
-}
-
-/// The base colour as sRGB. A textured material with a white factor says nothing about its colour.
-fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
-    let material = primitive.material();
-    material.index()?;
-    let surface = material.pbr_metallic_roughness();
-    let [r, g, b, _] = surface.base_color_factor();
-    let linear = Vec3::new(r, g, b);
-    if surface.base_color_texture().is_some() && linear == Vec3::ONE {
-        return None;
-    }
-    let encoded = |c: f32| {
-        if c <= 0.003_130_8 {
-            12.92 * c
-        } else {
-            1.055 * c.powf(1.0 / 2.4) - 0.055
-        }
-    };
-    let clamped = linear.clamp(Vec3::ZERO, Vec3::ONE);
-    Some(Vec3::from(clamped.to_array().map(encoded)))
 }

@@ -1,4 +1,4 @@
-//! The bytes behind a glTF buffer's URI: a data URI, or a file of the model's folder or below.
+//! The bytes behind the URI of a glTF buffer or image: a data URI, or a file of the model's folder or below.
 
 use std::path::{Path, PathBuf};
 
@@ -10,12 +10,12 @@ use crate::error::{Error, Result};
 use crate::load::{Files, input_file};
 
 const BESIDE: &str =
-    "keep the .bin file in the folder of the model or below, and name it relative to the model";
+    "keep the file in the folder of the model or below, and name it relative to the model";
 
-/// Reads a URI relative to the file `from`; a file that was read is added to `files`.
+/// Reads the URI of something relative to the file `from`; a file that was read is added to `files`.
 pub(super) fn read(
     from: &Path,
-    uri: &str,
+    (what, uri): (&str, &str),
     store: &dyn Files,
     files: &mut Vec<PathBuf>,
 ) -> Result<Vec<u8>> {
@@ -27,20 +27,20 @@ pub(super) fn read(
         return bytes.ok_or_else(|| {
             Error::file(
                 from,
-                "a buffer's data URI is not base64",
+                format!("the data URI of its {what} is not base64"),
                 "export the file again",
             )
         });
     }
     let name = percent_decoded(uri);
-    if let Some(what) = leads_away(&name) {
-        let what = format!("its buffer {name:?} {what}");
+    if let Some(why) = leads_away(&name) {
+        let what = format!("its {what} {name:?} {why}");
         return Err(Error::file(from, what, BESIDE));
     }
     let folder = from.parent().unwrap_or(Path::new(""));
     let path = folder.join(&name);
     if store.leads_out(&path, from) {
-        let what = format!("its buffer {name:?} is a link that leads out of the folder");
+        let what = format!("its {what} {name:?} is a link that leads out of the folder");
         return Err(Error::file(from, what, BESIDE));
     }
     let bytes = input_file::read(&path, store).map_err(|e| {
@@ -48,14 +48,14 @@ pub(super) fn read(
             Error::File { what, .. } => what,
             other => other.to_string(),
         };
-        Error::file(from, format!("its buffer {name:?} {why}"), BESIDE)
+        Error::file(from, format!("its {what} {name:?} {why}"), BESIDE)
     })?;
     files.push(path);
     Ok(bytes.into_owned())
 }
 
 /// Why a name is not that of a file of the same folder or below, if it is not: a file from elsewhere must not choose what is read.
-fn leads_away(name: &str) -> Option<&'static str> {
+pub(in crate::load) fn leads_away(name: &str) -> Option<&'static str> {
     let scheme = name.split_once(':').map(|(scheme, _)| scheme);
     let is_scheme = |s: &str| {
         let rest = |c: char| c.is_ascii_alphanumeric() || "+-.".contains(c);

@@ -7,6 +7,9 @@ use super::{CapPlane, Layout};
 /// In the place of the number of a texture: there is none.
 pub const NO_TEXTURE: u32 = u32::MAX;
 
+/// Words of a triangle of a coat: three vertices, three colours, six coordinates, an image.
+pub const COAT_WORDS: usize = 13;
+
 /// Clip-surfaces that layers can number.
 pub const MOST_CAP_PLANES: usize = 256;
 
@@ -19,6 +22,20 @@ shared! {
         is_color: u32,
         /// Columns and rows.
         size: [u32; 2],
+    }
+}
+
+shared! {
+    /// The coat of a part: `shaders/effects/coat.wgsl`.
+    CoatRow {
+        /// Number of the part in the scene.
+        part: u32,
+        /// Its first vertex in the buffer of all parts.
+        first_vertex: u32,
+        /// The first word of its first triangle.
+        first_word: u32,
+        /// The first of its textures.
+        first_image: u32,
     }
 }
 

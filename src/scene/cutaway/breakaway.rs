@@ -166,6 +166,7 @@ impl Breakaway {
             positions: corners,
             triangles,
             corner_normals: None,
+            coat: None,
         };
         Cutter::new("breakaway", mesh).map(Some)
     }

@@ -56,6 +56,8 @@ pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
         positions,
         triangles: mesh.triangles.clone(),
         corner_normals,
+        // Who draws it takes that of the mesh at rest.
+        coat: None,
     };
     if !pose.deformers.is_empty() {
         let outward: Vec<DVec3> = (blends.iter().enumerate())

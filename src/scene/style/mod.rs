@@ -26,7 +26,7 @@ use glam::Vec3;
 use super::Material;
 
 /// How a picture looks. Colours are sRGB in 0..=1.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// What is behind the model.
     pub paper: Paper,
@@ -36,6 +36,8 @@ pub struct Style {
     pub shading: Shading,
     /// Colours of surfaces.
     pub surface: Tint,
+    /// Whether surfaces have the coats of their meshes ([`Mesh::coat`](super::Mesh::coat)), in the place of `surface`.
+    pub coat: bool,
     /// How caps differ.
     pub cap: CapLook,
     /// Light by Gooch's rule, where that is asked for.
@@ -52,6 +54,26 @@ pub struct Style {
     pub ghost: Ghost,
     /// What the model does to the ground.
     pub shadow: Shadow,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            paper: Paper::default(),
+            ink: Vec3::ZERO,
+            shading: Shading::default(),
+            surface: Tint::default(),
+            coat: true,
+            cap: CapLook::default(),
+            gooch: Gooch::default(),
+            strokes: Strokes::default(),
+            hatch: Hatch::default(),
+            engraving: Engraving::default(),
+            occlusion: Occlusion::default(),
+            ghost: Ghost::default(),
+            shadow: Shadow::default(),
+        }
+    }
 }
 
 /// How caps differ from surfaces.

@@ -1,0 +1,72 @@
+// Draws the coats of parts where the layers show their surfaces: who drew the layers, and by which cuts, does not matter. The instance is the
+// row of a part; vertices are three for each triangle.
+//
+// A fragment stays where the layer is a surface of its part at its depth. Surfaces that lie closer than a few thousandths of their distance
+// may take each other's colours.
+
+#import cutaway::color::{linear_from_srgb, srgb_from_linear}
+#import cutaway::frame::{depth_from_buffer, pixel_index}
+#import cutaway::layers::{SURFACE, WORDS_PER_PIXEL, kind_of, part_of}
+#import cutaway::mesh::drawn_position
+#import cutaway::texture::{NO_TEXTURE, sampled}
+
+struct CoatRow {
+    part: u32,
+    first_vertex: u32,
+    first_word: u32,
+    first_image: u32,
+}
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+@group(1) @binding(1) var<storage, read> coat_rows: array<CoatRow>;
+@group(1) @binding(2) var<storage, read> coat_words: array<u32>;
+@group(1) @binding(3) var<storage, read> vertices: array<vec4<u32>>;
+
+const COAT_WORDS: u32 = 13u;
+// How far apart the depths of a surface and of its coat may be, as a share of the depth.
+const NEAR: f32 = 1e-3;
+
+struct Coated {
+    @builtin(position) position: vec4<f32>,
+    @location(0) color: vec3<f32>,
+    @location(1) uv: vec2<f32>,
+    @location(2) @interpolate(flat) image: u32,
+    @location(3) @interpolate(flat) part: u32,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: u32) -> Coated {
+    let row = coat_rows[instance];
+    let first = row.first_word + index / 3u * COAT_WORDS;
+    let corner = index % 3u;
+    let vertex = vertices[row.first_vertex + coat_words[first + corner]];
+    let color = unpack4x8unorm(coat_words[first + 3u + corner]);
+    let image = coat_words[first + 12u];
+    return Coated(
+        drawn_position(bitcast<vec3<f32>>(vertex.xyz)),
+        linear_from_srgb(color.rgb),
+        vec2<f32>(bitcast<f32>(coat_words[first + 6u + 2u * corner]), bitcast<f32>(coat_words[first + 7u + 2u * corner])),
+        select(image + row.first_image, NO_TEXTURE, image == NO_TEXTURE),
+        row.part,
+    );
+}
+
+@fragment
+fn fragment(coated: Coated) -> @location(0) vec2<u32> {
+    // Derivatives are asked for where all fragments still are.
+    let right = dpdx(coated.uv);
+    let down = dpdy(coated.uv);
+    let first = pixel_index(vec2<u32>(coated.position.xy)) * WORDS_PER_PIXEL;
+    let word = layers[first];
+    let depth = bitcast<f32>(layers[first + 2u]);
+    let is_it = kind_of(word) == SURFACE && part_of(word) == coated.part &&
+        abs(depth_from_buffer(coated.position.z) - depth) <= NEAR * abs(depth);
+    if !is_it {
+        discard;
+    }
+    var color = coated.color;
+    if coated.image != NO_TEXTURE {
+        color *= sampled(coated.image, coated.uv, right, down).rgb;
+    }
+    return vec2<u32>(pack4x8unorm(vec4<f32>(srgb_from_linear(color), 1.0)), 0u);
+}

@@ -1,0 +1,26 @@
+// Coats that `coat.wgsl` drew. Bound as @group(1) @binding(6).
+//
+// A pixel at an edge, which the rasteriser that drew coats left to nobody, has the colour of the pixel beside it.
+
+#define_import_path cutaway::coat
+
+#import cutaway::layers::{SURFACE, kind_of}
+
+@group(1) @binding(6) var coat_colors: texture_2d<u32>;
+
+fn coat_at(at: vec2<u32>, word: u32) -> u32 {
+    let own = textureLoad(coat_colors, at, 0).x;
+    if own != 0u || kind_of(word) != SURFACE {
+        return own;
+    }
+    var steps = array(vec2<i32>(1, 0), vec2<i32>(-1, 0), vec2<i32>(0, 1), vec2<i32>(0, -1));
+    let size = vec2<i32>(textureDimensions(coat_colors));
+    for (var i = 0; i < 4; i++) {
+        let beside = clamp(vec2<i32>(at) + steps[i], vec2<i32>(0), size - 1);
+        let color = textureLoad(coat_colors, beside, 0).x;
+        if color != 0u {
+            return color;
+        }
+    }
+    return 0u;
+}

@@ -1,0 +1,57 @@
+//! Coats: vertex colours and images that files paint surfaces with, drawn where the layers show these surfaces.
+//!
+//! One draw of the parts that have a coat, with a depth of its own; 12 bytes a pixel. Whoever made the layers, by whichever cuts, the colours are
+//! those of the surface at the depth that is shown. Cannot: tell apart surfaces of one part that lie closer than a thousandth of their
+//! distance, nor paint caps.
+
+use crate::passes::DrawPass;
+use crate::passes::{Coats, SceneBuffers, Surfaces};
+use crate::plan::{Binding, Clock, Contents, Draw, Plan, Resource, ResourceId, Role, Vertices};
+
+/// The texture of colours: in the first word RGBA8 as sRGB, 0 where there is none.
+pub(super) fn coat(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    coats: &Coats,
+    (layers, textures): (ResourceId, &[Binding; 2]),
+) -> ResourceId {
+    let mut upload = |name: &'static str, role, contents| {
+        plan.add_resource(Resource::upload(name, role, contents, Clock::Solid))
+    };
+    let rows = upload(
+        "coat_rows",
+        Role::Storage,
+        Contents::from_values(&coats.rows),
+    );
+    let words = upload("coat_words", Role::Storage, coats.words.clone());
+    let indices = upload("coat indices", Role::Index, coats.indices.clone());
+    let [vertices, _] = scene.mesh_in_storage(Clock::Solid);
+    let mut bindings = vec![
+        scene.frame.clone(),
+        Binding::read("layers", layers),
+        Binding::read("coat_rows", rows),
+        Binding::read("coat_words", words),
+        vertices,
+    ];
+    bindings.extend(textures.iter().cloned());
+    let draws = (0..).zip(&coats.triangles).map(|(row, triangles)| Draw {
+        indices: 0..triangles * 3,
+        base_vertex: 0,
+        vertex_count: triangles * 3,
+        instance: row,
+        arguments: None,
+    });
+    let mut drawn = Surfaces::named(plan, scene, ["coat_colors", "coat_depth"]);
+    let pass = DrawPass {
+        name: "draw coats".to_owned(),
+        reason: "files paint surfaces".to_owned(),
+        shader: "effects/coat.wgsl".into(),
+        bindings,
+        constants: Vec::new(),
+        vertices: Vertices::None,
+        indices,
+        draws: draws.collect(),
+    };
+    drawn.draw(plan, pass);
+    drawn.words
+}

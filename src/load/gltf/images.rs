@@ -1,0 +1,69 @@
+//! The images of a glTF file as textures, each read when it is first asked for. What is wrong with one becomes a note: it only paints.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use gltf::image::Source;
+
+use super::uri;
+use crate::error::Error;
+use crate::load::Files;
+use crate::load::texture::texture_of;
+use crate::scene::{Texture, TextureKind};
+
+/// The images of a file.
+pub(super) struct Images<'a> {
+    pub(super) path: &'a Path,
+    pub(super) store: &'a dyn Files,
+    pub(super) buffers: &'a [Vec<u8>],
+    pub(super) read: BTreeMap<usize, Option<Arc<Texture>>>,
+    /// Files that were read.
+    pub(super) files: Vec<PathBuf>,
+    /// What is wrong with some.
+    pub(super) notes: Vec<String>,
+}
+
+impl Images<'_> {
+    /// An image; none where it cannot be read.
+    pub(super) fn get(&mut self, image: &gltf::Image<'_>) -> Option<Arc<Texture>> {
+        if let Some(known) = self.read.get(&image.index()) {
+            return known.clone();
+        }
+        let read = self.texture(image);
+        let texture = match read {
+            Ok(texture) => Some(Arc::new(texture)),
+            Err(why) => {
+                self.notes
+                    .push(format!("image {}: {why}: shown without it", image.index()));
+                None
+            }
+        };
+        self.read.insert(image.index(), texture.clone());
+        texture
+    }
+
+    fn texture(&mut self, image: &gltf::Image<'_>) -> Result<Texture, String> {
+        match image.source() {
+            Source::View { view, .. } => {
+                let buffer = self.buffers.get(view.buffer().index());
+                let bytes = buffer.and_then(|buffer| {
+                    let end = view.offset().checked_add(view.length())?;
+                    buffer.get(view.offset()..end)
+                });
+                texture_of(
+                    bytes.ok_or("its bytes are not in the file")?,
+                    TextureKind::Color,
+                )
+            }
+            Source::Uri { uri, .. } => {
+                let bytes = uri::read(self.path, ("image", uri), self.store, &mut self.files);
+                let bytes = bytes.map_err(|e| match e {
+                    Error::File { what, .. } => what,
+                    other => other.to_string(),
+                })?;
+                texture_of(&bytes, TextureKind::Color)
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What a glTF primitive is painted with: base colour and its image, and colours of vertices. Wrapping is always a repeat, and
+//! transforms of texture coordinates are passed over.
+
+use glam::{Vec2, Vec3};
+use gltf::accessor::Dimensions;
+use gltf::{Primitive, Semantic};
+
+use super::super::painted::{Paint, PaintedTriangle};
+use super::accessor::{COLORS, COLORS_WITH_ALPHA, PLACES, check};
+use super::images::Images;
+use crate::scene::{map_channels, srgb_from_linear};
+
+/// The paint of a primitive.
+pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
+    let material = primitive.material();
+    let texture = material.pbr_metallic_roughness().base_color_texture();
+    Paint {
+        color: color(primitive),
+        image: texture.and_then(|info| images.get(&info.texture().source())),
+    }
+}
+
+/// Adds what is known of the corners of triangles of a group.
+pub(super) fn triangles(
+    (group, primitive): (u32, &Primitive<'_>),
+    triangles: &[[u32; 3]],
+    vertices: usize,
+    buffers: &[Vec<u8>],
+    painted: &mut Vec<PaintedTriangle>,
+) -> Result<(), String> {
+    let material = primitive.material();
+    let texture = material.pbr_metallic_roughness().base_color_texture();
+    let set = texture.map_or(0, |info| info.tex_coord());
+    let reader = primitive.reader(|b| buffers.get(b.index()).map(Vec::as_slice));
+    let mut places: Option<Vec<Vec2>> = None;
+    if let Some(accessor) = primitive.get(&Semantic::TexCoords(set)) {
+        check(&accessor, PLACES, buffers)?;
+        let read = reader.read_tex_coords(set);
+        places = read.map(|read| read.into_f32().map(Vec2::from).collect());
+    }
+    let mut colors: Option<Vec<Vec3>> = None;
+    if let Some(accessor) = primitive.get(&Semantic::Colors(0)) {
+        let wanted = match accessor.dimensions() {
+            Dimensions::Vec4 => COLORS_WITH_ALPHA,
+            _ => COLORS,
+        };
+        check(&accessor, wanted, buffers)?;
+        let encoded = |c: [f32; 3]| {
+            let linear = Vec3::from(c).clamp(Vec3::ZERO, Vec3::ONE);
+            map_channels(linear, srgb_from_linear)
+        };
+        let read = reader.read_colors(0);
+        colors = read.map(|read| read.into_rgb_f32().map(encoded).collect());
+    }
+    // Those that lack some vertices are no use.
+    let places = places.filter(|all| all.len() >= vertices);
+    let colors = colors.filter(|all| all.len() >= vertices);
+    painted.extend(triangles.iter().map(|t| PaintedTriangle {
+        group,
+        uv: places.as_ref().map(|all| t.map(|i| all[i as usize])),
+        colors: colors.as_ref().map(|all| t.map(|i| all[i as usize])),
+    }));
+    Ok(())
+}
+
+/// The base colour as sRGB. A textured material with a white factor says nothing about its colour.
+pub(super) fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
+    let material = primitive.material();
+    material.index()?;
+    let surface = material.pbr_metallic_roughness();
+    let [r, g, b, _] = surface.base_color_factor();
+    let linear = Vec3::new(r, g, b);
+    if surface.base_color_texture().is_some() && linear == Vec3::ONE {
+        return None;
+    }
+    let clamped = linear.clamp(Vec3::ZERO, Vec3::ONE);
+    Some(map_channels(clamped, srgb_from_linear))
+}

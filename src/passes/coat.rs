@@ -1,0 +1,110 @@
+//! Coats of parts, packed for upload: a row for each part that has one, and 13 words for each of its triangles.
+//!
+//! The corners of a triangle are named by their vertices in the buffer that all parts share, so that a coat goes wherever the pose pass takes
+//! them. Coats that stay the same objects are packed once.
+
+use std::sync::Arc;
+
+use super::packed::{Packed, Room};
+use crate::plan::pack::{COAT_WORDS, CoatRow, NO_TEXTURE};
+use crate::plan::{Contents, Piece};
+use crate::scene::{Coat, CoatedTriangle, Part, Scene, facing_out};
+
+/// The coat of a part, packed: words with images numbered from 0.
+#[derive(Clone, Debug)]
+pub(super) struct PackedCoat {
+    pub(super) words: Arc<[u8]>,
+    pub(super) triangles: u32,
+}
+
+impl PackedCoat {
+    /// Of a coat, with the vertices that are drawn in the places of the corners; both in the order of the mesh, the vertices turned
+    /// over already where the placement mirrors.
+    pub(super) fn of(coat: &Coat, vertices: &[[u32; 3]], mirrored: bool) -> Self {
+        let rows = coat
+            .triangles
+            .iter()
+            .zip(vertices)
+            .map(|(coated, vertices)| {
+                let CoatedTriangle { colors, uv, image } = coated;
+                let (colors, uv) = (facing_out(*colors, mirrored), facing_out(*uv, mirrored));
+                let mut row = [0_u32; COAT_WORDS];
+                for i in 0..3 {
+                    row[i] = vertices[i];
+                    row[3 + i] = u32::from_le_bytes(colors[i]);
+                    row[6 + 2 * i] = uv[i].x.to_bits();
+                    row[7 + 2 * i] = uv[i].y.to_bits();
+                }
+                row[12] = image.unwrap_or(NO_TEXTURE);
+                row
+            });
+        let rows: Vec<[u32; COAT_WORDS]> = rows.collect();
+        Self {
+            triangles: rows.len() as u32,
+            words: Piece::from_values(0, rows.as_flattened()).bytes,
+        }
+    }
+}
+
+/// The coats of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Coats {
+    /// A row for each part that has one.
+    pub(crate) rows: Vec<CoatRow>,
+    /// How many triangles each has.
+    pub(crate) triangles: Vec<u32>,
+    pub(crate) words: Contents,
+    /// 0, 1, 2 and so on, three for each triangle of the part that has most.
+    pub(crate) indices: Contents,
+}
+
+/// Whether a part shows the coat of its mesh.
+pub(super) fn shown(part: &Part) -> Option<&Coat> {
+    let coat = part.mesh.coat.as_ref();
+    coat.filter(|_| !part.material.is_painted_over)
+}
+
+impl Coats {
+    /// Of the parts that show one; none where none does. Their textures begin at `first_image`, in the order of parts. Numbers that count
+    /// up are those of before where there are as many.
+    pub(super) fn of(
+        scene: &Scene,
+        (packed, rooms): (&[Packed], &[Room]),
+        first_image: u32,
+        before: Option<&Self>,
+    ) -> Option<Self> {
+        let mut next = CoatRow {
+            first_image,
+            ..bytemuck::Zeroable::zeroed()
+        };
+        let (mut rows, mut triangles, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
+        for (part, (of, packed)) in (0..).zip(scene.parts.iter().zip(packed)) {
+            let (Some(coat), Some(words)) = (shown(of), &packed.coat) else {
+                continue;
+            };
+            rows.push(CoatRow {
+                part,
+                first_vertex: rooms[part as usize].first_vertex,
+                ..next
+            });
+            triangles.push(words.triangles);
+            pieces.push(Piece {
+                offset: u64::from(next.first_word) * 4,
+                bytes: words.words.clone(),
+            });
+            next.first_word += words.triangles * COAT_WORDS as u32;
+            next.first_image += coat.images.len() as u32;
+        }
+        let most = triangles.iter().max()? * 3;
+        let is_long = |before: &&Self| before.indices.len() >= u64::from(most) * 4;
+        Some(Self {
+            rows,
+            triangles,
+            words: Contents::in_pieces(u64::from(next.first_word) * 4, pieces, false),
+            indices: match before.filter(is_long) {
+                Some(before) => before.indices.clone(),
+                None => Contents::from_values(&(0..most).collect::<Vec<u32>>()),
+            },
+        })
+    }
+}

@@ -1,0 +1,50 @@
+//! Coat: what colours a surface has besides that of its part, as files paint it: colours of vertices, and images laid on by texture
+//! coordinates.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use super::Texture;
+
+/// The colours of a surface, triangle by triangle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Coat {
+    /// Images that triangles name.
+    pub images: Vec<Arc<Texture>>,
+    /// For each triangle of the mesh.
+    pub triangles: Vec<CoatedTriangle>,
+}
+
+/// The colours of a triangle: those of its corners, times the image.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CoatedTriangle {
+    /// Colours of the corners, sRGB.
+    pub colors: [[u8; 4]; 3],
+    /// Where the corners are in the image, in repeats, (0, 0) its upper left.
+    pub uv: [Vec2; 3],
+    /// Which image; `None` leaves the colours as they are.
+    pub image: Option<u32>,
+}
+
+impl Coat {
+    /// Some of its triangles.
+    #[must_use]
+    pub(crate) fn picked(&self, triangles: &[u32]) -> Self {
+        Self {
+            images: self.images.clone(),
+            triangles: (triangles.iter())
+                .map(|t| self.triangles[*t as usize])
+                .collect(),
+        }
+    }
+
+    /// Whether all of it has one colour and no image.
+    pub(crate) fn is_of_one_color(&self) -> bool {
+        let Some(first) = self.triangles.first().map(|t| t.colors[0]) else {
+            return true;
+        };
+        let is_it = |t: &CoatedTriangle| t.image.is_none() && t.colors == [first; 3];
+        self.triangles.iter().all(is_it)
+    }
+}

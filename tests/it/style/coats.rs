@@ -1,0 +1,261 @@
+//! Surfaces show the colours that files paint them with, whoever drew the layers, and wherever the part goes.
+
+use super::*;
+use cutaway::load::{Memory, load_mesh_file_from};
+use cutaway::scene::style::Shading;
+use cutaway::scene::{Coat, CoatedTriangle, Mesh, Projection, Viewpoint};
+use glam::Vec3;
+use std::path::Path;
+use std::sync::Arc;
+
+/// The cube, each vertex in the colour of its place.
+fn cube_in_colours() -> Mesh {
+    let mut mesh = Mesh::clone(&meshes::shape("cube").into());
+    let bounds = mesh.bounds();
+    let color = |i: u32| {
+        let share = (mesh.positions[i as usize] - bounds.min) / bounds.size();
+        let [r, g, b] = (share * 255.0).round().to_array().map(|c| c as u8);
+        [r, g, b, 255]
+    };
+    let triangles = mesh.triangles.iter().map(|t| CoatedTriangle {
+        colors: t.map(color),
+        ..CoatedTriangle::default()
+    });
+    mesh.coat = Some(Coat {
+        images: Vec::new(),
+        triangles: triangles.collect(),
+    });
+    mesh
+}
+
+fn scene_of(mesh: Mesh, style: Style) -> Scene {
+    let mut scene = scenes::of_parts("coated", vec![Part::new("cube", mesh)], Vec::new());
+    let plane = ClipSurface::parse("-1,-0.4,-1@60%,50%,60%", &scene.bounds()).expect("a section");
+    scene.cuts = vec![Cut::new("cut", vec![plane])];
+    scene.style = style;
+    scene
+}
+
+/// Colours as they are, without light.
+fn flat() -> Style {
+    Style {
+        shading: Shading::Flat,
+        ..Style::default()
+    }
+}
+
+#[test]
+fn every_strategy_shows_the_coat_at_its_surfaces() {
+    let mut session = session();
+    let scene = scene_of(cube_in_colours(), flat());
+    let bounds = scene.bounds();
+    let model = Model::new(&scene);
+    let view = model.prepared.view(SIZE_PX);
+    let mut compared = 0;
+    for strategy in Strategy::all() {
+        for by in [Rasteriser::Hardware, Rasteriser::Compute] {
+            let method = Method::new(strategy, Means::by(by));
+            let Some(drawn) = picture_of(&mut session, &scene, method) else {
+                continue;
+            };
+            let layers = session.layers(method).expect("layers");
+            let made = session.shade(&model, &view, &layers).expect("a picture");
+            assert!(drawn == made, "{method}: another picture");
+            compared += 1;
+            let mut off = 0;
+            let mut shown = 0;
+            for (i, (layer, color)) in layers.pixels.iter().zip(drawn.chunks_exact(4)).enumerate() {
+                if layer.kind != Kind::Surface {
+                    continue;
+                }
+                let at = glam::DVec2::new(
+                    (i as u32 % SIZE_PX[0]) as f64,
+                    (i as u32 / SIZE_PX[0]) as f64,
+                ) + 0.5;
+                let (origin, direction) = view.ray(at);
+                let point = (origin + direction * layer.depth) / model.prepared.scale
+                    + model.prepared.centre_in_world;
+                let share = (point - bounds.min) / bounds.size();
+                // Between corners of 0 and 1 colours go evenly in linear light.
+                let linear = |c: u8| {
+                    let c = f64::from(c) / 255.0;
+                    if c <= 0.04045 {
+                        c / 12.92
+                    } else {
+                        ((c + 0.055) / 1.055).powf(2.4)
+                    }
+                };
+                let found = DVec3::new(linear(color[0]), linear(color[1]), linear(color[2]));
+                shown += 1;
+                off += usize::from((found - share).abs().max_element() > 0.02);
+            }
+            assert!(shown > 1000, "{method}: {shown} pixels of surfaces");
+            // At edges a pixel has the colour of the next one.
+            assert!(
+                off * 100 <= shown * 2,
+                "{method}: {off} of {shown} in other colours"
+            );
+        }
+    }
+    assert!(compared > 8, "{compared} pictures");
+}
+
+#[test]
+fn a_coat_goes_where_the_part_goes() {
+    let mut session = session();
+    let still = scene_of(cube_in_colours(), flat());
+    let mut turned = still.clone();
+    turned.stage = Some(still.bounds());
+    let placed = DAffine3::from_rotation_y(0.7);
+    turned.parts[0].world_from_part = placed;
+    let first = Model::new(&still);
+    let view = first.prepared.view(SIZE_PX);
+    let method = Method::from(Strategy::RAYCAST_MASK);
+    let mut draw = |model: &Model| {
+        let drawn = session.draw(model, &view, method).expect("a frame");
+        assert_eq!(drawn.outcome, Outcome::Complete);
+        session.picture(method).expect("a picture")
+    };
+    let before = draw(&first);
+    let moved = draw(&first.updated(&turned));
+    let anew = draw(&Model::new(&turned));
+    let differing = moved.chunks_exact(4).zip(anew.chunks_exact(4));
+    let differing = differing
+        .filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2))
+        .count();
+    assert!(
+        differing < 40,
+        "{differing} pixels differ from those of a scene packed anew"
+    );
+    assert!(before != moved, "the control: it has moved");
+}
+
+#[test]
+fn who_paints_over_or_has_a_style_of_his_own_sees_no_coat() {
+    let passes = |scene: &Scene| {
+        let model = Model::new(scene);
+        let view = model.prepared.view(SIZE_PX);
+        let capacities = cutaway::plan::Capacities::UNKNOWN;
+        let plan = cutaway::strategies::plan(&model, &view, Strategy::RAYCAST_MASK, &capacities);
+        let plan = plan.unwrap_or_else(|refusal| panic!("{}", refusal.reason));
+        plan.passes.iter().any(|pass| pass.name == "draw coats")
+    };
+    for (name, is_shown) in [
+        ("lit", true),
+        ("clay", true),
+        ("vivid", true),
+        ("technical", false),
+        ("ink", false),
+    ] {
+        assert_eq!(
+            passes(&scene_of(cube_in_colours(), style(name))),
+            is_shown,
+            "{name}"
+        );
+    }
+    let mut painted = scene_of(cube_in_colours(), Style::default());
+    painted.parts[0].material.is_painted_over = true;
+    assert!(!passes(&painted), "a colour of its own");
+}
+
+const MTL: &str = "newmtl wall\nmap_Kd four.png\nnewmtl roof\nKd 0 0 1\n";
+
+/// A square of two triangles, upright, from -1 to 1, with four texels on it, and a roof in blue.
+const OBJ: &str = "mtllib it.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wall\n\
+f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nusemtl roof\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
+
+fn four_png() -> Vec<u8> {
+    let texels = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
+    let image = image::RgbImage::from_raw(2, 2, texels.concat()).expect("an image");
+    let mut bytes = Vec::new();
+    image
+        .write_to(
+            &mut std::io::Cursor::new(&mut bytes),
+            image::ImageFormat::Png,
+        )
+        .expect("PNG");
+    bytes
+}
+
+#[test]
+fn images_of_an_obj_stand_upright() {
+    let mut files = Memory::default();
+    files.insert("it.obj", OBJ.as_bytes().to_vec());
+    files.insert("it.mtl", MTL.as_bytes().to_vec());
+    files.insert("four.png", four_png());
+    let loaded = load_mesh_file_from(Path::new("it.obj"), &files).expect("a mesh");
+    assert!(
+        loaded.files.iter().any(|f| f.ends_with("four.png")),
+        "{:?}",
+        loaded.files
+    );
+    let mesh = Mesh::clone(&loaded.parts[0].mesh);
+    let coat = mesh.coat.as_ref().expect("a coat");
+    assert_eq!(coat.images.len(), 1);
+    assert_eq!(
+        coat.triangles[2].colors[0],
+        [0, 0, 255, 255],
+        "the roof is blue"
+    );
+    let mut scene = scene_of(mesh, flat());
+    scene.cuts.clear();
+    scene.camera.viewpoint = Viewpoint::Orbit {
+        azimuth_deg: 0.0,
+        elevation_deg: 0.0,
+    };
+    scene.camera.projection = Projection::Orthographic { height: Some(2.0) };
+    let picture = picture_of(&mut session(), &scene, Method::from(Strategy::RAYCAST_MASK));
+    let picture = picture.expect("a picture");
+    let at = |x: u32, y: u32| {
+        let first = ((y * SIZE_PX[0] + x) * 4) as usize;
+        Vec3::new(
+            f32::from(picture[first]),
+            f32::from(picture[first + 1]),
+            f32::from(picture[first + 2]),
+        )
+    };
+    // The square fills the height of the picture: the middles of its quarters are the middles of texels.
+    for (x, y, color) in [
+        (50, 30, Vec3::X),
+        (110, 30, Vec3::Y),
+        (50, 90, Vec3::Z),
+        (110, 90, Vec3::ONE),
+    ] {
+        let found = at(x, y);
+        // A pixel beside the middle of a texel has a little of the next ones, and in sRGB a little is 35.
+        assert!(
+            (found - color * 255.0).abs().max_element() < 50.0,
+            "{found} at {x}, {y}, not {color}"
+        );
+    }
+    // An image that is not there is said, and the mesh is read.
+    let mut without = Memory::default();
+    without.insert("it.obj", OBJ.as_bytes().to_vec());
+    without.insert("it.mtl", MTL.as_bytes().to_vec());
+    let loaded = load_mesh_file_from(Path::new("it.obj"), &without).expect("a mesh");
+    assert!(
+        loaded.notes.iter().any(|n| n.contains("four.png")),
+        "{:?}",
+        loaded.notes
+    );
+}
+
+#[test]
+fn vertex_colours_of_a_ply_are_a_coat_unless_they_are_all_alike() {
+    let ply = |last: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\
+             property uchar green\nproperty uchar blue\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n\
+             0 0 0 255 255 255\n1 0 0 255 255 255\n0 1 0 255 255 255\n0 0 1 {last}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+        )
+    };
+    let coat = |last: &str| {
+        let mut files = Memory::default();
+        files.insert("it.ply", ply(last).into_bytes());
+        let loaded = load_mesh_file_from(Path::new("it.ply"), &files).expect("a mesh");
+        Arc::clone(&loaded.parts[0].mesh).coat.clone()
+    };
+    assert_eq!(coat("255 255 255"), None, "white all over says nothing");
+    let coat = coat("10 20 30").expect("a coat");
+    assert_eq!(coat.triangles[1].colors[2][..3], [10, 20, 30]);
+}
