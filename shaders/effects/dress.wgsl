@@ -4,7 +4,7 @@
 // What a pixel is made of is left in the picture, which nobody has painted yet: sRGB colour, and alpha 1 where it is in the place of the
 // colour of the part. Layers are copied with the normals that the material bends, which light is to see and nobody else.
 
-#import cutaway::cap_plane::{CapPlane, Footing, faced, footing_on, moved_along, plane_of_view}
+#import cutaway::cap_plane::{CapPlane, faced, footing_on, moved_along, plane_of_view}
 #import cutaway::coat::coat_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::cuts::parts

@@ -100,6 +100,7 @@ pub(super) fn to_json(part: &Part, by: &RoleBy) -> Json {
         "role_by": match by {
             RoleBy::Default => "default",
             RoleBy::Model => "model",
+            RoleBy::Transparency => "transparency",
             RoleBy::Part => "part",
             RoleBy::Glob(_) => "glob",
             RoleBy::Sight(_) => "sight",

@@ -37,6 +37,10 @@ pub(super) struct Draft {
 pub(super) struct Group {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
+    /// Name of its material.
+    pub(super) material: Option<String>,
+    /// Whether light passes through it.
+    pub(super) is_transparent: bool,
 }
 
 /// A mesh that is worth being a part.
@@ -44,6 +48,10 @@ pub(super) struct Group {
 pub(super) struct Solid {
     pub(super) name: Option<String>,
     pub(super) color: Option<Vec3>,
+    /// Names of the materials of its groups.
+    pub(super) materials: Vec<String>,
+    /// Whether light passes through all of them.
+    pub(super) is_transparent: bool,
     pub(super) mesh: Mesh,
     pub(super) motion: Motion,
 }
@@ -168,7 +176,15 @@ impl Draft {
             };
             // Exporters write white to every vertex: one colour all over says nothing.
             mesh.coat = mesh.coat.filter(|coat| !coat.is_of_one_color());
+            let mut materials: Vec<String> = (members().filter(|g| size[*g] > 0))
+                .filter_map(|g| self.groups[g].material.clone())
+                .collect();
+            materials.dedup();
+            let mut filled = members().filter(|g| size[*g] > 0).peekable();
             solids.push(Solid {
+                materials,
+                is_transparent: filled.peek().is_some()
+                    && filled.all(|g| self.groups[g].is_transparent),
                 name: members().find_map(|g| self.groups[g].name.clone()),
                 color: colored
                     .max_by_key(by_size)
@@ -286,6 +302,7 @@ mod tests {
             .map(|g| Group {
                 name: Some(format!("g{g}")),
                 color: Some(Vec3::splat(g as f32 / 8.0)),
+                ..Group::default()
             })
             .collect();
         draft

@@ -41,7 +41,7 @@ pub use pat::read_patterns;
 pub use texture::read_texture_from;
 
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::{Driver, Edges, Material, Mesh, Part, Up, range};
+use crate::scene::{Driver, Edges, Material, Mesh, Part, Role, Up, range};
 
 use draft::{Draft, Group, Solid};
 
@@ -167,6 +167,10 @@ fn check_range(path: &Path, parts: &[Part]) -> Result<()> {
 struct Placed {
     name: Option<String>,
     color: Option<Vec3>,
+    materials: Vec<String>,
+    is_transparent: bool,
+    /// What the file says of it.
+    role: Option<Role>,
     mesh: Arc<Mesh>,
     world_from_part: DAffine3,
     driver: Option<Arc<Driver>>,
@@ -177,6 +181,9 @@ impl Placed {
         Self {
             name: solid.name,
             color: solid.color,
+            materials: solid.materials,
+            is_transparent: solid.is_transparent,
+            role: None,
             mesh: Arc::new(solid.mesh),
             world_from_part: DAffine3::IDENTITY,
             driver: None,
@@ -208,6 +215,9 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
             let mut part = Part::new(name_of(p.name, &mut taken), p.mesh);
             part.world_from_part = p.world_from_part;
             part.driver = p.driver;
+            part.materials = p.materials;
+            part.is_transparent = p.is_transparent;
+            part.role = p.role.unwrap_or_default();
             part.material = Material::of_index(i);
             if let Some(color) = p.color {
                 part.material.color = color;
@@ -281,6 +291,8 @@ mod tests {
             Placed::of(Solid {
                 name: name.map(str::to_owned),
                 color: None,
+                materials: Vec::new(),
+                is_transparent: false,
                 mesh: Mesh::default(),
                 motion: Motion::default(),
             })

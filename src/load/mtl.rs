@@ -1,4 +1,4 @@
-//! Wavefront material libraries: which ones an OBJ names, their colours and the images of them (`Kd`, `map_Kd`); everything else in them is
+//! Wavefront material libraries: which ones an OBJ names, their colours, the images of them, and which let light through (`Kd`, `map_Kd`, `d`, `Tr`); everything else in them is
 //! passed over, options of images too.
 
 use std::collections::HashMap;
@@ -70,8 +70,12 @@ pub(super) fn read_all(
                             let read = || image(&at, &name, store, (notes, files));
                             images.entry(at.clone()).or_insert_with(read).clone()
                         });
-                        let color = look.color;
-                        paints.insert(look.name, Paint { color, image });
+                        let paint = Paint {
+                            color: look.color,
+                            is_transparent: look.is_transparent,
+                            image,
+                        };
+                        paints.insert(look.name, paint);
                     }
                 }
                 Err(e) => {
@@ -124,6 +128,8 @@ struct Look {
     color: Option<Vec3>,
     /// `map_Kd`.
     image: Option<String>,
+    /// `d` below 1, or `Tr` above 0.
+    is_transparent: bool,
 }
 
 /// The images that a library names.
@@ -140,6 +146,7 @@ fn looks_of(text: &str) -> Vec<Look> {
                 name: name.trim().to_owned(),
                 color: None,
                 image: None,
+                is_transparent: false,
             });
             continue;
         }
@@ -165,6 +172,13 @@ fn looks_of(text: &str) -> Vec<Look> {
                 false => rest,
             };
             look.image = Some(name.replace('\\', "/"));
+        } else if let Some((word @ ("d" | "Tr"), rest)) = line.split_once(char::is_whitespace) {
+            let share = rest
+                .split_whitespace()
+                .next_back()
+                .and_then(|w| w.parse().ok());
+            let opaque = share.map(|share: f32| if word == "d" { share } else { 1.0 - share });
+            look.is_transparent = opaque.is_some_and(|opaque| opaque < 1.0);
         }
     }
     all
@@ -178,6 +192,10 @@ mod tests {
     fn colours_are_read_and_odd_ones_survive() {
         let text = "newmtl red steel\n  Kd 1 0.25 0\nnewmtl grey\nKd 0.5\nnewmtl odd\nKd spectral x\nKa 1 1 1\n";
         let all = looks_of(text);
+        assert!(!all[0].is_transparent && !all[1].is_transparent);
+        let glass = looks_of("newmtl a\nd 0.3\nnewmtl b\nTr 0.2\nnewmtl c\nd -halo 1.0\nTr 0\n");
+        let is_glass: Vec<bool> = glass.iter().map(|look| look.is_transparent).collect();
+        assert_eq!(is_glass, [true, true, false]);
         assert_eq!(all[0].name, "red steel");
         assert_eq!(all[0].color, Some(Vec3::new(1.0, 0.25, 0.0)));
         assert_eq!(all[1].color, Some(Vec3::splat(0.5)));

@@ -276,7 +276,8 @@ impl Reader<'_> {
                 .find(|n| !n.is_empty());
             self.draft.groups.push(Group {
                 name: name.cloned(),
-                color: None,
+                material: Some(material.clone()).filter(|m| !m.is_empty()),
+                ..Group::default()
             });
         }
         self.group = Some(group);
@@ -349,6 +350,7 @@ impl Reader<'_> {
             .collect();
         for (group, paint) in self.draft.groups.iter_mut().zip(&paints) {
             group.color = paint.color;
+            group.is_transparent = paint.is_transparent;
         }
         let mesh = &mut self.draft.mesh;
         mesh.coat = self

@@ -14,6 +14,8 @@ pub(super) struct Paint {
     /// sRGB; `None` is white under an image or colours of vertices, and the usual colour elsewhere.
     pub(super) color: Option<Vec3>,
     pub(super) image: Option<Arc<Texture>>,
+    /// Whether light passes through it.
+    pub(super) is_transparent: bool,
 }
 
 /// What is known of the corners of a triangle.

@@ -104,7 +104,10 @@ fn ascii(path: &Path, text: &str) -> Result<Draft> {
             "solid" => {
                 inside = true;
                 let name = Some(rest.trim().to_owned()).filter(|n| !n.is_empty());
-                draft.groups.push(Group { name, color: None });
+                draft.groups.push(Group {
+                    name,
+                    ..Group::default()
+                });
             }
             "endsolid" => inside = false,
             "vertex" => corners.push(vertex(path, number, rest)?),

@@ -20,6 +20,21 @@ pub enum Role {
     Whole,
 }
 
+impl Role {
+    /// All, by their names in files.
+    pub const NAMED: [(&'static str, Self); 3] = [
+        ("exterior", Self::Exterior),
+        ("interior", Self::Interior),
+        ("whole", Self::Whole),
+    ];
+
+    /// The role of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::NAMED.into_iter();
+        all.find(|(known, _)| *known == name).map(|(_, role)| role)
+    }
+}
+
 /// A named mesh with a place, a look and a rank.
 #[derive(Clone, Debug)]
 pub struct Part {
@@ -33,6 +48,10 @@ pub struct Part {
     pub material: Material,
     /// Whether it is cut.
     pub role: Role,
+    /// What its file calls its materials: globs of roles look at these names too.
+    pub materials: Vec<String>,
+    /// Its file says that light passes through all of it, which makes it exterior (Diepstraten et al. 2003, section 4).
+    pub is_transparent: bool,
     /// Which part is shown where solids share a point: the higher first. `None` counts as 0; of equals the smaller solid first.
     pub priority: Option<i32>,
     /// Which points its mesh encloses.
@@ -62,6 +81,8 @@ impl Part {
             world_from_part: DAffine3::IDENTITY,
             material: Material::default(),
             role: Role::Exterior,
+            materials: Vec::new(),
+            is_transparent: false,
             priority: None,
             fill: Fill::EvenOdd,
             motion: None,

@@ -279,7 +279,9 @@ pub(super) fn parts(
 /// What is to be said of the roles of some parts; refused, where they name none that there is at any time.
 pub(super) fn role_notes(root: &Table<'_>, stock: &Stock, parts: &[Part]) -> Result<Vec<String>> {
     let roles = roles::read(root)?;
-    roles.must_name(root, &names_of(stock))?;
+    let materials = stock.parts.iter().flat_map(PartSource::materials);
+    let names = names_of(stock).into_iter().chain(materials);
+    roles.must_name(root, &names.collect::<Vec<_>>())?;
     Ok(roles.notes(parts))
 }
 

@@ -15,12 +15,6 @@ use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
-const ROLES: [(&str, Role); 3] = [
-    ("exterior", Role::Exterior),
-    ("interior", Role::Interior),
-    ("whole", Role::Whole),
-];
-
 /// The parts at a time, with who says which role each has.
 pub(in crate::document) fn all(
     root: &Table<'_>,
@@ -51,7 +45,7 @@ fn read(
     let table = entry.table(KEYS.all())?;
     let solids = held.at(time_s);
     let placed = placement(&table, held.rest)?;
-    let role = table.get("role").map(|r| r.choice(&ROLES));
+    let role = table.get("role").map(|r| r.choice(&Role::NAMED));
     let role = role.transpose()?;
     let priority = table
         .get("priority")

@@ -9,7 +9,8 @@
 //! whole = ["bolt*", "shaft*"]
 //! ```
 //!
-//! The `role` of a part counts first, then globs, then what the model says of itself, then what is seen.
+//! The `role` of a part counts first, then globs on its name and on those of its materials, then what the model says of itself, by a role or
+//! as a material that light passes through, which is exterior, then what is seen.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -35,6 +36,8 @@ pub enum RoleBy {
     Part,
     /// A glob of `roles`.
     Glob(String),
+    /// Its file says that light passes through it.
+    Transparency,
     /// What is seen of it from outside.
     Sight(Sight),
 }
@@ -44,6 +47,7 @@ impl fmt::Display for RoleBy {
         match self {
             Self::Default => f.write_str("not given"),
             Self::Model => f.write_str("the model"),
+            Self::Transparency => f.write_str("a transparent material"),
             Self::Part => f.write_str("role of the part"),
             Self::Glob(glob) => write!(f, "roles, {glob}"),
             Self::Sight(Sight { level: None, .. }) => f.write_str("too small to tell"),
@@ -95,6 +99,14 @@ pub(super) fn read(root: &Table<'_>) -> Result<Roles> {
     Ok(roles)
 }
 
+/// Whether a glob is of a part, by its name or that of a material.
+fn fits(glob: &str, part: &Part) -> bool {
+    let materials = part.materials.iter().map(String::as_str);
+    materials
+        .chain([part.name.as_str()])
+        .any(|name| glob_matches(glob, name))
+}
+
 impl Roles {
     /// Refuses names that no part has; globs may have none at some time.
     pub(super) fn must_name(&self, root: &Table<'_>, names: &[&str]) -> Result<()> {
@@ -112,9 +124,9 @@ impl Roles {
 
     /// What is to be said of globs that no part fits.
     pub(super) fn notes(&self, parts: &[Part]) -> Vec<String> {
-        let fits = |glob: &str| parts.iter().any(|p| glob_matches(glob, &p.name));
-        let idle = self.globs.iter().filter(|(glob, _)| !fits(glob));
-        idle.map(|(glob, _)| format!("roles: no part is called `{glob}`"))
+        let has = |glob: &str| parts.iter().any(|part| fits(glob, part));
+        let idle = self.globs.iter().filter(|(glob, _)| !has(glob));
+        idle.map(|(glob, _)| format!("roles: no part and no material is called `{glob}`"))
             .collect()
     }
 
@@ -123,11 +135,14 @@ impl Roles {
         if given {
             return (part.role, RoleBy::Part);
         }
-        if let Some((glob, role)) = self.globs.iter().find(|(g, _)| glob_matches(g, &part.name)) {
+        if let Some((glob, role)) = self.globs.iter().find(|(glob, _)| fits(glob, part)) {
             return (*role, RoleBy::Glob(glob.clone()));
         }
         if part.role != Role::default() {
             return (part.role, RoleBy::Model);
+        }
+        if part.is_transparent {
+            return (Role::Exterior, RoleBy::Transparency);
         }
         match sights.and_then(|sights| sights.get(&part.name)) {
             Some(sight) if self.auto => {

@@ -73,6 +73,12 @@ impl PartSource {
         self.names.values()
     }
 
+    /// What files call the materials of its parts.
+    pub(super) fn materials(&self) -> impl Iterator<Item = &str> {
+        let solids = self.frames.iter().flatten();
+        (solids.flat_map(|solid| &solid.part.materials)).map(String::as_str)
+    }
+
     /// Names the parts after the entry, if it has a name, or else after their solids, unlike those that are taken.
     fn call(&mut self, of_entry: Option<&str>, taken: &mut BTreeSet<String>) {
         let mut known = BTreeSet::new();

@@ -29,6 +29,7 @@ use gltf::Node;
 
 use super::{Files, Placed, Solid};
 use crate::error::{Error, Result};
+use crate::scene::Role;
 use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
 
 use document::Opened;
@@ -94,13 +95,16 @@ pub(super) fn read(
             }
         };
         let weights = weights(node, &mut said);
+        let role = role(node, &mut said);
         let label = name.clone();
         let label = label.unwrap_or_else(|| format!("node {}", node.index()));
         for shape in shapes.iter() {
             let shown = shape.at(&rig, place, name.clone(), &weights);
-            placed.push(shown.ok_or_else(|| {
+            let mut shown = shown.ok_or_else(|| {
                 wrong(format!("{label}: it is bent to places that are not finite"))
-            })?);
+            })?;
+            shown.role = role;
+            placed.push(shown);
         }
         said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
     }
@@ -115,6 +119,19 @@ pub(super) fn read(
         ));
     }
     Ok(placed)
+}
+
+/// The role that a node's `extras` give: `{ "role": "interior" }`.
+fn role(node: &Node<'_>, notes: &mut Vec<String>) -> Option<Role> {
+    let extras = node.extras().as_ref()?;
+    let value: serde_json::Value = serde_json::from_str(extras.get()).ok()?;
+    let word = value.get("role")?.as_str()?;
+    let role = Role::named(word);
+    if role.is_none() {
+        let known = Role::NAMED.map(|(name, _)| name).join(", ");
+        notes.push(format!("its role {word:?} is none of {known}"));
+    }
+    role
 }
 
 /// The skin that a node's mesh hangs on, if it can be used.
@@ -164,6 +181,8 @@ fn weights(node: &Node<'_>, notes: &mut Vec<String>) -> Vec<f64> {
 /// A solid of a mesh, wherever it is shown.
 struct Shape {
     color: Option<glam::Vec3>,
+    materials: Vec<String>,
+    is_transparent: bool,
     bound: Arc<Bound>,
     hold: Hold,
 }
@@ -182,6 +201,8 @@ impl Shape {
         }
         Self {
             color: solid.color,
+            materials: solid.materials,
+            is_transparent: solid.is_transparent,
             bound: Arc::new(Bound::new(solid.mesh, solid.motion)),
             hold,
         }
@@ -200,6 +221,9 @@ impl Shape {
         driver.is_finite().then(|| Placed {
             name,
             color: self.color,
+            materials: self.materials.clone(),
+            is_transparent: self.is_transparent,
+            role: None,
             mesh,
             world_from_part,
             driver: driver.is_needed().then(|| Arc::new(driver)),

@@ -3,6 +3,7 @@
 
 use glam::{Vec2, Vec3};
 use gltf::accessor::Dimensions;
+use gltf::material::AlphaMode;
 use gltf::{Primitive, Semantic};
 
 use super::super::painted::{Paint, PaintedTriangle};
@@ -17,6 +18,8 @@ pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
     Paint {
         color: color(primitive),
         image: texture.and_then(|info| images.get(&info.texture().source())),
+        is_transparent: material.alpha_mode() == AlphaMode::Blend
+            || material.pbr_metallic_roughness().base_color_factor()[3] < 1.0,
     }
 }
 
@@ -64,7 +67,7 @@ pub(super) fn triangles(
 }
 
 /// The base colour as sRGB. A textured material with a white factor says nothing about its colour.
-pub(super) fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
+fn color(primitive: &Primitive<'_>) -> Option<Vec3> {
     let material = primitive.material();
     material.index()?;
     let surface = material.pbr_metallic_roughness();

@@ -64,11 +64,14 @@ pub(super) fn draft(
             .map_err(at)?;
         notes.extend(said.into_iter().map(at));
         let group = draft.groups.len() as u32;
+        let paint = paint::of(&primitive, images);
         draft.groups.push(Group {
             name: None,
-            color: paint::color(&primitive),
+            color: paint.color,
+            material: primitive.material().name().map(str::to_owned),
+            is_transparent: paint.is_transparent,
         });
-        paints.push(paint::of(&primitive, images));
+        paints.push(paint);
         let group_paint = (group, &primitive);
         paint::triangles(group_paint, &triangles, vertices, buffers, &mut painted).map_err(at)?;
         let more = triangles.len();

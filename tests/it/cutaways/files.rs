@@ -61,7 +61,10 @@ fn what_is_doubtful_is_said() {
     let idle = said(&format!(
         "render shape:earth?subdivisions=2 --section x=50% --roles whole=blot* {small}"
     ));
-    assert!(idle.contains("no part is called `blot*`"), "{idle}");
+    assert!(
+        idle.contains("no part and no material is called `blot*`"),
+        "{idle}"
+    );
 }
 
 #[test]
@@ -103,6 +106,117 @@ fn roles_are_found_or_said_and_the_command_says_by_whom() {
             .unwrap_or_default();
         assert!(line.contains(role), "{said}");
     }
+}
+
+/// A cube of half a side so long around the origin, its corners from the number after `before`.
+fn box_of(size: f64, before: u32, material: &str) -> String {
+    let corners = (0..8).map(|i| {
+        let [x, y, z] = [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { size } else { -size });
+        format!("v {x} {y} {z}\n")
+    });
+    let faces = [
+        "1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6",
+    ]
+    .map(|face| {
+        let corners = face
+            .split(' ')
+            .map(|i| i.parse::<u32>().expect("a number") + before);
+        let corners: Vec<String> = corners.map(|i| i.to_string()).collect();
+        format!("f {}\n", corners.join(" "))
+    });
+    let corners: String = corners.collect();
+    format!(
+        "o {material}_box\nusemtl {material}\n{corners}{}",
+        faces.concat()
+    )
+}
+
+#[test]
+fn materials_of_a_file_say_roles_by_their_names_and_by_transparency() {
+    let folder = Scratch::new("materials");
+    let model = [box_of(1.0, 0, "steel"), box_of(3.0, 8, "window")].concat();
+    folder.write("it.obj", format!("mtllib it.mtl\n{model}"));
+    folder.write(
+        "it.mtl",
+        "newmtl steel\nKd 0.5 0.5 0.5\nnewmtl window\nd 0.3\n",
+    );
+    let roles = |options: &str| {
+        folder
+            .run(&format!("inspect it.obj --roles {options}"))
+            .exits(0)
+            .text()
+            .to_owned()
+    };
+    let line = |said: &str, part: &str| {
+        let line = said.lines().find(|l| l.starts_with(part));
+        line.unwrap_or_else(|| panic!("{part}: {said}")).to_owned()
+    };
+    let seen = roles("");
+    assert!(
+        line(&seen, "window_box").contains("a transparent material"),
+        "{seen}"
+    );
+    assert!(line(&seen, "steel_box").contains("interior"), "{seen}");
+    folder.write(
+        "scene.toml",
+        "part = [{ mesh = \"it.obj\" }]\n[roles]\nwhole = [\"ste?l\"]\ninterior = [\"window\"]\n",
+    );
+    let said = folder
+        .run("inspect scene.toml --roles")
+        .exits(0)
+        .text()
+        .to_owned();
+    assert!(line(&said, "steel_box").contains("whole"), "{said}");
+    assert!(line(&said, "window_box").contains("interior"), "{said}");
+}
+
+#[test]
+fn a_node_says_its_role() {
+    let folder = Scratch::new("extras");
+    let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+    let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let indices = triangles
+        .as_flattened()
+        .iter()
+        .flat_map(|i| i.to_le_bytes());
+    let bytes: Vec<u8> = indices
+        .chain(places.as_flattened().iter().flat_map(|c| c.to_le_bytes()))
+        .collect();
+    folder.write("it.bin", bytes);
+    let gltf = |role: &str| {
+        serde_json::json!({
+            "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0, 1] }],
+            "nodes": [
+                { "mesh": 0, "name": "pin", "extras": { "role": role } },
+                { "mesh": 0, "name": "case", "scale": [4, 4, 4], "translation": [-1, -1, -1] },
+            ],
+            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1 }, "indices": 0 }] }],
+            "buffers": [{ "uri": "it.bin", "byteLength": 72 }],
+            "bufferViews": [{ "buffer": 0, "byteLength": 24 }, { "buffer": 0, "byteOffset": 24, "byteLength": 48 }],
+            "accessors": [
+                { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
+                { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
+            ],
+        })
+        .to_string()
+    };
+    folder.write("it.gltf", gltf("whole"));
+    let said = folder
+        .run("inspect it.gltf --roles")
+        .exits(0)
+        .text()
+        .to_owned();
+    let pin = said
+        .lines()
+        .find(|l| l.starts_with("pin"))
+        .unwrap_or_default();
+    assert!(pin.contains("whole") && pin.contains("the model"), "{said}");
+    folder.write("it.gltf", gltf("hole"));
+    let said = folder.run("inspect it.gltf --roles").exits(0).stderr;
+    assert!(
+        said.contains("\"hole\" is none of exterior, interior, whole"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// The cube, each vertex in the colour of its place.
 fn cube_in_colours() -> Mesh {
-    let mut mesh = Mesh::clone(&meshes::shape("cube").into());
+    let mut mesh = Mesh::clone(&meshes::shape("cube"));
     let bounds = mesh.bounds();
     let color = |i: u32| {
         let share = (mesh.positions[i as usize] - bounds.min) / bounds.size();
