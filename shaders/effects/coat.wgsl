@@ -1,8 +1,8 @@
-// Draws the coats of parts where the layers show their surfaces: who drew the layers, and by which cuts, does not matter. The instance is the
-// row of a part; vertices are three for each triangle.
+// Draws the coats of parts where the layers show their surfaces, whatever the strategy and the cuts that the layers come from. The instance
+// is the row of a part; vertices are three for each triangle.
 //
-// A fragment stays where the layer is a surface of its part at its depth. Surfaces that lie closer than a few thousandths of their distance
-// may take each other's colours.
+// A fragment stays where the layer is a surface of its part at its depth. Surfaces of one part that lie closer than a thousandth of
+// their distance may take each other's colours.
 
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::frame::{depth_from_buffer, pixel_index}
@@ -68,5 +68,5 @@ fn fragment(coated: Coated) -> @location(0) vec2<u32> {
     if coated.image != NO_TEXTURE {
         color *= sampled(coated.image, coated.uv, right, down).rgb;
     }
-    return vec2<u32>(pack4x8unorm(vec4<f32>(srgb_from_linear(color), 1.0)), 0u);
+    return vec2<u32>(pack4x8unorm(vec4<f32>(srgb_from_linear(color), 1.0)), coated.part);
 }

@@ -1,10 +1,10 @@
 // Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their coats, by the open module `coat`. One
 // invocation owns a pixel.
 //
-// What a pixel is made of is left in the picture, which nobody has painted yet: sRGB colour, and alpha 1 where it is in the place of the
-// colour of the part. Layers are copied with the normals that the material bends, which light is to see and nobody else.
+// What a pixel is made of is left in the picture, which is painted later: sRGB colour, and alpha 1 where it is in the place of the
+// colour of the part. Layers are copied with the normals that the material bends, for light alone.
 
-#import cutaway::cap_plane::{CapPlane, faced, footing_on, moved_along, plane_of_view}
+#import cutaway::cap_plane::{CapPlane, footing_on, moved_along, plane_of_view}
 #import cutaway::coat::coat_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::cuts::parts
@@ -12,7 +12,7 @@
 #import cutaway::layers::{CAP, NEAR_PLANE, WORDS_PER_PIXEL, clip_surface_of, kind_of, pack_normal, part_of, unpack_normal}
 #import cutaway::picture::picture
 #import cutaway::solids::{granite, marble, wood}
-#import cutaway::texture::{NO_TEXTURE, sampled}
+#import cutaway::texture::{NO_TEXTURE, sampled, textures}
 
 struct CapMaterial {
     x_row: vec4<f32>,
@@ -33,8 +33,8 @@ struct DressPlanes {
     per_unit: array<vec4<f32>, 256>,
     count: u32,
     default_per_unit: f32,
-    padding_a: u32,
-    padding_b: u32,
+    is_z_up: u32,
+    padding: u32,
 }
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
@@ -45,17 +45,33 @@ struct DressPlanes {
 // Place of each part of the scene in the table.
 @group(1) @binding(5) var<storage, read> place_of_part: array<u32>;
 
+const FILLED_STACK: u32 = 5u;
+
 struct Dress {
     color: vec4<f32>,
     normal: u32,
 }
 
-// The plane of a cap with its repeats in a scene unit; `w` of the plane's rows is free.
+// The plane that carries the images of a cap: v goes down, as the rows of an image do.
 fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
     if number == NEAR_PLANE || number >= dress_planes.count {
-        return plane_of_view();
+        let view = plane_of_view();
+        return CapPlane(view.u_row, -view.v_row, view.normal);
     }
-    return faced(dress_planes.planes[number], normal);
+    let plane = dress_planes.planes[number];
+    if plane.normal.w < 0.5 {
+        return plane;
+    }
+    // Of a cutter: across the axis that its face is nearest to, upright as it is seen.
+    let size = abs(normal);
+    let is_x = size.x >= size.y && size.x >= size.z;
+    let is_y = !is_x && size.y >= size.z;
+    let axis = select(select(vec3<f32>(0.0, 0.0, 1.0), vec3<f32>(0.0, 1.0, 0.0), is_y), vec3<f32>(1.0, 0.0, 0.0), is_x);
+    let out = axis * sign(dot(axis, normal));
+    let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), dress_planes.is_z_up != 0u);
+    let across = cross(up, out);
+    let u = select(vec3<f32>(1.0, 0.0, 0.0), across, dot(across, across) > 0.5);
+    return CapPlane(vec4<f32>(u, 0.0), vec4<f32>(-cross(out, u), 0.0), vec4<f32>(normal, 0.0));
 }
 
 fn repeats_of(number: u32, per_unit: f32) -> vec2<f32> {
@@ -69,13 +85,20 @@ fn repeats_of(number: u32, per_unit: f32) -> vec2<f32> {
 }
 
 fn stack_color(material: CapMaterial, p: vec3<f32>, right: vec3<f32>, down: vec3<f32>) -> vec4<f32> {
-    let at = fract(p.z) * f32(material.image_count) - 0.5;
-    let below = i32(floor(at));
     let count = i32(material.image_count);
+    var at = fract(p.z) * f32(count) - 0.5;
+    var place = p.xy;
+    if material.solid == FILLED_STACK {
+        // It ends where the box does.
+        at = clamp(p.z * f32(count) - 0.5, 0.0, f32(count - 1));
+        let half_texel = 0.5 / vec2<f32>(textures[material.first_image].size);
+        place = clamp(place, half_texel, 1.0 - half_texel);
+    }
+    let below = i32(floor(at));
     let first = material.first_image + u32((below + count) % count);
     let next = material.first_image + u32((below + 1) % count);
-    let a = sampled(first, p.xy, right.xy, down.xy);
-    return mix(a, sampled(next, p.xy, right.xy, down.xy), at - floor(at));
+    let a = sampled(first, place, right.xy, down.xy);
+    return mix(a, sampled(next, place, right.xy, down.xy), at - floor(at));
 }
 
 fn in_solid(material: CapMaterial, point: vec4<f32>) -> vec3<f32> {
@@ -96,7 +119,7 @@ fn solid_color(material: CapMaterial, at: vec2<u32>, depth: f32, normal: vec3<f3
         case 1u: { return vec4<f32>(wood(p, footprint), 1.0); }
         case 2u: { return vec4<f32>(marble(p, footprint), 1.0); }
         case 3u: { return vec4<f32>(granite(p, footprint), 1.0); }
-        case 4u: { return stack_color(material, p, p_right, p_down); }
+        case 4u, FILLED_STACK: { return stack_color(material, p, p_right, p_down); }
         default: { return vec4<f32>(0.0); }
     }
 }

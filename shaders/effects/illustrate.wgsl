@@ -2,13 +2,14 @@
 // `occlusion`, `cap_pattern`, `surface_pattern`, `strokes`, `backdrop`, and `overlap` for caps that several solids share.
 
 #import cutaway::backdrop::backdrop
-#import cutaway::base::base_of
+#import cutaway::base::own_color
 #import cutaway::cap_pattern::patterned
 #import cutaway::color::srgb_from_linear
 #import cutaway::dress::dressed
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
 #import cutaway::occlusion::occluded
+#import cutaway::overlap::cap_base
 #import cutaway::picture::picture
 #import cutaway::shading::shaded
 #import cutaway::strokes::stroked
@@ -26,7 +27,7 @@ fn color_at(at: vec2<u32>, pixel: u32) -> vec4<f32> {
         return backdrop(at.y);
     }
     let place = place_of_part[part_of(word)];
-    let base = dressed(base_of(at, word, place), pixel);
+    let base = cap_base(dressed(own_color(word, place), pixel), word, at);
     let gaze = normalize(ray_through(centre_of(at)).direction);
     let normal = unpack_normal(layers[first + 1u]);
     let depth = bitcast<f32>(layers[first + 2u]);

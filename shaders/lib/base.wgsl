@@ -8,10 +8,13 @@
 #import cutaway::layers::{CAP, kind_of}
 #import cutaway::overlap::cap_base
 
-// The own colour of a pixel with a surface or a cap, in linear light: the first word of its layer, and the place of its part in the
-// table.
-fn base_of(at: vec2<u32>, word: u32, place: u32) -> vec3<f32> {
+// The colour of a part, or of its caps, in linear light: the first word of a layer, and the place of its part in the table.
+fn own_color(word: u32, place: u32) -> vec3<f32> {
     let is_cap = kind_of(word) == CAP;
-    let own = linear_from_srgb(select(parts[place].color.rgb, parts[place].cap_color.rgb, is_cap));
-    return cap_base(own, word, at);
+    return linear_from_srgb(select(parts[place].color.rgb, parts[place].cap_color.rgb, is_cap));
+}
+
+// The colour of a pixel with a surface or a cap.
+fn base_of(at: vec2<u32>, word: u32, place: u32) -> vec3<f32> {
+    return cap_base(own_color(word, place), word, at);
 }

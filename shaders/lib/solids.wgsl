@@ -5,7 +5,7 @@
 
 #import cutaway::color::linear_from_srgb
 
-// A number from 0 to 1 for a cell (PCG by three coordinates: Jarzynski and Olano 2020).
+// Three numbers from 0 to 1 for a cell (PCG by three coordinates: Jarzynski and Olano 2020).
 fn hash(cell: vec3<i32>) -> vec3<f32> {
     var v = bitcast<vec3<u32>>(cell) * 1664525u + 1013904223u;
     v.x += v.y * v.z;

@@ -1,7 +1,7 @@
 // Textures in storage: any number of them by one binding, and the same numbers on every device. Bound as @group(2) @binding(0) and (1).
 //
-// The size to read is chosen by the shorter side of what a pixel covers, of which up to four samples lie along the longer one; each is
-// bilinear in two sizes.
+// Up to four samples lie along the longer side of what a pixel covers, as many as it is longer than the other; each is bilinear in the two
+// sizes between which its share of that side is a texel long.
 
 #define_import_path cutaway::texture
 
@@ -76,7 +76,10 @@ fn sampled(number: u32, place: vec2<f32>, right: vec2<f32>, down: vec2<f32>) -> 
     let level = log2(max(longer / f32(count), 1.0));
     let along = select(down, right, is_right);
     var sum = vec4<f32>(0.0);
-    for (var i = 0u; i < count; i++) {
+    for (var i = 0u; i < u32(MOST_SAMPLES); i++) {
+        if i >= count {
+            break;
+        }
         sum += at_level(texture, level, place + along * ((f32(i) + 0.5) / f32(count) - 0.5));
     }
     return sum / f32(count);

@@ -145,7 +145,7 @@ pub const PATHS: &[Path] = &[
     fixed("style.ink", Color, "", "\"#20262e\"", "colour of strokes"),
     fixed("style.shading", Choice(&["lit", "calm", "flat", "gooch", "toon", "clay", "engraved"]), "", "\"calm\"", "how light becomes colour"),
     fixed("style.surface.color", Color, "", "\"#d8d4cc\"", "one colour for the surfaces of all parts"),
-    moved("style.surface.coat", Flag, "", "true", "whether surfaces have the vertex colours and images that files bring, in the place of the below"),
+    moved("style.surface.coat", Flag, "", "true", "whether surfaces have the vertex colours and images that files bring, in the place of one colour or hues"),
     moved("style.surface.lightness", Number(0.0, 1.0), "", "0.8", "OKLab lightness of surfaces, in the hues of their parts"),
     moved("style.surface.chroma", Number(0.0, 0.4), "", "0.024", "their greatest OKLab chroma"),
     moved("style.surface.warmth", Numbers(2), "", "[0, 0]", "added to OKLab a and b"),

@@ -8,7 +8,7 @@ use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 /// Pixels along the side of a tile, which has a word that says whether any border is in it.
 const TILE: u32 = 16;
 
-/// How far along a border those are that say where its stroke is; `RAMP` in `shaders/effects/strokes.wgsl`, and the next run.
+/// How far along a border those are that say where its stroke is; `RAMP` in `shaders/effects/strokes.wgsl`.
 pub(super) const RAMP_PX: u32 = 16;
 
 /// Finds the borders of the layers of the frame, and where their strokes are.

@@ -1,7 +1,7 @@
 //! Coats: vertex colours and images that files paint surfaces with, drawn where the layers show these surfaces.
 //!
-//! One draw of the parts that have a coat, with a depth of its own; 12 bytes a pixel. Whoever made the layers, by whichever cuts, the colours are
-//! those of the surface at the depth that is shown. Cannot: tell apart surfaces of one part that lie closer than a thousandth of their
+//! One draw of the parts that have a coat, with a depth of its own; 12 bytes a pixel. Whatever the strategy and the cuts, the colours are those of the
+//! surface at the depth that is shown. Cannot: tell apart surfaces of one part that lie closer than a thousandth of their
 //! distance, nor paint caps.
 
 use crate::passes::DrawPass;

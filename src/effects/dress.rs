@@ -65,6 +65,7 @@ pub(super) fn dress(
 fn planes_of(scene: &SceneBuffers<'_>, default_per_unit: f32) -> pack::DressPlanes {
     let mut planes: pack::DressPlanes = bytemuck::Zeroable::zeroed();
     planes.default_per_unit = default_per_unit;
+    planes.is_z_up = u32::from(scene.input.model.prepared.up().z > 0.5);
     let rows = planes.planes.iter_mut().zip(&mut planes.per_unit);
     for ((plane, per_unit), surface) in rows.zip(&scene.input.model.prepared.surfaces) {
         *plane = plane_of(surface);

@@ -12,7 +12,7 @@ use glam::Vec3;
 use crate::error::{Error, Result};
 use crate::scene::topology::{Edges, Sets};
 use crate::scene::weld::{has_three, thousands, weld};
-use crate::scene::{Mesh, MeshDefect, Motion, range};
+use crate::scene::{Coat, Mesh, MeshDefect, Motion, range};
 
 use super::welded;
 
@@ -174,8 +174,13 @@ impl Draft {
                 let (mesh, vertices) = self.mesh.picked(triangles);
                 (mesh, self.motion.of_positions(&vertices))
             };
-            // Exporters write white to every vertex: one colour all over says nothing.
-            mesh.coat = mesh.coat.filter(|coat| !coat.is_of_one_color());
+            // One colour is that of the part; but exporters write white to every vertex, which says nothing.
+            let one = mesh.coat.as_ref().and_then(Coat::one_color);
+            if one.is_some() {
+                mesh.coat = None;
+            }
+            let one = one.filter(|[r, g, b, _]| [*r, *g, *b] != [255; 3]);
+            let one = one.map(|[r, g, b, _]| Vec3::new(r.into(), g.into(), b.into()) / 255.0);
             let mut materials: Vec<String> = (members().filter(|g| size[*g] > 0))
                 .filter_map(|g| self.groups[g].material.clone())
                 .collect();
@@ -188,7 +193,8 @@ impl Draft {
                 name: members().find_map(|g| self.groups[g].name.clone()),
                 color: colored
                     .max_by_key(by_size)
-                    .and_then(|g| self.groups[g].color),
+                    .and_then(|g| self.groups[g].color)
+                    .or(one),
                 mesh,
                 motion,
             });

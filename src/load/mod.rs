@@ -218,6 +218,7 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
             part.materials = p.materials;
             part.is_transparent = p.is_transparent;
             part.role = p.role.unwrap_or_default();
+            part.role_is_said = p.role.is_some();
             part.material = Material::of_index(i);
             if let Some(color) = p.color {
                 part.material.color = color;

@@ -1,5 +1,5 @@
-//! Wavefront material libraries: which ones an OBJ names, their colours, the images of them, and which let light through (`Kd`, `map_Kd`, `d`, `Tr`); everything else in them is
-//! passed over, options of images too.
+//! Wavefront material libraries: which ones an OBJ names, their colours, the images of them, and which let light through (`Kd`, `map_Kd`,
+//! `d`, `Tr`); everything else in them is passed over, options of images too.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -17,6 +17,8 @@ pub(super) struct ObjCoat {
     place_of_corner: Vec<[u32; 3]>,
     /// By vertex; empty until one has a colour.
     colors: Vec<Option<Vec3>>,
+    /// The greatest channel of all: some programs write 0 to 255.
+    greatest: f32,
 }
 
 impl ObjCoat {
@@ -35,12 +37,10 @@ impl ObjCoat {
             .map_while(|word| word.parse().ok())
             .collect();
         if let [r, g, b] = numbers[..] {
+            let color = Some(Vec3::new(r, g, b)).filter(|c| c.is_finite());
             self.colors.resize(vertex + 1, None);
-            // Some write 0 to 255.
-            let most = if r.max(g).max(b) > 1.0 { 255.0 } else { 1.0 };
-            let color = Vec3::new(r, g, b) / most;
-            self.colors[vertex] =
-                Some(color.clamp(Vec3::ZERO, Vec3::ONE)).filter(|c| c.is_finite());
+            self.colors[vertex] = color;
+            self.greatest = self.greatest.max(color.unwrap_or_default().max_element());
         }
     }
 
@@ -57,10 +57,14 @@ impl ObjCoat {
         group_of_triangle: &[u32],
         paints: &[Paint],
     ) -> Option<Coat> {
+        let most = if self.greatest > 1.0 { 255.0 } else { 1.0 };
         let painted = (triangles.iter().zip(group_of_triangle)).zip(&self.place_of_corner);
         let painted = painted.map(|((triangle, group), corners)| {
             let place = |i: u32| self.places.get(i as usize).copied();
-            let color = |i: u32| self.colors.get(i as usize).copied().flatten();
+            let color = |i: u32| {
+                let color = self.colors.get(i as usize).copied().flatten()?;
+                Some((color / most).clamp(Vec3::ZERO, Vec3::ONE))
+            };
             PaintedTriangle {
                 group: *group,
                 uv: all(corners.map(place)),

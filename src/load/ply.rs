@@ -1,6 +1,7 @@
 //! PLY, ASCII and binary of either byte order, through `ply-rs-bw`.
 //!
-//! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue`) and `face` (`vertex_indices` or
+//! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue` of
+//! `uchar`, `ushort`, `float` or `double`) and `face` (`vertex_indices` or
 //! `vertex_index`, polygons become fans from their first corner). Other elements are parsed and dropped. A line of the
 //! header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
 //! versions of Blender wrote such lines.

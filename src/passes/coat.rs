@@ -46,6 +46,9 @@ impl PackedCoat {
     }
 }
 
+/// Words of all coats together: what one binding of any device holds, 2.5 million triangles. Parts beyond are shown in one colour.
+const MOST_WORDS: u64 = 32 << 20;
+
 /// The coats of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Coats {
@@ -82,9 +85,17 @@ impl Coats {
             let (Some(coat), Some(words)) = (shown(of), &packed.coat) else {
                 continue;
             };
+            // Their textures have numbers all the same.
+            let first_image = next.first_image;
+            next.first_image += coat.images.len() as u32;
+            let end = u64::from(next.first_word) + u64::from(words.triangles) * COAT_WORDS as u64;
+            if end > MOST_WORDS || words.triangles == 0 {
+                continue;
+            }
             rows.push(CoatRow {
                 part,
                 first_vertex: rooms[part as usize].first_vertex,
+                first_image,
                 ..next
             });
             triangles.push(words.triangles);
@@ -93,7 +104,6 @@ impl Coats {
                 bytes: words.words.clone(),
             });
             next.first_word += words.triangles * COAT_WORDS as u32;
-            next.first_image += coat.images.len() as u32;
         }
         let most = triangles.iter().max()? * 3;
         let is_long = |before: &&Self| before.indices.len() >= u64::from(most) * 4;

@@ -10,9 +10,9 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::coat::{self, Coats};
 use super::packed::{Packed, Room};
-use crate::plan::pack::{self, NO_TEXTURE};
+use crate::plan::pack::{self, FILLED_STACK, NO_TEXTURE};
 use crate::plan::{Contents, Piece};
-use crate::scene::{Amount, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
+use crate::scene::{Amount, Bounds, Part, Scene, SceneSpace, SolidTexture, Texture, TextureKind};
 
 /// Of what repeats and has no size, in percent of the diagonal of the scene.
 const USUAL_SIZE: Amount = Amount::Percent(10.0);
@@ -34,11 +34,11 @@ pub(crate) struct Dress {
 }
 
 impl Dress {
-    /// Of a scene, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
+    /// Of a scene of these bounds, with the textures of before where they are the same; none where no part has a material, or a coat that is shown.
     pub(super) fn of(
         scene: &Scene,
         space: &SceneSpace,
-        places: (&[Packed], &[Room]),
+        (world, places): (&Bounds, (&[Packed], &[Room])),
         before: Option<&Arc<Self>>,
     ) -> Option<Arc<Self>> {
         let materials = scene
@@ -69,7 +69,7 @@ impl Dress {
             Some(before) => [before.table.clone(), before.texels.clone()],
             None => packed(&textures),
         };
-        let diagonal = scene.bounds().size().length();
+        let diagonal = world.size().length();
         let length = |size: Amount| size.between(0.0, diagonal);
         let mut first = 0;
         let rows = scene.parts.iter().map(|part| {
@@ -113,20 +113,44 @@ impl Dress {
     }
 }
 
+/// All texels together: what one binding of any device holds. Larger images are there without their largest sizes.
+const MOST_TEXELS_OF_TEXTURES: usize = 30 << 20;
+
+/// How many sizes to leave out, of all textures alike.
+fn left_out(textures: &[Arc<Texture>]) -> u32 {
+    let mut known: Vec<&Arc<Texture>> = Vec::new();
+    for texture in textures {
+        if !known.iter().any(|k| Arc::ptr_eq(k, texture)) {
+            known.push(texture);
+        }
+    }
+    let count = |level: u32| {
+        known
+            .iter()
+            .map(|t| t.level_on(level).1.len())
+            .sum::<usize>()
+    };
+    (0..14)
+        .find(|level| count(*level) <= MOST_TEXELS_OF_TEXTURES)
+        .unwrap_or(14)
+}
+
 /// Textures that several parts have are there once.
 fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
     let mut known: Vec<(&Arc<Texture>, u32)> = Vec::new();
     let mut pieces = Vec::new();
     let mut count = 0_u64;
     let mut rows = Vec::with_capacity(textures.len().max(1));
+    let level = left_out(textures);
     for texture in textures {
         let place = known.iter().find(|(k, _)| Arc::ptr_eq(k, texture));
         let first = match place {
             Some((_, first)) => *first,
             None => {
                 let first = count as u32;
-                pieces.push(Piece::from_values(count * 4, texture.texels()));
-                count += texture.texels().len() as u64;
+                let (_, texels) = texture.level_on(level);
+                pieces.push(Piece::from_values(count * 4, texels));
+                count += texels.len() as u64;
                 known.push((texture, first));
                 first
             }
@@ -134,7 +158,7 @@ fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
         rows.push(pack::Texture {
             first,
             is_color: u32::from(texture.kind() == TextureKind::Color),
-            size: texture.size(),
+            size: texture.level_on(level).0,
         });
     }
     if rows.is_empty() {
@@ -175,7 +199,8 @@ fn row_of(
         Some(SolidTexture::Wood) => (1, 0),
         Some(SolidTexture::Marble) => (2, 0),
         Some(SolidTexture::Granite) => (3, 0),
-        Some(SolidTexture::Stack(images)) => (4, images.len() as u32),
+        Some(SolidTexture::Stack(images)) if material.size.is_some() => (4, images.len() as u32),
+        Some(SolidTexture::Stack(images)) => (FILLED_STACK, images.len() as u32),
     };
     let size = length(material.size.unwrap_or(USUAL_SIZE));
     let is_filled = image_count > 0 && material.size.is_none();

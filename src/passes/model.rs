@@ -159,7 +159,7 @@ impl Model {
         } = Heights::of(&prepared, before.map(|b| (&b.heights, b.maps.as_slice())));
         let relief_sky = ReliefSky::of(&prepared, &first_texel, before.map(|b| &b.relief_sky));
         let known = before.and_then(|b| b.dress.as_ref());
-        let dress = Dress::of(scene, &space, (&packed, &rooms), known);
+        let dress = Dress::of(scene, &space, (&world, (&packed, &rooms)), known);
         let cutters = Cutters::of(&prepared.surfaces, before.map(|b| &b.cutters));
         let known = before.and_then(|b| b.settled.as_ref());
         let settled = SettledParts::of(&prepared, &packed, &rooms, known);
@@ -224,11 +224,12 @@ impl Model {
         }
     }
 
-    /// The same scene in another style.
+    /// The same scene in another style, in the colours of its parts alone.
     #[must_use]
     pub(crate) fn in_style(&self, style: Style) -> Self {
         let mut styled = self.clone();
         styled.prepared.style = style;
+        styled.dress = None;
         styled.identity = Arc::default();
         styled
     }

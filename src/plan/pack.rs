@@ -6,14 +6,17 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec2, DVec3, Mat4, Vec4};
 
-use crate::scene::{Bounds, PreparedSurface, View};
+use crate::scene::{PreparedSurface, View};
 
 mod normal;
 
 pub use composite::Composite;
 pub use dress::{
-    COAT_WORDS, CapMaterial, CoatRow, DressPlanes, MOST_CAP_PLANES, NO_TEXTURE, Texture,
+    COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
+    Texture,
 };
+use frame::BOX_MARGIN;
+pub use frame::{Frame, frame};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
 pub use lists::{Cascade, FragmentPool};
@@ -50,6 +53,7 @@ macro_rules! shared {
 // After the macro, which they use.
 mod composite;
 mod dress;
+mod frame;
 mod ghost;
 mod hatch;
 mod lists;
@@ -62,38 +66,6 @@ mod style;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
 pub use refinement::{BORDERS_OF_DOMAIN, Domain, Refinement, SHARED};
-
-shared! {
-    /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
-    Frame {
-        /// To clip space.
-        clip_from_scene: [f32; 16],
-        /// Ray origin at (0, 0), per pixel right, per pixel down.
-        ray_origin: [[f32; 4]; 3],
-        /// Ray direction, likewise.
-        ray_direction: [[f32; 4]; 3],
-        /// What a pixel right and a pixel down mean in scene space.
-        ray_step: [[f32; 4]; 2],
-        /// Viewing direction.
-        forward: [f32; 4],
-        /// Box around the cut solids.
-        box_min: [f32; 4],
-        /// Box around the cut solids.
-        box_max: [f32; 4],
-        /// Picture.
-        size_px: [u32; 2],
-        /// Depth of the near plane.
-        near: f32,
-        /// Depth behind everything.
-        far: f32,
-        /// 1 for parallel rays.
-        orthographic: u32,
-        /// 1 where the near plane makes caps.
-        near_cap: u32,
-        /// First row and all rows of the picture that this is a band of.
-        band: [u32; 2],
-    }
-}
 
 shared! {
     /// A clip-surface as functions of a point: `shaders/lib/cuts.wgsl`.
@@ -271,38 +243,6 @@ pub const MAX_SURFACES: usize = 32;
 pub const MAX_CUTS: usize = 32;
 /// `first_texel` of a plane.
 pub const NO_RELIEF: u32 = u32::MAX;
-
-/// How much larger than the cut solids the box around them is, so that no solid lies in a face of it.
-const BOX_MARGIN: f64 = 1e-4;
-
-/// The frame of a view; `cut_box` is the box around the solids that are cut.
-pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
-    let (o0, d0) = view.ray(DVec2::ZERO);
-    let (ox, dx) = view.ray(DVec2::X);
-    let (oy, dy) = view.ray(DVec2::Y);
-    // In orthographic views origins move with the pixel, in perspective directions do.
-    let step = if view.orthographic {
-        [ox - o0, oy - o0]
-    } else {
-        [dx - d0, dy - d0]
-    };
-    let margin = DVec3::splat(BOX_MARGIN);
-    Frame {
-        clip_from_scene: matrix(view.clip_from_scene()),
-        ray_origin: [row(o0), row(ox - o0), row(oy - o0)],
-        ray_direction: [row(d0), row(dx - d0), row(dy - d0)],
-        ray_step: step.map(row),
-        forward: row(view.forward),
-        box_min: row(cut_box.min - margin),
-        box_max: row(cut_box.max + margin),
-        size_px: view.size_px,
-        near: view.near as f32,
-        far: view.far as f32,
-        orthographic: u32::from(view.orthographic),
-        near_cap: u32::from(view.near_cap),
-        band: view.band,
-    }
-}
 
 /// A clip-surface as functions of a point. `first_texel` is [`NO_RELIEF`] for planes; `reach` is the longest way through the
 /// box of the cut solids.

@@ -44,7 +44,7 @@ pub struct CapMaterial {
 }
 
 impl CapMaterial {
-    /// Its textures, each once.
+    /// Its textures: colours, normals, light, then the images of a stack, of those that are there.
     pub fn textures(&self) -> impl Iterator<Item = &Arc<Texture>> {
         let stack: &[Arc<Texture>] = match &self.solid {
             Some(SolidTexture::Stack(images)) => images,

@@ -39,12 +39,10 @@ impl Coat {
         }
     }
 
-    /// Whether all of it has one colour and no image.
-    pub(crate) fn is_of_one_color(&self) -> bool {
-        let Some(first) = self.triangles.first().map(|t| t.colors[0]) else {
-            return true;
-        };
+    /// The one colour of all of it, sRGB, where it has no image and but one.
+    pub(crate) fn one_color(&self) -> Option<[u8; 4]> {
+        let first = self.triangles.first()?.colors[0];
         let is_it = |t: &CoatedTriangle| t.image.is_none() && t.colors == [first; 3];
-        self.triangles.iter().all(is_it)
+        self.triangles.iter().all(is_it).then_some(first)
     }
 }

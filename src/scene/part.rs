@@ -48,6 +48,8 @@ pub struct Part {
     pub material: Material,
     /// Whether it is cut.
     pub role: Role,
+    /// Its model says that `role`, which is not the usual one for want of another.
+    pub role_is_said: bool,
     /// What its file calls its materials: globs of roles look at these names too.
     pub materials: Vec<String>,
     /// Its file says that light passes through all of it, which makes it exterior (Diepstraten et al. 2003, section 4).
@@ -81,6 +83,7 @@ impl Part {
             world_from_part: DAffine3::IDENTITY,
             material: Material::default(),
             role: Role::Exterior,
+            role_is_said: false,
             materials: Vec::new(),
             is_transparent: false,
             priority: None,

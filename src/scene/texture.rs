@@ -66,9 +66,17 @@ impl Texture {
         self.kind
     }
 
-    /// RGBA of all sizes, the largest first, each half as large as the one before, rounded down, down to one texel.
-    pub(crate) fn texels(&self) -> &[[u8; 4]] {
-        &self.texels
+    /// Columns and rows of a smaller size, and its texels with those of all that are smaller still; 0 is the image itself.
+    pub(crate) fn level_on(&self, level: u32) -> ([u32; 2], &[[u8; 4]]) {
+        let (mut size, mut first) = (self.size, 0);
+        for _ in 0..level {
+            if size == [1, 1] {
+                break;
+            }
+            first += size[0] as usize * size[1] as usize;
+            size = half(size);
+        }
+        (size, &self.texels[first..])
     }
 
     /// The next smaller size of the one that begins at `first`: each texel is the mean of the two to three that it covers along each side.
@@ -127,7 +135,7 @@ mod tests {
     fn sizes_go_down_to_one_texel() {
         let texture = checks(TextureKind::Data);
         // 5 x 3, 2 x 1, 1 x 1.
-        assert_eq!(texture.texels().len(), 15 + 2 + 1);
+        assert_eq!(texture.texels.len(), 15 + 2 + 1);
     }
 
     #[test]
@@ -135,7 +143,7 @@ mod tests {
         let [color, data] = [TextureKind::Color, TextureKind::Data].map(|kind| {
             let texels = vec![[0, 0, 0, 255], [255, 255, 255, 255]];
             let texture = Texture::new([2, 1], texels, kind).expect("a texture");
-            texture.texels()[2][0]
+            texture.texels[2][0]
         });
         assert_eq!(data, 128);
         assert_eq!(color, 188, "half of the light");

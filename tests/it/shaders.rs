@@ -250,6 +250,7 @@ fn shared_structs_are_laid_out_alike() {
         include_str!("../../src/plan/pack.rs"),
         include_str!("../../src/plan/pack/composite.rs"),
         include_str!("../../src/plan/pack/dress.rs"),
+        include_str!("../../src/plan/pack/frame.rs"),
         include_str!("../../src/plan/pack/ghost.rs"),
         include_str!("../../src/plan/pack/hatch.rs"),
         include_str!("../../src/plan/pack/style.rs"),
@@ -417,6 +418,7 @@ fn constants_have_one_value_on_both_sides() {
     let expected = [
         ("NO_RELIEF", NO_RELIEF),
         ("NO_TEXTURE", pack::NO_TEXTURE),
+        ("FILLED_STACK", pack::FILLED_STACK),
         ("COAT_WORDS", pack::COAT_WORDS as u32),
         ("MAX_SURFACES", MAX_SURFACES as u32),
         ("WORDS_PER_PIXEL", words_per_pixel),

@@ -1,10 +1,10 @@
-// Coats that `coat.wgsl` drew. Bound as @group(1) @binding(6).
+// Coats that `coat.wgsl` drew: a colour and the part. Bound as @group(1) @binding(6).
 //
-// A pixel at an edge, which the rasteriser that drew coats left to nobody, has the colour of the pixel beside it.
+// A pixel at an edge that the draw of coats did not cover has the colour of a pixel of the same part beside it.
 
 #define_import_path cutaway::coat
 
-#import cutaway::layers::{SURFACE, kind_of}
+#import cutaway::layers::{SURFACE, kind_of, part_of}
 
 @group(1) @binding(6) var coat_colors: texture_2d<u32>;
 
@@ -17,9 +17,9 @@ fn coat_at(at: vec2<u32>, word: u32) -> u32 {
     let size = vec2<i32>(textureDimensions(coat_colors));
     for (var i = 0; i < 4; i++) {
         let beside = clamp(vec2<i32>(at) + steps[i], vec2<i32>(0), size - 1);
-        let color = textureLoad(coat_colors, beside, 0).x;
-        if color != 0u {
-            return color;
+        let color = textureLoad(coat_colors, beside, 0);
+        if color.x != 0u && color.y == part_of(word) {
+            return color.x;
         }
     }
     return 0u;

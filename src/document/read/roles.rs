@@ -138,7 +138,7 @@ impl Roles {
         if let Some((glob, role)) = self.globs.iter().find(|(glob, _)| fits(glob, part)) {
             return (*role, RoleBy::Glob(glob.clone()));
         }
-        if part.role != Role::default() {
+        if part.role_is_said || part.role != Role::default() {
             return (part.role, RoleBy::Model);
         }
         if part.is_transparent {

@@ -35,6 +35,15 @@ pub(super) fn open(
     let broken = |e: gltf::Error| wrong(format!("glTF: {}", reason(&e)));
     let (mut root, blob) = root(bytes, notes).map_err(broken)?;
     check_attributes(&root).map_err(wrong)?;
+    for image in &mut root.images {
+        // The crate looks for what such an image lacks; of this name there is nothing, which is said where it is asked for.
+        let is_whole =
+            image.uri.is_some() || (image.buffer_view.is_some() && image.mime_type.is_some());
+        if !is_whole {
+            image.uri = Some("data:".to_owned());
+            image.buffer_view = None;
+        }
+    }
     let animations = std::mem::take(&mut root.animations);
     let document = Document::from_json(root).map_err(broken)?;
     let buffers = buffers(path, &document, blob, store, files)?;
@@ -69,8 +78,10 @@ pub(in crate::load) fn named_buffers(folder: &Path, bytes: &[u8]) -> Vec<PathBuf
     let images = root.images.iter().map(|image| image.uri.as_deref());
     let uris = buffers.chain(images).flatten();
     let files = uris.filter(|uri| !uri.starts_with("data:"));
-    files
-        .map(|uri| folder.join(uri::percent_decoded(uri)))
+    let names = files.map(uri::percent_decoded);
+    names
+        .filter(|name| uri::leads_away(name).is_none())
+        .map(|name| folder.join(name))
         .collect()
 }
 

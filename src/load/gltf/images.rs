@@ -12,12 +12,17 @@ use crate::load::Files;
 use crate::load::texture::texture_of;
 use crate::scene::{Texture, TextureKind};
 
+/// More are not read of one file: small files can hold large even images.
+const MOST_PIXELS: u64 = 1 << 27;
+
 /// The images of a file.
 pub(super) struct Images<'a> {
     pub(super) path: &'a Path,
     pub(super) store: &'a dyn Files,
     pub(super) buffers: &'a [Vec<u8>],
     pub(super) read: BTreeMap<usize, Option<Arc<Texture>>>,
+    /// How many pixels they have together.
+    pub(super) pixels: u64,
     /// Files that were read.
     pub(super) files: Vec<PathBuf>,
     /// What is wrong with some.
@@ -30,9 +35,18 @@ impl Images<'_> {
         if let Some(known) = self.read.get(&image.index()) {
             return known.clone();
         }
-        let read = self.texture(image);
+        let read = match self.pixels > MOST_PIXELS {
+            true => Err(format!(
+                "there are more than {MOST_PIXELS} pixels before it"
+            )),
+            false => self.texture(image),
+        };
         let texture = match read {
-            Ok(texture) => Some(Arc::new(texture)),
+            Ok(texture) => {
+                let [width, height] = texture.size();
+                self.pixels += u64::from(width) * u64::from(height);
+                Some(Arc::new(texture))
+            }
             Err(why) => {
                 self.notes
                     .push(format!("image {}: {why}: shown without it", image.index()));
@@ -53,6 +67,7 @@ impl Images<'_> {
                 });
                 texture_of(
                     bytes.ok_or("its bytes are not in the file")?,
+                    None,
                     TextureKind::Color,
                 )
             }
@@ -62,7 +77,7 @@ impl Images<'_> {
                     Error::File { what, .. } => what,
                     other => other.to_string(),
                 })?;
-                texture_of(&bytes, TextureKind::Color)
+                texture_of(&bytes, None, TextureKind::Color)
             }
         }
     }

@@ -68,6 +68,7 @@ pub(super) fn read(
         store,
         buffers,
         read: BTreeMap::new(),
+        pixels: 0,
         files: Vec::new(),
         notes: Vec::new(),
     };

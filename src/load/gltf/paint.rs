@@ -2,6 +2,7 @@
 //! transforms of texture coordinates are passed over.
 
 use glam::{Vec2, Vec3};
+use gltf::Accessor;
 use gltf::accessor::Dimensions;
 use gltf::material::AlphaMode;
 use gltf::{Primitive, Semantic};
@@ -18,38 +19,47 @@ pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
     Paint {
         color: color(primitive),
         image: texture.and_then(|info| images.get(&info.texture().source())),
-        is_transparent: material.alpha_mode() == AlphaMode::Blend
-            || material.pbr_metallic_roughness().base_color_factor()[3] < 1.0,
+        is_transparent: material.alpha_mode() == AlphaMode::Blend,
     }
 }
 
-/// Adds what is known of the corners of triangles of a group.
+/// Adds what is known of the corners of triangles of a group. What is wrong with it becomes a note: it only paints.
 pub(super) fn triangles(
     (group, primitive): (u32, &Primitive<'_>),
     triangles: &[[u32; 3]],
     vertices: usize,
     buffers: &[Vec<u8>],
-    painted: &mut Vec<PaintedTriangle>,
-) -> Result<(), String> {
+    (painted, notes): (&mut Vec<PaintedTriangle>, &mut Vec<String>),
+) {
     let material = primitive.material();
     let texture = material.pbr_metallic_roughness().base_color_texture();
-    let set = texture.map_or(0, |info| info.tex_coord());
     let reader = primitive.reader(|b| buffers.get(b.index()).map(Vec::as_slice));
+    let mut is_right = |accessor: Option<Accessor<'_>>, wanted| {
+        let checked = accessor.map(|accessor| check(&accessor, wanted, buffers));
+        if let Some(Err(what)) = &checked {
+            notes.push(format!("{what}: shown without it"));
+        }
+        checked.is_some_and(|checked| checked.is_ok())
+    };
     let mut places: Option<Vec<Vec2>> = None;
-    if let Some(accessor) = primitive.get(&Semantic::TexCoords(set)) {
-        check(&accessor, PLACES, buffers)?;
+    if let Some(set) = texture.map(|info| info.tex_coord())
+        && is_right(primitive.get(&Semantic::TexCoords(set)), PLACES)
+    {
+        let finite = |place: [f32; 2]| Some(Vec2::from(place)).filter(|p| p.is_finite());
         let read = reader.read_tex_coords(set);
-        places = read.map(|read| read.into_f32().map(Vec2::from).collect());
+        places =
+            read.map(|read| (read.into_f32().map(|p| finite(p).unwrap_or_default())).collect());
     }
     let mut colors: Option<Vec<Vec3>> = None;
-    if let Some(accessor) = primitive.get(&Semantic::Colors(0)) {
-        let wanted = match accessor.dimensions() {
-            Dimensions::Vec4 => COLORS_WITH_ALPHA,
-            _ => COLORS,
-        };
-        check(&accessor, wanted, buffers)?;
+    let accessor = primitive.get(&Semantic::Colors(0));
+    let wanted = match accessor.as_ref().map(Accessor::dimensions) {
+        Some(Dimensions::Vec4) => COLORS_WITH_ALPHA,
+        _ => COLORS,
+    };
+    if is_right(accessor, wanted) {
         let encoded = |c: [f32; 3]| {
-            let linear = Vec3::from(c).clamp(Vec3::ZERO, Vec3::ONE);
+            let linear = Some(Vec3::from(c)).filter(|c| c.is_finite());
+            let linear = linear.unwrap_or(Vec3::ONE).clamp(Vec3::ZERO, Vec3::ONE);
             map_channels(linear, srgb_from_linear)
         };
         let read = reader.read_colors(0);
@@ -63,7 +73,6 @@ pub(super) fn triangles(
         uv: places.as_ref().map(|all| t.map(|i| all[i as usize])),
         colors: colors.as_ref().map(|all| t.map(|i| all[i as usize])),
     }));
-    Ok(())
 }
 
 /// The base colour as sRGB. A textured material with a white factor says nothing about its colour.

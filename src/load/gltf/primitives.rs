@@ -62,7 +62,6 @@ pub(super) fn draft(
         followers
             .morph(&primitive, vertices, all, buffers, &mut said)
             .map_err(at)?;
-        notes.extend(said.into_iter().map(at));
         let group = draft.groups.len() as u32;
         let paint = paint::of(&primitive, images);
         draft.groups.push(Group {
@@ -72,8 +71,9 @@ pub(super) fn draft(
             is_transparent: paint.is_transparent,
         });
         paints.push(paint);
-        let group_paint = (group, &primitive);
-        paint::triangles(group_paint, &triangles, vertices, buffers, &mut painted).map_err(at)?;
+        let (from, to) = ((group, &primitive), (&mut painted, &mut said));
+        paint::triangles(from, &triangles, vertices, buffers, to);
+        notes.extend(said.into_iter().map(at));
         let more = triangles.len();
         draft
             .group_of_triangle

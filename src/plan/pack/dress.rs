@@ -7,6 +7,9 @@ use super::{CapPlane, Layout};
 /// In the place of the number of a texture: there is none.
 pub const NO_TEXTURE: u32 = u32::MAX;
 
+/// A solid that is a stack of images which fills the box of its part.
+pub const FILLED_STACK: u32 = 5;
+
 /// Words of a triangle of a coat: three vertices, three colours, six coordinates, an image.
 pub const COAT_WORDS: usize = 13;
 
@@ -40,7 +43,7 @@ shared! {
 }
 
 shared! {
-    /// The material of the caps of a part: `shaders/lib/cap_materials.wgsl`.
+    /// The material of the caps of a part: `shaders/effects/dress.wgsl`.
     CapMaterial {
         /// From a point of scene space to the first coordinate in the solid: across the grain.
         x_row: [f32; 4],
@@ -54,7 +57,7 @@ shared! {
         normal: u32,
         /// Of light.
         light: u32,
-        /// 0 for none, 1 wood, 2 marble, 3 granite, 4 a stack of images.
+        /// 0 for none, 1 wood, 2 marble, 3 granite, 4 a stack of images that repeats, 5 one that fills the box of the part.
         solid: u32,
         /// First image of a stack.
         first_image: u32,
@@ -68,7 +71,7 @@ shared! {
 }
 
 shared! {
-    /// The frames of all clip-surfaces.
+    /// The frames of all clip-surfaces: `shaders/effects/dress.wgsl`.
     DressPlanes {
         /// By the number of the clip-surface: coordinates in scene units.
         planes: [CapPlane; MOST_CAP_PLANES],
@@ -78,9 +81,9 @@ shared! {
         count: u32,
         /// Repeats in a scene unit where there is no relief.
         default_per_unit: f32,
+        /// 1 where the third axis is up, and not the second.
+        is_z_up: u32,
         /// Unused.
-        padding_a: u32,
-        /// Unused.
-        padding_b: u32,
+        padding: u32,
     }
 }

@@ -56,7 +56,7 @@ pub(super) fn posed(mesh: &Mesh, motion: &Motion, pose: &Pose) -> Mesh {
         positions,
         triangles: mesh.triangles.clone(),
         corner_normals,
-        // Who draws it takes that of the mesh at rest.
+        // The coat of the mesh at rest is drawn.
         coat: None,
     };
     if !pose.deformers.is_empty() {

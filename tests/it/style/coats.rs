@@ -259,3 +259,56 @@ fn vertex_colours_of_a_ply_are_a_coat_unless_they_are_all_alike() {
     let coat = coat("10 20 30").expect("a coat");
     assert_eq!(coat.triangles[1].colors[2][..3], [10, 20, 30]);
 }
+
+#[test]
+fn odd_images_of_a_gltf_are_said_and_its_mesh_is_read() {
+    for image in [
+        serde_json::json!({}),
+        serde_json::json!({ "bufferView": 0 }),
+        serde_json::json!({ "bufferView": 0, "mimeType": "image/png" }),
+        serde_json::json!({ "uri": "../../etc/passwd" }),
+        serde_json::json!({ "uri": "not there.png" }),
+    ] {
+        let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+        let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let uv: [[f32; 2]; 4] = [
+            [f32::NAN, 0.0],
+            [f32::INFINITY, 1.0],
+            [0.0, 1.0],
+            [1e30, 0.0],
+        ];
+        let indices = triangles
+            .as_flattened()
+            .iter()
+            .flat_map(|i| i.to_le_bytes());
+        let numbers = places.as_flattened().iter().chain(uv.as_flattened());
+        let bytes: Vec<u8> = indices
+            .chain(numbers.flat_map(|c| c.to_le_bytes()))
+            .collect();
+        let gltf = serde_json::json!({
+            "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1, "TEXCOORD_0": 2 }, "indices": 0, "material": 0 }] }],
+            "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } }],
+            "textures": [{ "source": 0 }], "images": [image],
+            "buffers": [{ "uri": "it.bin", "byteLength": 104 }],
+            "bufferViews": [
+                { "buffer": 0, "byteLength": 24 },
+                { "buffer": 0, "byteOffset": 24, "byteLength": 48 },
+                { "buffer": 0, "byteOffset": 72, "byteLength": 32 },
+            ],
+            "accessors": [
+                { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
+                { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
+                { "bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2" },
+            ],
+        });
+        let mut files = Memory::default();
+        files.insert("it.gltf", gltf.to_string().into_bytes());
+        files.insert("it.bin", bytes);
+        let loaded = load_mesh_file_from(Path::new("it.gltf"), &files);
+        let loaded = loaded.unwrap_or_else(|e| panic!("{image}: {e}"));
+        assert_eq!(loaded.parts[0].mesh.triangles.len(), 4, "{image}");
+        let is_said = loaded.notes.iter().any(|n| n.contains("shown without it"));
+        assert!(is_said, "{image}: {:?}", loaded.notes);
+    }
+}

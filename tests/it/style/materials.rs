@@ -236,6 +236,32 @@ fn stacks_fill_the_box_of_the_part() {
         let color = caps(&mut session, &of(section))[300].1;
         assert_eq!(color, slices[i][..3], "{section}");
     }
+    // The ends do not run into each other.
+    for (section, i) in [("-z=1%", 0), ("-z=99%", 3)] {
+        let color = caps(&mut session, &of(section))[300].1;
+        assert_eq!(color, slices[i][..3], "{section}");
+    }
+}
+
+#[test]
+fn stripes_of_interference_lie_over_materials() {
+    let mut scene = cube_of(CapMaterial {
+        solid: Some(SolidTexture::Marble),
+        ..CapMaterial::default()
+    });
+    let mut other = scene.parts[0].clone();
+    other.name = "other".to_owned();
+    other.world_from_part = DAffine3::from_scale(DVec3::splat(0.5));
+    scene.parts.push(other);
+    let mut session = session();
+    let red = |caps: &[([u32; 2], [u8; 3])]| {
+        caps.iter()
+            .filter(|(_, [r, g, b])| (*r, *g, *b) == (255, 0, 0))
+            .count()
+    };
+    assert_eq!(red(&caps(&mut session, &scene)), 0, "the control");
+    scene.interference = Some(glam::Vec3::X);
+    assert!(red(&caps(&mut session, &scene)) > 300, "stripes are seen");
 }
 
 #[test]

@@ -1,0 +1,71 @@
+//! How scene space becomes pixels.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec2, DVec3};
+
+use super::{Layout, matrix, row};
+use crate::scene::{Bounds, View};
+
+shared! {
+    /// How scene space becomes pixels: `shaders/lib/frame.wgsl`.
+    Frame {
+        /// To clip space.
+        clip_from_scene: [f32; 16],
+        /// Ray origin at (0, 0), per pixel right, per pixel down.
+        ray_origin: [[f32; 4]; 3],
+        /// Ray direction, likewise.
+        ray_direction: [[f32; 4]; 3],
+        /// What a pixel right and a pixel down mean in scene space.
+        ray_step: [[f32; 4]; 2],
+        /// Viewing direction.
+        forward: [f32; 4],
+        /// Box around the cut solids.
+        box_min: [f32; 4],
+        /// Box around the cut solids.
+        box_max: [f32; 4],
+        /// Picture.
+        size_px: [u32; 2],
+        /// Depth of the near plane.
+        near: f32,
+        /// Depth behind everything.
+        far: f32,
+        /// 1 for parallel rays.
+        orthographic: u32,
+        /// 1 where the near plane makes caps.
+        near_cap: u32,
+        /// First row and all rows of the picture that this is a band of.
+        band: [u32; 2],
+    }
+}
+
+/// How much larger than the cut solids the box around them is, so that no solid lies in a face of it.
+pub(super) const BOX_MARGIN: f64 = 1e-4;
+
+/// The frame of a view; `cut_box` is the box around the solids that are cut.
+pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
+    let (o0, d0) = view.ray(DVec2::ZERO);
+    let (ox, dx) = view.ray(DVec2::X);
+    let (oy, dy) = view.ray(DVec2::Y);
+    // In orthographic views origins move with the pixel, in perspective directions do.
+    let step = if view.orthographic {
+        [ox - o0, oy - o0]
+    } else {
+        [dx - d0, dy - d0]
+    };
+    let margin = DVec3::splat(BOX_MARGIN);
+    Frame {
+        clip_from_scene: matrix(view.clip_from_scene()),
+        ray_origin: [row(o0), row(ox - o0), row(oy - o0)],
+        ray_direction: [row(d0), row(dx - d0), row(dy - d0)],
+        ray_step: step.map(row),
+        forward: row(view.forward),
+        box_min: row(cut_box.min - margin),
+        box_max: row(cut_box.max + margin),
+        size_px: view.size_px,
+        near: view.near as f32,
+        far: view.far as f32,
+        orthographic: u32::from(view.orthographic),
+        near_cap: u32::from(view.near_cap),
+        band: view.band,
+    }
+}
