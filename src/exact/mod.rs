@@ -368,7 +368,15 @@ impl<'a> Lines<'a> {
             Some((Cause::Clip { surface, .. }, source)) => {
                 layer.kind = Kind::Cap;
                 layer.clip_surface = surface as u8;
-                layer.normal = shading::cap_normal(&bench.roots[source]);
+                let root = &bench.roots[source];
+                layer.normal = match root.face {
+                    None => shading::cap_normal(root),
+                    Some(face) => {
+                        let mesh = self.mesh_of_cutter(surface);
+                        let point = ray.origin + ray.direction * sight.depth;
+                        shading::cutter_normal(mesh, root, face, point)
+                    }
+                };
             }
             Some((Cause::Mesh { .. }, source)) => {
                 let crossing = &bench.crossings[source];

@@ -24,7 +24,7 @@ pub(super) struct Projected<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     /// Which points it encloses.
     pub(super) fill: Fill,
-    /// Normals to be shown; a cutter has none.
+    /// Normals to be shown; a cutter that is not smooth has none.
     pub(super) shading: Option<&'a ShadingMesh>,
     /// Where its vertices land.
     pub(super) corners: Vec<Corner>,
@@ -44,7 +44,10 @@ impl<'a> Projected<'a> {
 
     /// Projects a cutter.
     pub(super) fn of_volume(view: &View, volume: &'a PreparedVolume) -> Self {
-        Self::of_mesh(view, &volume.positions, volume.triangles())
+        Self {
+            shading: volume.shading.as_deref(),
+            ..Self::of_mesh(view, &volume.positions, volume.triangles())
+        }
     }
 
     fn of_mesh(view: &View, positions: &'a [Vec3], triangles: &'a [[u32; 3]]) -> Self {

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::clip::Root;
+use super::clip::{Face, Root};
 use super::raster::{Crossing, Projected};
 
 /// Normal of a cap: down the kept height, out of the kept solid.
@@ -10,18 +10,32 @@ pub(super) fn cap_normal(root: &Root) -> Vec3 {
     (-root.gradient).normalize_or_zero().as_vec3()
 }
 
-/// Normal of a mesh: the shading normals of the triangle's corners, interpolated; turned round on a back face.
+/// Normal of a cap on a cutter: as that of a mesh, on the side that a ray comes from which leaves the removed region.
+pub(super) fn cutter_normal(mesh: &Projected<'_>, root: &Root, face: Face, point: DVec3) -> Vec3 {
+    let outward = mesh.facet(face.triangle).normal;
+    let normal = normal_at(mesh, face.triangle, point);
+    let is_turned = outward.dot(root.gradient) > 0.0;
+    (if is_turned { -normal } else { normal }).as_vec3()
+}
+
+/// Normal of a mesh; turned round on a back face.
 pub(super) fn surface_normal(part: &Projected<'_>, crossing: &Crossing, point: DVec3) -> Vec3 {
-    let facet = part.facet(crossing.triangle);
-    let shares = barycentric(facet.points, facet.normal, point);
-    let Some(shading) = part.shading else {
-        return facet.normal.normalize_or_zero().as_vec3();
+    let normal = normal_at(part, crossing.triangle, point);
+    (if crossing.back_face { -normal } else { normal }).as_vec3()
+}
+
+/// The shading normals of a triangle's corners, interpolated; its own where there are none.
+fn normal_at(mesh: &Projected<'_>, triangle: u32, point: DVec3) -> DVec3 {
+    let facet = mesh.facet(triangle);
+    let own = facet.normal.normalize_or_zero();
+    let Some(shading) = mesh.shading else {
+        return own;
     };
-    let [a, b, c] = shading.triangles[crossing.triangle as usize]
+    let corners = mesh.triangles[triangle as usize].map(|p| mesh.positions[p as usize].as_dvec3());
+    let shares = barycentric(corners, facet.normal, point);
+    let [a, b, c] = shading.triangles[triangle as usize]
         .map(|vertex| shading.normals[vertex as usize].as_dvec3());
-    let normal = (a * shares[0] + b * shares[1] + c * shares[2]).normalize_or(facet.normal);
-    let turned = if crossing.back_face { -normal } else { normal };
-    turned.as_vec3()
+    (a * shares[0] + b * shares[1] + c * shares[2]).normalize_or(own)
 }
 
 /// Shares of the corners at a point of the triangle's plane.

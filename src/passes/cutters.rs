@@ -1,8 +1,9 @@
-//! Cutters packed for upload: one vertex for each triangle, which has its normal, and as few others as there need be.
+//! Cutters packed for upload: one vertex for each triangle, which stands for it, and as few others as there need be.
 //!
-//! A cap on a cutter has the normal of a triangle, and core WebGPU tells a fragment neither which triangle it is of nor anything
-//! flat but what the triangle's first vertex says. So each triangle begins with a vertex that no other begins with: one of its own
-//! corners where one is free, else a copy. A closed mesh of V vertices and 2 V triangles thus has 2 V of them.
+//! Depth and normal of a cap on a cutter may be those of a triangle's plane, and core WebGPU tells a fragment neither which triangle
+//! it is of nor anything flat but what the triangle's first vertex says. So each triangle begins with a vertex that no other begins
+//! with: one of its own corners where one is free, else a copy. A closed mesh of V vertices and 2 V triangles thus has 2 V of them.
+//! What the triangle is stands in a second buffer at the number of that vertex: 64 bytes for each vertex in all.
 //!
 //! Each cutter is a piece of the buffers: one that moves has its own vertices uploaded again and nothing else.
 
@@ -10,16 +11,21 @@ use std::sync::Arc;
 
 use super::MeshRange;
 use super::model::Vertex;
-use crate::plan::pack::pack_normal;
+use crate::plan::pack::{CutterFace, pack_normal};
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
-use crate::scene::{Mesh, PreparedSurface, PreparedVolume};
+use crate::scene::{PreparedSurface, PreparedVolume};
+use bytemuck::Zeroable;
 use glam::Vec3;
+
+const FACE_BYTES: u64 = size_of::<CutterFace>() as u64;
 
 /// The cutters of a scene, packed.
 #[derive(Clone, Debug)]
 pub struct Cutters {
     /// Vertices of all cutters.
     pub vertices: Contents,
+    /// The triangle that begins with each vertex, a [`CutterFace`].
+    pub faces: Contents,
     /// Indices of all cutters.
     pub indices: Contents,
     /// Where each is, by number of the clip-surface.
@@ -34,6 +40,7 @@ struct Packed {
     volume: Arc<PreparedVolume>,
     order: Arc<Order>,
     vertices: Arc<[u8]>,
+    faces: Arc<[u8]>,
 }
 
 impl Cutters {
@@ -49,7 +56,7 @@ impl Cutters {
             })
             .collect();
         let mut ranges = vec![None; surfaces.len()];
-        let (mut vertices, mut indices) = (Vec::new(), Vec::new());
+        let (mut vertices, mut faces, mut indices) = (Vec::new(), Vec::new(), Vec::new());
         let (mut first_vertex, mut first_index) = (0, 0);
         for one in &packed {
             let count = one.order.corners.len() as u32;
@@ -62,6 +69,10 @@ impl Cutters {
             vertices.push(Piece {
                 offset: u64::from(first_vertex) * VERTEX_BYTES,
                 bytes: one.vertices.clone(),
+            });
+            faces.push(Piece {
+                offset: u64::from(first_vertex) * FACE_BYTES,
+                bytes: one.faces.clone(),
             });
             indices.push(Piece {
                 offset: u64::from(first_index) * INDEX_BYTES,
@@ -85,6 +96,11 @@ impl Cutters {
                 vertices,
                 before.map(|b| &b.vertices),
             ),
+            faces: contents(
+                u64::from(first_vertex) * FACE_BYTES,
+                faces,
+                before.map(|b| &b.faces),
+            ),
             indices: contents(
                 u64::from(first_index) * INDEX_BYTES,
                 indices,
@@ -103,48 +119,72 @@ impl Cutters {
 
 impl Packed {
     fn of(surface: usize, volume: &Arc<PreparedVolume>, before: Option<&Self>) -> Self {
-        let known = before.filter(|b| Arc::ptr_eq(&b.volume.mesh, &volume.mesh));
-        let order = known.map_or_else(|| Arc::new(Order::of(&volume.mesh)), |k| k.order.clone());
+        let splits = |v: &PreparedVolume| v.shading.as_ref().map(Arc::as_ptr);
+        let known = before.filter(|b| {
+            Arc::ptr_eq(&b.volume.mesh, &volume.mesh) && splits(&b.volume) == splits(volume)
+        });
+        let order = known.map_or_else(|| Arc::new(Order::of(volume)), |k| k.order.clone());
         let still = known.filter(|k| Arc::ptr_eq(&k.volume.positions, &volume.positions));
-        let vertices = still.map_or_else(
-            || order.vertices(&volume.positions, volume.triangles()),
-            |k| k.vertices.clone(),
+        let (vertices, faces) = still.map_or_else(
+            || (order.vertices(volume), order.faces(volume)),
+            |k| (k.vertices.clone(), k.faces.clone()),
         );
         Self {
             surface,
             volume: volume.clone(),
             order,
             vertices,
+            faces,
         }
     }
 }
 
-/// Which vertices there are, and which of them make the triangles: what hangs on the mesh alone.
+/// A vertex, and the triangle that begins with it, if one does.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    position: u32,
+    normal: Vec3,
+    begins: Option<u32>,
+}
+
+/// Which vertices there are, and which of them make the triangles: what hangs on the mesh and its creases alone.
 #[derive(Debug)]
 struct Order {
-    /// For each vertex its position and the triangle that begins with it, if one does.
-    corners: Vec<(u32, Option<u32>)>,
+    corners: Vec<Corner>,
     indices: Arc<[u8]>,
 }
 
 impl Order {
-    fn of(mesh: &Mesh) -> Self {
-        let mut corners: Vec<(u32, Option<u32>)> = (0..mesh.positions.len() as u32)
-            .map(|p| (p, None))
-            .collect();
-        let mut indices: Vec<[u32; 3]> = Vec::with_capacity(mesh.triangles.len());
-        for (number, triangle) in mesh.triangles.iter().enumerate() {
-            let number = number as u32;
-            let free = (0..3).find(|i| corners[triangle[*i] as usize].1.is_none());
+    fn of(volume: &PreparedVolume) -> Self {
+        let corner = |position, normal| Corner {
+            position,
+            normal,
+            begins: None,
+        };
+        let (mut corners, triangles): (Vec<Corner>, &[[u32; 3]]) = match &volume.shading {
+            None => {
+                let all = 0..volume.positions.len() as u32;
+                (
+                    all.map(|p| corner(p, Vec3::Z)).collect(),
+                    volume.triangles(),
+                )
+            }
+            Some(shading) => {
+                let all = shading.positions_of_vertex.iter().zip(&shading.normals);
+                let corners = all.map(|(p, n)| corner(*p, *n)).collect();
+                (corners, &shading.triangles)
+            }
+        };
+        let mut indices: Vec<[u32; 3]> = Vec::with_capacity(triangles.len());
+        for (number, triangle) in triangles.iter().enumerate() {
+            let free = (0..3).find(|i| corners[triangle[*i] as usize].begins.is_none());
             let mut turned = *triangle;
             turned.rotate_left(free.unwrap_or(0));
-            match free {
-                Some(_) => corners[turned[0] as usize].1 = Some(number),
-                None => {
-                    corners.push((turned[0], Some(number)));
-                    turned[0] = corners.len() as u32 - 1;
-                }
+            if free.is_none() {
+                corners.push(corners[turned[0] as usize]);
+                turned[0] = corners.len() as u32 - 1;
             }
+            corners[turned[0] as usize].begins = Some(number as u32);
             indices.push(turned);
         }
         Self {
@@ -153,19 +193,37 @@ impl Order {
         }
     }
 
-    fn vertices(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Arc<[u8]> {
-        let normal = |triangle: u32| {
-            let corners = triangles[triangle as usize].map(|i| positions[i as usize].as_dvec3());
-            let [a, b, c] = corners;
-            (b - a).cross(c - a).normalize_or(glam::DVec3::Z).as_vec3()
-        };
-        let vertices: Vec<Vertex> = (self.corners.iter())
-            .map(|(position, begins)| Vertex {
-                position: positions[*position as usize].to_array(),
-                normal: begins.map_or(0, |triangle| pack_normal(normal(triangle))),
+    fn vertices(&self, volume: &PreparedVolume) -> Arc<[u8]> {
+        let corners = self.corners.iter();
+        let vertices: Vec<Vertex> = corners
+            .map(|corner| Vertex {
+                position: volume.positions[corner.position as usize].to_array(),
+                normal: pack_normal(corner.normal),
             })
             .collect();
         Piece::from_values(0, &vertices).bytes
+    }
+
+    fn faces(&self, volume: &PreparedVolume) -> Arc<[u8]> {
+        let is_smooth = f32::from(u8::from(volume.shading.is_some()));
+        let of = |corner: &Corner| {
+            let Some(number) = corner.begins else {
+                return CutterFace::zeroed();
+            };
+            let mut corners = volume.triangles()[number as usize];
+            let first = corners.iter().position(|p| *p == corner.position);
+            corners.rotate_left(first.unwrap_or(0));
+            let [a, b, c] = corners.map(|p| volume.positions[p as usize]);
+            let [ab, ac] = [b, c].map(|end| end.as_dvec3() - a.as_dvec3());
+            let normal = ab.cross(ac).normalize_or(glam::DVec3::Z).as_vec3();
+            CutterFace {
+                second: b.extend(0.0).to_array(),
+                third: c.extend(0.0).to_array(),
+                normal: normal.extend(is_smooth).to_array(),
+            }
+        };
+        let faces: Vec<CutterFace> = self.corners.iter().map(of).collect();
+        Piece::from_values(0, &faces).bytes
     }
 }
 

@@ -11,6 +11,7 @@ use crate::scene::{PreparedSurface, View};
 mod normal;
 
 pub use composite::Composite;
+pub use cutter::CutterFace;
 pub use dress::{
     COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
     Texture,
@@ -52,6 +53,7 @@ macro_rules! shared {
 
 // After the macro, which they use.
 mod composite;
+mod cutter;
 mod dress;
 mod frame;
 mod ghost;

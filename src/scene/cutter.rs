@@ -34,6 +34,9 @@ pub struct Cutter {
     pub world_from_cutter: DAffine3,
     /// The outside is removed and the inside kept.
     pub keeps_inside: bool,
+    /// Its walls are shaded as if they were round where edges turn by less than
+    /// [`DEFAULT_CREASE_DEG`](super::DEFAULT_CREASE_DEG): normals of caps, and nothing else.
+    pub is_smooth: bool,
 }
 
 impl Cutter {
@@ -59,6 +62,7 @@ impl Cutter {
             mesh,
             world_from_cutter: DAffine3::IDENTITY,
             keeps_inside: false,
+            is_smooth: false,
         })
     }
 

@@ -97,7 +97,7 @@ pub use prepared::{
 pub use regions::{Block, Face, Wedge};
 pub(crate) use regions::{in_common, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
-pub use smooth::{DEFAULT_CREASE_DEG, ShadingMesh};
+pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;
 pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
 pub(crate) use topology::Edges;

@@ -11,22 +11,31 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::PreparedPart;
-
 /// Edges that turn more are drawn sharp.
 pub const DEFAULT_CREASE_DEG: f32 = 40.0;
 
 /// Positions per parallel task: enough to be worth a task, few enough to share out.
 const CHUNK: usize = 1 << 14;
 
-/// A part's triangles with vertices split for shading.
+/// The triangles of a part or a cutter in scene space.
+#[derive(Clone, Copy, Debug)]
+pub struct Faces<'a> {
+    /// Vertices.
+    pub positions: &'a [Vec3],
+    /// Indices of positions.
+    pub triangles: &'a [[u32; 3]],
+    /// Normals at the corners of the triangles, where they have some of their own.
+    pub corner_normals: Option<&'a [[Vec3; 3]]>,
+}
+
+/// Triangles with vertices split for shading.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ShadingMesh {
-    /// Per vertex, the index into [`PreparedPart::positions`] of its position.
+    /// Per vertex, the index into [`Faces::positions`] of its position.
     pub positions_of_vertex: Vec<u32>,
     /// Per vertex, a unit normal in scene space.
     pub normals: Vec<Vec3>,
-    /// The part's triangles in the same order, as indices of vertices.
+    /// The triangles in the same order, as indices of vertices.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -53,21 +62,19 @@ struct Corner {
 }
 
 impl ShadingMesh {
-    /// Splits the vertices of a part. `crease_deg` is the turn from which an edge is sharp; it is not asked where the part
-    /// has normals of its own.
-    pub fn new(part: &PreparedPart, crease_deg: f32) -> Self {
-        let buckets = Buckets::of(part);
-        let faces: Vec<DVec3> = part
-            .triangles
-            .par_iter()
-            .map(|t| face_normal(t.map(|i| part.positions[i as usize])))
+    /// Splits the vertices of triangles. `crease_deg` is the turn from which an edge is sharp; it is not asked where they
+    /// have normals of their own.
+    pub fn new(of: Faces<'_>, crease_deg: f32) -> Self {
+        let buckets = Buckets::of(of);
+        let normals: Vec<DVec3> = (of.triangles.par_iter())
+            .map(|t| face_normal(t.map(|i| of.positions[i as usize])))
             .collect();
         let least_cos = f64::from(crease_deg).to_radians().cos();
-        let chunks: Vec<Chunk> = (0..part.positions.len().div_ceil(CHUNK))
+        let chunks: Vec<Chunk> = (0..of.positions.len().div_ceil(CHUNK))
             .into_par_iter()
             .map(|c| {
-                let positions = c * CHUNK..((c + 1) * CHUNK).min(part.positions.len());
-                chunk(part, &buckets, &faces, positions, least_cos)
+                let positions = c * CHUNK..((c + 1) * CHUNK).min(of.positions.len());
+                chunk(of, &buckets, &normals, positions, least_cos)
             })
             .collect();
 
@@ -75,7 +82,7 @@ impl ShadingMesh {
         let mut all = Self {
             positions_of_vertex: Vec::with_capacity(vertices),
             normals: Vec::with_capacity(vertices),
-            triangles: vec![[0; 3]; part.triangles.len()],
+            triangles: vec![[0; 3]; of.triangles.len()],
         };
         let mut corners = buckets.corners.iter();
         for chunk in chunks {
@@ -97,17 +104,17 @@ struct Buckets {
 }
 
 impl Buckets {
-    fn of(part: &PreparedPart) -> Self {
-        let mut start = vec![0_u32; part.positions.len() + 1];
-        for i in part.triangles.iter().flatten() {
+    fn of(faces: Faces<'_>) -> Self {
+        let mut start = vec![0_u32; faces.positions.len() + 1];
+        for i in faces.triangles.iter().flatten() {
             start[*i as usize + 1] += 1;
         }
         for i in 1..start.len() {
             start[i] += start[i - 1];
         }
         let mut next = start.clone();
-        let mut corners = vec![0; part.triangles.len() * 3];
-        for (corner, i) in (0..).zip(part.triangles.iter().flatten()) {
+        let mut corners = vec![0; faces.triangles.len() * 3];
+        for (corner, i) in (0..).zip(faces.triangles.iter().flatten()) {
             let slot = &mut next[*i as usize];
             corners[*slot as usize] = corner;
             *slot += 1;
@@ -126,9 +133,9 @@ fn face_normal(corners: [Vec3; 3]) -> DVec3 {
 }
 
 fn chunk(
-    part: &PreparedPart,
+    faces: Faces<'_>,
     buckets: &Buckets,
-    faces: &[DVec3],
+    normals: &[DVec3],
     positions: std::ops::Range<usize>,
     least_cos: f64,
 ) -> Chunk {
@@ -143,22 +150,22 @@ fn chunk(
         around.clear();
         around.extend(buckets.at(position).iter().zip(0..).map(|(corner, group)| {
             let (t, k) = ((corner / 3) as usize, (corner % 3) as usize);
-            let given = part.corner_normals.as_ref().map(|n| n[t][k].as_dvec3());
+            let given = faces.corner_normals.map(|n| n[t][k].as_dvec3());
             let given = given.filter(|n| n.is_finite() && *n != DVec3::ZERO);
-            let triangle = part.triangles[t];
+            let triangle = faces.triangles[t];
             let ends = [triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
-            let at = |i: u32| part.positions[i as usize].as_dvec3();
-            let from = part.positions[position].as_dvec3();
+            let at = |i: u32| faces.positions[i as usize].as_dvec3();
+            let from = faces.positions[position].as_dvec3();
             Corner {
                 ends,
-                face: faces[t],
+                face: normals[t],
                 pull: given
-                    .unwrap_or_else(|| faces[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
+                    .unwrap_or_else(|| normals[t] * angle(at(ends[0]) - from, at(ends[1]) - from)),
                 group,
                 vertex: 0,
             }
         }));
-        if part.corner_normals.is_none() {
+        if faces.corner_normals.is_none() {
             group(&mut around, &mut ends, least_cos);
         }
         append(&mut out, position as u32, &mut around);
@@ -271,7 +278,7 @@ mod tests {
     #[test]
     fn a_cylinder_is_smooth_around_and_sharp_at_its_rims() {
         let part = cylinder(24);
-        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(part.faces(), DEFAULT_CREASE_DEG);
         assert_eq!(
             mesh.normals.len(),
             2 + 24 * 2 * 2,
@@ -283,18 +290,18 @@ mod tests {
             let nearest = n.dot(radial).max(n.z.abs());
             assert!(nearest > 0.999_9, "normal {n} at {p}");
         }
-        let flat = ShadingMesh::new(&part, 1.0);
+        let flat = ShadingMesh::new(part.faces(), 1.0);
         assert_eq!(flat.normals.len(), 2 + 24 * 2 * 3, "every face on its own");
     }
 
     #[test]
     fn order_and_positions_are_kept() {
         let part = cylinder(7);
-        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(part.faces(), DEFAULT_CREASE_DEG);
         for (t, of) in mesh.triangles.iter().zip(part.triangles.iter()) {
             assert_eq!(t.map(|v| mesh.positions_of_vertex[v as usize]), *of);
         }
-        assert_eq!(mesh, ShadingMesh::new(&part, DEFAULT_CREASE_DEG));
+        assert_eq!(mesh, ShadingMesh::new(part.faces(), DEFAULT_CREASE_DEG));
     }
 
     #[test]
@@ -308,7 +315,7 @@ mod tests {
             [1.0, 1.0, 0.0],
         ];
         let part = prepared(&positions, &[[0, 1, 4], [0, 4, 2], [0, 2, 3], [0, 3, 1]]);
-        let mesh = ShadingMesh::new(&part, 179.0);
+        let mesh = ShadingMesh::new(part.faces(), 179.0);
         let at = mesh.triangles[0][0] as usize;
         let diagonal = Vec3::splat(1.0 / 3.0_f32.sqrt());
         assert!(
@@ -328,7 +335,7 @@ mod tests {
             [5.0; 3],
         ];
         let part = prepared(&positions, &[[0, 1, 2], [0, 2, 3], [4, 4, 4]]);
-        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(part.faces(), DEFAULT_CREASE_DEG);
         for n in &mesh.normals {
             assert!((n.length() - 1.0).abs() < 1e-6, "{n}");
         }
@@ -339,7 +346,7 @@ mod tests {
         let mut part = cylinder(5);
         let given = vec![[Vec3::X, Vec3::X, Vec3::Y]; part.triangles.len()];
         part.corner_normals = Some(std::sync::Arc::new(given));
-        let mesh = ShadingMesh::new(&part, DEFAULT_CREASE_DEG);
+        let mesh = ShadingMesh::new(part.faces(), DEFAULT_CREASE_DEG);
         assert!(mesh.normals.iter().all(|n| *n == Vec3::X || *n == Vec3::Y));
         assert_eq!(mesh.normals[mesh.triangles[3][2] as usize], Vec3::Y);
     }

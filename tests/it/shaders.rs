@@ -234,6 +234,7 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<pack::Style>(&modules);
     holds_in_all_shaders::<pack::CapPlane>(&modules);
     holds_in_all_shaders::<pack::CapMaterial>(&modules);
+    holds_in_all_shaders::<pack::CutterFace>(&modules);
     holds_in_all_shaders::<pack::CoatRow>(&modules);
     holds_in_all_shaders::<pack::DressPlanes>(&modules);
     holds_in_all_shaders::<pack::Texture>(&modules);
@@ -249,6 +250,7 @@ fn shared_structs_are_laid_out_alike() {
     let files = [
         include_str!("../../src/plan/pack.rs"),
         include_str!("../../src/plan/pack/composite.rs"),
+        include_str!("../../src/plan/pack/cutter.rs"),
         include_str!("../../src/plan/pack/dress.rs"),
         include_str!("../../src/plan/pack/frame.rs"),
         include_str!("../../src/plan/pack/ghost.rs"),
@@ -264,7 +266,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 33, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 34, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()

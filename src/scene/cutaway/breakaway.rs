@@ -168,7 +168,9 @@ impl Breakaway {
             corner_normals: None,
             coat: None,
         };
-        Cutter::new("breakaway", mesh).map(Some)
+        let mut cutter = Cutter::new("breakaway", mesh)?;
+        cutter.is_smooth = true;
+        Ok(Some(cutter))
     }
 }
 

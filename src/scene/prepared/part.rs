@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::{DMat3, Vec3};
 
 use super::SceneSpace;
-use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Fill, Material, Part, ShadingMesh};
+use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Faces, Fill, Material, Part, ShadingMesh};
 
 /// A part in scene space.
 #[derive(Clone, Debug)]
@@ -70,8 +70,17 @@ impl PreparedPart {
             is_on_device: false,
             ..Self::outline(index, part, Bounds::EMPTY, part.mesh.volume(), cuts)
         };
-        placed.shading = Arc::new(ShadingMesh::new(&placed, DEFAULT_CREASE_DEG));
+        placed.shading = Arc::new(ShadingMesh::new(placed.faces(), DEFAULT_CREASE_DEG));
         placed
+    }
+
+    /// Its triangles, as they are split for shading.
+    pub(crate) fn faces(&self) -> Faces<'_> {
+        Faces {
+            positions: &self.positions,
+            triangles: &self.triangles,
+            corner_normals: self.corner_normals.as_ref().map(|n| n.as_slice()),
+        }
     }
 
     /// A part that the device places inside of `bounds`, of a mesh with so much volume in part space.

@@ -1,14 +1,14 @@
 //! A cutter in scene space: placed and rounded to f32 once, as parts are.
 //!
-//! Everything large is shared. Neither orientation nor normals are kept: what is inside follows from parity, and a normal is that
-//! of the triangle, turned towards who looks.
+//! Everything large is shared. Orientation is not kept: what is inside follows from parity, and a normal is that of the triangle,
+//! or of the smooth patch that it is in, turned towards who looks.
 
 use std::sync::Arc;
 
 use glam::{DAffine3, Vec3};
 
 use super::SceneSpace;
-use crate::scene::{Bounds, Cutter, Mesh};
+use crate::scene::{Bounds, Cutter, DEFAULT_CREASE_DEG, Faces, Mesh, ShadingMesh};
 
 /// A closed mesh in scene space, whose inside is the removed side of a clip-surface.
 #[derive(Clone, Debug)]
@@ -19,6 +19,8 @@ pub struct PreparedVolume {
     pub positions: Arc<Vec<Vec3>>,
     /// The mesh as it was given: its triangles are indices of `positions`.
     pub mesh: Arc<Mesh>,
+    /// What its caps are shaded by, where it is smooth: `positions` split at creases, with a normal each.
+    pub shading: Option<Arc<ShadingMesh>>,
     /// Bounds of `positions`.
     pub bounds: Bounds,
     /// The outside is the removed side.
@@ -42,6 +44,17 @@ impl PreparedVolume {
             },
             |k| k.positions.clone(),
         );
+        let shading = cutter.is_smooth.then(|| {
+            let still = known.and_then(|k| k.shading.clone());
+            still.unwrap_or_else(|| {
+                let faces = Faces {
+                    positions: &positions,
+                    triangles: &cutter.mesh().triangles,
+                    corner_normals: None,
+                };
+                Arc::new(ShadingMesh::new(faces, DEFAULT_CREASE_DEG))
+            })
+        });
         Self {
             name: cutter.name().to_owned(),
             bounds: known.map_or_else(
@@ -49,6 +62,7 @@ impl PreparedVolume {
                 |k| k.bounds,
             ),
             positions,
+            shading,
             mesh: cutter.mesh().clone(),
             keeps_inside: cutter.keeps_inside,
             placement,

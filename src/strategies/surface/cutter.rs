@@ -1,7 +1,7 @@
 //! Cutters: closed meshes drawn as sheets, whatever the cap surface is.
 //!
 //! Each cutter that matters is drawn once to count its fragments and once to keep them; they go into the one list of crossings
-//! with the normals of their triangles, and from there on a cutter is a clip-surface like any other. Which side of it a ray begins
+//! with normals to shade by, and from there on a cutter is a clip-surface like any other. Which side of it a ray begins
 //! on follows from parity: an odd number of its fragments ahead is inside. So the eye may be in the cutter, and the near plane may
 //! cut it. Where neither is so an odd number of fragments marks the pixel.
 //!
@@ -12,7 +12,7 @@
 
 use super::raycast;
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
-use crate::plan::{Clock, Draw, Plan, Resource, Role, Vertices};
+use crate::plan::{Binding, Clock, Draw, Plan, Resource, Role, Vertices};
 use crate::shader::Shader;
 
 /// Bits of the clip-surfaces that are cutters, by their index in the table.
@@ -69,8 +69,9 @@ pub(super) fn add(plan: &mut Plan, scene: &SceneBuffers<'_>, sheets: &mut Sheets
             arguments: None,
         });
     }
-    let [vertices, indices] = [
+    let [vertices, faces, indices] = [
         ("cutter vertices", Role::Vertex, &cutters.vertices),
+        ("cutter_faces", Role::Storage, &cutters.faces),
         ("cutter indices", Role::Index, &cutters.indices),
     ]
     .map(|(name, role, contents)| {
@@ -80,7 +81,7 @@ pub(super) fn add(plan: &mut Plan, scene: &SceneBuffers<'_>, sheets: &mut Sheets
     sheets.draws.push(SheetDraw {
         name: "cutter".to_owned(),
         shader: Shader::from("strategies/surface/cutter/draw.wgsl"),
-        bindings: vec![scene.frame.clone()],
+        bindings: vec![scene.frame.clone(), Binding::read("cutter_faces", faces)],
         constants: Vec::new(),
         vertices: Vertices::Mesh(vertices),
         indices,

@@ -6,7 +6,7 @@ use cutaway::exact::evaluate;
 
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
-use cutaway::scene::{Camera, ClipSurface, Cut, Scene, View, Viewpoint, Wrap};
+use cutaway::scene::{Camera, ClipSurface, Cut, Cutter, Mesh, Scene, View, Viewpoint, Wrap};
 use cutaway::session::Session;
 use cutaway::strategies::{Method, Strategy};
 use glam::{DVec2, DVec3};
@@ -279,4 +279,62 @@ fn regression_0010_of_clip_surfaces_in_one_plane_the_first_has_the_cap() {
             assert_eq!(fault, None, "{sections:?}: {name}");
         }
     }
+}
+
+/// Normals of surfaces in exact were those of the right corners with the shares of others: corners are sorted there, so that faces that
+/// coincide have one depth.
+#[test]
+fn regression_0012_normals_of_exact_go_with_their_corners() {
+    let question = Question::new(
+        &scenes::sectioned("sphere?subdivisions=2", &["z=80%"]),
+        [160, 120],
+    );
+    let layers = &question.exact.layers;
+    let drawn = question.answer(strategy("raycast+mask"));
+    let mut worst = -1.0_f64;
+    for (truth, found) in layers.pixels.iter().zip(&drawn.layers.pixels) {
+        if truth.kind == Kind::Surface && found.kind == Kind::Surface {
+            let apart = (truth.normal - found.normal).length();
+            worst = worst.max(f64::from(apart));
+        }
+    }
+    // With the shares of others they are up to 9 degrees apart.
+    let count = layers.count(Kind::Surface);
+    assert!(
+        count > 1000 && (0.0..0.001).contains(&worst),
+        "{worst} of {count} pixels"
+    );
+}
+
+/// Triangles of a cutter that reach past the eye had depths that fixed functions interpolate between corners far outside of the picture,
+/// off by half a pixel.
+#[test]
+fn regression_0013_walls_of_a_cutter_past_the_eye_are_as_far_as_they_are() {
+    let sides = 256_u32;
+    let ring = |radius: f64, z: f64| {
+        let angle = move |i| std::f64::consts::TAU * f64::from(i) / f64::from(sides);
+        (0..sides).map(move |i| (DVec2::from_angle(angle(i)) * radius).extend(z))
+    };
+    let mut mesh = Mesh::default();
+    mesh.positions.extend(ring(0.1, -0.3).chain(ring(0.6, 2.0)));
+    mesh.positions.extend([DVec3::Z * -0.3, DVec3::Z * 2.0]);
+    for i in 0..sides {
+        let (j, far) = ((i + 1) % sides, sides);
+        let ends = [[2 * far, j, i], [2 * far + 1, far + i, far + j]];
+        let walls = [[i, j, far + j], [i, far + j, far + i]];
+        mesh.triangles.extend(walls.into_iter().chain(ends));
+    }
+    let mut scene = scenes::scene("within", meshes::shape("sphere?subdivisions=4"), vec![]);
+    let cutter = Cutter::new("cone", mesh).expect("a closed mesh");
+    scene.cuts = vec![Cut::by(cutter)];
+    scene.camera.viewpoint = Viewpoint::Explicit {
+        position: DVec3::new(0.05, 0.02, 0.3),
+        focal_point: DVec3::new(0.1, 0.03, -0.3),
+        view_up: Some(DVec3::Y),
+    };
+    let judged = Question::new(&scene, [160, 120]).answer(strategy("raycast+mask"));
+    assert!(judged.exact.layers.count(Kind::Cap) > 10_000);
+    assert_eq!(judged.fault_of_exact(), None);
+    let off_px = judged.comparison.depth_error_px_max;
+    assert!(off_px < 0.02, "{off_px} px");
 }

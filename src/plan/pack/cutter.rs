@@ -1,0 +1,17 @@
+//! Triangles of cutters, beside the vertices that they begin with.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::Layout;
+
+shared! {
+    /// A triangle of a cutter, beside its first corner: `shaders/strategies/surface/cutter/draw.wgsl`.
+    CutterFace {
+        /// Its second corner.
+        second: [f32; 4],
+        /// Its third corner.
+        third: [f32; 4],
+        /// Unit normal of its plane, and 1 where it is shaded by the normals of its corners.
+        normal: [f32; 4],
+    }
+}
