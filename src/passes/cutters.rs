@@ -231,6 +231,7 @@ impl Order {
 mod tests {
     use super::*;
     use crate::generate::shapes::shape;
+    use crate::scene::{Cut, Cutter, Prepared, Scene};
 
     #[test]
     fn every_triangle_begins_with_a_vertex_of_its_own() {
@@ -240,27 +241,41 @@ mod tests {
             "sponge?level=1",
             "knot",
         ] {
-            let mesh = shape(spec).unwrap().remove(0).mesh;
-            let order = Order::of(&mesh);
-            let indices: &[u32] = bytemuck::cast_slice(&order.indices);
-            for (number, triangle) in indices.chunks(3).enumerate() {
-                let begins = order.corners[triangle[0] as usize].1;
-                assert_eq!(begins, Some(number as u32), "{spec}");
-                let mut at: Vec<u32> = triangle
-                    .iter()
-                    .map(|v| order.corners[*v as usize].0)
-                    .collect();
-                let own = mesh.triangles[number];
-                let turn = at.iter().position(|p| *p == own[0]).unwrap();
-                at.rotate_left(turn);
-                assert_eq!(at, own, "{spec}: a triangle turns as it did");
+            let part = shape(spec).unwrap().remove(0);
+            let mesh = part.mesh.clone();
+            for is_smooth in [false, true] {
+                let mut cutter = Cutter::new(spec, mesh.clone()).unwrap();
+                cutter.is_smooth = is_smooth;
+                let scene = Scene {
+                    parts: vec![part.clone()],
+                    cuts: vec![Cut::by(cutter)],
+                    ..Scene::default()
+                };
+                let prepared = Prepared::new(&scene);
+                let volume = prepared.surfaces[0].volume.as_ref().unwrap();
+                let order = Order::of(volume);
+                let indices: &[u32] = bytemuck::cast_slice(&order.indices);
+                for (number, triangle) in indices.chunks(3).enumerate() {
+                    let begins = order.corners[triangle[0] as usize].begins;
+                    assert_eq!(begins, Some(number as u32), "{spec}");
+                    let corners = triangle.iter().map(|v| order.corners[*v as usize].position);
+                    let mut at: Vec<u32> = corners.collect();
+                    let own = mesh.triangles[number];
+                    let turn = at.iter().position(|p| *p == own[0]).unwrap();
+                    at.rotate_left(turn);
+                    assert_eq!(at, own, "{spec}: a triangle turns as it did");
+                }
+                let vertices = match &volume.shading {
+                    Some(shading) => shading.normals.len(),
+                    None => mesh.positions.len(),
+                };
+                let most = mesh.triangles.len().max(vertices) * 9 / 8;
+                assert!(
+                    order.corners.len() <= most,
+                    "{spec}: {} vertices",
+                    order.corners.len()
+                );
             }
-            let most = mesh.triangles.len().max(mesh.positions.len()) * 9 / 8;
-            assert!(
-                order.corners.len() <= most,
-                "{spec}: {} vertices",
-                order.corners.len()
-            );
         }
     }
 }

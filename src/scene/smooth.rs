@@ -245,7 +245,7 @@ fn vertex_of(out: &mut Chunk, first: usize, position: u32, normal: Vec3) -> u32 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Mesh, Part, Prepared, Scene};
+    use crate::scene::{Mesh, Part, Prepared, PreparedPart, Scene};
 
     fn prepared(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> PreparedPart {
         let mesh = Mesh {
