@@ -188,6 +188,7 @@ impl CutoutFrame {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec2;
 
     fn box_of(size: DVec3) -> Vec<DVec3> {
         let corner =
@@ -265,5 +266,109 @@ mod tests {
             MainAxes::of(&[DVec3::ZERO, DVec3::X, DVec3::Y]).is_none(),
             "flat"
         );
+    }
+
+    /// Points of a surface around z: rings of `sides` points, by radius and height.
+    fn around_z(rings: impl Iterator<Item = (f64, f64)>, sides: u32) -> Vec<DVec3> {
+        let ring = |(radius, z): (f64, f64)| {
+            let angle = move |i| std::f64::consts::TAU * f64::from(i) / f64::from(sides);
+            (0..sides).map(move |i| (DVec2::from_angle(angle(i)) * radius).extend(z))
+        };
+        rings.flat_map(ring).collect()
+    }
+
+    /// Spreads along z and across it, in closed form, beside those of a polyhedron of so many sides.
+    struct RoundSolid {
+        along: f64,
+        across: f64,
+        points: fn(u32) -> Vec<DVec3>,
+    }
+
+    /// A cylinder of radius 1 and length 3 with half a ball at each end.
+    fn capsule() -> RoundSolid {
+        let (pi, l) = (std::f64::consts::PI, 3.0_f64);
+        let h = l / 2.0;
+        let area = 2.0 * pi * l + 4.0 * pi;
+        RoundSolid {
+            along: (2.0 * pi * l.powi(3) / 12.0 + 4.0 * pi * (h * h + h + 1.0 / 3.0)) / area,
+            across: (pi * l + 4.0 * pi / 3.0) / area,
+            points: |sides| {
+                let quarter = sides / 4;
+                let rings = (0..=quarter).flat_map(move |i| {
+                    let (sin, cos) =
+                        (std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(quarter)).sin_cos();
+                    [(cos, 1.5 + sin), (cos, -1.5 - sin)]
+                });
+                around_z(rings, sides)
+            },
+        }
+    }
+
+    /// An ellipsoid of half axes 1, 1 and 2: integrals over its surface by Simpson's rule.
+    fn ellipsoid() -> RoundSolid {
+        let steps = 4000_u32;
+        let mut sums = [0.0; 3];
+        for i in 0..=steps {
+            let t = std::f64::consts::PI * f64::from(i) / f64::from(steps);
+            let weight = match i {
+                0 => 1.0,
+                _ if i == steps => 1.0,
+                _ if i % 2 == 1 => 4.0,
+                _ => 2.0,
+            };
+            let (radius, z) = (t.sin(), 2.0 * t.cos());
+            let area = weight * radius * t.cos().hypot(2.0 * t.sin());
+            sums = [
+                sums[0] + area,
+                sums[1] + area * z * z,
+                sums[2] + area * radius * radius / 2.0,
+            ];
+        }
+        RoundSolid {
+            along: sums[1] / sums[0],
+            across: sums[2] / sums[0],
+            points: |sides| {
+                let half = sides / 2;
+                let rings = (0..=half).map(move |i| {
+                    let t = std::f64::consts::PI * f64::from(i) / f64::from(half);
+                    (t.sin(), 2.0 * t.cos())
+                });
+                around_z(rings, sides)
+            },
+        }
+    }
+
+    #[test]
+    fn spreads_of_round_solids_are_those_of_closed_forms() {
+        let turn = DMat3::from_rotation_x(0.7) * DMat3::from_rotation_y(-0.4);
+        for (name, solid) in [("capsule", capsule()), ("ellipsoid", ellipsoid())] {
+            let of = |sides: u32| {
+                let points = (solid.points)(sides).into_iter().map(|p| turn * p);
+                MainAxes::of_hull(&ConvexHull::of(&points.collect::<Vec<_>>()).unwrap())
+            };
+            let off = |axes: &MainAxes| {
+                let across = (axes.spreads[1] + axes.spreads[2]) / 2.0;
+                [axes.spreads[0] - solid.along, across - solid.across]
+            };
+            let [coarse, fine] = [64, 128].map(of);
+            // A polyhedron is off with the square of its edges: what two of them agree on is the round solid.
+            let limit: Vec<f64> = (off(&coarse).into_iter().zip(off(&fine)))
+                .map(|(coarse, fine)| (4.0 * fine - coarse) / 3.0)
+                .collect();
+            println!(
+                "{name}: off by {:?}, {:?}, in the limit {limit:?}",
+                off(&coarse),
+                off(&fine)
+            );
+            assert!(limit.iter().all(|l| l.abs() < 2e-6), "{name}: {limit:?}");
+            assert!(
+                off(&coarse)[0].abs() > 1e-4,
+                "{name}: the control is a polyhedron"
+            );
+            for axes in [coarse, fine] {
+                let apart = axes.axes[0].cross(turn * DVec3::Z).length();
+                assert!(apart < 1e-7, "{name}: {apart}");
+            }
+        }
     }
 }

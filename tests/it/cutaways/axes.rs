@@ -97,3 +97,41 @@ fn eigenvalues_are_those_of_another_library() {
         assert!(apart_deg(ours.axes[i], theirs.1) < 1e-4, "axis {i}");
     }
 }
+
+#[test]
+fn axes_turn_with_what_they_are_of() {
+    let points: Vec<DVec3> = (0..200)
+        .map(|i| {
+            let at = |k: f64| (f64::from(i) * k).fract() - 0.5;
+            DVec3::new(at(0.618_034) * 3.0, at(0.414_214) * 1.5, at(0.732_051))
+        })
+        .collect();
+    let own = MainAxes::of(&points).expect("a solid");
+    for turn in (1..8).map(|i| {
+        glam::DQuat::from_rotation_y(f64::from(i))
+            * glam::DQuat::from_rotation_x(f64::from(i) * 1.7)
+    }) {
+        let turned: Vec<DVec3> = points.iter().map(|p| turn * *p).collect();
+        let other = MainAxes::of(&turned).expect("a solid");
+        for i in 0..3 {
+            assert!(
+                (own.spreads[i] - other.spreads[i]).abs() < 1e-6,
+                "spread {i}"
+            );
+            assert!(
+                apart_deg(turn * own.axes[i], other.axes[i]) < 1e-4,
+                "axis {i}"
+            );
+        }
+        // Points within the hull, as a finer mesh has them, change nothing.
+        let middles = turned.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
+        let finer: Vec<DVec3> = turned.iter().copied().chain(middles).collect();
+        let finer = MainAxes::of(&finer).expect("a solid");
+        for i in 0..3 {
+            assert!(
+                (finer.spreads[i] - other.spreads[i]).abs() < 1e-6,
+                "spread {i}"
+            );
+        }
+    }
+}

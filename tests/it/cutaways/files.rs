@@ -2,6 +2,7 @@
 
 use super::*;
 use command::Scratch;
+use serde_json::{Value, json};
 
 fn fault(text: &str) -> String {
     let folder = Scratch::new("cutaways");
@@ -251,11 +252,12 @@ fn a_turntable_opens_to_each_of_its_views() {
     let folder = Scratch::new("turntable");
     let middles = |options: &str, name: &str| -> Vec<image::Rgb<u8>> {
         let line = format!(
-            "animate shape:earth?subdivisions=3 {options} --turntable=180 --frames 2 --resolution 96x72 --supersample 1 -o {name}_%d.png"
+            "animate shape:earth?subdivisions=3 {options} --turntable=180 --frames 2 --resolution 96x72 --supersample 1 -o {name}_%d.png --json {name}.json"
         );
         folder.run(&line).exits(0);
         let files = folder.files();
-        let files: Vec<_> = files.iter().filter(|f| f.starts_with(name)).collect();
+        let is_picture = |f: &&String| f.starts_with(name) && f.ends_with(".png");
+        let files: Vec<_> = files.iter().filter(is_picture).collect();
         assert_eq!(files.len(), 2, "{files:?}");
         let pictures = files
             .iter()
@@ -263,6 +265,18 @@ fn a_turntable_opens_to_each_of_its_views() {
         pictures.map(|p| *p.to_rgb8().get_pixel(48, 36)).collect()
     };
     let (open, closed) = (middles("--breakaway", "open"), middles("", "closed"));
+    // Of a solid nothing is read or made again for another view, and without an opening nothing of a cut either.
+    for (name, later) in [
+        ("open", json!(["cut", "frame"])),
+        ("closed", json!(["frame"])),
+    ] {
+        let said: Value = {
+            let text = std::fs::read_to_string(folder.path(&format!("{name}.json")));
+            serde_json::from_str(&text.expect("a file")).expect("JSON")
+        };
+        let clocks = [0, 1].map(|i| said["frames"][i]["clocks"].clone());
+        assert_eq!(clocks, [json!(["solid", "cut", "frame"]), later], "{name}");
+    }
     // The crust is before the mantle in all views, unless it is opened to each.
     for (open, closed) in open.iter().zip(&closed) {
         assert!(open != closed, "{open:?} and {closed:?}");
