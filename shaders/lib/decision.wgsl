@@ -6,12 +6,13 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossing_heads, depth_at, listed, crossings_before, surface_at, word_at}
+#import cutaway::crossings::{crossings_before, depth_at, head_of, is_cut_short, listed, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_inside, starts_inside}
 #import cutaway::lanes::Lanes
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
+#import cutaway::parity::is_blank
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
@@ -71,10 +72,14 @@ fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
 // Decides a pixel.
 fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     let pixel = pixel_index(at);
-    let head = crossing_heads[pixel];
     var word = drawn.word;
     var normal = drawn.normal;
     var depth = depth_from_buffer(drawn.z);
+    if kind_of(word) == BACKGROUND && is_blank(pixel) && !is_cut_short(pixel) {
+        // Of most pictures most.
+        return Decision(word, normal, depth, NONE);
+    }
+    let head = head_of(pixel);
     var limit = listed(head.x);
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
@@ -108,8 +113,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
             }
         }
     }
-    let overflowed = (head.x & 0x80000000u) != 0u;
-    if overflowed || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
+    if is_cut_short(pixel) || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);

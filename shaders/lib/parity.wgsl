@@ -15,6 +15,16 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
+// Whether the words of a pixel hold nothing: no crossing is inside anything, and nothing is in doubt.
+fn is_blank(pixel: u32) -> bool {
+    let words = arrayLength(&mask) / pixel_count();
+    var any = 0u;
+    for (var w = 0u; w < words; w++) {
+        any |= word_at(w, pixel);
+    }
+    return any == 0u;
+}
+
 // Whether a bit of the lane of a part is set.
 fn is_odd_at(place: u32, pixel: u32, bit: u32) -> bool {
     let word = word_at(parts[place].lane_word + bit / 32u, pixel);

@@ -7,7 +7,7 @@
 #define_import_path cutaway::settled_depth
 
 #import cutaway::crossing_words::{normal_of, surface_of_word}
-#import cutaway::crossings::{crossing_heads, listed, surface_at, word_at, z_at}
+#import cutaway::crossings::{head_of, listed, surface_at, word_at, z_at}
 #import cutaway::settled::{beside, of_doubled, settled, settled_at}
 
 // How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value.
@@ -20,7 +20,7 @@ const SAME_PLANE: f32 = 0.9999;
 fn in_cutters(z: f32, pixel: u32, group: u32, front: bool) -> f32 {
     let cutters = settled.groups[group].cutters;
     let normal = settled.groups[group].normal.xyz;
-    let count = listed(crossing_heads[pixel].x);
+    let count = listed(head_of(pixel).x);
     var crossing = 0.0;
     var nearest = NEAR_FACE * z;
     for (var i = 0u; i < count; i++) {
@@ -43,7 +43,7 @@ fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
     let surfaces = settled.groups[group].surfaces;
     let removed = settled.groups[group].removed;
     let flush = settled.groups[group].flush;
-    let head = crossing_heads[pixel];
+    let head = head_of(pixel);
     let count = listed(head.x);
     var sides = head.y;
     var moved = z;

@@ -1,7 +1,7 @@
 // Writes the mask by asking an image of the volume of each part (the open module `volume`) for the points that matter: where the
 // part goes from removed to kept, and where the ray begins if the near plane may be inside a solid. One invocation owns a pixel.
 
-#import cutaway::crossings::{crossing_heads, depth_at, listed, surface_at}
+#import cutaway::crossings::{head_of, depth_at, listed, surface_at}
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, Ray, centre_of, pixel_index, ray_through}
 #import cutaway::reduced::{doubt, toggle, toggle_bit}
@@ -27,7 +27,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let pixel = pixel_index(id.xy);
-    let head = crossing_heads[pixel];
+    let head = head_of(pixel);
     let crossings = listed(head.x);
     let ray = ray_through(centre_of(id.xy));
     for (var place = first_place; place < end_place; place++) {

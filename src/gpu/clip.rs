@@ -12,11 +12,16 @@ use std::sync::Arc;
 
 use super::Gpu;
 use super::program::Program;
-use crate::shader::{self, BindingKind, Composed};
+use crate::shader::{self, BindingKind, Composed, Shader};
 use crate::{Error, Result};
 
 /// The shader that asks.
 const KEPT: &str = "gpu/clip/kept.wgsl";
+
+/// It asks the list, which serves all clip-surfaces.
+fn kept() -> Shader {
+    Shader::from(KEPT).with(crate::passes::LISTED)
+}
 
 /// Its variable that is no resource of the plan: the [table](ClipTable).
 const TABLE: &str = "cutaway_clip";
@@ -37,7 +42,7 @@ pub fn clip_wgsl(group: u32) -> Result<String> {
         name: KEPT.to_owned(),
         what,
     };
-    let mut module = shader::compose(&KEPT.into())?.module.clone();
+    let mut module = shader::compose(&kept())?.module.clone();
     module.entry_points.clear();
     for (_, variable) in module.global_variables.iter_mut() {
         if let Some(binding) = &mut variable.binding {
@@ -66,7 +71,7 @@ impl Gpu {
         if let Some(known) = self.clip.get() {
             return Ok(known);
         }
-        let composed = shader::compose(&KEPT.into())?;
+        let composed = shader::compose(&kept())?;
         let entries: Vec<wgpu::BindGroupLayoutEntry> = (composed.bindings.iter())
             .map(|b| wgpu::BindGroupLayoutEntry {
                 binding: b.binding,

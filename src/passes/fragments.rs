@@ -208,6 +208,7 @@ pub(crate) fn leave_fragments(
         Rasteriser::Hardware => draw_fragments(plan, scene, name, reason, store),
         Rasteriser::Compute => {
             let of = ScreenOf {
+                begins: None,
                 name,
                 view: scene.input.view,
                 frame: scene.frame.clone(),

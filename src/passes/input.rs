@@ -21,6 +21,8 @@ pub(crate) struct Input<'a> {
     pub wide_atomics: bool,
     /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
     pub relief_walk: Option<ReliefWalk>,
+    /// The one list of crossings is made also where one plane could be asked.
+    pub keeps_list: bool,
     /// Who interpolates heights at points.
     pub height_filter: HeightFilter,
     /// The groups of settled triangles; none where the frame settles nothing.
@@ -42,11 +44,22 @@ impl<'a> Input<'a> {
             rasteriser: Rasteriser::Hardware,
             wide_atomics: false,
             relief_walk: None,
+            keeps_list: false,
             height_filter: HeightFilter::Exact,
             settled: None,
         };
         input.settled = input.find_settled();
         Ok(input)
+    }
+
+    /// Whether passes may ask the only clip-surface, a plane, where a ray crosses it: then no list need be made. The GPU's own rasteriser
+    /// has no pass beside the list that makes pixels ready for fragments, and hosts clip by lists.
+    pub(crate) fn asks_plane(&self) -> bool {
+        self.rasteriser == Rasteriser::Compute
+            && !self.keeps_list
+            && self.relevance.surfaces.len() == 1
+            && !self.has_reliefs()
+            && !self.has_cutters()
     }
 
     /// Pixels of the picture.

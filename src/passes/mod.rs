@@ -47,7 +47,7 @@ mod sweep;
 pub(crate) use at_rest::Moved;
 pub(crate) use buffers::{SceneBuffers, or_one};
 pub(crate) use coat::Coats;
-pub(crate) use crossings::Crossings;
+pub(crate) use crossings::{AskedCrossings, Crossings, LISTED};
 pub(crate) use fragments::{FragmentLists, leave_fragments};
 pub use ground::GroundShadow;
 pub(crate) use input::{Input, counted, pixels};

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::{Crossings, SceneBuffers};
+use super::{Crossings, LISTED, SceneBuffers};
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -40,7 +40,9 @@ impl Volume {
         let pass = Pass::new(
             format!("probe {}", places.start),
             "whether a crossing is inside, asked where its part goes from removed to kept",
-            Shader::from("passes/probe.wgsl").with(self.file),
+            Shader::from("passes/probe.wgsl")
+                .with(self.file)
+                .with(LISTED),
             bindings,
             Work::over(scene.input.view.size_px),
         );

@@ -9,7 +9,9 @@
 use super::layers::{layers, overlap, picture};
 use super::resolve::{cap_normal, constants_of_decision};
 use super::sweep::GROUP;
-use super::{Crossings, Inside, Layered, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep};
+use super::{
+    AskedCrossings, Inside, Layered, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+};
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -36,7 +38,7 @@ pub(super) fn rasterise(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Result<Swept, Refusal> {
     let input = scene.input;
     let mut of_pixels =
@@ -61,6 +63,7 @@ pub(super) fn rasterise(
             None => "lib/fresh/layers.wgsl",
         },
         freshened,
+        begins: Some(store).filter(|_| !crossings.are_listed()),
     };
     let screen = Screen::record(plan, scene, of)?;
     let marking = Sweep {
@@ -104,7 +107,7 @@ pub(super) fn decide_and_paint(
     scene: &SceneBuffers<'_>,
     swept: Swept,
     inside: Inside,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Layered {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![
@@ -116,12 +119,14 @@ pub(super) fn decide_and_paint(
         Binding::write("layers", layers),
     ];
     bindings.extend(inside.bindings);
-    bindings.extend(crossings.bindings());
+    bindings.extend(crossings.bindings.iter().cloned());
     let decide = Pass::new(
         "decide",
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it; pixels that show \
          something are listed",
-        Shader::from("passes/rasterise/decide.wgsl").with(inside.file),
+        Shader::from("passes/rasterise/decide.wgsl")
+            .with(inside.file)
+            .with(crossings.file),
         bindings,
         Work::over(scene.input.view.size_px),
     );

@@ -6,7 +6,7 @@
 
 use super::layers::layers;
 use super::rasterise::decide_and_paint;
-use super::{Crossings, Layered, NearestKept, SceneBuffers, Surfaces};
+use super::{AskedCrossings, Layered, NearestKept, SceneBuffers, Surfaces};
 use crate::plan::{Binding, Pass, Plan, ResourceId, Work};
 use crate::shader::Shader;
 
@@ -43,7 +43,7 @@ pub(crate) fn resolve(
     scene: &SceneBuffers<'_>,
     nearest: NearestKept,
     inside: Inside,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Layered {
     match nearest {
         NearestKept::Drawn(surfaces) => resolve_drawn(plan, scene, &surfaces, inside, crossings),
@@ -56,7 +56,7 @@ fn resolve_drawn(
     scene: &SceneBuffers<'_>,
     surfaces: &Surfaces,
     inside: Inside,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Layered {
     let layers = layers(plan, scene.input);
     let mut bindings = vec![
@@ -67,13 +67,14 @@ fn resolve_drawn(
     bindings.extend(surfaces.bindings());
     bindings.push(Binding::write("layers", layers));
     bindings.extend(inside.bindings);
-    bindings.extend(crossings.bindings());
+    bindings.extend(crossings.bindings.iter().cloned());
     let cap_normal = cap_normal(scene, &mut bindings);
     let pass = Pass::new(
         "resolve",
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
         Shader::from("passes/resolve.wgsl")
             .with(inside.file)
+            .with(crossings.file)
             .with(cap_normal),
         bindings,
         Work::over(scene.input.view.size_px),

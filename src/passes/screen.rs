@@ -12,7 +12,7 @@ use bytemuck::Zeroable;
 use glam::DVec2;
 
 use super::sweep::groups_along;
-use super::{Input, Lanes, Refusal, SceneBuffers};
+use super::{Input, Lanes, Refusal, SceneBuffers, Store};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
@@ -43,6 +43,8 @@ pub(crate) struct ScreenOf<'a> {
     pub fresh: &'static str,
     /// What that binds.
     pub freshened: Vec<Binding>,
+    /// The mask, where no pass before makes pixels ready for fragments.
+    pub begins: Option<&'a Store>,
 }
 
 /// A mesh on a screen, ready to be swept.
@@ -162,10 +164,16 @@ impl Screen {
             vertex_count.max(pixel_count)
         };
         bindings.extend(of.freshened);
+        bindings.extend(of.begins.iter().flat_map(|store| store.begun()));
         let pass = Pass::new(
             screen.named("transform"),
             "each vertex goes to fixed point once; what samples raise begins empty, as does the queue of triangles that are not small",
-            Shader::from("passes/rasterise/transform.wgsl").with(of.fresh),
+            Shader::from("passes/rasterise/transform.wgsl")
+                .with(of.fresh)
+                .with(match of.begins {
+                    Some(_) => "lib/begun/mask.wgsl",
+                    None => "lib/begun/nothing.wgsl",
+                }),
             bindings,
             Work::Compute {
                 groups: groups_along(items),

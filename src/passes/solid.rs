@@ -5,7 +5,7 @@
 //! rasteriser over all. What an inside test wants of a fragment is a file that fills the open module `cutaway::store`.
 
 use super::rasterise::{Swept, rasterise};
-use super::{Crossings, DrawPass, Rasteriser, Refusal, SceneBuffers, Surfaces, counted};
+use super::{AskedCrossings, DrawPass, Rasteriser, Refusal, SceneBuffers, Surfaces, counted};
 use crate::plan::{Access, Binding, Plan};
 use crate::shader::Shader;
 
@@ -53,7 +53,7 @@ pub(crate) fn over_mesh(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Result<NearestKept, Refusal> {
     Ok(match scene.input.rasteriser {
         Rasteriser::Hardware => NearestKept::Drawn(draw_solids(plan, scene, store, crossings)),
@@ -65,7 +65,7 @@ fn draw_solids(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: &Store,
-    crossings: &Crossings,
+    crossings: &AskedCrossings,
 ) -> Surfaces {
     let input = scene.input;
     let (vertices, indices) = scene.mesh();
@@ -75,7 +75,7 @@ fn draw_solids(
         scene.parts.clone(),
     ];
     bindings.extend(store.bindings.iter().cloned());
-    bindings.extend(crossings.bindings());
+    bindings.extend(crossings.bindings.iter().cloned());
     let ranks = input.relevance.cut_parts();
     let solid = DrawPass {
         name: "solid".to_owned(),
@@ -83,7 +83,9 @@ fn draw_solids(
             "{}: each fragment marks the crossings it is behind, and stays where it is kept",
             counted(ranks.len(), "cut part")
         ),
-        shader: Shader::from("passes/solid.wgsl").with(store.file),
+        shader: Shader::from("passes/solid.wgsl")
+            .with(store.file)
+            .with(crossings.file),
         bindings,
         constants: vec![scene.lanes.constant()],
         vertices,
@@ -95,7 +97,9 @@ fn draw_solids(
             name: "solid settled".to_owned(),
             reason: "the same for faces in a clip-surface or just beside it, on the side on which they are known to lie"
                 .to_owned(),
-            shader: Shader::from("passes/settled.wgsl").with(store.file),
+            shader: Shader::from("passes/settled.wgsl")
+                .with(store.file)
+                .with(crossings.file),
             draws: input.draws_of_groups(ranks),
             ..solid.clone()
         };

@@ -9,7 +9,7 @@
 //! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
 //! *High-performance software rasterization on GPUs* (2011).
 
-use super::{Crossings, SceneBuffers, Screen, Store};
+use super::{AskedCrossings, SceneBuffers, Screen, Store};
 use crate::plan::{Access, Binding, Pass, Plan, Work};
 use crate::shader::Shader;
 
@@ -31,8 +31,8 @@ pub(crate) struct Sweep<'a> {
     pub sample: &'static str,
     /// What fragments leave, where the sample says so.
     pub store: Option<&'a Store>,
-    /// The list of crossings, where the sample counts the crossings before it.
-    pub crossings: Option<&'a Crossings>,
+    /// The crossings, where the sample counts the crossings before it.
+    pub crossings: Option<&'a AskedCrossings>,
     /// What else the sample binds.
     pub bindings: Vec<Binding>,
     /// There was a sweep over the same screen before.
@@ -57,12 +57,14 @@ impl<'a> Sweep<'a> {
     pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
             let mut shader = Shader::from(path).with(self.sample);
-            if self.crossings.is_some() {
-                shader = shader.with(if screen.settled.is_some() {
-                    "lib/settling/groups.wgsl"
-                } else {
-                    "lib/settling/none.wgsl"
-                });
+            if let Some(crossings) = self.crossings {
+                shader = shader
+                    .with(crossings.file)
+                    .with(if screen.settled.is_some() {
+                        "lib/settling/groups.wgsl"
+                    } else {
+                        "lib/settling/none.wgsl"
+                    });
             }
             match self.store {
                 Some(store) => shader.with(store.file),
@@ -85,7 +87,7 @@ impl<'a> Sweep<'a> {
         }
         if let Some(crossings) = self.crossings {
             bindings.push(scene.cut_table.clone());
-            bindings.extend(crossings.bindings());
+            bindings.extend(crossings.bindings.iter().cloned());
             bindings.extend(screen.settled.clone());
         }
         let queue = Binding::read("queue", screen.queue);

@@ -112,7 +112,7 @@ impl Slot {
             return Err(Error::input(
                 "the method to clip by",
                 "it keeps no list of crossings",
-                "name one that does, for example raycast+mask",
+                "name one that does, for example raycast+mask@list",
             ));
         }
         let table = ClipTable {

@@ -30,6 +30,9 @@ pub struct Means {
     pub wide_atomics: Option<bool>,
     /// How rays are followed through reliefs: the crossings are the same. Usually chosen by the cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
+    /// Whether the one list of crossings is made even where all there is to cross is one plane, which passes of the compute rasteriser could
+    /// as well ask. Usually not; [hosts that clip by it](crate::gpu::clip_wgsl) want it.
+    pub list: Option<bool>,
     /// What interpolates the heights of reliefs between texels. Usually exact; strategies that do not ask for heights at points refuse
     /// any other where there is a relief.
     pub height_filter: Option<HeightFilter>,
@@ -39,12 +42,13 @@ pub struct Means {
 type Word = (&'static str, fn(&mut Means));
 
 /// What may follow the `@`.
-const MEANS_WORDS: [Word; 6] = [
+const MEANS_WORDS: [Word; 7] = [
     ("hardware", |m| m.rasteriser = Some(Rasteriser::Hardware)),
     ("compute", |m| m.rasteriser = Some(Rasteriser::Compute)),
     ("32-bit", |m| m.wide_atomics = Some(false)),
     ("cells", |m| m.relief_walk = Some(ReliefWalk::Cells)),
     ("pyramid", |m| m.relief_walk = Some(ReliefWalk::Pyramid)),
+    ("list", |m| m.list = Some(true)),
     ("hardware-filter", |m| {
         m.height_filter = Some(HeightFilter::Hardware);
     }),
@@ -57,6 +61,7 @@ impl Means {
             rasteriser: Some(rasteriser),
             wide_atomics: None,
             relief_walk: None,
+            list: None,
             height_filter: None,
         }
     }
@@ -73,6 +78,7 @@ impl Means {
             rasteriser: self.rasteriser.or(others.rasteriser),
             wide_atomics: self.wide_atomics.or(others.wide_atomics),
             relief_walk: self.relief_walk.or(others.relief_walk),
+            list: self.list.or(others.list),
             height_filter: self.height_filter.or(others.height_filter),
         }
     }
@@ -161,6 +167,7 @@ mod tests {
             "grid:64+vds:512",
             "raycast+mask@compute,32-bit",
             "raycast+mask@cells",
+            "raycast+mask@compute,list",
             "raycast+mask@hardware",
             "grid:64+vds:512@hardware-filter",
         ] {

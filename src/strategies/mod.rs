@@ -67,6 +67,7 @@ pub fn record(
         rasteriser,
         wide_atomics: means.wide_atomics.unwrap_or(false),
         relief_walk: means.relief_walk,
+        keeps_list: means.list.unwrap_or(false),
         height_filter: means.height_filter.unwrap_or_default(),
         ..Input::new(model, view, capacities)?
     };

@@ -15,10 +15,11 @@
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    FragmentLists, Input, Inside, Lanes, Refusal, SceneBuffers, leave_fragments, need, over_mesh,
-    resolve,
+    FragmentLists, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, leave_fragments, need,
+    over_mesh, resolve,
 };
 use crate::plan::{Binding, Clock, Pass, Plan, Work};
+use crate::shader::Shader;
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
 
@@ -72,7 +73,7 @@ fn record(
     )?;
     let need = need(plan, input, Clock::Frame);
     lists.lay_out(plan, "fragments of each pixel", need);
-    let nearest = over_mesh(plan, &scene, &lists.keeping(), &crossings)?;
+    let nearest = over_mesh(plan, &scene, &lists.keeping(), &crossings.asked())?;
     let mask = scene.lanes.reduced_mask(plan, input);
     let mut bindings = vec![
         scene.frame.clone(),
@@ -85,12 +86,12 @@ fn record(
     let reduce = Pass::new(
         "reduce",
         "the fragments of a pixel become its words of the mask",
-        "strategies/inside/abuffer/reduce.wgsl",
+        Shader::from("strategies/inside/abuffer/reduce.wgsl").with(LISTED),
         bindings,
         Work::over(input.view.size_px),
     );
     plan.add_pass(reduce.with_constants(vec![scene.lanes.constant()]));
     let inside = Inside::mask(mask);
-    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings.asked());
     Ok(finish(plan, &scene, layered))
 }

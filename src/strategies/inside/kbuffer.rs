@@ -13,10 +13,12 @@
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    Input, Inside, Lanes, NEED_OF_FRAGMENTS, Refusal, SceneBuffers, Store, need, over_mesh, resolve,
+    Input, Inside, LISTED, Lanes, NEED_OF_FRAGMENTS, Refusal, SceneBuffers, Store, need, over_mesh,
+    resolve,
 };
 use crate::plan::pack::Cascade;
 use crate::plan::{Binding, Bounded, Clock, Contents, Pass, Plan, Resource, Role, Work};
+use crate::shader::Shader;
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow, Parameter};
 use crate::strategies::surface;
 
@@ -69,13 +71,13 @@ fn record(
         bindings: vec![Binding::update("slots", slots), cascade.clone()],
     };
     let crossings = surface::list(plan, &scene, surface, capacity, &store)?;
-    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let nearest = over_mesh(plan, &scene, &store, &crossings.asked())?;
     let mask = scene.lanes.reduced_mask(plan, input);
     let need = need(plan, input, Clock::Frame);
     let reduce = Pass::new(
         "reduce",
         "counts and nearest depths of a pixel become its words of the mask",
-        "strategies/inside/kbuffer/reduce.wgsl",
+        Shader::from("strategies/inside/kbuffer/reduce.wgsl").with(LISTED),
         vec![
             scene.frame.clone(),
             scene.parts.clone(),
@@ -100,6 +102,6 @@ fn record(
         exact: false,
     });
     let inside = Inside::mask(mask);
-    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings.asked());
     Ok(finish(plan, &scene, layered))
 }

@@ -177,6 +177,7 @@ fn screen(
     let frame_name = format!("{name} frame");
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
+        begins: None,
         settles: false,
         name: &name,
         view: &view,

@@ -24,7 +24,9 @@
 //! total may as well say that the ray starts inside, so there it marks nothing.
 
 use crate::effects::{Picture, finish};
-use crate::passes::{Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve};
+use crate::passes::{
+    AskedCrossings, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
+};
 use crate::plan::{Binding, Plan};
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
@@ -71,7 +73,10 @@ fn record(
         file,
         bindings: vec![Binding::update("mask", mask)],
     };
-    let crossings = surface::list(plan, &scene, surface, capacity, &store)?;
+    let crossings = match surface == CapSurface::RAYCAST && input.asks_plane() {
+        true => AskedCrossings::of_plane(&scene),
+        false => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
+    };
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;
     let inside = match nonzero {
         true => Inside::winding(mask),

@@ -34,11 +34,16 @@ pub(super) fn probed(
     let mask = scene.lanes.reduced_mask(plan, input);
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
-    let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
+    let nearest = over_mesh(
+        plan,
+        &scene,
+        &Store::nothing(Vec::new()),
+        &crossings.asked(),
+    )?;
     for (places, volume) in images {
         volume.probe(plan, &scene, places, mask, &crossings);
     }
     let inside = Inside::mask(mask);
-    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings.asked());
     Ok(finish(plan, &scene, layered))
 }

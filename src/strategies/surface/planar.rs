@@ -25,10 +25,11 @@
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    Crossings, Input, Inside, Lanes, NearestKept, Obstacle, Refusal, SceneBuffers, Sections, Store,
-    counted, over_mesh, resolve,
+    Crossings, Input, Inside, LISTED, Lanes, NearestKept, Obstacle, Refusal, SceneBuffers,
+    Sections, Store, counted, over_mesh, resolve,
 };
 use crate::plan::{Binding, CpuWork, DepthTarget, Pass, Plan, ResourceId, Vertices, Work};
+use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurface, CapSurfaceRow, Caps, Facts};
 use crate::strategies::surface;
 
@@ -76,12 +77,12 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>),
     } else {
         Store::nothing(Vec::new())
     };
-    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let nearest = over_mesh(plan, &scene, &store, &crossings.asked())?;
     if let Some(sections) = sections {
         draw(plan, &scene, &nearest, &sections, mask, &crossings);
     }
     let inside = Inside::mask(mask);
-    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings.asked());
     let picture = finish(plan, &scene, layered);
     Ok((picture, on_cpu))
 }
@@ -113,7 +114,7 @@ fn draw(
         (
             "sections",
             format!("{found}: where one is, the crossing of its plane is inside its part"),
-            "strategies/surface/planar/section.wgsl",
+            Shader::from("strategies/surface/planar/section.wgsl").with(LISTED),
             &sections.draws,
         ),
         (
@@ -121,7 +122,7 @@ fn draw(
             format!(
                 "{open} not whole: whether a crossing of the plane is inside the part cannot be known"
             ),
-            "strategies/surface/planar/doubt.wgsl",
+            Shader::from("strategies/surface/planar/doubt.wgsl").with(LISTED),
             &sections.doubts,
         ),
     ];

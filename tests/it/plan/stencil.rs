@@ -263,9 +263,18 @@ fn lanes_of_counts_follow_the_lanes_of_bits() {
         "words"
     );
     let filled = |plan: &Plan| pass(plan, "solid").shader.with.clone();
-    assert_eq!(filled(&plan), ["lib/store/winding.wgsl"], "counts and bits");
+    let list = "lib/crossings/list.wgsl";
+    assert_eq!(
+        filled(&plan),
+        [list, "lib/store/winding.wgsl"],
+        "counts and bits"
+    );
     let plain = plan_of(&cut_cubes(4, tilted(5)), &Strategy::RAYCAST_MASK);
-    assert_eq!(filled(&plain), ["lib/store/mask.wgsl"], "nobody counts");
+    assert_eq!(
+        filled(&plain),
+        [list, "lib/store/mask.wgsl"],
+        "nobody counts"
+    );
     // The sprite knows parity alone.
     let reason = refusal(&scene, "grid:8+vds:64");
     assert!(reason.contains("nonzero"), "{reason}");

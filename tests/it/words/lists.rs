@@ -3,7 +3,7 @@
 use cutaway::plan::Capacities;
 use cutaway::plan::pack::{CutTable, Frame};
 
-use crate::words::{Random, answers, words_of};
+use crate::words::{Random, answers, answers_with, words_of};
 
 const SEED: u64 = 0x11_57;
 const MOST: usize = Capacities::MOST_CROSSINGS as usize;
@@ -290,7 +290,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
         ("crossing_surface", surface),
         ("fragments", words_of(&fragments)),
     ];
-    let given = answers(&shader, &inputs, fragments.len(), 2);
+    let list = ["lib/crossings/list.wgsl"];
+    let given = answers_with(&shader, &list, &inputs, fragments.len(), 2);
     let wrong = expected
         .iter()
         .zip(&given)
@@ -308,7 +309,8 @@ fn a_fragment_is_behind_what_is_strictly_nearer() {
         );
         assert_eq!(wrong, 0, "of {of} with {surface_count} surfaces");
         // With >= in the place of > a fragment lies behind its own depth.
-        let planted = "#import cutaway::crossings::{Before, crossing_heads, surface_at, z_at}
+        let planted = "#import cutaway::crossings::{crossing_heads, surface_at, z_at}
+#import cutaway::passed::Before
 fn crossings_before(z: f32, pixel: u32) -> Before {
     let head = crossing_heads[pixel];
     var rank = Before(0u, head.y);

@@ -2,7 +2,7 @@
 // of it. A crossing behind the last depth that was kept may have more in front of it than are known. An invocation owns a pixel.
 
 #import cutaway::cascade::{cascade, first_word}
-#import cutaway::crossings::{crossing_heads, listed, z_at}
+#import cutaway::crossings::{head_of, listed, z_at}
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, is_behind, pixel_count, pixel_index}
 #import cutaway::reduced::{clear_words, doubt, toggle, toggle_bit}
@@ -22,7 +22,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear_words(pixel);
-    let crossings = listed(crossing_heads[pixel].x);
+    let crossings = listed(head_of(pixel).x);
     for (var place = 0u; place < cascade.lanes; place++) {
         let first = first_word(place, pixel);
         let count = slots[first];

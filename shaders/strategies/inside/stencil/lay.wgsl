@@ -1,7 +1,7 @@
 // Lays the depth of one crossing of every pixel into the depth buffer, bit for bit as the list has it. Where a pixel has no such
 // crossing it lays 0, behind which there is nothing.
 
-#import cutaway::crossings::{crossing_heads, listed, z_at}
+#import cutaway::crossings::{head_of, listed, z_at}
 #import cutaway::frame::pixel_index
 #import cutaway::full_screen::corner_of_screen
 
@@ -15,7 +15,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
 @fragment
 fn fragment(@builtin(position) at: vec4<f32>) -> @builtin(frag_depth) f32 {
     let pixel = pixel_index(vec2<u32>(at.xy));
-    if crossing >= listed(crossing_heads[pixel].x) {
+    if crossing >= listed(head_of(pixel).x) {
         return 0.0;
     }
     return z_at(crossing, pixel);

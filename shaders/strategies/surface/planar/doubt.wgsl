@@ -3,7 +3,7 @@
 //
 // The mark is set and not flipped, in the plane of words behind the lanes: triangles may share pixels, and parts may.
 
-#import cutaway::crossings::{crossing_heads, listed, surface_at}
+#import cutaway::crossings::{head_of, listed, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, is_removed, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
@@ -25,7 +25,7 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u
 @fragment
 fn fragment(corner: Corner) {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let head = crossing_heads[pixel];
+    let head = head_of(pixel);
     let count = listed(head.x);
     var sides = head.y;
     for (var i = 0u; i < count; i++) {

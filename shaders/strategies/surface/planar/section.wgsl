@@ -4,7 +4,7 @@
 // The bit is flipped and not set: triangles that share their corners cover each pixel of their polygon an odd number of times,
 // also where rounding has turned one of them over, and each pixel outside of it an even number.
 
-#import cutaway::crossings::{crossing_heads, listed, surface_at}
+#import cutaway::crossings::{head_of, listed, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
@@ -28,7 +28,7 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u
 @fragment
 fn fragment(corner: Corner) {
     let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let count = listed(crossing_heads[pixel].x);
+    let count = listed(head_of(pixel).x);
     for (var i = 0u; i < count; i++) {
         if surface_at(i, pixel) == corner.surface {
             // A ray crosses a plane once.

@@ -19,13 +19,14 @@ pub(crate) mod alone;
 
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    Crossings, Input, Inside, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
+    Crossings, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
 };
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
     ResourceId, Stencil, StencilStep, Vertices, Work,
 };
 use crate::scene::Fill;
+use crate::shader::Shader;
 use crate::strategies::row::{Abilities, Answers, CapSurface, Facts, InsideTestRow};
 use crate::strategies::surface;
 
@@ -81,7 +82,12 @@ fn record(
     let mask = scene.lanes.mask(plan, input);
     let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
     let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
-    let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
+    let nearest = over_mesh(
+        plan,
+        &scene,
+        &Store::nothing(Vec::new()),
+        &crossings.asked(),
+    )?;
 
     let format = Format::Depth32FloatStencil8;
     let stencil = Resource::texture("stencil", input.view.size_px, 1, format, Clock::Frame);
@@ -113,7 +119,7 @@ fn record(
         }
     }
     let inside = Inside::mask(mask);
-    let layered = resolve(plan, &scene, nearest, inside, &crossings);
+    let layered = resolve(plan, &scene, nearest, inside, &crossings.asked());
     Ok(finish(plan, &scene, layered))
 }
 
@@ -218,7 +224,7 @@ impl Marks<'_> {
         let mut settled = pass.clone();
         settled.name = format!("{} settled", pass.name);
         settled.reason = "the same for faces in a clip-surface or just beside it".to_owned();
-        settled.shader = "strategies/inside/stencil/mark_settled.wgsl".into();
+        settled.shader = Shader::from("strategies/inside/stencil/mark_settled.wgsl").with(LISTED);
         settled.bindings.push(table.clone());
         settled.bindings.extend(self.crossings.bindings());
         settled.bindings.push(self.scene.cut_table.clone());
@@ -240,7 +246,7 @@ impl Marks<'_> {
         let pass = Pass::new(
             format!("lay {crossing}{again}"),
             format!("the depth of crossing {crossing} is what fragments are tested against"),
-            "strategies/inside/stencil/lay.wgsl",
+            Shader::from("strategies/inside/stencil/lay.wgsl").with(LISTED),
             vec![
                 self.scene.frame.clone(),
                 Binding::read("crossing_heads", self.crossings.heads),

@@ -9,6 +9,7 @@
 #import cutaway::crossing_words::surface_of_word
 #import cutaway::cuts::{cut_table, keeps_words}
 #import cutaway::frame::{depth_from_buffer, is_behind, pixel_count}
+#import cutaway::passed::Before
 
 // Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
 // ray starts.
@@ -16,6 +17,16 @@
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
 // Word of each crossing (`crossing_words`); not stored where there is only one clip-surface and it brings no normals.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
+
+// How many crossings a list holds and whether it may be wrong, and the sides where the ray starts.
+fn head_of(pixel: u32) -> vec2<u32> {
+    return crossing_heads[pixel];
+}
+
+// Whether the list of a pixel could not hold all crossings, or may be wrong.
+fn is_cut_short(pixel: u32) -> bool {
+    return (head_of(pixel).x & 0x80000000u) != 0u;
+}
 
 // How many crossings a list holds, by the first word of its head.
 fn listed(head: u32) -> u32 {
@@ -46,17 +57,10 @@ fn depth_at(index: u32, pixel: u32) -> f32 {
 // Lists up to this length are looked through one by one.
 const SHORT: u32 = 8u;
 
-struct Before {
-    // How many crossings are in front.
-    behind: u32,
-    // Sides after these crossings.
-    sides: u32,
-}
-
 // A long list is searched by halving, 10 looks for 1023 crossings, unless the clip-surface of each crossing in front must be looked
 // at anyway. Both ways share one loop: every sample of a mesh comes here, and a loop that is not entered costs as well.
 fn crossings_before(z: f32, pixel: u32) -> Before {
-    let head = crossing_heads[pixel];
+    let head = head_of(pixel);
     let count = listed(head.x);
     let halves = count > SHORT && cut_table.surface_count == 1u;
     let looks = select(count, firstLeadingBit(count) + 1u, halves);
