@@ -202,3 +202,46 @@ fn fifty_frames_are_the_same_to_the_bit() {
         assert!(again.layers == first.layers, "layers of frame {repeat}");
     }
 }
+
+/// What two frames of a scene by the compute rasteriser do not share, where one asks its plane and the other looks into a list of it.
+fn not_shared(scene: &Scene, camera: &Camera, lists: [&str; 2]) -> usize {
+    let question = Question::through(scene, camera, SIZE);
+    let [asked, listed] = lists.map(|name| {
+        let method: Method = name.parse().expect("a method");
+        let judged = question.answer(method);
+        assert_eq!(judged.fault_of_exact(), None, "{} by {name}", scene.name);
+        judged.layers.pixels
+    });
+    let differ = |(a, b): &(&Layer, &Layer)| {
+        let close = a.depth.total_cmp(&b.depth).is_eq()
+            || (a.depth - b.depth).abs() <= 4.0 * f64::from(f32::EPSILON) * a.depth.abs();
+        class_of(a) != class_of(b) || !close
+    };
+    asked.iter().zip(&listed).filter(differ).count()
+}
+
+#[test]
+fn a_plane_that_is_asked_is_as_good_as_a_list_of_it() {
+    let names = ["raycast+mask@compute", "raycast+mask@compute,list"];
+    // Oblique, and in the plane of faces.
+    for text in ["-1,-2,-1.5@50%,45%,60%", "z=50%", "-z=0%", "y=25%"] {
+        for shape in SHAPES {
+            let mut scene = scene_of(shape, |_| {});
+            scene.cuts = vec![Cut::new("cut", vec![section(&scene, text)])];
+            for orthographic in [false, true] {
+                let camera = scenes::orbit(30.0, 25.0, orthographic);
+                let count = not_shared(&scene, &camera, names);
+                assert_eq!(count, 0, "{shape} cut by {text}");
+            }
+        }
+    }
+    // The control: from a degree beside it is another picture.
+    let scene = scene_of("crank?throws=2&detail=16", CUTS[0].1);
+    let pixels = |azimuth_deg: f64, name: &str| {
+        let camera = scenes::orbit(azimuth_deg, 25.0, false);
+        let method: Method = name.parse().expect("a method");
+        let question = Question::through(&scene, &camera, SIZE);
+        question.answer(method).layers.pixels
+    };
+    assert!(pixels(30.0, names[0]) != pixels(31.0, names[1]));
+}
