@@ -10,6 +10,7 @@
 #import cutaway::crossing_list::{List, add}
 #import cutaway::cuts::cut_table
 #import cutaway::frame::buffer_from_depth
+#import cutaway::interval::Interval
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{Map, cell_of, height_in, map_of}
@@ -20,6 +21,9 @@ struct Way {
     start: f32,
     // Depth at which the way ends; none where it is not above 0.
     end: f32,
+    // From where to where somebody asks for it. All else is as if that were all of it: what is found at a depth is the same to the bit.
+    first: f32,
+    last: f32,
     // It begins and ends on a border of the slab, where the side is known without the map.
     from_slab: bool,
     to_slab: bool,
@@ -41,13 +45,35 @@ struct Carried {
     begun: bool,
 }
 
+// The cell in which a way is first asked for, and the depth at which the ray enters it.
+struct Begin {
+    cell: vec2<i32>,
+    entry: f32,
+}
+
+fn begin_of(way: Way) -> Begin {
+    let x = way.texel_x;
+    let y = way.texel_y;
+    let cell = vec2<i32>(vec2<f32>(floor(x.x + way.first * x.y), floor(y.x + way.first * y.y)));
+    if way.first <= 0.0 {
+        return Begin(cell, 0.0);
+    }
+    // The border behind: i when walking up, i + 1 when walking down.
+    let behind = cell + select(vec2<i32>(1), vec2<i32>(0), vec2<bool>(x.y > 0.0, y.y > 0.0));
+    let entries = vec2<f32>(depth_at_border(behind.x, x), depth_at_border(behind.y, y));
+    let met = select(vec2<f32>(0.0), entries, vec2<bool>(abs(x.y) > 0.0, abs(y.y) > 0.0));
+    return Begin(cell, max(0.0, max(met.x, met.y)));
+}
+
 // Depth at which a linear value reaches a border of cells, counted by integers; infinite where it never does.
 fn depth_at_border(border: i32, value: vec2<f32>) -> f32 {
     return select((f32(border) - value.x) / value.y, 3.4e38, value.y == 0.0);
 }
 
-// The way of the ray of a pixel inside an interval of depths. Where there is none the ray is on one side throughout, which is noted.
-fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) -> Way {
+// The way of the ray of a pixel inside an interval of depths, of which a part is asked for. Where there is none the ray is on one side
+// throughout that part, which is noted.
+fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, asked: Interval) -> Way {
+    let interval = asked.all;
     let height = along_ray(ray_table.surfaces[surface].height, at_px);
     let slab = cut_table.surfaces[surface].slab;
     // Above -slab.x the point is kept and below -slab.y removed, whatever the map says; a margin of a few ulp lets the
@@ -68,7 +94,9 @@ fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interv
         surface,
         walk.x,
         walk.y - walk.x,
-        walk.x > interval.x,
+        max(0.0, asked.part.x - walk.x),
+        min(walk.y, asked.part.y) - walk.x,
+        walk.x > interval.x && asked.part.x <= walk.x,
         interval.y > walk.y,
         height.y > 0.0,
         vec2<f32>(texel_x.x + walk.x * texel_x.y, texel_x.y),
@@ -77,9 +105,10 @@ fn way_through(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interv
         cut_table.surfaces[surface].scale.z,
         map_of(surface),
     );
-    if walk.x >= walk.y || (is_parallel && (height.x >= kept_above || height.x <= removed_below)) {
+    let is_beside = walk.x >= asked.part.y || walk.y <= asked.part.x;
+    if walk.x >= walk.y || is_beside || (is_parallel && (height.x >= kept_above || height.x <= removed_below)) {
         way.end = 0.0;
-        let at_start = height.x + interval.x * height.y;
+        let at_start = height.x + asked.part.x * height.y;
         if at_start < 0.5 * (kept_above + removed_below) {
             (*list).sides |= 1u << surface;
         }

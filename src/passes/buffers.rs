@@ -5,7 +5,7 @@
 //! move included, for it takes these handles.
 
 use super::pose::pose_parts;
-use super::{Input, Lanes, Refusal};
+use super::{Input, Lanes, OnScreen, Refusal};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
 use crate::plan::{Binding, Clock, Contents, Format, Plan, Resource, ResourceId, Role, Vertices};
 
@@ -42,6 +42,8 @@ pub(crate) struct SceneBuffers<'a> {
     pub depth: ResourceId,
     /// Indices of the triangle that covers the picture.
     pub screen_indices: ResourceId,
+    /// The mesh on the screen, where it was taken there before all else.
+    pub on_screen: Option<OnScreen>,
 }
 
 impl<'a> SceneBuffers<'a> {
@@ -109,6 +111,7 @@ impl<'a> SceneBuffers<'a> {
             filtered_heights,
             depth,
             screen_indices: plan.add_resource(triangle),
+            on_screen: None,
         }
     }
 

@@ -7,7 +7,9 @@
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
 use super::need::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
-use super::{Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep};
+use super::{
+    Begun, Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+};
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
     Binding, Bounded, Clock, Contents, DepthTarget, Knob, Pass, Plan, Resource, ResourceId, Role,
@@ -208,7 +210,7 @@ pub(crate) fn leave_fragments(
         Rasteriser::Hardware => draw_fragments(plan, scene, name, reason, store),
         Rasteriser::Compute => {
             let of = ScreenOf {
-                begins: None,
+                begun: Begun::Nothing,
                 name,
                 view: scene.input.view,
                 frame: scene.frame.clone(),

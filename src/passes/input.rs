@@ -21,7 +21,7 @@ pub(crate) struct Input<'a> {
     pub wide_atomics: bool,
     /// How rays are followed through reliefs; `None` chooses by what the view makes of them.
     pub relief_walk: Option<ReliefWalk>,
-    /// The one list of crossings is made also where one plane could be asked.
+    /// The one list of crossings is made also where one plane could be asked, and holds those that no part is near.
     pub keeps_list: bool,
     /// Who interpolates heights at points.
     pub height_filter: HeightFilter,

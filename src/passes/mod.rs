@@ -60,13 +60,14 @@ pub use need::{NEED_OF_CROSSINGS, NEED_OF_FRAGMENTS, NEED_OF_SHEETS, NEED_OF_TRI
 pub(crate) use probe::Volume;
 pub use pyramid::ReliefWalk;
 pub(crate) use pyramid::pyramids;
+pub(crate) use rasterise::OnScreen;
 pub use rasteriser::Rasteriser;
 pub use refusal::{Obstacle, Refusal};
 pub use relevance::{Relevance, Treatment};
 pub(crate) use resolve::{Inside, resolve};
 pub use scan::{BLOCK_WORDS, Scan};
 pub use screen::NO_LANE;
-pub(crate) use screen::{Screen, ScreenOf};
+pub(crate) use screen::{Begun, Screen, ScreenOf};
 pub(crate) use sections::Sections;
 pub(crate) use sheet::{SheetDraw, Sheets};
 pub(crate) use solid::{NearestKept, Store, over_mesh};

@@ -8,15 +8,69 @@
 
 use super::layers::{layers, overlap, picture};
 use super::resolve::{cap_normal, constants_of_decision};
-use super::sweep::GROUP;
+use super::sweep::{GROUP, groups_along};
 use super::{
-    AskedCrossings, Inside, Layered, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    AskedCrossings, Begun, Inside, Layered, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf,
+    Store, Sweep,
 };
 use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
 
 /// Workgroups that share the list of pixels to be painted, at most.
 const PAINTING_GROUPS: u32 = 1024;
+
+/// Pixels along a side of a tile: `shaders/lib/reach.wgsl`.
+const TILE_PX: u32 = 16;
+
+/// The mesh on the screen of a frame, before anything is swept.
+#[derive(Clone, Debug)]
+pub(crate) struct OnScreen {
+    screen: Screen,
+    nearest: ResourceId,
+    painted: ResourceId,
+    picture: Option<ResourceId>,
+    /// Between which depths the cut parts lie in each tile, where that was asked for.
+    pub(crate) reach: Option<ResourceId>,
+}
+
+impl<'a> SceneBuffers<'a> {
+    /// Takes the mesh to the screen before clip-surfaces are looked for, and finds in each tile of the picture between which depths the cut
+    /// parts lie, where that pays: for rays through reliefs of a mesh that the compute rasteriser takes there anyway. The reason where there
+    /// are too many parts.
+    pub(crate) fn with_reach(mut self, plan: &mut Plan) -> Result<Self, Refusal> {
+        let input = self.input;
+        // What lists of sheets begin with is told from the box of the cut solids on.
+        let pays =
+            input.rasteriser == Rasteriser::Compute && input.has_reliefs() && !input.keeps_list;
+        if !pays || input.has_cutters() {
+            return Ok(self);
+        }
+        let [width, height] = input.view.size_px.map(|px| u64::from(px.div_ceil(TILE_PX)));
+        let bytes = (1 + width * height) * 8;
+        let reach = plan.add_resource(Resource::storage("reach", bytes, Clock::Frame));
+        let mut on_screen = take_to_screen(plan, &self, Begun::Reach(reach))?;
+        let screen = &on_screen.screen;
+        plan.add_pass(Pass::new(
+            "tiles",
+            "between which depths the cut parts lie in each tile: rays are followed there alone",
+            "passes/rasterise/reach.wgsl",
+            vec![
+                screen.frame.clone(),
+                screen.sweep.clone(),
+                screen.drawn_parts.clone(),
+                screen.indices.clone(),
+                screen.vertices(),
+                Binding::update("reach", reach),
+            ],
+            Work::Compute {
+                groups: groups_along(screen.triangle_count),
+            },
+        ));
+        on_screen.reach = Some(reach);
+        self.on_screen = Some(on_screen);
+        Ok(self)
+    }
+}
 
 /// What the sweeps over the mesh leave.
 #[derive(Clone, Debug)]
@@ -32,14 +86,12 @@ pub(crate) struct Swept {
     drawn_parts: ResourceId,
 }
 
-/// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
-/// are too many parts.
-pub(super) fn rasterise(
+/// Takes all parts to the screen of the frame.
+fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
-    store: &Store,
-    crossings: &AskedCrossings,
-) -> Result<Swept, Refusal> {
+    begun: Begun<'_>,
+) -> Result<OnScreen, Refusal> {
     let input = scene.input;
     let mut of_pixels =
         |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
@@ -63,9 +115,37 @@ pub(super) fn rasterise(
             None => "lib/fresh/layers.wgsl",
         },
         freshened,
-        begins: Some(store).filter(|_| !crossings.are_listed()),
+        begun,
     };
-    let screen = Screen::record(plan, scene, of)?;
+    Ok(OnScreen {
+        screen: Screen::record(plan, scene, of)?,
+        nearest,
+        painted,
+        picture,
+        reach: None,
+    })
+}
+
+/// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
+/// are too many parts.
+pub(super) fn rasterise(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    store: &Store,
+    crossings: &AskedCrossings,
+) -> Result<Swept, Refusal> {
+    let input = scene.input;
+    let OnScreen {
+        screen,
+        nearest,
+        painted,
+        picture,
+        ..
+    } = match &scene.on_screen {
+        Some(on_screen) => on_screen.clone(),
+        None if crossings.are_listed() => take_to_screen(plan, scene, Begun::Nothing)?,
+        None => take_to_screen(plan, scene, Begun::Mask(store))?,
+    };
     let marking = Sweep {
         name: "mark",
         reason: "each sample marks the crossings it is behind, and keeps its triangle where it is the nearest kept",

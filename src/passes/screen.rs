@@ -43,8 +43,39 @@ pub(crate) struct ScreenOf<'a> {
     pub fresh: &'static str,
     /// What that binds.
     pub freshened: Vec<Binding>,
+    /// What else begins anew.
+    pub begun: Begun<'a>,
+}
+
+/// What begins anew with a screen beside what samples raise.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Begun<'a> {
+    /// Nothing.
+    Nothing,
     /// The mask, where no pass before makes pixels ready for fragments.
-    pub begins: Option<&'a Store>,
+    Mask(&'a Store),
+    /// The depths of tiles.
+    Reach(ResourceId),
+}
+
+impl Begun<'_> {
+    /// The file that fills `cutaway::begun`.
+    fn file(&self) -> &'static str {
+        match self {
+            Self::Nothing => "lib/begun/nothing.wgsl",
+            Self::Mask(_) => "lib/begun/mask.wgsl",
+            Self::Reach(_) => "lib/begun/reach.wgsl",
+        }
+    }
+
+    /// What that binds.
+    fn bindings(&self) -> Vec<Binding> {
+        match self {
+            Self::Nothing => Vec::new(),
+            Self::Mask(store) => store.begun().collect(),
+            Self::Reach(reach) => vec![Binding::write("reach", *reach)],
+        }
+    }
 }
 
 /// A mesh on a screen, ready to be swept.
@@ -164,16 +195,13 @@ impl Screen {
             vertex_count.max(pixel_count)
         };
         bindings.extend(of.freshened);
-        bindings.extend(of.begins.iter().flat_map(|store| store.begun()));
+        bindings.extend(of.begun.bindings());
         let pass = Pass::new(
             screen.named("transform"),
             "each vertex goes to fixed point once; what samples raise begins empty, as does the queue of triangles that are not small",
             Shader::from("passes/rasterise/transform.wgsl")
                 .with(of.fresh)
-                .with(match of.begins {
-                    Some(_) => "lib/begun/mask.wgsl",
-                    None => "lib/begun/nothing.wgsl",
-                }),
+                .with(of.begun.file()),
             bindings,
             Work::Compute {
                 groups: groups_along(items),

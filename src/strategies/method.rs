@@ -31,7 +31,8 @@ pub struct Means {
     /// How rays are followed through reliefs: the crossings are the same. Usually chosen by the cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
     /// Whether the one list of crossings is made even where all there is to cross is one plane, which passes of the compute rasteriser could
-    /// as well ask. Usually not; [hosts that clip by it](crate::gpu::clip_wgsl) want it.
+    /// as well ask, and holds all crossings in the box of what is cut, also where no triangle is near. Usually not; [hosts that clip by
+    /// it](crate::gpu::clip_wgsl) want it, and with it the masks of all methods are the same word by word.
     pub list: Option<bool>,
     /// What interpolates the heights of reliefs between texels. Usually exact; strategies that do not ask for heights at points refuse
     /// any other where there is a relief.

@@ -43,7 +43,12 @@ fn row() -> Scene {
 fn method(strategy: &Strategy, rasteriser: Rasteriser) -> Method {
     match rasteriser {
         Rasteriser::Hardware => Method::from(strategy),
-        Rasteriser::Compute => Method::new(*strategy, Means::by(rasteriser)),
+        // With all crossings in the lists, so that masks are the same word by word.
+        Rasteriser::Compute => {
+            let list = Some(true);
+            let means = Means::by(rasteriser);
+            Method::new(*strategy, Means { list, ..means })
+        }
     }
 }
 

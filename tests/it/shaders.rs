@@ -483,6 +483,8 @@ fn constants_have_one_value_on_both_sides() {
         ("LIKENESS", 0xffff_ff03),
         // Pixels along the side of a workgroup: `effects::borders` has it too.
         ("TILE", 16),
+        // Pixels along the side of a tile of `reach`.
+        ("TILE_PX", 16),
     ];
     for (name, value) in expected {
         assert_eq!(

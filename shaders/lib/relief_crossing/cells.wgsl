@@ -4,9 +4,10 @@
 
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
-#import cutaway::relief_ray::{Carried, cross_cell, depth_at_border, way_through}
+#import cutaway::interval::Interval
+#import cutaway::relief_ray::{Carried, begin_of, cross_cell, depth_at_border, way_through}
 
-fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
+fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: Interval) {
     let way = way_through(list, surface, at_px, interval);
     if !(way.end > 0.0) {
         return;
@@ -17,14 +18,15 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     // The border ahead of cell i is i + 1 when walking up, i when walking down.
     let ahead = vec2<i32>(select(0, 1, x.y > 0.0), select(0, 1, y.y > 0.0));
     let cell_limit = cut_table.surfaces[surface].cell_limit;
-    var cell = vec2<i32>(vec2<f32>(floor(x.x), floor(y.x)));
-    var carried = Carried(0.0, true, false);
+    let begin = begin_of(way);
+    var cell = begin.cell;
+    var carried = Carried(begin.entry, true, false);
     for (var n = 0u; n < cell_limit; n++) {
         let border_x = depth_at_border(cell.x + ahead.x, x);
         let border_y = depth_at_border(cell.y + ahead.y, y);
         let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
         cross_cell(list, way, &carried, cell, exit);
-        if exit >= way.end {
+        if exit >= way.last {
             return;
         }
         // Ties step in x first; the cell between has no length.

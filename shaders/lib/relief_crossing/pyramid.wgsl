@@ -15,8 +15,9 @@
 
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
+#import cutaway::interval::Interval
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
-#import cutaway::relief_ray::{Carried, Way, begin_way, cross_cell, depth_at_border, way_through}
+#import cutaway::relief_ray::{Carried, Way, begin_of, begin_way, cross_cell, depth_at_border, way_through}
 
 // Level at which a ray begins; from there it climbs where there is nothing to be met.
 const FIRST_LEVEL: u32 = 3u;
@@ -62,7 +63,7 @@ fn rounding_of(way: Way) -> vec2<f32> {
     return vec2<f32>(height, texels + 8.0) * 1e-6;
 }
 
-fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
+fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: Interval) {
     let way = way_through(list, surface, at_px, interval);
     if !(way.end > 0.0) {
         return;
@@ -76,8 +77,9 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     let rounding = rounding_of(way);
     let levels = levels_of(surface);
     let cell_limit = cut_table.surfaces[surface].cell_limit;
-    var cell = vec2<i32>(vec2<f32>(floor(x.x), floor(y.x)));
-    var carried = Carried(0.0, true, false);
+    let begin = begin_of(way);
+    var cell = begin.cell;
+    var carried = Carried(begin.entry, true, false);
     var level = min(FIRST_LEVEL, levels);
     for (var n = 0u; n < cell_limit; n++) {
         // Blocks, until one of the smallest is near.
@@ -113,7 +115,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
                 begin_way(list, way, &carried, kept);
             }
             carried.entry = exit;
-            if exit >= way.end {
+            if exit >= way.last {
                 return;
             }
             // Ties leave by x first, as the walk does. The last cell before border i is i - 1 when walking up, i when walking down.
@@ -134,7 +136,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
             let border_y = depth_at_border(cell.y + ahead.y, y);
             let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
             cross_cell(list, way, &carried, cell, exit);
-            if exit >= way.end {
+            if exit >= way.last {
                 return;
             }
             let by_x = border_x <= border_y;

@@ -16,8 +16,8 @@
 
 use super::vds;
 use crate::passes::{
-    FragmentLists, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep, Volume,
-    counted, groups_along, need,
+    Begun, FragmentLists, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    Volume, counted, groups_along, need,
 };
 use crate::plan::pack::{self, Sprite};
 use crate::plan::{
@@ -177,7 +177,7 @@ fn screen(
     let frame_name = format!("{name} frame");
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
-        begins: None,
+        begun: Begun::Nothing,
         settles: false,
         name: &name,
         view: &view,

@@ -68,6 +68,10 @@ fn record(
         false => (Lanes::of_bits(input, capacity), "lib/store/mask.wgsl"),
     };
     let scene = SceneBuffers::upload(plan, input, lanes)?;
+    let scene = match surface == CapSurface::RAYCAST {
+        true => scene.with_reach(plan)?,
+        false => scene,
+    };
     let mask = scene.lanes.mask(plan, input);
     let store = Store {
         file,

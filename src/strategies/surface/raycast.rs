@@ -141,13 +141,21 @@ pub(super) fn record(
         (shader, how.to_owned())
     };
     let mut constants = vec![("capacity", f64::from(capacity))];
+    let interval = match scene.on_screen.as_ref().and_then(|on| on.reach) {
+        Some(reach) => {
+            bindings.push(Binding::read("reach", reach));
+            constants.push(("near_inside", f64::from(u8::from(relevance.near_inside))));
+            "lib/interval/tiles.wgsl"
+        }
+        None => "lib/interval/box.wgsl",
+    };
     if sheets != 0 {
         constants.push(("sheets", f64::from(sheets)));
     }
     let pass = Pass::new(
         "crossings",
         format!("the one list of depths per pixel; {how}"),
-        shader.with(store.file),
+        shader.with(store.file).with(interval),
         bindings,
         Work::over(input.view.size_px),
     );

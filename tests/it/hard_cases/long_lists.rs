@@ -41,7 +41,10 @@ fn answer(
     rasteriser: Rasteriser,
 ) -> (Judged, Vec<u32>, u32) {
     let mut session = session();
-    let method = Method::new(*strategy, Means::by(rasteriser));
+    // With all crossings in the lists, so that masks are the same word by word.
+    let list = Some(true);
+    let means = Means::by(rasteriser);
+    let method = Method::new(*strategy, Means { list, ..means });
     let drawn = (session.draw(&question.model, &question.view, method))
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
     let layers = session.layers(method).expect("layers of a drawn frame");

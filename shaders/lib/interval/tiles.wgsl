@@ -1,0 +1,34 @@
+// Between which depths crossings of a ray matter: in the box of the cut solids, and between the depths of their triangles in the tile of
+// the picture that it goes through. Bound as @group(1) @binding(7).
+
+#define_import_path cutaway::interval
+
+#import cutaway::frame::{box_interval, centre_of, depth_from_buffer, ray_through}
+#import cutaway::reach::{TILE_PX, tile_at}
+
+@group(1) @binding(7) var<storage, read> reach: array<vec2<u32>>;
+
+// A crossing may be so much before the nearest triangle, or behind the farthest, and belong to it by rounding: a share of the depth, or of
+// the size of the scene. It is far more than that, and far less than a tile is deep.
+const BEYOND: f32 = 0.0009765625;
+
+struct Interval {
+    // Empty where x >= y.
+    all: vec2<f32>,
+    // The part of it in which crossings are asked for; what is found there hangs on all of it alone.
+    part: vec2<f32>,
+}
+
+// `from_near`: the ray is to be known from the near plane on, where it may begin inside a solid.
+fn interval_at(pixel: vec2<u32>, from_near: bool) -> Interval {
+    let found = max(reach[0], reach[tile_at(pixel / TILE_PX)]);
+    if found.x == 0u && found.y == 0u {
+        return Interval(vec2<f32>(0.0), vec2<f32>(0.0));
+    }
+    let all = box_interval(ray_through(centre_of(pixel)));
+    let near = depth_from_buffer(bitcast<f32>(found.x));
+    let far = depth_from_buffer(bitcast<f32>(~found.y));
+    let first = select(near - BEYOND * max(abs(near), 1.0), all.x, from_near);
+    let last = far + BEYOND * max(abs(far), 1.0);
+    return Interval(all, vec2<f32>(max(all.x, first), min(all.y, last)));
+}
