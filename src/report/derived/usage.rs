@@ -23,7 +23,7 @@ pub(crate) fn usage(name: &str) -> Option<Usage> {
     let Ok(Method { strategy, means }) = name.parse() else {
         return None;
     };
-    if means.wide_atomics == Some(false) {
+    if means.wide_atomics == Some(false) || means.list == Some(true) {
         return None;
     }
     let mut words = strategy.to_string();

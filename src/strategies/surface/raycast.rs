@@ -6,6 +6,9 @@
 //! of the shell. Per frame: one invocation per pixel, time in proportion to the cells that a ray passes inside the slab of
 //! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
 //!
+//! Before the compute rasteriser rays through reliefs are followed only between the depths of what is cut in their tile of the picture
+//! ([`SceneBuffers::with_reach`]).
+//!
 //! Lists are as long as the longest one that a frame asked for. Cannot: hold more than 1023 crossings per pixel, or lists of more
 //! than 2 GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A longer list keeps the nearest, marks the pixel and
 //! reports its need.
