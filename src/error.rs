@@ -94,6 +94,14 @@ impl Error {
         }
     }
 
+    /// What is wrong, without the name of the file: for who says that name in other words.
+    pub(crate) fn into_what(self) -> String {
+        match self {
+            Self::File { what, .. } => what,
+            other => other.to_string(),
+        }
+    }
+
     /// The same with the character of the line at fault.
     #[must_use]
     pub fn at_column(mut self, number: usize) -> Self {

@@ -4,7 +4,7 @@
 // What a pixel is made of is left in the picture, which is painted later: sRGB colour, and alpha 1 where it is in the place of the
 // colour of the part. Layers are copied with the normals that the material bends, for light alone.
 
-#import cutaway::cap_plane::{CapPlane, footing_on, moved_along, plane_of_view}
+#import cutaway::cap_plane::{CapPlane, footing_on, moved_along, nearest_axis, plane_of_view}
 #import cutaway::coat::coat_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
 #import cutaway::cuts::parts
@@ -63,10 +63,7 @@ fn plane_of(number: u32, normal: vec3<f32>) -> CapPlane {
         return plane;
     }
     // Of a cutter: across the axis that its face is nearest to, upright as it is seen.
-    let size = abs(normal);
-    let is_x = size.x >= size.y && size.x >= size.z;
-    let is_y = !is_x && size.y >= size.z;
-    let axis = select(select(vec3<f32>(0.0, 0.0, 1.0), vec3<f32>(0.0, 1.0, 0.0), is_y), vec3<f32>(1.0, 0.0, 0.0), is_x);
+    let axis = vec3<f32>(vec3<u32>(0u, 1u, 2u) == vec3<u32>(nearest_axis(normal)));
     let out = axis * sign(dot(axis, normal));
     let up = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), dress_planes.is_z_up != 0u);
     let across = cross(up, out);

@@ -25,19 +25,25 @@ fn plane_of_view() -> CapPlane {
     return CapPlane(right, up, vec4<f32>(frame.forward.xyz, 0.0));
 }
 
+// The axis that a direction is nearest to: 0, 1 or 2.
+fn nearest_axis(direction: vec3<f32>) -> u32 {
+    let size = abs(direction);
+    if size.x >= size.y && size.x >= size.z {
+        return 0u;
+    }
+    return select(2u, 1u, size.y >= size.z);
+}
+
 // A plane, or of a cutter the one of the axes that the normal of its face is nearest to.
 fn faced(plane: CapPlane, normal: vec3<f32>) -> CapPlane {
     if plane.normal.w < 0.5 {
         return plane;
     }
-    let size = abs(normal);
-    if size.x >= size.y && size.x >= size.z {
-        return CapPlane(vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
-    }
-    if size.y >= size.z {
-        return CapPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 0.0, -1.0, 0.0), vec4<f32>(normal, 0.0));
-    }
-    return CapPlane(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0), vec4<f32>(normal, 0.0));
+    let axis = nearest_axis(normal);
+    let back = vec4<f32>(0.0, 0.0, -1.0, 0.0);
+    let u_row = select(vec4<f32>(1.0, 0.0, 0.0, 0.0), back, axis == 0u);
+    let v_row = select(vec4<f32>(0.0, 1.0, 0.0, 0.0), back, axis == 1u);
+    return CapPlane(u_row, v_row, vec4<f32>(normal, 0.0));
 }
 
 // How far a point of a plane with this normal moves when the pixel moves by `step` at its depth.

@@ -7,10 +7,10 @@
 
 #define_import_path cutaway::relief_ray
 
+#import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, add}
 #import cutaway::cuts::cut_table
 #import cutaway::frame::buffer_from_depth
-#import cutaway::interval::Interval
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
 #import cutaway::relief::{Map, cell_of, height_in, map_of}

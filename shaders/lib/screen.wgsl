@@ -89,6 +89,16 @@ fn borders_of(vertex: vec4<i32>) -> u32 {
     return u32(vertex.w) & BEYOND_BORDERS;
 }
 
+// Whether the vertices of a triangle are all beyond one border, or one side of the picture: then it holds no sample.
+fn is_beside(vertices: array<vec4<i32>, 3>) -> bool {
+    return (vertices[0].w & vertices[1].w & vertices[2].w) != 0;
+}
+
+// Whether a triangle is cut by some border.
+fn is_clipped(vertices: array<vec4<i32>, 3>) -> bool {
+    return (borders_of(vertices[0]) | borders_of(vertices[1]) | borders_of(vertices[2])) != 0u;
+}
+
 // A vertex that is beyond no border.
 fn point_of(vertex: vec4<i32>) -> Point {
     return snapped(bitcast<vec3<f32>>(vertex.xyz));

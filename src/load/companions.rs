@@ -12,7 +12,7 @@ pub fn companions(path: &Path, store: &dyn Files) -> Vec<PathBuf> {
     let format = format_and_stem(path).map(|(format, _)| format);
     let bytes = || input_file::read_unpacked(path, store).unwrap_or_default();
     match format.as_deref() {
-        Ok("gltf" | "glb") => gltf::named_buffers(folder, &bytes()),
+        Ok("gltf" | "glb") => gltf::named_files(folder, &bytes()),
         Ok("obj") => mtl::libraries(folder, &bytes(), store),
         _ => Vec::new(),
     }

@@ -79,10 +79,7 @@ pub(super) fn read_all(
                     }
                 }
                 Err(e) => {
-                    let why = match e {
-                        Error::File { what, .. } => what,
-                        other => other.to_string(),
-                    };
+                    let why = e.into_what();
                     notes.push({
                         let name = path.strip_prefix(folder).unwrap_or(&path).display();
                         format!("material library {name} {why}: default colours")
@@ -103,10 +100,7 @@ fn image(
 ) -> Option<Arc<Texture>> {
     let read = match leads_away(name) {
         Some(what) => Err(what.to_owned()),
-        None => read_texture_from(path, TextureKind::Color, store).map_err(|e| match e {
-            Error::File { what, .. } => what,
-            other => other.to_string(),
-        }),
+        None => read_texture_from(path, TextureKind::Color, store).map_err(Error::into_what),
     };
     match read {
         Ok(texture) => {

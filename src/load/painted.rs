@@ -41,11 +41,7 @@ pub(super) fn coat(paints: &[Paint], triangles: &[PaintedTriangle]) -> Option<Co
     let numbers: Vec<Option<u32>> = (paints.iter())
         .map(|paint| {
             let image = paint.image.as_ref()?;
-            let known = images.iter().position(|known| Arc::ptr_eq(known, image));
-            Some(known.unwrap_or_else(|| {
-                images.push(image.clone());
-                images.len() - 1
-            }) as u32)
+            Some(Texture::number_among(&mut images, image) as u32)
         })
         .collect();
     let coated = triangles.iter().map(|t| {

@@ -118,17 +118,9 @@ const MOST_TEXELS_OF_TEXTURES: usize = 30 << 20;
 
 /// How many sizes to leave out, of all textures alike.
 fn left_out(textures: &[Arc<Texture>]) -> u32 {
-    let mut known: Vec<&Arc<Texture>> = Vec::new();
-    for texture in textures {
-        if !known.iter().any(|k| Arc::ptr_eq(k, texture)) {
-            known.push(texture);
-        }
-    }
     let count = |level: u32| {
-        known
-            .iter()
-            .map(|t| t.level_on(level).1.len())
-            .sum::<usize>()
+        let all = textures.iter();
+        all.map(|t| t.level_on(level).1.len()).sum::<usize>()
     };
     (0..14)
         .find(|level| count(*level) <= MOST_TEXELS_OF_TEXTURES)
@@ -137,37 +129,29 @@ fn left_out(textures: &[Arc<Texture>]) -> u32 {
 
 /// Textures that several parts have are there once.
 fn packed(textures: &[Arc<Texture>]) -> [Contents; 2] {
-    let mut known: Vec<(&Arc<Texture>, u32)> = Vec::new();
-    let mut pieces = Vec::new();
-    let mut count = 0_u64;
-    let mut rows = Vec::with_capacity(textures.len().max(1));
-    let level = left_out(textures);
-    for texture in textures {
-        let place = known.iter().find(|(k, _)| Arc::ptr_eq(k, texture));
-        let first = match place {
-            Some((_, first)) => *first,
-            None => {
-                let first = count as u32;
-                let (_, texels) = texture.level_on(level);
-                pieces.push(Piece::from_values(count * 4, texels));
-                count += texels.len() as u64;
-                known.push((texture, first));
-                first
-            }
-        };
-        rows.push(pack::Texture {
-            first,
-            is_color: u32::from(texture.kind() == TextureKind::Color),
-            size: texture.level_on(level).0,
-        });
-    }
-    if rows.is_empty() {
+    if textures.is_empty() {
         // WebGPU has no empty bindings.
         return [
             Contents::from_values(&[[0_u32; 4]]),
             Contents::from_values(&[0_u32]),
         ];
     }
+    let mut different: Vec<Arc<Texture>> = Vec::new();
+    let numbers = (textures.iter()).map(|t| Texture::number_among(&mut different, t));
+    let numbers: Vec<usize> = numbers.collect();
+    let level = left_out(&different);
+    let (mut rows, mut pieces, mut count) = (Vec::new(), Vec::new(), 0_u64);
+    for texture in &different {
+        let (size, texels) = texture.level_on(level);
+        rows.push(pack::Texture {
+            first: count as u32,
+            is_color: u32::from(texture.kind() == TextureKind::Color),
+            size,
+        });
+        pieces.push(Piece::from_values(count * 4, texels));
+        count += texels.len() as u64;
+    }
+    let rows: Vec<pack::Texture> = numbers.iter().map(|number| rows[*number]).collect();
     [
         Contents::from_values(&rows),
         Contents::in_pieces(count * 4, pieces, false),

@@ -48,7 +48,7 @@ impl<'a> SceneBuffers<'a> {
         let [width, height] = input.view.size_px.map(|px| u64::from(px.div_ceil(TILE_PX)));
         let bytes = (1 + width * height) * 8;
         let reach = plan.add_resource(Resource::storage("reach", bytes, Clock::Frame));
-        let mut on_screen = take_to_screen(plan, &self, Begun::Reach(reach))?;
+        let on_screen = take_to_screen(plan, &self, Begun::Reach(reach))?;
         let screen = &on_screen.screen;
         plan.add_pass(Pass::new(
             "tiles",
@@ -66,7 +66,6 @@ impl<'a> SceneBuffers<'a> {
                 groups: groups_along(screen.triangle_count),
             },
         ));
-        on_screen.reach = Some(reach);
         self.on_screen = Some(on_screen);
         Ok(self)
     }
@@ -122,7 +121,10 @@ fn take_to_screen(
         nearest,
         painted,
         picture,
-        reach: None,
+        reach: match begun {
+            Begun::Reach(reach) => Some(reach),
+            Begun::Nothing | Begun::Mask(_) => None,
+        },
     })
 }
 

@@ -3,6 +3,8 @@
 //! The smaller sizes are made once, each texel the mean of those it covers: of colours in linear light, of data as they are. They take a
 //! third more memory. Cannot: hold more than 8 bits a channel.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 
 use super::{linear_from_srgb, map_channels, srgb_from_linear};
@@ -29,6 +31,15 @@ pub struct Texture {
 pub const MOST_TEXELS_ALONG: u32 = 8192;
 
 impl Texture {
+    /// The number of a texture among known ones, of which it becomes the last where none is the same object.
+    pub(crate) fn number_among(known: &mut Vec<Arc<Self>>, texture: &Arc<Self>) -> usize {
+        let number = known.iter().position(|k| Arc::ptr_eq(k, texture));
+        number.unwrap_or_else(|| {
+            known.push(texture.clone());
+            known.len() - 1
+        })
+    }
+
     /// Of the texels of an image, rows from the top; what is wrong with them otherwise.
     ///
     /// # Errors

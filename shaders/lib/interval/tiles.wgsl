@@ -3,6 +3,7 @@
 
 #define_import_path cutaway::interval
 
+#import cutaway::asked::Interval
 #import cutaway::frame::{box_interval, centre_of, depth_from_buffer, ray_through}
 #import cutaway::reach::{TILE_PX, tile_at}
 
@@ -11,13 +12,6 @@
 // A crossing may be so much before the nearest triangle, or behind the farthest, and belong to it by rounding: a share of the depth, or of
 // the size of the scene. It is far more than that, and far less than a tile is deep.
 const BEYOND: f32 = 0.0009765625;
-
-struct Interval {
-    // Empty where x >= y.
-    all: vec2<f32>,
-    // The part of it in which crossings are asked for; what is found there hangs on all of it alone.
-    part: vec2<f32>,
-}
 
 // `from_near`: the ray is to be known from the near plane on, where it may begin inside a solid.
 fn interval_at(pixel: vec2<u32>, from_near: bool) -> Interval {

@@ -2,9 +2,9 @@
 
 #define_import_path cutaway::relief_crossing
 
+#import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
-#import cutaway::interval::Interval
 #import cutaway::relief_ray::{Carried, begin_of, cross_cell, depth_at_border, way_through}
 
 fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: Interval) {

@@ -13,9 +13,9 @@
 
 #define_import_path cutaway::relief_crossing
 
+#import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
-#import cutaway::interval::Interval
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
 #import cutaway::relief_ray::{Carried, Way, begin_of, begin_way, cross_cell, depth_at_border, way_through}
 

@@ -5,7 +5,7 @@
 // clipped may be anywhere.
 
 #import cutaway::reach::{TILE_PX, tile_at}
-#import cutaway::screen::{borders_of, first_pixel, last_pixel, point_of}
+#import cutaway::screen::{first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::sweep::{NO_LANE, corners_of, drawn_parts, number_of, row_of_triangle, sweep}
 
 @group(1) @binding(4) var<storage, read_write> reach: array<atomic<u32>>;
@@ -33,11 +33,10 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let corners = corners_of(triangle, part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
-    // Beyond one border or one side of the picture as a whole.
-    if (vertices[0].w & vertices[1].w & vertices[2].w) != 0 {
+    if is_beside(vertices) {
         return;
     }
-    if (borders_of(vertices[0]) | borders_of(vertices[1]) | borders_of(vertices[2])) != 0u {
+    if is_clipped(vertices) {
         widen(0u, vec2<u32>(bitcast<u32>(1.0), ~0u));
         return;
     }

@@ -7,7 +7,7 @@
 #import cutaway::flat::{depth_at, flat_through}
 #import cutaway::frame::pixel_index
 #import cutaway::sample::take
-#import cutaway::screen::{borders_of, edge_bias, first_pixel, last_pixel, point_of}
+#import cutaway::screen::{edge_bias, first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::span::narrowed
 #import cutaway::sweep::{Sample, corners_of, number_of, row_of_triangle, sweep}
 
@@ -45,11 +45,10 @@ fn visit(triangle: u32) {
     let part = row_of_triangle(triangle);
     let corners = corners_of(triangle, part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
-    // Beyond one border or one side of the picture as a whole.
-    if (vertices[0].w & vertices[1].w & vertices[2].w) != 0 {
+    if is_beside(vertices) {
         return;
     }
-    if (borders_of(vertices[0]) | borders_of(vertices[1]) | borders_of(vertices[2])) != 0u {
+    if is_clipped(vertices) {
         enqueue(triangle, true);
         return;
     }

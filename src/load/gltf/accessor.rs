@@ -34,9 +34,8 @@ pub(super) const PLACES: Wanted = Wanted {
 
 /// `COLOR_0` with alpha.
 pub(super) const COLORS_WITH_ALPHA: Wanted = Wanted {
-    what: "colours",
-    types: &[DataType::F32, DataType::U8, DataType::U16],
     dimensions: Dimensions::Vec4,
+    ..COLORS
 };
 
 /// `COLOR_0`.

@@ -66,7 +66,7 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
 }
 
 /// The files that its buffers and images are in, of a document that can be read.
-pub(in crate::load) fn named_buffers(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
+pub(in crate::load) fn named_files(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> {
     if check_glb(bytes).is_err() {
         return Vec::new();
     }

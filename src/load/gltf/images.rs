@@ -73,10 +73,7 @@ impl Images<'_> {
             }
             Source::Uri { uri, .. } => {
                 let bytes = uri::read(self.path, ("image", uri), self.store, &mut self.files);
-                let bytes = bytes.map_err(|e| match e {
-                    Error::File { what, .. } => what,
-                    other => other.to_string(),
-                })?;
+                let bytes = bytes.map_err(Error::into_what)?;
                 texture_of(&bytes, None, TextureKind::Color)
             }
         }

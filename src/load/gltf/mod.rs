@@ -33,7 +33,7 @@ use crate::scene::Role;
 use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
 
 use document::Opened;
-pub(super) use document::named_buffers;
+pub(super) use document::named_files;
 use images::Images;
 pub(super) use uri::leads_away;
 

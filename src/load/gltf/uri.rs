@@ -44,10 +44,7 @@ pub(super) fn read(
         return Err(Error::file(from, what, BESIDE));
     }
     let bytes = input_file::read(&path, store).map_err(|e| {
-        let why = match e {
-            Error::File { what, .. } => what,
-            other => other.to_string(),
-        };
+        let why = e.into_what();
         Error::file(from, format!("its {what} {name:?} {why}"), BESIDE)
     })?;
     files.push(path);

@@ -16,9 +16,26 @@ use super::row::CapSurface;
 use super::surface;
 use crate::effects::{Picture, finish};
 use crate::passes::{
-    Input, Inside, Lanes, Refusal, SceneBuffers, Store, Volume, over_mesh, resolve,
+    Crossings, Input, Inside, Lanes, NearestKept, Refusal, SceneBuffers, Store, Volume, over_mesh,
+    resolve,
 };
-use crate::plan::{Binding, Plan};
+use crate::plan::{Binding, Plan, ResourceId};
+
+/// Lists crossings, of at most so many to a pixel, and draws the mesh with fragments that leave nothing: the inside test asks elsewhere, or
+/// draws the mesh again. Its mask begins empty.
+fn leaving_nothing(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    surface: CapSurface,
+    capacity: u32,
+    mask: ResourceId,
+) -> Result<(Crossings, NearestKept), Refusal> {
+    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
+    let crossings = surface::list(plan, scene, surface, capacity, &emptied)?;
+    let store = Store::nothing(Vec::new());
+    let nearest = over_mesh(plan, scene, &store, &crossings.asked())?;
+    Ok((crossings, nearest))
+}
 
 /// Records the frame of listed crossings with the images of volumes that `images` makes, each with the places of the parts that it
 /// answers for.
@@ -32,14 +49,7 @@ pub(super) fn probed(
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
     let images = images(plan, &scene)?;
     let mask = scene.lanes.reduced_mask(plan, input);
-    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
-    let nearest = over_mesh(
-        plan,
-        &scene,
-        &Store::nothing(Vec::new()),
-        &crossings.asked(),
-    )?;
+    let (crossings, nearest) = leaving_nothing(plan, &scene, surface, capacity, mask)?;
     for (places, volume) in images {
         volume.probe(plan, &scene, places, mask, &crossings);
     }

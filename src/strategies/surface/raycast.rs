@@ -123,8 +123,17 @@ pub(super) fn record(
         Binding::write("need", need),
     ];
     bindings.extend(store.begun());
+    let mut constants = vec![("capacity", f64::from(capacity))];
     let (shader, how) = if reliefs {
         bindings.push(scene.heights.clone());
+        let interval = match scene.on_screen.as_ref().and_then(|on| on.reach) {
+            Some(reach) => {
+                bindings.push(Binding::read("reach", reach));
+                constants.push(("near_inside", f64::from(u8::from(relevance.near_inside))));
+                "lib/interval/tiles.wgsl"
+            }
+            None => "lib/interval/box.wgsl",
+        };
         let choice = choice::of(input);
         let file = match choice.walk {
             ReliefWalk::Cells => "lib/relief_crossing/cells.wgsl",
@@ -133,8 +142,8 @@ pub(super) fn record(
                 "lib/relief_crossing/pyramid.wgsl"
             }
         };
-        let shader = Shader::from("strategies/surface/raycast/reliefs.wgsl").with(file);
-        (shader, choice.reason)
+        let shader = Shader::from("strategies/surface/raycast/reliefs.wgsl");
+        (shader.with(file).with(interval), choice.reason)
     } else {
         let how = match sheets {
             0 => "only planes, so no walk",
@@ -143,22 +152,13 @@ pub(super) fn record(
         let shader = Shader::from("strategies/surface/raycast/planes.wgsl");
         (shader, how.to_owned())
     };
-    let mut constants = vec![("capacity", f64::from(capacity))];
-    let interval = match scene.on_screen.as_ref().and_then(|on| on.reach) {
-        Some(reach) => {
-            bindings.push(Binding::read("reach", reach));
-            constants.push(("near_inside", f64::from(u8::from(relevance.near_inside))));
-            "lib/interval/tiles.wgsl"
-        }
-        None => "lib/interval/box.wgsl",
-    };
     if sheets != 0 {
         constants.push(("sheets", f64::from(sheets)));
     }
     let pass = Pass::new(
         "crossings",
         format!("the one list of depths per pixel; {how}"),
-        shader.with(store.file).with(interval),
+        shader.with(store.file),
         bindings,
         Work::over(input.view.size_px),
     );

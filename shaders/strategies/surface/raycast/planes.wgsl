@@ -3,16 +3,13 @@
 
 #import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::cut_table
-#import cutaway::frame::{frame, centre_of, pixel_index}
-#import cutaway::interval::interval_at
+#import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::store::begin
 
 override capacity: u32 = 1u;
 // Bits of the clip-surfaces that are drawn as sheets.
 override sheets: u32 = 0u;
-// The near plane may be inside a solid.
-override near_inside: bool = false;
 
 @compute @workgroup_size(16, 16)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -23,13 +20,13 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     begin(pixel);
     var list = List(pixel, capacity, 0u, 0u, false);
     let at = centre_of(id.xy);
-    let interval = interval_at(id.xy, near_inside);
-    if interval.part.x < interval.part.y {
+    let interval = box_interval(ray_through(at));
+    if interval.x < interval.y {
         // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
         for (var left = cut_table.surface_count; left > 0u; left--) {
             let s = left - 1u;
             if ((sheets >> s) & 1u) == 0u {
-                cross_plane(&list, s, at, interval.part);
+                cross_plane(&list, s, at, interval);
             }
         }
     }

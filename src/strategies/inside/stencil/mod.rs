@@ -18,9 +18,7 @@
 pub(crate) mod alone;
 
 use crate::effects::{Picture, finish};
-use crate::passes::{
-    Crossings, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, Store, over_mesh, resolve,
-};
+use crate::passes::{Crossings, Input, Inside, LISTED, Lanes, Refusal, SceneBuffers, resolve};
 use crate::plan::{
     Binding, Capacities, Clock, DepthCompare, DepthTarget, Draw, Format, Pass, Plan, Resource,
     ResourceId, Stencil, StencilStep, Vertices, Work,
@@ -80,14 +78,7 @@ fn record(
     }
     let scene = SceneBuffers::upload(plan, input, Lanes::of_bits(input, capacity))?;
     let mask = scene.lanes.mask(plan, input);
-    let emptied = Store::nothing(vec![Binding::write("mask", mask)]);
-    let crossings = surface::list(plan, &scene, surface, capacity, &emptied)?;
-    let nearest = over_mesh(
-        plan,
-        &scene,
-        &Store::nothing(Vec::new()),
-        &crossings.asked(),
-    )?;
+    let (crossings, nearest) = super::leaving_nothing(plan, &scene, surface, capacity, mask)?;
 
     let format = Format::Depth32FloatStencil8;
     let stencil = Resource::texture("stencil", input.view.size_px, 1, format, Clock::Frame);
