@@ -6,23 +6,24 @@
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
 #import cutaway::exits::is_passed
+#import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::store::store
-#import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
+#import cutaway::sweep::{NO_LANE, Sample}
 
 // Whether a sample lies on a side that its part keeps.
 fn is_kept(sample: Sample) -> bool {
-    let sides = crossings_before(sample.z, sample.pixel).sides;
-    return !is_removed(sides, drawn_parts.parts[sample.row].cuts) && !is_passed(sample.front);
+    let sides = crossings_before(sample.z, sample.at).sides;
+    return !is_removed(sides, sample.part.cuts) && !is_passed(sample.front);
 }
 
 // Counts the crossings before a sample, leaves to the inside test what that wants of it, and says whether it is kept.
 fn count_and_store(sample: Sample) -> bool {
-    let part = drawn_parts.parts[sample.row];
-    let before = crossings_before(sample.z, sample.pixel);
+    let part = sample.part;
+    let before = crossings_before(sample.z, sample.at);
     if part.place != NO_LANE {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
-        store(Fragment(sample.pixel, lane, part.place, sample.z, before.behind, sample.front));
+        store(Fragment(pixel_index(sample.at), lane, part.place, sample.z, before.behind, sample.front));
     }
     return !is_removed(before.sides, part.cuts) && !is_passed(sample.front);
 }

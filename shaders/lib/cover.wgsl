@@ -4,17 +4,17 @@
 #define_import_path cutaway::cover
 
 #import cutaway::flat::{depth_at, flat_through}
-#import cutaway::frame::pixel_index
 #import cutaway::sample::take
 #import cutaway::screen::{Point, first_pixel, last_pixel}
-#import cutaway::sweep::Sample
+#import cutaway::sweep::{Sample, drawn_parts}
 #import cutaway::tiles::{edge_value, reaches, row_inside, tile_edge}
+#import cutaway::touch::touch
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
 
 struct Where {
     triangle: u32,
     // Row of the part in the table of drawn parts.
-    part: u32,
+    row: u32,
     // Which rows of tiles, and which line of samples of a tile.
     tiles: i32,
     line: i32,
@@ -35,6 +35,7 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
     if (whole.x | whole.y) == 0u {
         return;
     }
+    let part = drawn_parts.parts[at.row];
     let turned = wide_is_negative(whole);
     var b = second;
     var c = third;
@@ -58,11 +59,13 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
             row = row_inside(bc, at.line, row);
             row = row_inside(ca, at.line, row);
             row = row_inside(ab, at.line, row);
+            if row.x <= row.y {
+                touch(from_px + vec2<i32>(row.x, at.line), from_px + vec2<i32>(row.y, at.line));
+            }
             for (var x = row.x; x <= row.y; x++) {
                 let step = vec2<i32>(x, at.line);
                 let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
-                let pixel = pixel_index(vec2<u32>(from_px + step));
-                _ = take(Sample(pixel, depth_at(plane, weights), at.triangle, at.part, turned, at.lane_bits));
+                _ = take(Sample(vec2<u32>(from_px + step), depth_at(plane, weights), at.triangle, at.row, part, turned, at.lane_bits));
             }
         }
     }

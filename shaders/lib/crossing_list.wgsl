@@ -7,7 +7,7 @@
 #define_import_path cutaway::crossing_list
 
 #import cutaway::frame::{is_behind, pixel_count}
-#import cutaway::cuts::keeps_words
+#import cutaway::surfaces::keeps_words
 
 @group(1) @binding(0) var<storage, read_write> crossing_heads: array<vec2<u32>>;
 @group(1) @binding(1) var<storage, read_write> crossing_z: array<f32>;

@@ -64,11 +64,6 @@ fn surfaces_of_cut(cut: u32) -> u32 {
     return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];
 }
 
-// Whether a list keeps a word for each crossing beside its depth: where there is but one clip-surface it goes without saying.
-fn keeps_words() -> bool {
-    return cut_table.surface_count > 1u || cut_table.has_normals != 0u;
-}
-
 // Whether a point with these sides is removed from a part that these cuts apply to.
 fn is_removed(sides: u32, cuts: u32) -> bool {
     var rest = cuts;

@@ -43,14 +43,14 @@ struct Cap {
 
 // The first cap among the crossings before `limit`. Parts are asked in order, and the first wins; whether a second one shares
 // the cap is asked only where it is shown.
-fn first_cap(lanes: Lanes, pixel: u32, limit: u32, start: u32) -> Cap {
+fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var sides = start;
     var cap = Cap(false, 0u, 0u, false);
     for (var i = 0u; i < limit; i++) {
-        let after = sides ^ (1u << surface_at(i, pixel));
+        let after = sides ^ (1u << surface_at(i, at));
         for (var place = 0u; place < lanes.count; place++) {
             let enters = is_removed(sides, parts[place].cuts) && !is_removed(after, parts[place].cuts);
-            if enters && is_inside(lanes, place, pixel, i) {
+            if enters && is_inside(lanes, place, pixel_index(at), i) {
                 if cap.found {
                     cap.overlap = true;
                     return cap;
@@ -75,28 +75,28 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var word = drawn.word;
     var normal = drawn.normal;
     var depth = depth_from_buffer(drawn.z);
-    if kind_of(word) == BACKGROUND && is_blank(pixel) && !is_cut_short(pixel) {
+    if kind_of(word) == BACKGROUND && is_blank(pixel) && !is_cut_short(at) {
         // Of most pictures most.
         return Decision(word, normal, depth, NONE);
     }
-    let head = head_of(pixel);
+    let head = head_of(at);
     var limit = listed(head.x);
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
         limit = clip_surface_of(word);
         if limit == UNCOUNTED {
-            limit = crossings_before(drawn.z, pixel).behind;
+            limit = crossings_before(drawn.z, at).behind;
         }
         word &= 0xffff00ffu;
     }
 
     var wanted = NONE;
-    let cap = first_cap(lanes, pixel, limit, head.y);
+    let cap = first_cap(lanes, at, limit, head.y);
     if cap.found {
-        let surface = surface_at(cap.crossing, pixel);
-        depth = depth_at(cap.crossing, pixel);
+        let surface = surface_at(cap.crossing, at);
+        depth = depth_at(cap.crossing, at);
         word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.place].part) | select(0u, OVERLAP, cap.overlap);
-        wanted = word_at(cap.crossing, pixel);
+        wanted = word_at(cap.crossing, at);
     }
 
     var odd = false;
@@ -113,7 +113,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
             }
         }
     }
-    if is_cut_short(pixel) || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
+    if is_cut_short(at) || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
         word |= UNRELIABLE;
     }
     return Decision(word, normal, depth, wanted);

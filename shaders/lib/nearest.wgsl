@@ -6,6 +6,7 @@
 #define_import_path cutaway::nearest
 
 #import cutaway::claims::code_of
+#import cutaway::frame::pixel_index
 #import cutaway::sweep::Sample
 
 @group(1) @binding(5) var<storage, read_write> nearest: array<atomic<u32>>;
@@ -17,13 +18,14 @@ fn nearest_bits(pixel: u32) -> u32 {
 // Whether the sample may still be the nearest.
 fn raise(sample: Sample) -> bool {
     let bits = bitcast<u32>(sample.z);
-    let before = nearest_bits(sample.pixel);
+    let pixel = pixel_index(sample.at);
+    let before = nearest_bits(pixel);
     if bits > before {
-        atomicMax(&nearest[2u * sample.pixel + 1u], bits);
+        atomicMax(&nearest[2u * pixel + 1u], bits);
     }
     return bits >= before;
 }
 
 fn claim(sample: Sample) {
-    atomicMax(&nearest[2u * sample.pixel], code_of(sample.triangle, sample.front));
+    atomicMax(&nearest[2u * pixel_index(sample.at)], code_of(sample.triangle, sample.front));
 }

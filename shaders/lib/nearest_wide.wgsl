@@ -4,6 +4,7 @@
 #define_import_path cutaway::nearest_wide
 
 #import cutaway::claims::code_of
+#import cutaway::frame::pixel_index
 #import cutaway::sweep::Sample
 
 // Depth-buffer value as bits in the high half, code of the triangle in the low one: `nearest` has them as two words.
@@ -12,7 +13,8 @@
 fn keep(sample: Sample) {
     let code = code_of(sample.triangle, sample.front);
     let value = (u64(bitcast<u32>(sample.z)) << 32u) | u64(code);
-    if value > atomicLoad(&nearest[sample.pixel]) {
-        atomicMax(&nearest[sample.pixel], value);
+    let pixel = pixel_index(sample.at);
+    if value > atomicLoad(&nearest[pixel]) {
+        atomicMax(&nearest[pixel], value);
     }
 }

@@ -53,16 +53,41 @@ fn map_of(surface: u32) -> Map {
     );
 }
 
-fn cell_of(map: Map, cell: vec2<i32>) -> Cell {
+// Where a row of the map begins.
+fn row_of(map: Map, y: i32) -> u32 {
+    return map.first + wrapped(y, map.size.y, map.wrap) * map.size.x;
+}
+
+// The heights at the corners of a cell: (0, 0), (1, 0), (0, 1), (1, 1).
+fn corners_of(map: Map, cell: vec2<i32>) -> vec4<f32> {
     let x0 = wrapped(cell.x, map.size.x, map.wrap);
     let x1 = wrapped(cell.x + 1, map.size.x, map.wrap);
-    let y0 = map.first + wrapped(cell.y, map.size.y, map.wrap) * map.size.x;
-    let y1 = map.first + wrapped(cell.y + 1, map.size.y, map.wrap) * map.size.x;
-    let h00 = heights[y0 + x0];
-    let h10 = heights[y0 + x1];
-    let h01 = heights[y1 + x0];
-    let h11 = heights[y1 + x1];
-    return Cell(h00, vec2<f32>(h10 - h00, h01 - h00), (h11 - h10) - (h01 - h00));
+    let y0 = row_of(map, cell.y);
+    let y1 = row_of(map, cell.y + 1);
+    return vec4<f32>(heights[y0 + x0], heights[y0 + x1], heights[y1 + x0], heights[y1 + x1]);
+}
+
+// The same of a cell from those of the one beside it: two are theirs. `by_x` says along which axis it is the next, `up` which way.
+fn corners_beside(map: Map, corners: vec4<f32>, cell: vec2<i32>, by_x: bool, up: bool) -> vec4<f32> {
+    let side = cell + select(0, 1, up);
+    let first = select(vec2<i32>(cell.x, side.y), vec2<i32>(side.x, cell.y), by_x);
+    let second = first + select(vec2<i32>(1, 0), vec2<i32>(0, 1), by_x);
+    let at_first = heights[row_of(map, first.y) + wrapped(first.x, map.size.x, map.wrap)];
+    let at_second = heights[row_of(map, second.y) + wrapped(second.x, map.size.x, map.wrap)];
+    // Of a step in x columns stay, of one in y rows.
+    let kept = select(select(corners.xy, corners.zw, up), select(corners.xz, corners.yw, up), by_x);
+    let low = select(vec2<f32>(at_first, at_second), kept, up);
+    let high = select(kept, vec2<f32>(at_first, at_second), up);
+    return select(vec4<f32>(low, high), vec4<f32>(low.x, high.x, low.y, high.y), by_x);
+}
+
+fn cell_between(corners: vec4<f32>) -> Cell {
+    let along = corners.yz - corners.x;
+    return Cell(corners.x, along, (corners.w - corners.y) - along.y);
+}
+
+fn cell_of(map: Map, cell: vec2<i32>) -> Cell {
+    return cell_between(corners_of(map, cell));
 }
 
 fn cell_at(surface: u32, cell: vec2<i32>) -> Cell {

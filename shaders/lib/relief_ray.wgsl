@@ -13,7 +13,7 @@
 #import cutaway::frame::buffer_from_depth
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
-#import cutaway::relief::{Map, cell_of, height_in, map_of}
+#import cutaway::relief::{Map, cell_between, height_in, map_of}
 
 // The way of a ray through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
 struct Way {
@@ -125,13 +125,28 @@ fn begin_way(list: ptr<function, List>, way: Way, carried: ptr<function, Carried
     }
 }
 
-// Crosses a cell from where the ray enters it to `exit`.
-fn cross_cell(list: ptr<function, List>, way: Way, carried: ptr<function, Carried>, cell: vec2<i32>, exit: f32) {
+// What a cell holds: how many crossings, at which depths from the start of the way, and whether the ray is on the kept side before them.
+struct Found {
+    count: u32,
+    at: vec2<f32>,
+    kept: bool,
+}
+
+// Crosses a cell with these heights at its corners from where the ray enters it to `exit`. What is found is for `add_found`, outside of the loop over cells: most hold
+// nothing, and a device may run what a loop holds in every turn, masked.
+fn cross_cell(
+    list: ptr<function, List>,
+    way: Way,
+    carried: ptr<function, Carried>,
+    cell: vec2<i32>,
+    corners: vec4<f32>,
+    exit: f32,
+) -> Found {
     let entry = (*carried).entry;
     let length = exit - entry;
     let x = way.texel_x;
     let y = way.texel_y;
-    let form = cell_of(way.map, cell);
+    let form = cell_between(corners);
     let at = vec2<f32>(x.x + entry * x.y - f32(cell.x), y.x + entry * y.y - f32(cell.y));
     let slope = form.along + form.twist * at.yx;
     let a = way.relief_scale * form.twist * x.y * y.y;
@@ -144,13 +159,19 @@ fn cross_cell(list: ptr<function, List>, way: Way, carried: ptr<function, Carrie
     if exit >= way.end && way.to_slab {
         kept_at_exit = way.rises;
     }
-    let roots = roots_in(a, b, c, length, (*carried).kept, kept_at_exit);
-    var now_kept = (*carried).kept;
-    for (var i = 0u; i < roots.count; i++) {
-        now_kept = !now_kept;
-        let depth = way.start + entry + select(roots.at.y, roots.at.x, i == 0u);
-        add(list, buffer_from_depth(depth), way.surface, now_kept);
-    }
+    let kept = (*carried).kept;
+    let roots = roots_in(a, b, c, length, kept, kept_at_exit);
     (*carried).kept = kept_at_exit;
     (*carried).entry = exit;
+    return Found(roots.count, entry + roots.at, kept);
+}
+
+// Adds to the list what a cell holds.
+fn add_found(list: ptr<function, List>, way: Way, found: Found) {
+    var kept = found.kept;
+    for (var i = 0u; i < found.count; i++) {
+        kept = !kept;
+        let depth = way.start + select(found.at.y, found.at.x, i == 0u);
+        add(list, buffer_from_depth(depth), way.surface, kept);
+    }
 }

@@ -17,20 +17,20 @@ const SAME_PLANE: f32 = 0.9999;
 
 // A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
 // leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
-fn in_cutters(z: f32, pixel: u32, group: u32, front: bool) -> f32 {
+fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let cutters = settled.groups[group].cutters;
     let normal = settled.groups[group].normal.xyz;
-    let count = listed(head_of(pixel).x);
+    let count = listed(head_of(at).x);
     var crossing = 0.0;
     var nearest = NEAR_FACE * z;
     for (var i = 0u; i < count; i++) {
-        let word = word_at(i, pixel);
+        let word = word_at(i, at);
         let is_of_it = ((cutters >> surface_of_word(word)) & 1u) != 0u;
         if is_of_it && abs(dot(normal_of(word), normal)) > SAME_PLANE {
-            let distance = abs(z_at(i, pixel) - z);
+            let distance = abs(z_at(i, at) - z);
             if distance <= nearest {
                 nearest = distance;
-                crossing = z_at(i, pixel);
+                crossing = z_at(i, at);
             }
         }
     }
@@ -38,26 +38,26 @@ fn in_cutters(z: f32, pixel: u32, group: u32, front: bool) -> f32 {
 }
 
 // Depth-buffer value of a fragment of a group, which rasterising found at `z`.
-fn settled_z(found: f32, pixel: u32, group: u32, front: bool) -> f32 {
+fn settled_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let z = of_doubled(found, group, front);
     let surfaces = settled.groups[group].surfaces;
     let removed = settled.groups[group].removed;
     let flush = settled.groups[group].flush;
-    let head = head_of(pixel);
+    let head = head_of(at);
     let count = listed(head.x);
     var sides = head.y;
     var moved = z;
     for (var i = 0u; i < count; i++) {
-        let surface = 1u << surface_at(i, pixel);
+        let surface = 1u << surface_at(i, at);
         if (surfaces & surface) != 0u {
-            let crossing = z_at(i, pixel);
+            let crossing = z_at(i, at);
             let is_before = (sides & surface) == (removed & surface);
             moved = settled_at(moved, crossing, is_before, (flush & surface) != 0u);
         }
         sides ^= surface;
     }
     if settled.groups[group].cutters != 0u {
-        return in_cutters(moved, pixel, group, front);
+        return in_cutters(moved, at, group, front);
     }
     return moved;
 }

@@ -2,16 +2,26 @@
 
 #define_import_path cutaway::span
 
-// Of the steps n from span.x to span.y those where value + n * step >= 0; none where x > y. Magnitudes below 2^31 - step.
+// No row is as long.
+const LONGEST: i32 = 255;
+
+// floor(value / step) of value >= 0 and step > 0, or LONGEST where that is less. A float finds it but for one, which integers put right:
+// most devices divide these one lane at a time.
+fn quotient(value: i32, step: i32) -> i32 {
+    let near = min(i32(min(f32(value) / f32(step), 255.0)), LONGEST);
+    let rest = value - near * step;
+    return near + select(select(0, 1, rest >= step), -1, rest < 0);
+}
+
+// Of the steps n from span.x to span.y those where value + n * step >= 0; none where x > y. Spans end before LONGEST, magnitudes are below
+// 2^31 - step, and those of steps below 2^23.
 fn narrowed(span: vec2<i32>, value: i32, step: i32) -> vec2<i32> {
+    let steps = quotient(select(max(value, 0), max(-value, 0) + step - 1, step > 0), max(abs(step), 1));
     if step > 0 {
-        return vec2<i32>(max(span.x, (max(-value, 0) + step - 1) / step), span.y);
+        return vec2<i32>(max(span.x, steps), span.y);
     }
     if value < 0 {
         return vec2<i32>(1, 0);
     }
-    if step < 0 {
-        return vec2<i32>(span.x, min(span.y, value / -step));
-    }
-    return span;
+    return vec2<i32>(span.x, select(span.y, min(span.y, steps), step < 0));
 }

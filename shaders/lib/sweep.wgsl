@@ -45,11 +45,12 @@ struct DrawnParts {
 
 // A sample of the picture that a triangle covers.
 struct Sample {
-    pixel: u32,
+    at: vec2<u32>,
     z: f32,
     triangle: u32,
-    // Row of the part in the table of drawn parts.
+    // Row of the part in the table of drawn parts, and what is there: looked up once for all samples of a triangle.
     row: u32,
+    part: DrawnPart,
     front: bool,
     lane_bits: u32,
 }
@@ -61,18 +62,6 @@ const INVOCATIONS_PER_ROW: u32 = 2097152u;
 
 fn number_of(id: vec3<u32>) -> u32 {
     return id.y * INVOCATIONS_PER_ROW + id.x;
-}
-
-// Row of the part that a triangle belongs to.
-fn row_of_triangle(triangle: u32) -> u32 {
-    var row = 0u;
-    for (var i = 0u; i < sweep.search_steps; i++) {
-        let ahead = row + (1u << (sweep.search_steps - 1u - i));
-        if drawn_parts.parts[ahead].first_triangle <= triangle {
-            row = ahead;
-        }
-    }
-    return row;
 }
 
 // Vertices of a triangle, counted from the first of the screen.

@@ -27,7 +27,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let pixel = pixel_index(id.xy);
-    let head = head_of(pixel);
+    let head = head_of(id.xy);
     let crossings = listed(head.x);
     let ray = ray_through(centre_of(id.xy));
     for (var place = first_place; place < end_place; place++) {
@@ -39,9 +39,9 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             toggle_bit(pixel, part.lane_word, part.lane_shift, lane_bits - 1u);
         }
         for (var i = 0u; i < crossings; i++) {
-            let after = sides ^ (1u << surface_at(i, pixel));
+            let after = sides ^ (1u << surface_at(i, id.xy));
             if is_removed(sides, cuts) && !is_removed(after, cuts) {
-                bits |= select(0u, 1u << (i % 32u), asked(place, pixel, ray, depth_at(i, pixel)));
+                bits |= select(0u, 1u << (i % 32u), asked(place, pixel, ray, depth_at(i, id.xy)));
             }
             sides = after;
             if i % 32u == 31u || i + 1u == crossings {

@@ -22,9 +22,10 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
-    let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let z = settled_z(corner.position.z, pixel, corner.instance, front);
-    let before = crossings_before(z, pixel);
+    let at = vec2<u32>(corner.position.xy);
+    let pixel = pixel_index(at);
+    let z = settled_z(corner.position.z, at, corner.instance, front);
+    let before = crossings_before(z, at);
     let place = settled.groups[corner.instance].place;
     let part = parts[place];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);

@@ -21,8 +21,9 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec2<u32> {
-    let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let before = crossings_before(corner.position.z, pixel);
+    let at = vec2<u32>(corner.position.xy);
+    let pixel = pixel_index(at);
+    let before = crossings_before(corner.position.z, at);
     let part = parts[corner.instance];
     let lane = Lane(part.lane_word, part.lane_shift, lane_bits);
     store(Fragment(pixel, lane, corner.instance, corner.position.z, before.behind, front));

@@ -20,7 +20,7 @@ const KEPT: &str = "gpu/clip/kept.wgsl";
 
 /// It asks the list, which serves all clip-surfaces.
 fn kept() -> Shader {
-    Shader::from(KEPT).with(crate::passes::LISTED)
+    Shader::from(KEPT).with_all(&crate::passes::LISTED)
 }
 
 /// Its variable that is no resource of the plan: the [table](ClipTable).

@@ -15,13 +15,15 @@ pub(crate) struct Crossings {
     pub surfaces: ResourceId,
     /// How many a pixel has room for.
     pub capacity: u32,
+    /// File that fills `cutaway::surfaces`.
+    pub count: &'static str,
 }
 
 /// What fills `cutaway::crossings` in a shader.
 #[derive(Clone, Debug)]
 pub(crate) struct AskedCrossings {
-    /// The file.
-    pub file: &'static str,
+    /// The file, and that which fills `cutaway::surfaces`.
+    pub files: [&'static str; 2],
     /// What it binds.
     pub bindings: Vec<Binding>,
 }
@@ -39,26 +41,31 @@ impl Crossings {
     /// The list, for who may as well ask a plane.
     pub(crate) fn asked(&self) -> AskedCrossings {
         AskedCrossings {
-            file: LISTED,
+            files: [LIST, self.count],
             bindings: self.bindings().into(),
         }
     }
 }
 
 impl AskedCrossings {
-    /// Whether they are those of a list: then the pass that makes it has made every pixel ready for its first fragment too.
-    pub(super) fn are_listed(&self) -> bool {
-        self.file == LISTED
+    /// The file that fills `cutaway::surfaces`.
+    pub(super) fn count(&self) -> &'static str {
+        self.files[1]
     }
 
     /// The only clip-surface, a plane.
     pub(crate) fn of_plane(scene: &SceneBuffers<'_>) -> Self {
         Self {
-            file: "lib/crossings/plane.wgsl",
+            files: ["lib/crossings/plane.wgsl", ONE_SURFACE],
             bindings: vec![scene.ray_table.clone()],
         }
     }
 }
 
 /// The file that reads the list.
-pub(crate) const LISTED: &str = "lib/crossings/list.wgsl";
+const LIST: &str = "lib/crossings/list.wgsl";
+/// The files that read it whatever the clip-surfaces are.
+pub(crate) const LISTED: [&str; 2] = [LIST, ANY_SURFACES];
+/// How many clip-surfaces there are, for shaders: files that fill `cutaway::surfaces`.
+pub(crate) const ANY_SURFACES: &str = "lib/surfaces/any.wgsl";
+pub(crate) const ONE_SURFACE: &str = "lib/surfaces/one.wgsl";

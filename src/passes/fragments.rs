@@ -8,7 +8,7 @@
 
 use super::need::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
 use super::{
-    Begun, Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    Fresh, Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep,
 };
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
@@ -210,15 +210,13 @@ pub(crate) fn leave_fragments(
         Rasteriser::Hardware => draw_fragments(plan, scene, name, reason, store),
         Rasteriser::Compute => {
             let of = ScreenOf {
-                begun: Begun::Nothing,
                 name,
                 view: scene.input.view,
                 frame: scene.frame.clone(),
                 clock: Clock::Frame,
                 ranks: scene.input.relevance.cut_parts(),
                 settles: false,
-                fresh: "lib/fresh/nothing.wgsl",
-                freshened: Vec::new(),
+                fresh: Fresh::nothing(),
             };
             let screen = Screen::record(plan, scene, of)?;
             Sweep::of_fragments("fragments", reason, store).record(plan, scene, &screen);

@@ -42,7 +42,7 @@ impl Volume {
             "whether a crossing is inside, asked where its part goes from removed to kept",
             Shader::from("passes/probe.wgsl")
                 .with(self.file)
-                .with(LISTED),
+                .with_all(&LISTED),
             bindings,
             Work::over(scene.input.view.size_px),
         );

@@ -4,69 +4,45 @@
 //! one sweep over the triangles. Core WebGPU lacks them: there a first sweep finds the greatest depth-buffer value and a second
 //! one the first triangle at it, to the same picture.
 //!
+//! Pixels are looked at in touched tiles alone ([`Touched`]).
+//!
 //! Cost per frame: that of the screen and the sweeps, and 12 bytes a pixel after what the inside test wants.
 
 use super::layers::{layers, overlap, picture};
 use super::resolve::{cap_normal, constants_of_decision};
-use super::sweep::{GROUP, groups_along};
+use super::sweep::groups_along;
 use super::{
-    AskedCrossings, Begun, Inside, Layered, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf,
-    Store, Sweep,
+    AskedCrossings, Fresh, Inside, Layered, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf,
+    Store, Sweep, Touched,
 };
-use crate::plan::{Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
+use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
-
-/// Workgroups that share the list of pixels to be painted, at most.
-const PAINTING_GROUPS: u32 = 1024;
-
-/// Pixels along a side of a tile: `shaders/lib/reach.wgsl`.
-const TILE_PX: u32 = 16;
 
 /// The mesh on the screen of a frame, before anything is swept.
 #[derive(Clone, Debug)]
 pub(crate) struct OnScreen {
     screen: Screen,
     nearest: ResourceId,
-    painted: ResourceId,
+    layers: ResourceId,
     picture: Option<ResourceId>,
-    /// Between which depths the cut parts lie in each tile, where that was asked for.
-    pub(crate) reach: Option<ResourceId>,
+    /// The tiles that have something: to be found by the first sweep unless a pass has.
+    pub(crate) touched: Touched,
+    by_sweep: bool,
 }
 
 impl<'a> SceneBuffers<'a> {
-    /// Takes the mesh to the screen before clip-surfaces are looked for, and finds in each tile of the picture between which depths the cut
-    /// parts lie, where that pays: for rays through reliefs of a mesh that the compute rasteriser takes there anyway. The reason where there
-    /// are too many parts.
-    pub(crate) fn with_reach(mut self, plan: &mut Plan) -> Result<Self, Refusal> {
+    /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
+    /// fragments on the way. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels: for hosts, and for
+    /// sheets that are drawn into them. The reason where there are too many parts.
+    pub(crate) fn on_screen_first(
+        mut self,
+        plan: &mut Plan,
+        store: &Store,
+    ) -> Result<Self, Refusal> {
         let input = self.input;
-        // What lists of sheets begin with is told from the box of the cut solids on.
-        let pays =
-            input.rasteriser == Rasteriser::Compute && input.has_reliefs() && !input.keeps_list;
-        if !pays || input.has_cutters() {
-            return Ok(self);
+        if input.rasteriser == Rasteriser::Compute && !input.keeps_list && !input.has_cutters() {
+            self.on_screen = Some(take_to_screen(plan, &self, Some(store))?);
         }
-        let [width, height] = input.view.size_px.map(|px| u64::from(px.div_ceil(TILE_PX)));
-        let bytes = (1 + width * height) * 8;
-        let reach = plan.add_resource(Resource::storage("reach", bytes, Clock::Frame));
-        let on_screen = take_to_screen(plan, &self, Begun::Reach(reach))?;
-        let screen = &on_screen.screen;
-        plan.add_pass(Pass::new(
-            "tiles",
-            "between which depths the cut parts lie in each tile: rays are followed there alone",
-            "passes/rasterise/reach.wgsl",
-            vec![
-                screen.frame.clone(),
-                screen.sweep.clone(),
-                screen.drawn_parts.clone(),
-                screen.indices.clone(),
-                screen.vertices(),
-                Binding::update("reach", reach),
-            ],
-            Work::Compute {
-                groups: groups_along(screen.triangle_count),
-            },
-        ));
-        self.on_screen = Some(on_screen);
         Ok(self)
     }
 }
@@ -76,32 +52,54 @@ impl<'a> SceneBuffers<'a> {
 pub(crate) struct Swept {
     /// The nearest kept triangle of each pixel.
     nearest: ResourceId,
-    /// The list of pixels that show something.
-    painted: ResourceId,
-    /// The picture, all background, where it is made along with the layers.
+    /// The layers, and the picture where it is made along with them: background so far.
+    layers: ResourceId,
     picture: Option<ResourceId>,
-    /// How the screen of the frame was gone over, and the table of the parts on it.
+    touched: Touched,
+    /// How the screen of the frame was gone over, and the table of the parts on it; file that fills `cutaway::rows`.
+    rows: &'static str,
     sweep: ResourceId,
     drawn_parts: ResourceId,
 }
 
-/// Takes all parts to the screen of the frame.
+/// Takes all parts to the screen of the frame. `store` is of fragments for which no other pass makes pixels ready.
 fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
-    begun: Begun<'_>,
+    store: Option<&Store>,
 ) -> Result<OnScreen, Refusal> {
     let input = scene.input;
-    let mut of_pixels =
-        |name: &str, bytes: u64| plan.add_resource(Resource::storage(name, bytes, Clock::Frame));
-    let nearest = of_pixels("nearest", input.pixel_count() * 8);
-    let painted = of_pixels("painted", input.pixel_count() * 4 + 4);
+    let nearest = Resource::storage("nearest", input.pixel_count() * 8, Clock::Frame);
+    let nearest = plan.add_resource(nearest);
+    let layers = layers(plan, input);
     let picture = input.is_plain().then(|| picture(plan, input));
-    let mut freshened = vec![
+    let touched = Touched::of_picture(plan, input.view.size_px);
+    let kind = match picture {
+        Some(_) => "lib/blank/picture.wgsl",
+        None => "lib/blank/layers.wgsl",
+    };
+    let mut bindings = vec![
+        scene.frame.clone(),
+        touched.binding(Access::Read),
         Binding::write("nearest", nearest),
-        Binding::write("painted", painted),
+        Binding::write("layers", layers),
     ];
-    freshened.extend(picture.map(|p| Binding::write("picture", p)));
+    bindings.extend(picture.map(|p| Binding::write("picture", p)));
+    let shader = Shader::from("passes/rasterise/blank.wgsl").with(kind);
+    let shader = match store {
+        Some(store) => {
+            bindings.extend(store.begun());
+            shader.with("lib/begun/store.wgsl").with(store.file)
+        }
+        None => shader.with("lib/begun/nothing.wgsl"),
+    };
+    plan.add_pass(Pass::new(
+        "blank",
+        "tiles that the frame before has touched are background again; the others have been so all along",
+        shader,
+        bindings,
+        touched.shared(),
+    ));
     let of = ScreenOf {
         name: "",
         view: input.view,
@@ -109,22 +107,40 @@ fn take_to_screen(
         clock: Clock::Frame,
         ranks: &input.relevance.order,
         settles: true,
-        fresh: match picture {
-            Some(_) => "lib/fresh/picture.wgsl",
-            None => "lib/fresh/layers.wgsl",
+        fresh: Fresh {
+            files: vec!["lib/fresh/tiles.wgsl", kind],
+            bindings: vec![touched.binding(Access::ReadWrite)],
+            items: touched.tile_count(),
         },
-        freshened,
-        begun,
     };
+    let screen = Screen::record(plan, scene, of)?;
+    // Nobody looks at pixels before the sweep.
+    let by_sweep = store.is_some() && (input.asks_plane() || input.relevance.lanes == 0);
+    if !by_sweep {
+        plan.add_pass(Pass::new(
+            "tiles",
+            "which tiles of the picture have something, and between which depths the cut parts lie in each: no other is looked at",
+            Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
+            vec![
+                screen.frame.clone(),
+                screen.sweep.clone(),
+                screen.drawn_parts.clone(),
+                screen.indices.clone(),
+                screen.vertices(),
+                touched.binding(Access::ReadWrite),
+            ],
+            Work::Compute {
+                groups: groups_along(screen.triangle_count),
+            },
+        ));
+    }
     Ok(OnScreen {
-        screen: Screen::record(plan, scene, of)?,
+        screen,
         nearest,
-        painted,
+        layers,
         picture,
-        reach: match begun {
-            Begun::Reach(reach) => Some(reach),
-            Begun::Nothing | Begun::Mask(_) => None,
-        },
+        touched,
+        by_sweep,
     })
 }
 
@@ -140,13 +156,13 @@ pub(super) fn rasterise(
     let OnScreen {
         screen,
         nearest,
-        painted,
+        layers,
         picture,
-        ..
+        touched,
+        by_sweep,
     } = match &scene.on_screen {
         Some(on_screen) => on_screen.clone(),
-        None if crossings.are_listed() => take_to_screen(plan, scene, Begun::Nothing)?,
-        None => take_to_screen(plan, scene, Begun::Mask(store))?,
+        None => take_to_screen(plan, scene, None)?,
     };
     let marking = Sweep {
         name: "mark",
@@ -155,6 +171,7 @@ pub(super) fn rasterise(
         store: Some(store),
         crossings: Some(crossings),
         bindings: vec![Binding::update("nearest", nearest)],
+        touched: by_sweep.then_some(touched),
         again: false,
     };
     if input.wide_atomics {
@@ -176,8 +193,10 @@ pub(super) fn rasterise(
     }
     Ok(Swept {
         nearest,
-        painted,
+        layers,
         picture,
+        touched,
+        rows: screen.rows(),
         sweep: screen.sweep.resource,
         drawn_parts: screen.drawn_parts.resource,
     })
@@ -191,48 +210,54 @@ pub(super) fn decide_and_paint(
     inside: Inside,
     crossings: &AskedCrossings,
 ) -> Layered {
-    let layers = layers(plan, scene.input);
     let mut bindings = vec![
         scene.frame.clone(),
         scene.cut_table.clone(),
         scene.parts.clone(),
         Binding::read("nearest", swept.nearest),
-        Binding::update("painted", swept.painted),
-        Binding::write("layers", layers),
+        Binding::update("layers", swept.layers),
+        swept.touched.binding(Access::Read),
     ];
     bindings.extend(inside.bindings);
     bindings.extend(crossings.bindings.iter().cloned());
     let decide = Pass::new(
         "decide",
-        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it; pixels that show \
-         something are listed",
+        "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
         Shader::from("passes/rasterise/decide.wgsl")
+            .with("lib/share/touched.wgsl")
             .with(inside.file)
-            .with(crossings.file),
+            .with_all(&crossings.files),
         bindings,
-        Work::over(scene.input.view.size_px),
+        swept.touched.shared(),
     );
     plan.add_pass(decide.with_constants(constants_of_decision(scene)));
-    paint(plan, scene, swept, layers)
+    paint(plan, scene, swept, crossings)
 }
 
 /// Completes the layers of what is not background, and colours it where that is all that the style asks for.
-fn paint(plan: &mut Plan, scene: &SceneBuffers<'_>, swept: Swept, layers: ResourceId) -> Layered {
-    let groups = scene.input.pixel_count().div_ceil(u64::from(GROUP));
-    let groups = (groups as u32).clamp(1, PAINTING_GROUPS);
+fn paint(
+    plan: &mut Plan,
+    scene: &SceneBuffers<'_>,
+    swept: Swept,
+    crossings: &AskedCrossings,
+) -> Layered {
     let [vertices, indices] = scene.mesh_in_storage(Clock::Frame);
     let mut bindings = vec![
         scene.frame.clone(),
         scene.cut_table.clone(),
         vertices,
         indices,
-        Binding::read("painted", swept.painted),
-        Binding::update("layers", layers),
+        swept.touched.binding(Access::Read),
+        Binding::update("layers", swept.layers),
         Binding::read("sweep", swept.sweep),
         Binding::read("drawn_parts", swept.drawn_parts),
     ];
     let cap_normal = cap_normal(scene, &mut bindings);
-    let mut shader = Shader::from("passes/rasterise/paint.wgsl").with(cap_normal);
+    let mut shader = Shader::from("passes/rasterise/paint.wgsl")
+        .with("lib/share/touched.wgsl")
+        .with(swept.rows)
+        .with(crossings.count())
+        .with(cap_normal);
     let mut reason =
         "the triangle that claimed a pixel gives it part, side and normal, a cap has its own";
     shader = match swept.picture {
@@ -246,18 +271,10 @@ fn paint(plan: &mut Plan, scene: &SceneBuffers<'_>, swept: Swept, layers: Resour
         }
         None => shader.with("lib/coloring/none.wgsl"),
     };
-    let pass = Pass::new(
-        "paint",
-        reason,
-        shader,
-        bindings,
-        Work::Compute {
-            groups: [groups, 1, 1],
-        },
-    );
-    plan.add_pass(pass.with_constants(vec![("stride", f64::from(groups * GROUP))]));
+    let work = swept.touched.shared();
+    plan.add_pass(Pass::new("paint", reason, shader, bindings, work));
     Layered {
-        layers,
+        layers: swept.layers,
         picture: swept.picture,
     }
 }

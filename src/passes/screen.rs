@@ -12,7 +12,7 @@ use bytemuck::Zeroable;
 use glam::DVec2;
 
 use super::sweep::groups_along;
-use super::{Input, Lanes, Refusal, SceneBuffers, Store};
+use super::{Input, Lanes, Refusal, SceneBuffers};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
@@ -39,41 +39,28 @@ pub(crate) struct ScreenOf<'a> {
     pub ranks: &'a [usize],
     /// Whether groups of settled triangles have rows of their own.
     pub settles: bool,
-    /// What each invocation sets back, one per pixel at least: file that fills `cutaway::fresh`.
-    pub fresh: &'static str,
-    /// What that binds.
-    pub freshened: Vec<Binding>,
-    /// What else begins anew.
-    pub begun: Begun<'a>,
+    /// What begins anew with it.
+    pub fresh: Fresh,
 }
 
-/// What begins anew with a screen beside what samples raise.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Begun<'a> {
+/// What begins anew with a screen beside its queue.
+#[derive(Clone, Debug)]
+pub(crate) struct Fresh {
+    /// Files that fill `cutaway::fresh` and what that asks for.
+    pub files: Vec<&'static str>,
+    /// What they bind.
+    pub bindings: Vec<Binding>,
+    /// For how many numbers they are called.
+    pub items: u32,
+}
+
+impl Fresh {
     /// Nothing.
-    Nothing,
-    /// The mask, where no pass before makes pixels ready for fragments.
-    Mask(&'a Store),
-    /// The depths of tiles.
-    Reach(ResourceId),
-}
-
-impl Begun<'_> {
-    /// The file that fills `cutaway::begun`.
-    fn file(&self) -> &'static str {
-        match self {
-            Self::Nothing => "lib/begun/nothing.wgsl",
-            Self::Mask(_) => "lib/begun/mask.wgsl",
-            Self::Reach(_) => "lib/begun/reach.wgsl",
-        }
-    }
-
-    /// What that binds.
-    fn bindings(&self) -> Vec<Binding> {
-        match self {
-            Self::Nothing => Vec::new(),
-            Self::Mask(store) => store.begun().collect(),
-            Self::Reach(reach) => vec![Binding::write("reach", *reach)],
+    pub(crate) fn nothing() -> Self {
+        Self {
+            files: vec!["lib/fresh/nothing.wgsl"],
+            bindings: Vec::new(),
+            items: 0,
         }
     }
 }
@@ -95,6 +82,8 @@ pub(crate) struct Screen {
     pub(super) triangle_count: u32,
     pub(super) vertices: ResourceId,
     pub(super) queue: ResourceId,
+    /// Whether there is no part but one.
+    has_one_row: bool,
     /// Some part may reach beyond the near plane or the guard band.
     pub(super) may_clip: bool,
 }
@@ -103,6 +92,14 @@ impl Screen {
     /// The name of a pass or a resource of this screen.
     pub(super) fn named(&self, what: &str) -> String {
         named(self.name.as_str(), what)
+    }
+
+    /// The file that fills `cutaway::rows`.
+    pub(super) fn rows(&self) -> &'static str {
+        match self.has_one_row {
+            true => "lib/rows/one.wgsl",
+            false => "lib/rows/any.wgsl",
+        }
     }
 
     /// The vertices, to be read.
@@ -179,9 +176,9 @@ impl Screen {
             sweep: table_of("sweep", "sweep", Contents::from_values(&[sweep])),
             sweep_again: table_of("sweep", "sweep again", Contents::from_values(&[again])),
             triangle_count,
+            has_one_row: rows == 1,
             may_clip: of.ranks.iter().any(|rank| input.may_clip(of.view, *rank)),
         };
-        let pixel_count = of.view.size_px[0] * of.view.size_px[1];
         let mut bindings = vec![
             screen.frame.clone(),
             screen.sweep.clone(),
@@ -189,22 +186,14 @@ impl Screen {
             Binding::write("screen", screen.vertices),
             Binding::write("queue", screen.queue),
         ];
-        let items = if of.freshened.is_empty() {
-            vertex_count
-        } else {
-            vertex_count.max(pixel_count)
-        };
-        bindings.extend(of.freshened);
-        bindings.extend(of.begun.bindings());
+        bindings.extend(of.fresh.bindings);
         let pass = Pass::new(
             screen.named("transform"),
-            "each vertex goes to fixed point once; what samples raise begins empty, as does the queue of triangles that are not small",
-            Shader::from("passes/rasterise/transform.wgsl")
-                .with(of.fresh)
-                .with(of.begun.file()),
+            "each vertex goes to fixed point once; the queue of triangles that are not small begins empty, as does the list of tiles",
+            Shader::from("passes/rasterise/transform.wgsl").with_all(&of.fresh.files),
             bindings,
             Work::Compute {
-                groups: groups_along(items),
+                groups: groups_along(vertex_count.max(of.fresh.items)),
             },
         );
         plan.add_pass(pass.on(of.clock));

@@ -125,7 +125,9 @@ impl Sheets {
         let merge = Pass::new(
             "merge",
             "crossings with sheets go into the one list of depths per pixel",
-            Shader::from("passes/sheet/merge.wgsl").with_all(&self.side),
+            Shader::from("passes/sheet/merge.wgsl")
+                .with_all(&self.side)
+                .with(crossings.count),
             bindings,
             Work::over(size),
         );

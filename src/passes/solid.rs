@@ -85,7 +85,7 @@ fn draw_solids(
         ),
         shader: Shader::from("passes/solid.wgsl")
             .with(store.file)
-            .with(crossings.file),
+            .with_all(&crossings.files),
         bindings,
         constants: vec![scene.lanes.constant()],
         vertices,
@@ -99,7 +99,7 @@ fn draw_solids(
                 .to_owned(),
             shader: Shader::from("passes/settled.wgsl")
                 .with(store.file)
-                .with(crossings.file),
+                .with_all(&crossings.files),
             draws: input.draws_of_groups(ranks),
             ..solid.clone()
         };

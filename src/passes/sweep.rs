@@ -9,7 +9,7 @@
 //! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
 //! *High-performance software rasterization on GPUs* (2011).
 
-use super::{AskedCrossings, SceneBuffers, Screen, Store};
+use super::{AskedCrossings, SceneBuffers, Screen, Store, Touched};
 use crate::plan::{Access, Binding, Pass, Plan, Work};
 use crate::shader::Shader;
 
@@ -35,6 +35,8 @@ pub(crate) struct Sweep<'a> {
     pub crossings: Option<&'a AskedCrossings>,
     /// What else the sample binds.
     pub bindings: Vec<Binding>,
+    /// The tiles that it touches, where it is to find them.
+    pub touched: Option<Touched>,
     /// There was a sweep over the same screen before.
     pub again: bool,
 }
@@ -49,6 +51,7 @@ impl<'a> Sweep<'a> {
             store: Some(store),
             crossings: None,
             bindings: Vec::new(),
+            touched: None,
             again: false,
         }
     }
@@ -56,10 +59,17 @@ impl<'a> Sweep<'a> {
     /// Records the sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
     pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
-            let mut shader = Shader::from(path).with(self.sample);
+            let touch = match self.touched {
+                Some(_) => "lib/touch/tiles.wgsl",
+                None => "lib/touch/nothing.wgsl",
+            };
+            let mut shader = Shader::from(path)
+                .with(self.sample)
+                .with(touch)
+                .with(screen.rows());
             if let Some(crossings) = self.crossings {
                 shader = shader
-                    .with(crossings.file)
+                    .with_all(&crossings.files)
                     .with(if screen.settled.is_some() {
                         "lib/settling/groups.wgsl"
                     } else {
@@ -82,6 +92,7 @@ impl<'a> Sweep<'a> {
             screen.vertices(),
         ];
         bindings.extend(self.bindings.iter().cloned());
+        bindings.extend(self.touched.map(|t| t.binding(Access::ReadWrite)));
         if let Some(store) = self.store {
             bindings.extend(store.bindings.iter().cloned());
         }

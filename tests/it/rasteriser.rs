@@ -4,4 +4,5 @@ mod agree;
 mod coverage;
 mod plans;
 mod solids;
+mod touched;
 mod ways;

@@ -3,7 +3,7 @@
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::is_removed
-#import cutaway::frame::{buffer_from_depth, frame, pixel_index}
+#import cutaway::frame::{buffer_from_depth, frame}
 
 struct CutawayClip {
     // By how much scene space is larger than the host's world.
@@ -23,7 +23,7 @@ fn cutaway_is_kept(pixel: vec2<u32>, depth: f32, part: u32) -> bool {
         return true;
     }
     let clip = cutaway_clip.parts[part];
-    return clip.y == 0u && !is_removed(crossings_before(depth, pixel_index(pixel)).sides, clip.x);
+    return clip.y == 0u && !is_removed(crossings_before(depth, pixel).sides, clip.x);
 }
 
 // How the two are used, by a host whose vertices are in scene space. Hosts have entry points of their own.

@@ -1,6 +1,6 @@
-// A pass before has made pixels ready for fragments, or nothing wants that.
+// Another pass makes pixels ready for fragments, or nothing wants that.
 
 #define_import_path cutaway::begun
 
-fn begin(number: u32) {
+fn make_ready(pixel: u32) {
 }

@@ -6,10 +6,10 @@
 
 #define_import_path cutaway::crossings
 
-#import cutaway::crossing_words::surface_of_word
-#import cutaway::cuts::{cut_table, keeps_words}
-#import cutaway::frame::{depth_from_buffer, is_behind, pixel_count}
+#import cutaway::cuts::cut_table
+#import cutaway::frame::{depth_from_buffer, is_behind, pixel_count, pixel_index}
 #import cutaway::passed::Before
+#import cutaway::surfaces::{keeps_words, surface_of}
 
 // Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
 // ray starts.
@@ -19,13 +19,13 @@
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
 
 // How many crossings a list holds and whether it may be wrong, and the sides where the ray starts.
-fn head_of(pixel: u32) -> vec2<u32> {
-    return crossing_heads[pixel];
+fn head_of(at: vec2<u32>) -> vec2<u32> {
+    return crossing_heads[pixel_index(at)];
 }
 
 // Whether the list of a pixel could not hold all crossings, or may be wrong.
-fn is_cut_short(pixel: u32) -> bool {
-    return (head_of(pixel).x & 0x80000000u) != 0u;
+fn is_cut_short(at: vec2<u32>) -> bool {
+    return (head_of(at).x & 0x80000000u) != 0u;
 }
 
 // How many crossings a list holds, by the first word of its head.
@@ -34,24 +34,24 @@ fn listed(head: u32) -> u32 {
 }
 
 // Clip-surface of a crossing, and what else is kept of it.
-fn word_at(index: u32, pixel: u32) -> u32 {
+fn word_at(index: u32, at: vec2<u32>) -> u32 {
     if !keeps_words() {
         return 0u;
     }
-    return crossing_surface[index * pixel_count() + pixel];
+    return crossing_surface[index * pixel_count() + pixel_index(at)];
 }
 
-fn surface_at(index: u32, pixel: u32) -> u32 {
-    return surface_of_word(word_at(index, pixel));
+fn surface_at(index: u32, at: vec2<u32>) -> u32 {
+    return surface_of(word_at(index, at));
 }
 
-fn z_at(index: u32, pixel: u32) -> f32 {
-    return crossing_z[index * pixel_count() + pixel];
+fn z_at(index: u32, at: vec2<u32>) -> f32 {
+    return crossing_z[index * pixel_count() + pixel_index(at)];
 }
 
 // Depth of the clip-surface at a crossing.
-fn depth_at(index: u32, pixel: u32) -> f32 {
-    return depth_from_buffer(z_at(index, pixel));
+fn depth_at(index: u32, at: vec2<u32>) -> f32 {
+    return depth_from_buffer(z_at(index, at));
 }
 
 // Lists up to this length are looked through one by one.
@@ -59,17 +59,17 @@ const SHORT: u32 = 8u;
 
 // A long list is searched by halving, 10 looks for 1023 crossings, unless the clip-surface of each crossing in front must be looked
 // at anyway. Both ways share one loop: every sample of a mesh comes here, and a loop that is not entered costs as well.
-fn crossings_before(z: f32, pixel: u32) -> Before {
-    let head = head_of(pixel);
+fn crossings_before(z: f32, at: vec2<u32>) -> Before {
+    let head = head_of(at);
     let count = listed(head.x);
     let halves = count > SHORT && cut_table.surface_count == 1u;
     let looks = select(count, firstLeadingBit(count) + 1u, halves);
     var found = Before(0u, head.y);
     for (var i = 0u; i < looks; i++) {
         let ahead = found.behind + select(1u, 1u << (looks - 1u - i), halves);
-        if ahead <= count && is_behind(z, z_at(ahead - 1u, pixel)) {
+        if ahead <= count && is_behind(z, z_at(ahead - 1u, at)) {
             // By halving as many crossings of the only clip-surface as are passed over.
-            let passed = select(1u << surface_at(ahead - 1u, pixel), (ahead - found.behind) & 1u, halves);
+            let passed = select(1u << surface_at(ahead - 1u, at), (ahead - found.behind) & 1u, halves);
             found.sides ^= passed;
             found.behind = ahead;
         } else if !halves {

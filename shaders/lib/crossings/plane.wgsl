@@ -5,21 +5,22 @@
 
 #define_import_path cutaway::crossings
 
-#import cutaway::frame::{centre_of, depth_from_buffer, frame, is_behind}
+#import cutaway::frame::{centre_of, depth_from_buffer, is_behind}
 #import cutaway::lone_plane::{LonePlane, lone_plane_at}
 #import cutaway::passed::Before
+#import cutaway::surfaces::surface_of
 
-fn plane_at(pixel: u32) -> LonePlane {
-    return lone_plane_at(centre_of(vec2<u32>(pixel % frame.size_px.x, pixel / frame.size_px.x)));
+fn plane_at(at: vec2<u32>) -> LonePlane {
+    return lone_plane_at(centre_of(at));
 }
 
-fn head_of(pixel: u32) -> vec2<u32> {
-    let plane = plane_at(pixel);
+fn head_of(at: vec2<u32>) -> vec2<u32> {
+    let plane = plane_at(at);
     return vec2<u32>(select(0u, 1u, plane.z > 0.0), select(0u, 1u, plane.begins_removed));
 }
 
 // What is computed is never cut short.
-fn is_cut_short(pixel: u32) -> bool {
+fn is_cut_short(at: vec2<u32>) -> bool {
     return false;
 }
 
@@ -27,24 +28,24 @@ fn listed(head: u32) -> u32 {
     return head;
 }
 
-fn word_at(index: u32, pixel: u32) -> u32 {
+fn word_at(index: u32, at: vec2<u32>) -> u32 {
     return 0u;
 }
 
-fn surface_at(index: u32, pixel: u32) -> u32 {
-    return 0u;
+fn surface_at(index: u32, at: vec2<u32>) -> u32 {
+    return surface_of(word_at(index, at));
 }
 
-fn z_at(index: u32, pixel: u32) -> f32 {
-    return plane_at(pixel).z;
+fn z_at(index: u32, at: vec2<u32>) -> f32 {
+    return plane_at(at).z;
 }
 
-fn depth_at(index: u32, pixel: u32) -> f32 {
-    return depth_from_buffer(z_at(index, pixel));
+fn depth_at(index: u32, at: vec2<u32>) -> f32 {
+    return depth_from_buffer(z_at(index, at));
 }
 
-fn crossings_before(z: f32, pixel: u32) -> Before {
-    let plane = plane_at(pixel);
+fn crossings_before(z: f32, at: vec2<u32>) -> Before {
+    let plane = plane_at(at);
     let behind = select(0u, 1u, is_behind(z, plane.z));
     return Before(behind, behind ^ select(0u, 1u, plane.begins_removed));
 }

@@ -1,4 +1,4 @@
-// What begins anew with a screen: nothing, where sweeps only count or store.
+// Nothing but the queue begins anew with a screen.
 
 #define_import_path cutaway::fresh
 

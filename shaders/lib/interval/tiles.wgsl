@@ -1,13 +1,12 @@
 // Between which depths crossings of a ray matter: in the box of the cut solids, and between the depths of their triangles in the tile of
-// the picture that it goes through. Bound as @group(1) @binding(7).
+// the picture that it goes through.
 
 #define_import_path cutaway::interval
 
 #import cutaway::asked::Interval
 #import cutaway::frame::{box_interval, centre_of, depth_from_buffer, ray_through}
-#import cutaway::reach::{TILE_PX, tile_at}
-
-@group(1) @binding(7) var<storage, read> reach: array<vec2<u32>>;
+#import cutaway::touched::{TILE_PX, tile_at}
+#import cutaway::touched_list::touched
 
 // A crossing may be so much before the nearest triangle, or behind the farthest, and belong to it by rounding: a share of the depth, or of
 // the size of the scene. It is far more than that, and far less than a tile is deep.
@@ -15,7 +14,7 @@ const BEYOND: f32 = 0.0009765625;
 
 // `from_near`: the ray is to be known from the near plane on, where it may begin inside a solid.
 fn interval_at(pixel: vec2<u32>, from_near: bool) -> Interval {
-    let found = max(reach[0], reach[tile_at(pixel / TILE_PX)]);
+    let found = max(touched.reach, touched.tiles[tile_at(pixel / TILE_PX)].reach);
     if found.x == 0u && found.y == 0u {
         return Interval(vec2<f32>(0.0), vec2<f32>(0.0));
     }

@@ -17,7 +17,8 @@
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
-#import cutaway::relief_ray::{Carried, Way, begin_of, begin_way, cross_cell, depth_at_border, way_through}
+#import cutaway::relief::{corners_beside, corners_of}
+#import cutaway::relief_ray::{Carried, Found, Way, add_found, begin_of, begin_way, cross_cell, depth_at_border, way_through}
 
 // Level at which a ray begins; from there it climbs where there is nothing to be met.
 const FIRST_LEVEL: u32 = 3u;
@@ -81,12 +82,14 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     var cell = begin.cell;
     var carried = Carried(begin.entry, true, false);
     var level = min(FIRST_LEVEL, levels);
-    for (var n = 0u; n < cell_limit; n++) {
+    var border = vec2<i32>(0);
+    var closes = vec2<bool>(false);
+    // Of the block that is walked, how many cells may be left.
+    var cells = 0u;
+    // A round ends with one of the smallest blocks, or in a cell of it that holds something.
+    for (var n = 0u; n < 2u * cell_limit; n++) {
         // Blocks, until one of the smallest is near.
-        var border = vec2<i32>(0);
-        var closes = vec2<bool>(false);
-        var is_near = false;
-        for (var m = 0u; m < cell_limit + 64u; m++) {
+        for (var m = 0u; m < cell_limit + 64u && cells == 0u; m++) {
             let along_x = along(cell.x, level, way.map.size.x, way.map.wrap, up.x);
             let along_y = along(cell.y, level, way.map.size.y, way.map.wrap, up.y);
             border = vec2<i32>(along_x.border, along_y.border);
@@ -108,8 +111,8 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
                     level--;
                     continue;
                 }
-                is_near = true;
-                break;
+                cells = CELLS_OF_BLOCK;
+                continue;
             }
             if !carried.begun {
                 begin_way(list, way, &carried, kept);
@@ -127,25 +130,29 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
                 level += select(0u, 1u, closes.y);
             }
         }
-        if !is_near {
+        if cells == 0u {
             break;
         }
         // The cells of that block.
-        for (var i = 0u; i < CELLS_OF_BLOCK; i++) {
+        var corners = corners_of(way.map, cell);
+        var found = Found(0u, vec2<f32>(0.0), false);
+        var is_last = false;
+        for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && found.count == 0u && !is_last; i++) {
             let border_x = depth_at_border(cell.x + ahead.x, x);
             let border_y = depth_at_border(cell.y + ahead.y, y);
             let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
-            cross_cell(list, way, &carried, cell, exit);
-            if exit >= way.last {
-                return;
-            }
+            found = cross_cell(list, way, &carried, cell, corners, exit);
+            is_last = exit >= way.last;
             let by_x = border_x <= border_y;
-            let left = select(cell.y + ahead.y == border.y, cell.x + ahead.x == border.x, by_x);
+            let leaves = select(cell.y + ahead.y == border.y, cell.x + ahead.x == border.x, by_x);
+            level += select(0u, 1u, leaves && select(closes.y, closes.x, by_x));
+            cells = select(cells - 1u, 0u, leaves);
             cell += select(vec2<i32>(0, step.y), vec2<i32>(step.x, 0), by_x);
-            if left {
-                level += select(0u, 1u, select(closes.y, closes.x, by_x));
-                break;
-            }
+            corners = corners_beside(way.map, corners, cell, by_x, select(up.y, up.x, by_x));
+        }
+        add_found(list, way, found);
+        if is_last {
+            return;
         }
     }
     // What is beyond the limit is not looked at: say so.

@@ -2,16 +2,17 @@
 
 #define_import_path cutaway::sample
 
+#import cutaway::frame::pixel_index
 #import cutaway::lanes::{Fragment, Lane}
 #import cutaway::store::store
-#import cutaway::sweep::{NO_LANE, Sample, drawn_parts}
+#import cutaway::sweep::{NO_LANE, Sample}
 
 // Whether a later sweep is to see the triangle.
 fn take(sample: Sample) -> bool {
-    let part = drawn_parts.parts[sample.row];
+    let part = sample.part;
     if part.place != NO_LANE {
         let lane = Lane(part.lane_word, part.lane_shift, sample.lane_bits);
-        store(Fragment(sample.pixel, lane, part.place, sample.z, 0u, sample.front));
+        store(Fragment(pixel_index(sample.at), lane, part.place, sample.z, 0u, sample.front));
     }
     return true;
 }

@@ -7,6 +7,7 @@
 
 #import cutaway::nearest::{claim, nearest_bits, raise}
 #import cutaway::counting::{is_kept, count_and_store}
+#import cutaway::frame::pixel_index
 #import cutaway::settling::settle
 #import cutaway::sweep::{Sample, sweep}
 
@@ -16,7 +17,7 @@ fn take(found: Sample) -> bool {
     if sweep.again == 0u {
         return count_and_store(sample) && raise(sample);
     }
-    if bitcast<u32>(sample.z) == nearest_bits(sample.pixel) && is_kept(sample) {
+    if bitcast<u32>(sample.z) == nearest_bits(pixel_index(sample.at)) && is_kept(sample) {
         claim(sample);
     }
     return false;

@@ -8,7 +8,7 @@
 fn settle(sample: Sample) -> Sample {
     var moved = sample;
     if sample.row >= sweep.first_group {
-        moved.z = settled_z(sample.z, sample.pixel, sample.row - sweep.first_group, sample.front);
+        moved.z = settled_z(sample.z, sample.at, sample.row - sweep.first_group, sample.front);
     }
     return moved;
 }

@@ -3,8 +3,9 @@
 
 #import cutaway::clipping::clipped
 #import cutaway::cover::{Where, cover}
+#import cutaway::rows::row_of_triangle
 #import cutaway::screen::{Point, borders_of, clip_of_kept, on_screen, point_of, snapped}
-#import cutaway::sweep::{corners_of, row_of_triangle, sweep}
+#import cutaway::sweep::{corners_of, sweep}
 
 override lane_bits: u32 = 32u;
 

@@ -2,8 +2,9 @@
 // of it every eighth row of tiles; an invocation owns one row of samples of a tile.
 
 #import cutaway::cover::{Where, cover}
+#import cutaway::rows::row_of_triangle
 #import cutaway::screen::point_of
-#import cutaway::sweep::{corners_of, row_of_triangle}
+#import cutaway::sweep::{corners_of, sweep}
 
 override lane_bits: u32 = 32u;
 
@@ -12,7 +13,7 @@ override lane_bits: u32 = 32u;
 
 @compute @workgroup_size(64)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
-    let count = queue[0];
+    let count = min(queue[0], sweep.triangle_count);
     for (var i = group.x; i < count; i += 16u) {
         let triangle = queue[3u + i];
         let part = row_of_triangle(triangle);

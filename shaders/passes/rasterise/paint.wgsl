@@ -1,5 +1,6 @@
 // Completes the layers of the pixels that are not background: part, side and normal of the triangle that claimed a surface, the normal
-// of a cap. The open module `coloring` colours them, or leaves that to others. Invocations share the list of pixels.
+// of a cap. The open module `coloring` colours them, or leaves that to others. Workgroups share the touched tiles, an invocation owns a
+// pixel of each.
 //
 // Weights of the corners are found in scene space, where the ray through the pixel centre meets the triangle's plane: right in
 // perspective, and for clipped triangles as well. They shade; they decide nothing.
@@ -7,18 +8,15 @@
 #import cutaway::cap_normal::packed_cap_normal
 #import cutaway::claims::{is_front, triangle_of}
 #import cutaway::coloring::color_pixel
-#import cutaway::frame::{Ray, frame, centre_of, ray_through}
-#import cutaway::layers::{BACK_FACE, NEAR_PLANE, SURFACE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal, unpack_normal}
+#import cutaway::frame::{Ray, frame, centre_of, pixel_index, ray_through}
+#import cutaway::layers::{BACKGROUND, BACK_FACE, NEAR_PLANE, SURFACE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal, unpack_normal}
 #import cutaway::mesh::facing
-#import cutaway::sweep::{corners_of, drawn_parts, row_of_triangle, sweep}
+#import cutaway::rows::row_of_triangle
+#import cutaway::share::{pixel_at, turns}
+#import cutaway::sweep::{corners_of, drawn_parts, sweep}
 
 @group(1) @binding(0) var<storage, read_write> layers: array<u32>;
-// How many pixels there are, then their numbers.
-@group(1) @binding(6) var<storage, read> painted: array<u32>;
 @group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
-
-// Invocations of the dispatch.
-override stride: u32 = 64u;
 
 fn position_of(vertex: u32) -> vec3<f32> {
     return bitcast<vec3<f32>>(vertices[vertex].xyz);
@@ -55,28 +53,37 @@ fn surface_words(at: vec2<u32>, word: u32, code: u32) -> vec2<u32> {
     );
 }
 
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    let count = painted[0];
-    let rounds = (count + stride - 1u) / stride;
-    for (var round = 0u; round < rounds; round++) {
-        let slot = round * stride + id.x;
-        if slot < count {
-            let pixel = painted[1u + slot];
-            let at = vec2<u32>(pixel % frame.size_px.x, pixel / frame.size_px.x);
-            let first = pixel * WORDS_PER_PIXEL;
-            var word = layers[first];
-            var normal = layers[first + 1u];
-            if kind_of(word) == SURFACE {
-                let words = surface_words(at, word, normal);
-                word = words.x;
-                normal = words.y;
-            } else if clip_surface_of(word) != NEAR_PLANE {
-                normal = packed_cap_normal(at, normal, bitcast<f32>(layers[first + 2u]));
-            }
-            layers[first] = word;
-            layers[first + 1u] = normal;
-            color_pixel(pixel, at, word, normal);
+fn paint(xy: vec2<u32>) {
+    let pixel = pixel_index(xy);
+    let first = pixel * WORDS_PER_PIXEL;
+    var word = layers[first];
+    var normal = layers[first + 1u];
+    if kind_of(word) == BACKGROUND {
+        return;
+    }
+    if kind_of(word) == SURFACE {
+        let words = surface_words(xy, word, normal);
+        word = words.x;
+        normal = words.y;
+    } else if clip_surface_of(word) != NEAR_PLANE {
+        normal = packed_cap_normal(xy, normal, bitcast<f32>(layers[first + 2u]));
+    }
+    layers[first] = word;
+    layers[first + 1u] = normal;
+    color_pixel(pixel, xy, word, normal);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            paint(xy);
         }
     }
 }

@@ -5,11 +5,12 @@
 // for another visit, and a later one visits only those.
 
 #import cutaway::flat::{depth_at, flat_through}
-#import cutaway::frame::pixel_index
+#import cutaway::rows::row_of_triangle
 #import cutaway::sample::take
 #import cutaway::screen::{edge_bias, first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::span::narrowed
-#import cutaway::sweep::{Sample, corners_of, number_of, row_of_triangle, sweep}
+#import cutaway::sweep::{Sample, corners_of, drawn_parts, number_of, sweep}
+#import cutaway::touch::touch
 
 override lane_bits: u32 = 32u;
 // Longest side of the box of a small triangle, in pixels; at most 64.
@@ -25,13 +26,8 @@ fn enqueue(triangle: u32, is_clipped: bool) {
         // The first sweep filled the queue.
         return;
     }
-    if is_clipped {
-        let taken = atomicAdd(&queue[1], 1u);
-        atomicStore(&queue[sweep.triangle_count + 2u - taken], triangle);
-    } else {
-        let taken = atomicAdd(&queue[0], 1u);
-        atomicStore(&queue[3u + taken], triangle);
-    }
+    let taken = atomicAdd(&queue[select(0u, 1u, is_clipped)], 1u);
+    atomicStore(&queue[select(3u + taken, sweep.triangle_count + 2u - taken, is_clipped)], triangle);
 }
 
 fn come_again(triangle: u32) {
@@ -42,16 +38,12 @@ fn come_again(triangle: u32) {
 }
 
 fn visit(triangle: u32) {
-    let part = row_of_triangle(triangle);
-    let corners = corners_of(triangle, part);
+    let row_of_part = row_of_triangle(triangle);
+    let part = drawn_parts.parts[row_of_part];
+    let corners = corners_of(triangle, row_of_part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
-    if is_beside(vertices) {
-        return;
-    }
-    if is_clipped(vertices) {
-        enqueue(triangle, true);
-        return;
-    }
+    // What is clipped has no points: what comes of them is not looked at.
+    let is_clipped = is_clipped(vertices);
     let a = point_of(vertices[0]);
     var b = point_of(vertices[1]);
     var c = point_of(vertices[2]);
@@ -59,11 +51,11 @@ fn visit(triangle: u32) {
     let high = max(a.steps, max(b.steps, c.steps));
     let first = first_pixel(low);
     let last = last_pixel(high);
-    if any(first > last) {
+    if is_beside(vertices) || (any(first > last) && !is_clipped) {
         return;
     }
-    if any(high - low > vec2<i32>(small_px * 256)) {
-        enqueue(triangle, false);
+    if is_clipped || any(high - low > vec2<i32>(small_px * 256)) {
+        enqueue(triangle, is_clipped);
         return;
     }
     var area = (b.steps.x - a.steps.x) * (c.steps.y - a.steps.y) - (b.steps.y - a.steps.y) * (c.steps.x - a.steps.x);
@@ -82,6 +74,7 @@ fn visit(triangle: u32) {
     let ca = a.steps - c.steps;
     let ab = b.steps - a.steps;
     let bias = vec3<i32>(edge_bias(bc), edge_bias(ca), edge_bias(ab));
+    touch(first, last);
     var row = bias + vec3<i32>(
         bc.x * (sample.y - b.steps.y) - bc.y * (sample.x - b.steps.x),
         ca.x * (sample.y - c.steps.y) - ca.y * (sample.x - c.steps.x),
@@ -97,8 +90,8 @@ fn visit(triangle: u32) {
         span = narrowed(span, row.z, right.z);
         for (var x = span.x; x <= span.y; x++) {
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
-            let pixel = pixel_index(vec2<u32>(vec2<i32>(first.x + x, y)));
-            is_wanted |= take(Sample(pixel, depth_at(plane, weights), triangle, part, front, lane_bits));
+            let at = vec2<u32>(vec2<i32>(first.x + x, y));
+            is_wanted |= take(Sample(at, depth_at(plane, weights), triangle, row_of_part, part, front, lane_bits));
         }
         row += down;
     }

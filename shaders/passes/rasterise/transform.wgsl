@@ -1,7 +1,5 @@
-// Takes every vertex to the screen, once, and has what samples raise begin anew (the open module `fresh`), and where no pass before has
-// done so their words (`begun`). One invocation owns one vertex and one pixel.
+// Takes every vertex to the screen, once, and has what a frame finds begin anew (the open module `fresh`). One invocation owns one vertex.
 
-#import cutaway::begun::begin
 #import cutaway::fresh::freshen
 #import cutaway::mesh::clip_position
 #import cutaway::screen::kept
@@ -18,7 +16,6 @@
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let vertex = number_of(id);
     freshen(vertex);
-    begin(vertex);
     if vertex == 0u {
         queue[0] = 0u;
         queue[1] = 0u;

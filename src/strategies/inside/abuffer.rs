@@ -86,7 +86,7 @@ fn record(
     let reduce = Pass::new(
         "reduce",
         "the fragments of a pixel become its words of the mask",
-        Shader::from("strategies/inside/abuffer/reduce.wgsl").with(LISTED),
+        Shader::from("strategies/inside/abuffer/reduce.wgsl").with_all(&LISTED),
         bindings,
         Work::over(input.view.size_px),
     );

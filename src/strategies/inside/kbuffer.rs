@@ -77,7 +77,7 @@ fn record(
     let reduce = Pass::new(
         "reduce",
         "counts and nearest depths of a pixel become its words of the mask",
-        Shader::from("strategies/inside/kbuffer/reduce.wgsl").with(LISTED),
+        Shader::from("strategies/inside/kbuffer/reduce.wgsl").with_all(&LISTED),
         vec![
             scene.frame.clone(),
             scene.parts.clone(),

@@ -16,7 +16,7 @@
 
 use super::vds;
 use crate::passes::{
-    Begun, FragmentLists, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    FragmentLists, Fresh, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
     Volume, counted, groups_along, need,
 };
 use crate::plan::pack::{self, Sprite};
@@ -177,15 +177,13 @@ fn screen(
     let frame_name = format!("{name} frame");
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
-        begun: Begun::Nothing,
         settles: false,
         name: &name,
         view: &view,
         frame: Binding::read("frame", plan.add_resource(frame)),
         clock: Clock::Frame,
         ranks: &[rank],
-        fresh: "lib/fresh/nothing.wgsl",
-        freshened: Vec::new(),
+        fresh: Fresh::nothing(),
     };
     Screen::record(plan, scene, of)
 }

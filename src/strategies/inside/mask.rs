@@ -71,14 +71,14 @@ fn record(
         false => (Lanes::of_bits(input, capacity), "lib/store/mask.wgsl"),
     };
     let scene = SceneBuffers::upload(plan, input, lanes)?;
-    let scene = match surface == CapSurface::RAYCAST {
-        true => scene.with_reach(plan)?,
-        false => scene,
-    };
     let mask = scene.lanes.mask(plan, input);
     let store = Store {
         file,
         bindings: vec![Binding::update("mask", mask)],
+    };
+    let scene = match surface == CapSurface::RAYCAST {
+        true => scene.on_screen_first(plan, &store)?,
+        false => scene,
     };
     let crossings = match surface == CapSurface::RAYCAST && input.asks_plane() {
         true => AskedCrossings::of_plane(&scene),

@@ -114,7 +114,7 @@ fn draw(
         (
             "sections",
             format!("{found}: where one is, the crossing of its plane is inside its part"),
-            Shader::from("strategies/surface/planar/section.wgsl").with(LISTED),
+            Shader::from("strategies/surface/planar/section.wgsl").with_all(&LISTED),
             &sections.draws,
         ),
         (
@@ -122,7 +122,7 @@ fn draw(
             format!(
                 "{open} not whole: whether a crossing of the plane is inside the part cannot be known"
             ),
-            Shader::from("strategies/surface/planar/doubt.wgsl").with(LISTED),
+            Shader::from("strategies/surface/planar/doubt.wgsl").with_all(&LISTED),
             &sections.doubts,
         ),
     ];

@@ -7,7 +7,7 @@
 //! heights and the box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing it can hold.
 //!
 //! Before the compute rasteriser rays through reliefs are followed only between the depths of what is cut in their tile of the picture
-//! ([`SceneBuffers::with_reach`]).
+//! ([`SceneBuffers::on_screen_first`]).
 //!
 //! Lists are as long as the longest one that a frame asked for. Cannot: hold more than 1023 crossings per pixel, or lists of more
 //! than 2 GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A longer list keeps the nearest, marks the pixel and
@@ -17,11 +17,13 @@ mod choice;
 
 use super::cutter;
 use crate::passes::{
-    Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, ReliefWalk, SceneBuffers, Store, need,
-    pixels, pyramids,
+    ANY_SURFACES, Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, ONE_SURFACE, ReliefWalk,
+    SceneBuffers, Store, need, pixels, pyramids,
 };
 use crate::plan::pack;
-use crate::plan::{Binding, Bounded, Capacities, Clock, Knob, Limits, Pass, Plan, Resource, Work};
+use crate::plan::{
+    Access, Binding, Bounded, Capacities, Clock, Knob, Limits, Pass, Plan, Resource, Work,
+};
 use crate::scene::Fill;
 use crate::shader::Shader;
 use crate::strategies::row::{Abilities, CapSurfaceRow, Caps, Facts};
@@ -111,6 +113,10 @@ pub(super) fn record(
         z: buffer("crossing_z", words),
         surfaces: buffer("crossing_surface", if one_surface { 4 } else { words }),
         capacity,
+        count: match one_surface {
+            true => ONE_SURFACE,
+            false => ANY_SURFACES,
+        },
     };
     let need = need(plan, input, Clock::Frame);
     let mut bindings = vec![
@@ -122,13 +128,25 @@ pub(super) fn record(
         Binding::write("crossing_surface", crossings.surfaces),
         Binding::write("need", need),
     ];
-    bindings.extend(store.begun());
+    let (files, work) = match &scene.on_screen {
+        Some(on_screen) => {
+            bindings.push(on_screen.touched.binding(Access::Read));
+            let touched = on_screen.touched.shared();
+            let files = vec!["lib/begun/nothing.wgsl", "lib/share/touched.wgsl"];
+            (files, touched)
+        }
+        None => {
+            bindings.extend(store.begun());
+            let picture = Work::over(input.view.size_px);
+            let files = vec!["lib/begun/store.wgsl", store.file, "lib/share/picture.wgsl"];
+            (files, picture)
+        }
+    };
     let mut constants = vec![("capacity", f64::from(capacity))];
     let (shader, how) = if reliefs {
         bindings.push(scene.heights.clone());
-        let interval = match scene.on_screen.as_ref().and_then(|on| on.reach) {
-            Some(reach) => {
-                bindings.push(Binding::read("reach", reach));
+        let interval = match scene.on_screen {
+            Some(_) => {
                 constants.push(("near_inside", f64::from(u8::from(relevance.near_inside))));
                 "lib/interval/tiles.wgsl"
             }
@@ -158,9 +176,9 @@ pub(super) fn record(
     let pass = Pass::new(
         "crossings",
         format!("the one list of depths per pixel; {how}"),
-        shader.with(store.file),
+        shader.with_all(&files).with(crossings.count),
         bindings,
-        Work::over(input.view.size_px),
+        work,
     );
     plan.add_pass(pass.with_constants(constants));
     plan.bounded.push(Bounded {

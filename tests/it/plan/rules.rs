@@ -217,7 +217,7 @@ fn names_and_bindings_are_checked() {
     });
     tells(
         &unbound,
-        "`mask` of passes/resolve.wgsl with lib/cap_normal/reliefs.wgsl, lib/crossings/list.wgsl, lib/inside/mask.wgsl is bound to nothing",
+        "`mask` of passes/resolve.wgsl with lib/cap_normal/reliefs.wgsl, lib/crossings/list.wgsl, lib/inside/mask.wgsl, lib/surfaces/one.wgsl is bound to nothing",
     );
     let unknown = refusal(mask, |p| {
         let id = id_of(p, "frame");

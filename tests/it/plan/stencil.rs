@@ -266,13 +266,13 @@ fn lanes_of_counts_follow_the_lanes_of_bits() {
     let list = "lib/crossings/list.wgsl";
     assert_eq!(
         filled(&plan),
-        [list, "lib/store/winding.wgsl"],
+        [list, "lib/store/winding.wgsl", "lib/surfaces/any.wgsl"],
         "counts and bits"
     );
     let plain = plan_of(&cut_cubes(4, tilted(5)), &Strategy::RAYCAST_MASK);
     assert_eq!(
         filled(&plain),
-        [list, "lib/store/mask.wgsl"],
+        [list, "lib/store/mask.wgsl", "lib/surfaces/any.wgsl"],
         "nobody counts"
     );
     // The sprite knows parity alone.

@@ -146,7 +146,8 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         reason: "the pass that is tested".to_owned(),
         shader: Shader::from("passes/sheet/merge.wgsl")
             .with("lib/sheet_side/grid.wgsl")
-            .with("lib/height_filter/exact.wgsl"),
+            .with("lib/height_filter/exact.wgsl")
+            .with("lib/surfaces/any.wgsl"),
         bindings: vec![
             Binding::read("frame", frame),
             Binding::read("cut_table", table),

@@ -3,7 +3,7 @@
 use cutaway::plan::Capacities;
 use cutaway::plan::pack::{CutTable, Frame};
 
-use crate::words::{Random, answers, answers_with, words_of};
+use crate::words::{Random, answers_with, words_of};
 
 const SEED: u64 = 0x11_57;
 const MOST: usize = Capacities::MOST_CROSSINGS as usize;
@@ -147,7 +147,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
         ("need", vec![0]),
         ("cases", words_of(&rows)),
     ];
-    answers(&shader, &inputs, n, PER_CASE)
+    answers_with(&shader, &["lib/surfaces/any.wgsl"], &inputs, n, PER_CASE)
 }
 
 /// What the buffers of the list hold before it is stored.
@@ -277,7 +277,7 @@ fn wrong_counts(counting: &str, surface_count: u32) -> (usize, usize) {
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
     if id.x >= arrayLength(&fragments) || pixel_count() == 0u {{ return; }}
-    let rank = crossings_before(fragments[id.x], id.x / {per_pixel}u);
+    let rank = crossings_before(fragments[id.x], vec2<u32>(id.x / {per_pixel}u, 0u));
     words[2u * id.x] = rank.behind;
     words[2u * id.x + 1u] = rank.sides;
 }}"
@@ -290,7 +290,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
         ("crossing_surface", surface),
         ("fragments", words_of(&fragments)),
     ];
-    let list = ["lib/crossings/list.wgsl"];
+    let list = ["lib/crossings/list.wgsl", "lib/surfaces/any.wgsl"];
     let given = answers_with(&shader, &list, &inputs, fragments.len(), 2);
     let wrong = expected
         .iter()
@@ -311,13 +311,13 @@ fn a_fragment_is_behind_what_is_strictly_nearer() {
         // With >= in the place of > a fragment lies behind its own depth.
         let planted = "#import cutaway::crossings::{crossing_heads, surface_at, z_at}
 #import cutaway::passed::Before
-fn crossings_before(z: f32, pixel: u32) -> Before {
-    let head = crossing_heads[pixel];
+fn crossings_before(z: f32, at: vec2<u32>) -> Before {
+    let head = crossing_heads[at.x];
     var rank = Before(0u, head.y);
     for (var i = 0u; i < (head.x & 0xffffu); i++) {
-        if z > z_at(i, pixel) { break; }
+        if z > z_at(i, at) { break; }
         rank.behind++;
-        rank.sides ^= 1u << surface_at(i, pixel);
+        rank.sides ^= 1u << surface_at(i, at);
     }
     return rank;
 }";

@@ -32,7 +32,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             word = first + before_last;
             bits = 0u;
         }
-        let behind = crossings_before(depth_of(i), pixel).behind;
+        let behind = crossings_before(depth_of(i), id.xy).behind;
         for (var w = 0u; w < min((behind + 31u) / 32u, before_last); w++) {
             toggle(pixel, first + w, thermometer(behind, w));
         }

@@ -22,7 +22,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear_words(pixel);
-    let crossings = listed(head_of(pixel).x);
+    let crossings = listed(head_of(id.xy).x);
     for (var place = 0u; place < cascade.lanes; place++) {
         let first = first_word(place, pixel);
         let count = slots[first];
@@ -35,7 +35,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         var bits = 0u;
         var in_front = 0u;
         for (var i = 0u; i < crossings; i++) {
-            let crossing = z_at(i, pixel);
+            let crossing = z_at(i, id.xy);
             for (var k = in_front; k < kept; k++) {
                 if is_behind(bitcast<f32>(slots[first + (k + 1u) * pixel_count()]), crossing) {
                     break;

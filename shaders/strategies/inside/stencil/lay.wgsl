@@ -2,7 +2,6 @@
 // crossing it lays 0, behind which there is nothing.
 
 #import cutaway::crossings::{head_of, listed, z_at}
-#import cutaway::frame::pixel_index
 #import cutaway::full_screen::corner_of_screen
 
 override crossing: u32 = 0u;
@@ -14,9 +13,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
 
 @fragment
 fn fragment(@builtin(position) at: vec4<f32>) -> @builtin(frag_depth) f32 {
-    let pixel = pixel_index(vec2<u32>(at.xy));
-    if crossing >= listed(head_of(pixel).x) {
+    let xy = vec2<u32>(at.xy);
+    if crossing >= listed(head_of(xy).x) {
         return 0.0;
     }
-    return z_at(crossing, pixel);
+    return z_at(crossing, xy);
 }

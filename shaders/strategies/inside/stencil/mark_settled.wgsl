@@ -1,6 +1,5 @@
 // As `mark`, for groups of triangles that are settled: the depth that is tested is the one that they are moved to.
 
-#import cutaway::frame::pixel_index
 #import cutaway::mesh::{Vertex, drawn_position}
 #import cutaway::settled_depth::settled_z
 
@@ -17,6 +16,6 @@ fn vertex(v: Vertex) -> Corner {
 
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @builtin(frag_depth) f32 {
-    let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    return settled_z(corner.position.z, pixel, corner.group, front);
+    let at = vec2<u32>(corner.position.xy);
+    return settled_z(corner.position.z, at, corner.group, front);
 }

@@ -24,12 +24,13 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u
 
 @fragment
 fn fragment(corner: Corner) {
-    let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let head = head_of(pixel);
+    let at = vec2<u32>(corner.position.xy);
+    let pixel = pixel_index(at);
+    let head = head_of(at);
     let count = listed(head.x);
     var sides = head.y;
     for (var i = 0u; i < count; i++) {
-        let surface = surface_at(i, pixel);
+        let surface = surface_at(i, at);
         let after = sides ^ (1u << surface);
         if surface == corner.surface {
             // A ray crosses a plane once.

@@ -27,10 +27,11 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u
 
 @fragment
 fn fragment(corner: Corner) {
-    let pixel = pixel_index(vec2<u32>(corner.position.xy));
-    let count = listed(head_of(pixel).x);
+    let at = vec2<u32>(corner.position.xy);
+    let pixel = pixel_index(at);
+    let count = listed(head_of(at).x);
     for (var i = 0u; i < count; i++) {
-        if surface_at(i, pixel) == corner.surface {
+        if surface_at(i, at) == corner.surface {
             // A ray crosses a plane once.
             atomicXor(&mask[corner.lane.x * pixel_count() + pixel], 1u << (corner.lane.y + i));
             return;

@@ -1,34 +1,47 @@
 // One invocation owns the list of crossings of one pixel, where all clip-surfaces are planes: closed form, no march. Those that
 // are drawn as sheets are left to the pass that merges them.
 
+#import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
-#import cutaway::store::begin
+#import cutaway::share::{pixel_at, turns}
+#import cutaway::surfaces::surface_of
 
 override capacity: u32 = 1u;
 // Bits of the clip-surfaces that are drawn as sheets.
 override sheets: u32 = 0u;
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let pixel = pixel_index(id.xy);
-    begin(pixel);
+fn cross(xy: vec2<u32>) {
+    let pixel = pixel_index(xy);
+    make_ready(pixel);
     var list = List(pixel, capacity, 0u, 0u, false);
-    let at = centre_of(id.xy);
+    let at = centre_of(xy);
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
         for (var left = cut_table.surface_count; left > 0u; left--) {
-            let s = left - 1u;
+            let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) == 0u {
                 cross_plane(&list, s, at, interval);
             }
         }
     }
     finish(&list);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            cross(xy);
+        }
+    }
 }

@@ -2,13 +2,15 @@
 // by the open module `relief_crossing`, which goes over the cells of the offset map that the ray passes inside the slab of its heights
 // and the box of the cut solids.
 
+#import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
 #import cutaway::cuts::{cut_table, NO_RELIEF}
 #import cutaway::frame::{frame, centre_of, pixel_index}
 #import cutaway::interval::interval_at
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::relief_crossing::cross_relief
-#import cutaway::store::begin
+#import cutaway::share::{pixel_at, turns}
+#import cutaway::surfaces::surface_of
 
 override capacity: u32 = 8u;
 // Bits of the clip-surfaces that are drawn as sheets: the pass that merges them adds theirs.
@@ -16,20 +18,16 @@ override sheets: u32 = 0u;
 // The near plane may be inside a solid.
 override near_inside: bool = false;
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let pixel = pixel_index(id.xy);
-    begin(pixel);
+fn cross(xy: vec2<u32>) {
+    let pixel = pixel_index(xy);
+    make_ready(pixel);
     var list = List(pixel, capacity, 0u, 0u, false);
-    let at = centre_of(id.xy);
-    let interval = interval_at(id.xy, near_inside);
+    let at = centre_of(xy);
+    let interval = interval_at(xy, near_inside);
     if interval.part.x < interval.part.y {
         // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
         for (var left = cut_table.surface_count; left > 0u; left--) {
-            let s = left - 1u;
+            let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) != 0u {
                 continue;
             }
@@ -41,4 +39,19 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         }
     }
     finish(&list);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            cross(xy);
+        }
+    }
 }

@@ -215,7 +215,8 @@ impl Marks<'_> {
         let mut settled = pass.clone();
         settled.name = format!("{} settled", pass.name);
         settled.reason = "the same for faces in a clip-surface or just beside it".to_owned();
-        settled.shader = Shader::from("strategies/inside/stencil/mark_settled.wgsl").with(LISTED);
+        settled.shader =
+            Shader::from("strategies/inside/stencil/mark_settled.wgsl").with_all(&LISTED);
         settled.bindings.push(table.clone());
         settled.bindings.extend(self.crossings.bindings());
         settled.bindings.push(self.scene.cut_table.clone());
@@ -237,7 +238,7 @@ impl Marks<'_> {
         let pass = Pass::new(
             format!("lay {crossing}{again}"),
             format!("the depth of crossing {crossing} is what fragments are tested against"),
-            Shader::from("strategies/inside/stencil/lay.wgsl").with(LISTED),
+            Shader::from("strategies/inside/stencil/lay.wgsl").with_all(&LISTED),
             vec![
                 self.scene.frame.clone(),
                 Binding::read("crossing_heads", self.crossings.heads),

@@ -1,23 +1,24 @@
-// Finds between which depths the cut parts lie in each tile of the picture: of each triangle by the box of its corners. One invocation
-// owns one triangle.
+// Finds which tiles of the picture the parts touch, and between which depths the cut ones lie in each: of each triangle by the box of its
+// corners. One invocation owns one triangle.
 //
 // Depths of samples are kept between those of the corners (`flat.wgsl`), so none is beyond what is found here. A triangle that is to be
 // clipped may be anywhere.
 
-#import cutaway::reach::{TILE_PX, tile_at}
+#import cutaway::rows::row_of_triangle
 #import cutaway::screen::{first_pixel, is_beside, is_clipped, last_pixel, point_of}
-#import cutaway::sweep::{NO_LANE, corners_of, drawn_parts, number_of, row_of_triangle, sweep}
+#import cutaway::sweep::{NO_LANE, corners_of, drawn_parts, number_of, sweep}
+#import cutaway::touched::{TILE_PX, tile_at}
+#import cutaway::touching::{touch_box, touched}
 
-@group(1) @binding(4) var<storage, read_write> reach: array<atomic<u32>>;
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 
-// The depths of a triangle, as they are kept.
-fn widen(tile: u32, depths: vec2<u32>) {
-    if depths.x > atomicLoad(&reach[2u * tile]) {
-        atomicMax(&reach[2u * tile], depths.x);
+// Of depths as they are kept.
+fn widen(tile: u32, nearest: u32, farthest: u32) {
+    if nearest > atomicLoad(&touched.tiles[tile].nearest) {
+        atomicMax(&touched.tiles[tile].nearest, nearest);
     }
-    if depths.y > atomicLoad(&reach[2u * tile + 1u]) {
-        atomicMax(&reach[2u * tile + 1u], depths.y);
+    if farthest > atomicLoad(&touched.tiles[tile].farthest) {
+        atomicMax(&touched.tiles[tile].farthest, farthest);
     }
 }
 
@@ -28,16 +29,18 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let part = row_of_triangle(triangle);
-    if drawn_parts.parts[part].place == NO_LANE {
-        return;
-    }
+    let is_cut = drawn_parts.parts[part].place != NO_LANE;
     let corners = corners_of(triangle, part);
     let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
     if is_beside(vertices) {
         return;
     }
     if is_clipped(vertices) {
-        widen(0u, vec2<u32>(bitcast<u32>(1.0), ~0u));
+        atomicStore(&touched.anywhere, 1u);
+        if is_cut {
+            atomicStore(&touched.nearest, bitcast<u32>(1.0));
+            atomicStore(&touched.farthest, ~0u);
+        }
         return;
     }
     let a = point_of(vertices[0]);
@@ -48,14 +51,17 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if any(first > last) {
         return;
     }
-    let greatest = max(max(a.z, max(b.z, c.z)), 0.0);
-    let least = max(min(a.z, min(b.z, c.z)), 0.0);
-    let depths = vec2<u32>(bitcast<u32>(greatest), ~bitcast<u32>(least));
+    touch_box(first, last);
+    if !is_cut {
+        return;
+    }
+    let nearest = bitcast<u32>(max(max(a.z, max(b.z, c.z)), 0.0));
+    let farthest = ~bitcast<u32>(max(min(a.z, min(b.z, c.z)), 0.0));
     let first_tile = vec2<u32>(first) / TILE_PX;
     let last_tile = vec2<u32>(last) / TILE_PX;
     for (var y = first_tile.y; y <= last_tile.y; y++) {
         for (var x = first_tile.x; x <= last_tile.x; x++) {
-            widen(tile_at(vec2<u32>(x, y)), depths);
+            widen(tile_at(vec2<u32>(x, y)), nearest, farthest);
         }
     }
 }

@@ -1,0 +1,17 @@
+// Of what a frame leaves the picture is kept as background too. Bound as @group(1) @binding(7).
+
+#define_import_path cutaway::blank
+
+#import cutaway::background::background
+#import cutaway::frame::pixel_index
+
+@group(1) @binding(7) var<storage, read_write> picture: array<u32>;
+
+// A number for that, not 0.
+fn kind_of_blank() -> u32 {
+    return 2u;
+}
+
+fn blank_picture(at: vec2<u32>) {
+    picture[pixel_index(at)] = background(at.y);
+}

@@ -1,0 +1,17 @@
+// Any number of parts: which one a triangle belongs to is looked for by halving.
+
+#define_import_path cutaway::rows
+
+#import cutaway::sweep::{drawn_parts, sweep}
+
+// Row of the part that a triangle belongs to.
+fn row_of_triangle(triangle: u32) -> u32 {
+    var row = 0u;
+    for (var i = 0u; i < sweep.search_steps; i++) {
+        let ahead = row + (1u << (sweep.search_steps - 1u - i));
+        if drawn_parts.parts[ahead].first_triangle <= triangle {
+            row = ahead;
+        }
+    }
+    return row;
+}

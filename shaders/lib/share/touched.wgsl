@@ -1,0 +1,16 @@
+// What a workgroup has of the picture: of the list of touched tiles every so manieth.
+
+#define_import_path cutaway::share
+
+#import cutaway::touched::{pixel_in, turns_among}
+#import cutaway::touched_list::{touched_at, touched_count}
+
+// How many tiles it has, of a dispatch of so many workgroups.
+fn turns(group: vec3<u32>, groups: vec3<u32>) -> u32 {
+    return turns_among(touched_count(), group.x, groups.x);
+}
+
+// The pixel of an invocation in one of these tiles, maybe outside of the picture.
+fn pixel_at(turn: u32, group: vec3<u32>, groups: vec3<u32>, local: vec3<u32>) -> vec2<u32> {
+    return pixel_in(touched_at(group.x + turn * groups.x), local.xy);
+}

@@ -1,0 +1,16 @@
+// Any number of clip-surfaces: crossings say with which.
+
+#define_import_path cutaway::surfaces
+
+#import cutaway::crossing_words::surface_of_word
+#import cutaway::cuts::cut_table
+
+// Whether a list keeps a word for each crossing beside its depth: where there is but one clip-surface it goes without saying.
+fn keeps_words() -> bool {
+    return cut_table.surface_count > 1u || cut_table.has_normals != 0u;
+}
+
+// Clip-surface of a crossing.
+fn surface_of(word: u32) -> u32 {
+    return surface_of_word(word);
+}
