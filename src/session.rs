@@ -16,7 +16,7 @@ use crate::layers::Layers;
 use crate::passes::{GroundShadow, Model};
 use crate::plan::{Capacities, Clock, Plan};
 use crate::scene::{Style, View};
-use crate::strategies::{self, Method, Obstacle, Refusal, Strategy};
+use crate::strategies::{self, Method, Obstacle, Rasteriser, Refusal, Strategy};
 use crate::{Error, Result};
 
 mod bands;
@@ -84,12 +84,20 @@ impl Drawn {
     }
 }
 
+/// What a slot draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Drawing {
+    /// Frames with nothing cut, by a rasteriser.
+    Uncut(Rasteriser),
+    /// Frames by a method.
+    By(Method),
+}
+
 /// A device and the programs on it.
 pub struct Session {
     gpu: Gpu,
     is_timed: bool,
-    /// Frames by their method; without one, those with nothing cut.
-    slots: BTreeMap<Option<Method>, Slot>,
+    slots: BTreeMap<Drawing, Slot>,
 }
 
 impl Session {
@@ -120,7 +128,7 @@ impl Session {
     pub fn draw(&mut self, model: &Model, view: &View, method: impl Into<Method>) -> Result<Drawn> {
         let method = method.into();
         let asked = self.asked(method);
-        let slot = self.slots.entry(Some(method)).or_default();
+        let slot = self.slots.entry(Drawing::By(method)).or_default();
         let record = |view: &View, capacities: &Capacities| {
             strategies::record(model, view, asked, capacities)
         };
@@ -131,17 +139,23 @@ impl Session {
         Ok(drawn)
     }
 
-    /// Draws a frame with nothing cut, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one piece.
-    pub fn draw_uncut(&mut self, model: &Model, view: &View) -> Result<Drawn> {
+    /// Draws a frame with nothing cut by a rasteriser, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one
+    /// piece.
+    pub fn draw_uncut(
+        &mut self,
+        model: &Model,
+        view: &View,
+        rasteriser: Rasteriser,
+    ) -> Result<Drawn> {
         let model = model.without_cuts();
-        let slot = self.slots.entry(None).or_default();
-        // Where there is nothing to cut, all strategies record the same plan.
+        let by = (rasteriser, self.gpu.limits().wide_atomics);
+        let slot = self.slots.entry(Drawing::Uncut(rasteriser)).or_default();
         slot.draw(
             &self.gpu,
             self.is_timed,
             &model,
             view,
-            |view, capacities| strategies::record(&model, view, Strategy::RAYCAST_MASK, capacities),
+            |view, capacities| strategies::record_uncut_by(&model, view, by, capacities),
         )
     }
 
@@ -183,10 +197,14 @@ impl Session {
         )))
     }
 
-    /// Runs the last frame with nothing cut again on some clocks, for its times.
-    pub fn repeat_uncut(&self, clocks: ClockSet) -> Result<RunTimes> {
-        let slot = self.slots.get(&None);
-        let slot = slot.ok_or_else(|| Error::Plan("no frame was drawn with nothing cut".into()))?;
+    /// Runs the last frame with nothing cut by a rasteriser again on some clocks, for its times.
+    pub fn repeat_uncut(&self, rasteriser: Rasteriser, clocks: ClockSet) -> Result<RunTimes> {
+        let slot = self.slots.get(&Drawing::Uncut(rasteriser));
+        let slot = slot.ok_or_else(|| {
+            Error::Plan(format!(
+                "the {rasteriser} rasteriser has drawn no frame with nothing cut"
+            ))
+        })?;
         slot.repeat(&self.gpu, clocks)
     }
 
@@ -242,7 +260,7 @@ impl Session {
     pub fn clip_group(&mut self, method: impl Into<Method>) -> Result<BindGroup> {
         let method = method.into();
         let none = || Error::Plan(format!("{method} has encoded no frame to clip by"));
-        let slot = self.slots.get_mut(&Some(method)).ok_or_else(none)?;
+        let slot = self.slots.get_mut(&Drawing::By(method)).ok_or_else(none)?;
         slot.clip_group(&self.gpu)
     }
 
@@ -258,7 +276,7 @@ impl Session {
             target.must_hold(view.size_px)?;
         }
         let asked = self.asked(method);
-        let slot = self.slots.entry(Some(method)).or_default();
+        let slot = self.slots.entry(Drawing::By(method)).or_default();
         let gpu = &self.gpu;
         let encoded = gpu.scoped(|| {
             slot.encode(gpu, encoder, (model, view), target, |view, capacities| {
@@ -273,7 +291,7 @@ impl Session {
             Ok(drawn) => Ok(drawn),
             // What failed on the device has not run: the next frame begins anew.
             Err(error) => {
-                self.slots.remove(&Some(method));
+                self.slots.remove(&Drawing::By(method));
                 Err(error)
             }
         }
@@ -302,8 +320,8 @@ impl Session {
     pub fn poll(&mut self) -> Result<Vec<(Method, Overflow)>> {
         self.gpu.poll()?;
         let mut overflows = Vec::new();
-        for (method, slot) in &mut self.slots {
-            let Some(method) = method else {
+        for (drawing, slot) in &mut self.slots {
+            let Drawing::By(method) = drawing else {
                 continue;
             };
             overflows.extend(slot.settle().into_iter().map(|o| (*method, o)));
@@ -377,7 +395,7 @@ impl Session {
         let none = |why: &str| Error::Plan(format!("{method} has no frame to look at: {why}"));
         let slot = self
             .slots
-            .get(&Some(method))
+            .get(&Drawing::By(method))
             .ok_or_else(|| none("it was never asked for one"))?;
         match &slot.refused {
             Some(reason) => Err(none(reason)),

@@ -9,10 +9,9 @@
 #import cutaway::crossings::{crossings_before, depth_at, head_of, is_cut_short, listed, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
-#import cutaway::inside::{in_doubt, is_inside, starts_inside}
+#import cutaway::inside::{in_doubt, is_blank, is_inside, starts_inside}
 #import cutaway::lanes::Lanes
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
-#import cutaway::parity::is_blank
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 

@@ -15,8 +15,8 @@ fn word_at(word: u32, pixel: u32) -> u32 {
     return mask[word * pixel_count() + pixel];
 }
 
-// Whether the words of a pixel hold nothing: no crossing is inside anything, and nothing is in doubt.
-fn is_blank(pixel: u32) -> bool {
+// Whether the words of a pixel hold nothing.
+fn is_zero(pixel: u32) -> bool {
     let words = arrayLength(&mask) / pixel_count();
     var any = 0u;
     for (var w = 0u; w < words; w++) {

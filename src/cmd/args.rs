@@ -149,7 +149,7 @@ impl AdapterArgs {
 #[derive(Args)]
 pub(super) struct MeansArgs {
     /// Who rasterises the mesh: hardware, or compute (mask, abuffer and kbuffer, and raycast with ldi) [default: that of the scene, or
-    /// hardware]
+    /// hardware; with the strategy auto whichever takes less time on the adapter]
     #[arg(long, value_name = "WHO", value_parser = parse_rasteriser, help_heading = "Device")]
     rasteriser: Option<Rasteriser>,
     /// Who interpolates the heights of reliefs: exact, from four texels, or hardware, the sampler of the GPU (grid alone, for

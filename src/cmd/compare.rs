@@ -34,7 +34,8 @@ Examples:
   cutaway compare scene.toml --strategies raycast+mask --max-decided-wrong 0   # exit 1 if it is not exact
 
 Columns: `decided wrong` counts wrong pixels where the exact reference is sure; an exact strategy has none. `x draw only`
-is the frame time over that of the same scene drawn with nothing cut, measured in the same rounds.";
+is the frame time over that of the same scene drawn with nothing cut, by hardware, in the same rounds; `x uncut` is over that of the same
+rasteriser, and `cut alone` is what is left if that is taken away, in ms and in ns for each pixel that shows something.";
 
 /// Options of `compare`.
 #[derive(Args)]

@@ -1,11 +1,11 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
 use super::args::{parse_color_word, say};
+use super::drawer::check_name;
 use crate::Result;
 use crate::document::{Document, Timeline, Value, named_style, style_names};
-use crate::experiment::Renderer;
 use crate::scene::{Fit, Style, color_help, parse_color};
-use crate::strategies::{Strategy, table};
+use crate::strategies::{AUTO, table};
 use clap::Args;
 
 /// The style of pictures where nobody names one.
@@ -113,9 +113,9 @@ fn parse_background(text: &str) -> Result<String, String> {
 
 fn strategy_help() -> String {
     format!(
-        "How caps are drawn: {}; or, on the CPU, exact for the reference, winding for open meshes [default: that of the scene, or {}]",
+        "How caps are drawn: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {}; or, on the CPU, exact for the reference, \
+         winding for open meshes [default: that of the scene, or {AUTO}]",
         table::names(),
-        Strategy::RAYCAST_MASK
     )
 }
 
@@ -123,7 +123,7 @@ impl LookArgs {
     /// Puts them into a document.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
         if let Some(name) = &self.strategy {
-            name.parse::<Renderer>()?;
+            check_name(name)?;
         }
         let strategy = self.strategy.as_deref().map(Value::from);
         say(document, "strategy.name", "--strategy", strategy)?;

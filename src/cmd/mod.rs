@@ -15,6 +15,7 @@ mod console;
 mod defects;
 mod demo;
 mod doubt;
+mod drawer;
 mod edits;
 mod environment;
 mod image_test;

@@ -5,6 +5,7 @@ use clap::Args;
 use super::Verdict;
 use super::args::{MeansArgs, SceneArgs, say};
 use super::console::{Console, ConsoleArgs};
+use super::drawer::Drawer;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::picture::refused;
@@ -12,8 +13,9 @@ use super::places::paths_of;
 use super::when::TimeArgs;
 use crate::document::Value;
 use crate::experiment::{Renderer, SceneAtTime};
+use crate::gpu::{Gpu, GpuOptions};
 use crate::plan::Capacities;
-use crate::strategies::{self, Method, Strategy, table};
+use crate::strategies::{self, AUTO, Method, table};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -45,9 +47,8 @@ pub(super) struct PlanArgs {
 
 fn strategy_help() -> String {
     format!(
-        "Whose passes: {} [default: that of the scene, or {}]",
-        table::names(),
-        Strategy::RAYCAST_MASK
+        "Whose passes: {AUTO}, raycast+mask by the rasteriser that suits the adapter; {} [default: that of the scene, or {AUTO}]",
+        table::names()
     )
 }
 
@@ -64,7 +65,7 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     args.when.amend(&mut document)?;
     args.means.amend(&mut document)?;
     let asked = args.strategy.as_deref();
-    if let Some(name) = asked {
+    if let Some(name) = asked.filter(|name| *name != AUTO) {
         passes_of(name.parse()?)?;
     }
     say(
@@ -76,19 +77,32 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     let subject = args
         .scene
         .open(document, None, Usual::default(), &console)?;
-    let method = passes_of(subject.renderer()?)?;
+    let drawer = subject.drawer()?;
+    if let Drawer::Named(renderer) = drawer {
+        passes_of(renderer)?;
+    }
     subject.save_beside(paths_of(&[("--json", json.as_ref())]), &args.scene.edits)?;
     let SceneAtTime { model, .. } = SceneAtTime::new(&subject.scene);
     let view = subject.view(&model.prepared);
+    // A plan needs no device, but who draws it may hang on the one that there is.
+    let gpu = match drawer {
+        Drawer::Auto(_) => Gpu::open(&GpuOptions::default()).ok(),
+        Drawer::Named(_) => None,
+    };
+    let chosen = drawer.settle(gpu.as_ref(), (&model, &view), &console);
+    let method = passes_of(chosen.renderer)?;
     let plan = strategies::plan(&model, &view, method, &Capacities::UNKNOWN)
         .map_err(|refusal| refused(method.into(), &refusal))?;
     if let Some(output) = &json {
         let mut value = plan.to_json();
         value["strategy"] = method.strategy.to_string().into();
+        value["chosen_for"] = chosen.reason.clone().into();
         output.write(format!("{value:#}\n").as_bytes())?;
     }
     if json != Some(Output::Stdout) {
-        let text = format!("{method}\n{}", plan.to_text());
+        let why =
+            (chosen.reason).map_or_else(String::new, |reason| format!("{AUTO}, for {reason}\n"));
+        let text = format!("{method}\n{why}{}", plan.to_text());
         write_stdout(text.as_bytes())?;
     }
     Ok(Verdict::Done)

@@ -9,6 +9,7 @@ use super::Verdict;
 use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::doubt::may_be_wrong;
+use super::drawer::Chosen;
 use super::image_test::{self, Finding};
 use super::layers_file;
 use super::look::{LookArgs, Usual};
@@ -93,7 +94,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         .scene
         .open(document, None, Usual::of_pictures()?, &console)?;
     subject.files.add(args.reference.clone());
-    let renderer = subject.renderer()?;
+    let drawer = subject.drawer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
     let mut session = args.device.session(args.json.is_some())?;
     console.detail(format!(
@@ -104,6 +105,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 
+    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let renderer = chosen.renderer;
     console.step(renderer.to_string());
     let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
     if let Some(layers) = &facts.layers {
@@ -130,7 +133,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         output.write(&layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
-        let json = facts.json(&subject, &session, &shown.model, renderer);
+        let json = facts.json(&subject, &session, &shown.model, &chosen);
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     let mut verdict = Verdict::Done;
@@ -262,14 +265,8 @@ impl Facts {
         Ok(facts)
     }
 
-    fn json(
-        &self,
-        subject: &Subject,
-        session: &Session,
-        model: &Model,
-        renderer: Renderer,
-    ) -> Value {
-        let means = renderer.means();
+    fn json(&self, subject: &Subject, session: &Session, model: &Model, chosen: &Chosen) -> Value {
+        let means = chosen.renderer.means();
         let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
         json!({
             "scene": subject.scene.name,
@@ -278,7 +275,8 @@ impl Facts {
             "time_s": subject.timeline.time_s(),
             "supersample": subject.supersample(),
             "adapter": session.gpu().report(),
-            "strategy": picture::strategy_name(renderer),
+            "strategy": picture::strategy_name(chosen.renderer),
+            "chosen_for": chosen.reason,
             "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
             "height_filter": means.height_filter.unwrap_or_default().to_string(),
             "outcome": self.outcome.name(),

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::console::Console;
+use super::drawer::Drawer;
 use super::edits::EditArgs;
 use super::look::Usual;
 use super::output::write_file;
@@ -16,7 +17,7 @@ use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
-use crate::strategies::{Means, Strategy};
+use crate::strategies::{AUTO, Means};
 use crate::{Error, Result};
 
 /// How many times as fine pictures are drawn where nobody says it.
@@ -137,12 +138,12 @@ impl Subject {
     }
 
     /// What draws, by these means where it names no others.
-    pub(super) fn renderer(&self) -> Result<Renderer> {
-        let renderer = match &self.timeline.settings().strategy {
-            Some(name) => name.parse()?,
-            None => Renderer::from(Strategy::RAYCAST_MASK),
-        };
-        Ok(renderer.or(self.means()?))
+    pub(super) fn drawer(&self) -> Result<Drawer> {
+        let means = self.means()?;
+        Ok(match self.timeline.settings().strategy.as_deref() {
+            None | Some(AUTO) => Drawer::Auto(means),
+            Some(name) => Drawer::Named(name.parse::<Renderer>()?.or(means)),
+        })
     }
 
     /// The view of the scene.

@@ -137,7 +137,7 @@ pub const PATHS: &[Path] = &[
     fixed("supersample", Whole(1.0, 4.0), "", "2", "how many times as fine the picture is drawn along each side"),
     fixed("time_s", SIZE, "s", "0.5", "the moment that is shown"),
     fixed("clip", Text, "", "\"walk\"", "the animation that is played, by its name or its number"),
-    fixed("strategy.name", Text, "", "\"raycast+mask\"", "who draws; `cutaway render --help` lists them"),
+    fixed("strategy.name", Text, "", "\"auto\"", "who draws; `cutaway render --help` lists them"),
     fixed("strategy.rasteriser", Choice(&["hardware", "compute"]), "", "\"compute\"", "who rasterises the mesh"),
 
     fixed("style.base", Text, "", "\"technical\"", "a style by its name, or a file of one, on which the rest are changes; alone: style = \"technical\""),

@@ -78,6 +78,13 @@ pub fn figures(
     add("marked", Some(comparison.odd_parity_px as f64));
     add("ratio", found.frame_over_draw_only);
     add("ratio.mad", found.frame_over_draw_only_mad);
+    add("over_uncut", found.cut.map(|c| c.over_uncut));
+    add("cut_alone.ms", found.cut.map(|c| c.ms));
+    add("cut_alone.ns_per_px", found.cut.and_then(|c| c.ns_per_px));
+    add(
+        "cut_alone.ns_per_triangle",
+        found.cut.and_then(|c| c.ns_per_triangle),
+    );
     let (times, bytes) = (&found.time_ms, &found.bytes);
     let clocks = [
         ("solid", &times.solid, bytes.solid),

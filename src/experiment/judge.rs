@@ -11,7 +11,7 @@
 use image::RgbaImage;
 
 use super::measurement::{
-    Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
+    Ending, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
 };
 use super::{Evaluator, Renderer, Samples, SceneAtTime, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
@@ -22,7 +22,7 @@ use crate::passes::Model;
 use crate::plan::Clock;
 use crate::scene::{Prepared, View};
 use crate::session::{Outcome, Session};
-use crate::strategies::Means;
+use crate::strategies::{Means, Rasteriser};
 use crate::{Error, Result};
 
 /// A frame that is asked for, and what the truth about it is asked of.
@@ -144,6 +144,7 @@ pub fn errors(
         rounds: 0,
         exact: Reference::new(&exact, exact_ms),
         draw_only_ms: Samples::default(),
+        draw_only_compute_ms: None,
         strategies: found,
     };
     Ok(Judgement {
@@ -165,20 +166,42 @@ pub fn times(
     step: &mut dyn FnMut(String),
     goes_on: &dyn Fn() -> bool,
 ) -> Result<bool> {
-    draw_uncut(session, question)?;
-    let mut runners = vec![Runner::Uncut];
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
-    runners.extend(drawn.map(|f| Runner::Of(f.renderer.or(question.means))));
+    let drawn: Vec<Renderer> = drawn.map(|f| f.renderer.or(question.means)).collect();
+    let mut runners = vec![Runner::Uncut(Rasteriser::Hardware)];
+    if drawn
+        .iter()
+        .any(|r| rasteriser_of(r) == Rasteriser::Compute)
+    {
+        runners.push(Runner::Uncut(Rasteriser::Compute));
+    }
+    for runner in &runners {
+        if let Runner::Uncut(rasteriser) = runner {
+            draw_uncut(session, question, *rasteriser)?;
+        }
+    }
+    let uncut_count = runners.len();
+    runners.extend(drawn.iter().map(|r| Runner::Of(*r)));
     let Some(runs) = in_turns(session, question, &runners, rounds, step, goes_on)? else {
         return Ok(false);
     };
     let measurement = &mut judgement.measurement;
     measurement.rounds = rounds;
-    measurement.draw_only_ms = samples(&runs[0], Clock::Frame);
-    let drawn = (measurement.strategies.iter_mut()).filter(|s| s.was_drawn());
-    for (strategy, runs) in drawn.zip(&runs[1..]) {
+    let (uncut, runs) = runs.split_at(uncut_count);
+    let uncut: Vec<Samples> = uncut.iter().map(|r| samples(r, Clock::Frame)).collect();
+    measurement.draw_only_ms = uncut[0].clone();
+    measurement.draw_only_compute_ms = uncut.get(1).cloned();
+    let covered_px = measurement.exact.cap_px + measurement.exact.surface_px;
+    let triangles = measurement.triangles;
+    let found = (measurement.strategies.iter_mut()).filter(|s| s.was_drawn());
+    for ((strategy, renderer), runs) in found.zip(&drawn).zip(runs) {
         strategy.time_ms = PerClock::from_fn(|clock| samples(runs, clock));
         strategy.passes = passes(runs);
+        let own = match rasteriser_of(renderer) {
+            Rasteriser::Hardware => &uncut[0],
+            Rasteriser::Compute => &uncut[1],
+        };
+        strategy.cut = Price::of(&strategy.time_ms.frame, own, covered_px, triangles);
         let ratio = strategy.time_ms.frame.over(&measurement.draw_only_ms);
         strategy.frame_over_draw_only = Some(ratio.median).filter(|r| r.is_finite() && *r > 0.0);
         strategy.frame_over_draw_only_mad = Some(ratio.mad).filter(|r| r.is_finite());
@@ -221,6 +244,7 @@ fn draw_by(
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
         frame_over_draw_only_mad: None,
+        cut: None,
         passes: Vec::new(),
     };
     let frame = Frame {
@@ -231,10 +255,15 @@ fn draw_by(
     Ok((frame, found))
 }
 
+/// Who rasterises for a renderer, as far as that can be said.
+fn rasteriser_of(renderer: &Renderer) -> Rasteriser {
+    renderer.means().rasteriser.unwrap_or_default()
+}
+
 /// What runs in turns.
 enum Runner {
-    /// The scene with nothing cut.
-    Uncut,
+    /// The scene with nothing cut, by a rasteriser.
+    Uncut(Rasteriser),
     /// The frame of a renderer.
     Of(Renderer),
 }
@@ -243,7 +272,7 @@ impl Runner {
     /// Runs all clocks.
     fn run(&self, session: &mut Session, question: &Question<'_>) -> Result<RunTimes> {
         match self {
-            Self::Uncut => session.repeat_uncut(ClockSet::ALL),
+            Self::Uncut(rasteriser) => session.repeat_uncut(*rasteriser, ClockSet::ALL),
             Self::Of(Renderer::Method(method)) => session.repeat(method, ClockSet::ALL),
             Self::Of(Renderer::Cpu(evaluator)) => times_of(*evaluator, question),
         }
@@ -298,8 +327,12 @@ fn in_turns(
 }
 
 /// Draws the scene with nothing cut, so that it can run in turns with the renderers.
-fn draw_uncut(session: &mut Session, question: &Question<'_>) -> Result<()> {
-    let drawn = session.draw_uncut(&question.shown.model, &question.view)?;
+fn draw_uncut(
+    session: &mut Session,
+    question: &Question<'_>,
+    rasteriser: Rasteriser,
+) -> Result<()> {
+    let drawn = session.draw_uncut(&question.shown.model, &question.view, rasteriser)?;
     match drawn.outcome {
         Outcome::Refused(refusal) => Err(Error::Limit(refusal.reason)),
         _ => Ok(()),

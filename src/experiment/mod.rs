@@ -27,7 +27,7 @@ pub use definition::{Definition, Moves};
 pub use identity::Identity;
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
-    Ending, Measurement, PassTime, PerClock, Reference, StrategyMeasurement, Timing,
+    Ending, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
 };
 pub use parameter::{Parameter, Parameters};
 pub use record::{

@@ -52,6 +52,12 @@ impl Samples {
         let pairs = self.samples.iter().zip(&denominator.samples);
         Self::new(pairs.map(|(a, b)| a / b).collect())
     }
+
+    /// The differences of samples taken in the same rounds.
+    pub fn less(&self, other: &Self) -> Self {
+        let pairs = self.samples.iter().zip(&other.samples);
+        Self::new(pairs.map(|(a, b)| a - b).collect())
+    }
 }
 
 /// The middle of some values, in any order; 0 of none.

@@ -53,6 +53,14 @@ impl AskedCrossings {
         self.files[1]
     }
 
+    /// There are none: nothing is cut.
+    pub(crate) fn none() -> Self {
+        Self {
+            files: ["lib/crossings/nothing.wgsl", ONE_SURFACE],
+            bindings: Vec::new(),
+        }
+    }
+
     /// The only clip-surface, a plane.
     pub(crate) fn of_plane(scene: &SceneBuffers<'_>) -> Self {
         Self {

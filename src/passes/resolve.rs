@@ -20,6 +20,14 @@ pub(crate) struct Inside {
 }
 
 impl Inside {
+    /// No part is cut, and none is asked about.
+    pub(crate) fn unasked() -> Self {
+        Self {
+            file: "lib/inside/nothing.wgsl",
+            bindings: Vec::new(),
+        }
+    }
+
     /// The answers in the lanes of a mask, all of bits.
     pub(crate) fn mask(mask: ResourceId) -> Self {
         Self {

@@ -19,6 +19,14 @@ pub(crate) struct Store {
 }
 
 impl Store {
+    /// No part is cut, and fragments are asked for nothing.
+    pub(crate) fn unasked() -> Self {
+        Self {
+            file: "lib/store/unasked.wgsl",
+            bindings: Vec::new(),
+        }
+    }
+
     /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
     pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
         Self {

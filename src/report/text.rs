@@ -85,6 +85,9 @@ fn times(report: &Measurement) -> Table {
         "frame",
         "frame min..max",
         "x draw only",
+        "x uncut",
+        "cut alone",
+        "ns/px",
         "MiB solid",
         "MiB cut",
         "MiB frame",
@@ -99,6 +102,17 @@ fn times(report: &Measurement) -> Table {
         format!("{}..{}", milliseconds(least), milliseconds(most)),
         "1.00".to_owned(),
     ]);
+    if let Some(uncut) = &report.draw_only_compute_ms {
+        let [least, most] = uncut.range();
+        table.row([
+            "draw only, compute".to_owned(),
+            "-".to_owned(),
+            "-".to_owned(),
+            milliseconds(uncut.median),
+            format!("{}..{}", milliseconds(least), milliseconds(most)),
+            two_digits(Some(uncut.over(draw_only).median)),
+        ]);
+    }
     for strategy in report.strategies.iter().filter(|s| s.was_drawn()) {
         table.row(time_row(strategy));
     }
@@ -115,11 +129,18 @@ fn time_row(strategy: &StrategyMeasurement) -> Vec<String> {
         milliseconds(time.cut.median),
         milliseconds(time.frame.median),
         format!("{}..{}", milliseconds(least), milliseconds(most)),
-        ratio.map_or_else(|| "-".to_owned(), |r| format!("{r:.2}")),
+        two_digits(ratio),
+        two_digits(strategy.cut.map(|c| c.over_uncut)),
+        two_digits(strategy.cut.map(|c| c.ms)),
+        two_digits(strategy.cut.and_then(|c| c.ns_per_px)),
         mebibytes(strategy.bytes.solid),
         mebibytes(strategy.bytes.cut),
         mebibytes(strategy.bytes.frame),
     ]
+}
+
+fn two_digits(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |v| format!("{v:.2}"))
 }
 
 /// A sentence for each strategy that did not draw all of the frame.

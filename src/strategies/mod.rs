@@ -7,11 +7,13 @@ pub(crate) mod inside;
 pub(crate) mod surface;
 pub mod table;
 
+mod auto;
 mod method;
 mod name;
 mod row;
 
 pub use crate::passes::{Obstacle, Rasteriser, Refusal, ReliefWalk};
+pub use auto::{AUTO, Choice, choose};
 pub use method::{Means, Method};
 pub use name::Strategy;
 pub use row::{Abilities, CapSurface, CapSurfaceRow, Facts, InsideTest, InsideTestRow, Parameter};
@@ -20,7 +22,10 @@ pub(crate) use row::{Answers, Caps};
 use std::fmt::Display;
 
 use crate::effects::{Picture, finish};
-use crate::passes::{Input, Lanes, Model, SceneBuffers, Surfaces, gather};
+use crate::passes::{
+    AskedCrossings, Input, Inside, Lanes, Model, SceneBuffers, Store, Surfaces, gather, over_mesh,
+    resolve,
+};
 use crate::plan::{Capacities, CpuWork, Plan, Recorded};
 use crate::scene::{HeightFilter, View};
 
@@ -83,6 +88,46 @@ pub fn record(
         plan: plan.without_unused(),
         on_cpu,
     })
+}
+
+/// The plan of a frame in which nothing is cut, by a rasteriser: what the price of a cut is counted against.
+///
+/// # Errors
+///
+/// Cuts, and more parts than the compute rasteriser draws.
+pub(crate) fn record_uncut_by(
+    model: &Model,
+    view: &View,
+    (rasteriser, wide_atomics): (Rasteriser, bool),
+    capacities: &Capacities,
+) -> Result<Recorded, Refusal> {
+    let input = Input {
+        rasteriser,
+        wide_atomics,
+        ..Input::new(model, view, capacities)?
+    };
+    let mut plan = Plan::default();
+    let picture = match rasteriser {
+        Rasteriser::Hardware => record_uncut(&mut plan, &input)?,
+        Rasteriser::Compute => sweep_uncut(&mut plan, &input)?,
+    };
+    plan.layers = Some(picture.layers);
+    plan.picture = Some(picture.picture);
+    Ok(Recorded {
+        plan: plan.without_unused(),
+        on_cpu: Vec::new(),
+    })
+}
+
+/// The passes of the compute rasteriser where no cut opens a part.
+fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
+    let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
+    let store = Store::unasked();
+    let scene = scene.on_screen_first(plan, &store)?;
+    let crossings = AskedCrossings::none();
+    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let layered = resolve(plan, &scene, nearest, Inside::unasked(), &crossings);
+    Ok(finish(plan, &scene, layered))
 }
 
 /// The passes where no cut opens a part.

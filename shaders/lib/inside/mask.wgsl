@@ -3,7 +3,12 @@
 #define_import_path cutaway::inside
 
 #import cutaway::lanes::Lanes
-#import cutaway::parity::{is_doubted, is_odd_at, is_odd_in_all}
+#import cutaway::parity::{is_doubted, is_odd_at, is_odd_in_all, is_zero}
+
+// Whether no crossing of a pixel is inside anything, and nothing is in doubt.
+fn is_blank(pixel: u32) -> bool {
+    return is_zero(pixel);
+}
 
 // Whether a crossing of a pixel is inside a part.
 fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {

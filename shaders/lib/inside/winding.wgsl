@@ -5,8 +5,13 @@
 
 #import cutaway::cuts::parts
 #import cutaway::lanes::{Lanes, WINDING}
-#import cutaway::parity::{is_odd_at, is_odd_in_all, word_at}
+#import cutaway::parity::{is_odd_at, is_odd_in_all, is_zero, word_at}
 #import cutaway::winding::{count_at, may_exceed, sum_and_number}
+
+// Whether no crossing of a pixel is inside anything, and nothing is in doubt.
+fn is_blank(pixel: u32) -> bool {
+    return is_zero(pixel);
+}
 
 fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
     let part = parts[place];

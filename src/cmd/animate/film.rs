@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::console::Console;
 use super::super::doubt::may_be_wrong;
+use super::super::drawer::Chosen;
 use super::super::notes::warn_of_doubt;
 use super::super::picture;
 use super::super::subject::Subject;
@@ -23,7 +24,7 @@ pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
     pub(super) subject: &'a Subject,
     pub(super) times: Times,
-    pub(super) renderer: Renderer,
+    pub(super) chosen: Chosen,
     /// The scene at the time of the last frame, as it is prepared.
     pub(super) shown: SceneAtTime,
     pub(super) scene: Scene,
@@ -70,21 +71,21 @@ impl Film<'_> {
         let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
         let fineness = subject.supersample();
-        let drawn = picture::draw(session, &self.shown, &view, self.renderer, fineness)?;
+        let drawn = picture::draw(session, &self.shown, &view, self.chosen.renderer, fineness)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
         if let (0, Renderer::Method(method), Outcome::Complete) =
-            (frame, self.renderer, &report.outcome)
+            (frame, self.chosen.renderer, &report.outcome)
         {
             let layers = session.layers(method)?;
             let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
-            warn_of_doubt(&doubted, self.renderer, console);
+            warn_of_doubt(&doubted, self.chosen.renderer, console);
         }
         Ok((drawn.image, report))
     }
 
     /// The run and its frames as JSON.
     pub(super) fn json(&self, session: &Session, target: &Target, frames: &[FrameReport]) -> Value {
-        let means = self.renderer.means();
+        let means = self.chosen.renderer.means();
         json!({
             "scene": self.subject.scene.name,
             "output": target.path(),
@@ -97,7 +98,8 @@ impl Film<'_> {
             "clip": self.subject.timeline.settings().clip,
             "turntable_deg": self.args.turn_deg,
             "adapter": session.gpu().report(),
-            "strategy": picture::strategy_name(self.renderer),
+            "strategy": picture::strategy_name(self.chosen.renderer),
+            "chosen_for": self.chosen.reason,
             "rasteriser": means.rasteriser.unwrap_or_default().to_string(),
             "height_filter": means.height_filter.unwrap_or_default().to_string(),
             "median_drawn_ms": report::median_ms(frames),

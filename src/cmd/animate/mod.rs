@@ -169,7 +169,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let times = times(args, &target, &subject, &console)?;
     note_of_even_size(&target, subject.size_px(), &console);
 
-    let renderer = subject.renderer()?;
+    let drawer = subject.drawer()?;
     let plays = args.plays.unwrap_or(Plays::Forever);
     let files = target.files(times.count).into_iter();
     let files = files.map(|file| ("--output", file));
@@ -184,12 +184,16 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
     let interrupt = Interrupt::listen("animate", "frame")?;
     console.expect_frames(times.count);
+    let shown = subject.shown()?;
+    let view = subject.view(&shown.model.prepared);
+    let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
+    let renderer = chosen.renderer;
     let mut film = Film {
         args,
         subject: &subject,
         times,
-        renderer,
-        shown: subject.shown()?,
+        chosen,
+        shown,
         scene: subject.scene.clone(),
     };
     let mut frames = Vec::with_capacity(times.count as usize);

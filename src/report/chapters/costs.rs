@@ -9,7 +9,7 @@ use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone, word_
 use crate::report::text::milliseconds;
 
 /// Headings of the table before those of figures that only some records have.
-const HEADING: [&str; 17] = [
+const HEADING: [&str; 19] = [
     "strategy",
     "decided wrong px",
     "missed cap",
@@ -22,6 +22,8 @@ const HEADING: [&str; 17] = [
     "depth max, px",
     "normal max, °",
     "frame, × draw only ± of the rounds",
+    "frame, × uncut by the same rasteriser",
+    "cut alone, ns per pixel covered",
     "frame, ms ± of the rounds",
     "cut, ms ± of the rounds",
     "solid, ms ± of the rounds",
@@ -39,8 +41,17 @@ pub(super) fn table(record: &Record) -> Grid {
     let mut plain = vec![Cell::default(); HEADING.len()];
     plain[0] = Cell::from("draw only, nothing cut");
     plain[11] = Cell::number("×1", 1.0);
-    plain[12] = timed(draw_only);
+    plain[14] = timed(draw_only);
     grid.row(plain);
+    if let Some(uncut) = &record.measurement.draw_only_compute_ms {
+        let mut plain = vec![Cell::default(); HEADING.len()];
+        plain[0] = Cell::from("draw only by compute, nothing cut");
+        let ratio = uncut.over(draw_only);
+        plain[11] = figures::ratio(Some(ratio.median), Some(ratio.mad));
+        plain[12] = Cell::number("×1", 1.0);
+        plain[14] = timed(uncut);
+        grid.row(plain);
+    }
     for (index, found) in record.measurement.strategies.iter().enumerate() {
         let own = &record.figures[index];
         let more = more.iter().map(|name| {
@@ -63,7 +74,7 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
         let mut cells = vec![Cell::default(); HEADING.len()];
         cells[0] = Cell::from(found.name.as_str());
         cells[1] = Cell::from(found.outcome.name()).toned(Tone::Faint);
-        cells[16] = outcome.toned(Tone::Faint);
+        cells[18] = outcome.toned(Tone::Faint);
         return cells;
     };
     let count = |n: usize| Cell::number(n.to_string(), n as f64);
@@ -89,6 +100,9 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
             format!("{:.2}", c.normal_error_deg_max),
         ),
         warned(ratio, found, warnings),
+        figures::ratio(found.cut.map(|c| c.over_uncut), None),
+        (found.cut.and_then(|c| c.ns_per_px))
+            .map_or_else(Cell::default, |ns| size(ns, format!("{ns:.1}"))),
         timed(&found.time_ms.frame),
         timed(&found.time_ms.cut),
         timed(&found.time_ms.solid),
@@ -141,6 +155,9 @@ pub(super) fn samples(record: &Record) -> Vec<Block> {
         ]);
     };
     add("draw only", "frame", &record.measurement.draw_only_ms);
+    if let Some(uncut) = &record.measurement.draw_only_compute_ms {
+        add("draw only by compute", "frame", uncut);
+    }
     let mut memory = Grid::new(
         "memory",
         ["strategy", "solid, MiB", "cut, MiB", "frame, MiB"],

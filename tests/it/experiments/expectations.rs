@@ -32,6 +32,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
         frame_over_draw_only_mad: None,
+        cut: None,
         passes: Vec::new(),
     };
     Measurement {
@@ -57,6 +58,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
             time_ms: 0.0,
         },
         draw_only_ms: Samples::default(),
+        draw_only_compute_ms: None,
         strategies: found.iter().map(of).collect(),
     }
 }

@@ -50,6 +50,7 @@ pub(crate) fn drawn(name: &str, wrong_px: usize, ratio: f64) -> StrategyMeasurem
         },
         frame_over_draw_only: Some(ratio),
         frame_over_draw_only_mad: Some(0.01),
+        cut: None,
         passes: vec![PassTime {
             name: "shade & light".to_owned(),
             clock: Clock::Frame,
@@ -67,6 +68,7 @@ pub(crate) fn refused(name: &str, reason: &str) -> StrategyMeasurement {
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
         frame_over_draw_only_mad: None,
+        cut: None,
         passes: Vec::new(),
         ..drawn(name, 0, 1.0)
     }
@@ -101,6 +103,7 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
                 time_ms: 5.0,
             },
             draw_only_ms: Samples::new(vec![2.0, 2.0, 2.0]),
+            draw_only_compute_ms: None,
             strategies,
         },
         families: vec![vec![FamilyMember::default()]; count],

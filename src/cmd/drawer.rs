@@ -1,0 +1,66 @@
+//! Who draws the pictures of a command: whom it names, or whom scene and adapter ask for.
+
+use super::console::Console;
+use crate::Result;
+use crate::experiment::Renderer;
+use crate::gpu::Gpu;
+use crate::passes::Model;
+use crate::scene::View;
+use crate::strategies::{AUTO, Choice, Means, choose};
+
+/// Who is to draw.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Drawer {
+    /// A renderer.
+    Named(Renderer),
+    /// Who is chosen, by these means where they say some.
+    Auto(Means),
+}
+
+/// Who draws.
+#[derive(Clone, Debug)]
+pub(super) struct Chosen {
+    pub(super) renderer: Renderer,
+    /// Why, where it was chosen.
+    pub(super) reason: Option<String>,
+}
+
+/// Whether a name is that of somebody who draws.
+///
+/// # Errors
+///
+/// A name of nobody, with what it may have meant.
+pub(super) fn check_name(name: &str) -> Result<()> {
+    match name {
+        AUTO => Ok(()),
+        _ => name.parse::<Renderer>().map(drop),
+    }
+}
+
+impl Drawer {
+    /// Chooses where nobody is named, for a scene in a view on a device; says so to who wants to know everything. Without a device what draws
+    /// is chosen as for one with fixed functions.
+    pub(super) fn settle(
+        self,
+        gpu: Option<&Gpu>,
+        (model, view): (&Model, &View),
+        console: &Console,
+    ) -> Chosen {
+        let means = match self {
+            Self::Named(renderer) => {
+                return Chosen {
+                    renderer,
+                    reason: None,
+                };
+            }
+            Self::Auto(means) => means,
+        };
+        let is_software = gpu.is_some_and(|gpu| gpu.report().software);
+        let Choice { method, reason } = choose(model, view, means, is_software);
+        console.detail(format!("{AUTO}: {method}, for {reason}"));
+        Chosen {
+            renderer: method.into(),
+            reason: Some(reason),
+        }
+    }
+}
