@@ -9,7 +9,7 @@
 #import cutaway::crossings::{crossings_before, depth_at, head_of, is_cut_short, listed, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
-#import cutaway::inside::{in_doubt, is_blank, is_inside, starts_inside}
+#import cutaway::inside::{in_doubt, is_blank, next_inside, next_starting}
 #import cutaway::lanes::Lanes
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
@@ -47,9 +47,14 @@ fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var cap = Cap(false, 0u, 0u, false);
     for (var i = 0u; i < limit; i++) {
         let after = sides ^ (1u << surface_at(i, at));
-        for (var place = 0u; place < lanes.count; place++) {
+        var place = 0u;
+        for (var n = 0u; n < lanes.count; n++) {
+            place = next_inside(lanes, place, pixel_index(at), i);
+            if place >= lanes.count {
+                break;
+            }
             let enters = is_removed(sides, parts[place].cuts) && !is_removed(after, parts[place].cuts);
-            if enters && is_inside(lanes, place, pixel_index(at), i) {
+            if enters {
                 if cap.found {
                     cap.overlap = true;
                     return cap;
@@ -59,6 +64,7 @@ fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
                     return cap;
                 }
             }
+            place++;
         }
         if cap.found {
             return cap;
@@ -100,18 +106,26 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
 
     var odd = false;
     var near_caps = 0u;
-    for (var place = lanes.count; place > 0u; place--) {
-        if starts_inside(lanes, place - 1u, pixel) {
-            odd = true;
-            if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[place - 1u].cuts) {
+    var place = 0u;
+    for (var n = 0u; n < lanes.count; n++) {
+        place = next_starting(lanes, place, pixel);
+        if place >= lanes.count {
+            break;
+        }
+        odd = true;
+        if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[place].cuts) {
+            // The first part has the cap.
+            if near_caps == 0u {
                 depth = frame.near;
-                near_caps++;
-                word = layer_word(CAP, NEAR_PLANE, parts[place - 1u].part) | select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
+                word = layer_word(CAP, NEAR_PLANE, parts[place].part);
                 normal = pack_normal(-frame.forward.xyz);
                 wanted = NONE;
             }
+            near_caps++;
         }
+        place++;
     }
+    word |= select(0u, OVERLAP, lanes.overlaps && near_caps > 1u);
     if is_cut_short(at) || in_doubt(lanes, pixel) || (odd && !lanes.near_inside) {
         word |= UNRELIABLE;
     }

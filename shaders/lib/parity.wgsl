@@ -35,6 +35,33 @@ fn is_odd_in_all(lanes: Lanes, place: u32, pixel: u32) -> bool {
     return is_odd_at(place, pixel, lanes.bits - 1u);
 }
 
+// The first place from `place` on whose lane has a bit set, or the number of lanes: word by word, of which most are zero where there are
+// many parts. Asked only where all lanes are bits, which follow each other.
+fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
+    if lanes.bits > 32u {
+        let words = lanes.bits / 32u;
+        for (var p = place; p < lanes.count; p++) {
+            if ((word_at(p * words + bit / 32u, pixel) >> (bit % 32u)) & 1u) != 0u {
+                return p;
+            }
+        }
+        return lanes.count;
+    }
+    let of_word = 32u / lanes.bits;
+    // The bit in each lane of a word.
+    let pattern = select(0xffffffffu / ((1u << lanes.bits) - 1u), 1u, lanes.bits == 32u) << bit;
+    let end = (lanes.count + of_word - 1u) / of_word;
+    let first = place / of_word;
+    for (var w = first; w < end; w++) {
+        let passed = select(0u, (place % of_word) * lanes.bits, w == first);
+        let found = word_at(w, pixel) & pattern & (0xffffffffu << passed);
+        if found != 0u {
+            return w * of_word + firstTrailingBit(found) / lanes.bits;
+        }
+    }
+    return lanes.count;
+}
+
 // Whether the mask says that something found no room. Asked only where all lanes are bits.
 fn is_doubted(lanes: Lanes, pixel: u32) -> bool {
     // Lanes are a power of two wide, or whole words: either way none straddles two words that others share.

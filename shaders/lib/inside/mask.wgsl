@@ -3,22 +3,22 @@
 #define_import_path cutaway::inside
 
 #import cutaway::lanes::Lanes
-#import cutaway::parity::{is_doubted, is_odd_at, is_odd_in_all, is_zero}
+#import cutaway::parity::{is_doubted, is_zero, next_odd}
 
 // Whether no crossing of a pixel is inside anything, and nothing is in doubt.
 fn is_blank(pixel: u32) -> bool {
     return is_zero(pixel);
 }
 
-// Whether a crossing of a pixel is inside a part.
-fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
-    return is_odd_at(place, pixel, crossing);
+// The first place from `place` on whose part a crossing of a pixel is inside, or the number of parts.
+fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
+    return next_odd(lanes, place, pixel, crossing);
 }
 
-// Whether the ray of a pixel starts inside a part, as far as its fragments tell: an odd total. Where no part can be there, it
-// says that the mesh is open.
-fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
-    return is_odd_in_all(lanes, place, pixel);
+// The first place from `place` on in whose part the ray of a pixel starts, as far as its fragments tell: an odd total. Where no part can
+// be there, it says that the mesh is open.
+fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
+    return next_odd(lanes, place, pixel, lanes.bits - 1u);
 }
 
 // Whether the answers for a pixel may be wrong because something found no room.

@@ -8,12 +8,12 @@ fn is_blank(pixel: u32) -> bool {
     return true;
 }
 
-fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
-    return false;
+fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
+    return lanes.count;
 }
 
-fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
-    return false;
+fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
+    return lanes.count;
 }
 
 fn in_doubt(lanes: Lanes, pixel: u32) -> bool {

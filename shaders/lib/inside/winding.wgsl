@@ -13,7 +13,7 @@ fn is_blank(pixel: u32) -> bool {
     return is_zero(pixel);
 }
 
-fn is_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> bool {
+fn is_inside(place: u32, pixel: u32, crossing: u32) -> bool {
     let part = parts[place];
     if part.lane_shift != WINDING {
         return is_odd_at(place, pixel, crossing);
@@ -29,6 +29,26 @@ fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
         return is_odd_in_all(lanes, place, pixel);
     }
     return sum_and_number(word_at(part.lane_word, pixel)).x != 0;
+}
+
+// The first place from `place` on whose part a crossing of a pixel is inside, or the number of parts.
+fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
+    for (var p = place; p < lanes.count; p++) {
+        if is_inside(p, pixel, crossing) {
+            return p;
+        }
+    }
+    return lanes.count;
+}
+
+// The first place from `place` on in whose part the ray of a pixel starts, or the number of parts.
+fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
+    for (var p = place; p < lanes.count; p++) {
+        if starts_inside(lanes, p, pixel) {
+            return p;
+        }
+    }
+    return lanes.count;
 }
 
 // Whether the answers for a pixel may be wrong because something found no room: so many fragments that a byte may have run over.

@@ -37,7 +37,7 @@ fn shots(relief: Option<&str>) -> Vec<Shot> {
     let shot = |what, shape, camera: &Camera, size_px, style| Shot {
         what,
         scene: scene(shape),
-        camera: camera.clone(),
+        camera: *camera,
         size_px,
         style,
     };
