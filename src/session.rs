@@ -23,6 +23,7 @@ mod bands;
 mod encode;
 mod finish;
 mod rows;
+mod uncut;
 
 use bands::{Band, Slot};
 pub use encode::{Encoded, Overflow};
@@ -139,26 +140,6 @@ impl Session {
         Ok(drawn)
     }
 
-    /// Draws a frame with nothing cut by a rasteriser, as [`Session::draw`] draws a strategy's: in bands, where it is too large in one
-    /// piece.
-    pub fn draw_uncut(
-        &mut self,
-        model: &Model,
-        view: &View,
-        rasteriser: Rasteriser,
-    ) -> Result<Drawn> {
-        let model = model.without_cuts();
-        let by = (rasteriser, self.gpu.limits().wide_atomics);
-        let slot = self.slots.entry(Drawing::Uncut(rasteriser)).or_default();
-        slot.draw(
-            &self.gpu,
-            self.is_timed,
-            &model,
-            view,
-            |view, capacities| strategies::record_uncut_by(&model, view, by, capacities),
-        )
-    }
-
     /// The shadow on the ground of what a method keeps of a scene, for [`Model::on_ground`]: small frames from below and above, which are read back.
     /// It hangs on no camera but on every cut and motion.
     ///
@@ -195,17 +176,6 @@ impl Session {
             &views,
             [below, above],
         )))
-    }
-
-    /// Runs the last frame with nothing cut by a rasteriser again on some clocks, for its times.
-    pub fn repeat_uncut(&self, rasteriser: Rasteriser, clocks: ClockSet) -> Result<RunTimes> {
-        let slot = self.slots.get(&Drawing::Uncut(rasteriser));
-        let slot = slot.ok_or_else(|| {
-            Error::Plan(format!(
-                "the {rasteriser} rasteriser has drawn no frame with nothing cut"
-            ))
-        })?;
-        slot.repeat(&self.gpu, clocks)
     }
 
     /// Encodes a frame for a host, into its encoder and its attachments. Nothing is read back, nothing is waited for and nothing is

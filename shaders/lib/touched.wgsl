@@ -38,7 +38,7 @@ fn tile_at(place: vec2<u32>) -> u32 {
     return place.y * tiles_of_row() + place.x;
 }
 
-// How many of `count` tiles a workgroup takes where each takes every so manieth.
+// How many of `count` tiles a workgroup takes, where of N workgroups each takes every N-th.
 fn turns_among(count: u32, group: u32, groups: u32) -> u32 {
     return (count + groups - 1u - group) / groups;
 }

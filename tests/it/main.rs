@@ -5,6 +5,7 @@ mod common;
 mod adaptive;
 mod agree;
 mod animate;
+mod auto;
 mod cli;
 mod compare;
 mod controls;

@@ -1,4 +1,4 @@
-// What a workgroup has of the picture: of the list of touched tiles every so manieth.
+// What a workgroup has of the picture: of N workgroups each takes every N-th touched tile.
 
 #define_import_path cutaway::share
 

@@ -227,6 +227,7 @@ fn two_runs_agree_in_every_error() {
                 "time_ms",
                 "frame_over_draw_only",
                 "frame_over_draw_only_mad",
+                "cut",
                 "passes",
             ] {
                 assert!(strategy.remove(of_time).is_some(), "{of_time}");
