@@ -1,4 +1,4 @@
-// Finds the borders of a picture from its layers. One invocation owns a pixel, with the borders on its right and below it.
+// Finds the borders of a picture from its layers. One invocation owns a pixel at a time, with the borders on its right and below it.
 //
 // Depth: on a plane, 1 / depth is linear in the picture (depth is, where rays are parallel). Each of two samples is predicted from its
 // own side; a border is where both predictions and the samples themselves miss by more than some widths of a pixel. So a plane at a
@@ -12,8 +12,10 @@
 #import cutaway::borders::{CONTOUR, CREASE, CUT, FACE, NO_BORDER, OUTLINE, PART, word_of_tile}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{BACKGROUND, CAP, SURFACE, UNRELIABLE, clip_surface_of, kind_of, part_of, unpack_normal}
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::shown::{first_word_of, is_in_frame}
 #import cutaway::style::style
+#import cutaway::touched::TILE_PX
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read_write> borders: array<u32>;
@@ -155,23 +157,36 @@ fn border(at: vec2<i32>, step: vec2<i32>) -> u32 {
 }
 
 var<workgroup> found: atomic<u32>;
+var<workgroup> turns_of_group: u32;
 
 @compute @workgroup_size(16, 16)
 fn main(
-    @builtin(global_invocation_id) id: vec3<u32>,
-    @builtin(workgroup_id) tile: vec3<u32>,
-    @builtin(local_invocation_index) local: u32,
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
 ) {
-    if all(id.xy < frame.size_px) {
-        let at = vec2<i32>(id.xy);
-        let word = border(at, vec2<i32>(1, 0)) | (border(at, vec2<i32>(0, 1)) << 4u);
-        borders[pixel_index(id.xy)] = word;
-        if word != 0u {
-            atomicOr(&found, word);
-        }
+    let is_first = all(local == vec3<u32>(0u));
+    if is_first {
+        turns_of_group = turns(group, groups);
     }
-    workgroupBarrier();
-    if local == 0u {
-        borders[word_of_tile(tile.xy, frame.size_px)] = atomicLoad(&found);
+    let end = workgroupUniformLoad(&turns_of_group);
+    for (var turn = 0u; turn < end; turn++) {
+        if is_first {
+            atomicStore(&found, 0u);
+        }
+        workgroupBarrier();
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            let at = vec2<i32>(xy);
+            let word = border(at, vec2<i32>(1, 0)) | (border(at, vec2<i32>(0, 1)) << 4u);
+            borders[pixel_index(xy)] = word;
+            if word != 0u {
+                atomicOr(&found, word);
+            }
+        }
+        workgroupBarrier();
+        if is_first {
+            borders[word_of_tile(xy / TILE_PX, frame.size_px)] = atomicLoad(&found);
+        }
     }
 }

@@ -1,5 +1,5 @@
 // Dresses caps in their materials (Trapp and Doellner 2013, sections 4.1 and 4.2) and surfaces in their coats, by the open module `coat`. One
-// invocation owns a pixel.
+// invocation owns a pixel at a time.
 //
 // What a pixel is made of is left in the picture, which is painted later: sRGB colour, and alpha 1 where it is in the place of the
 // colour of the part. Layers are copied with the normals that the material bends, for light alone.
@@ -7,10 +7,11 @@
 #import cutaway::cap_plane::{CapPlane, footing_on, moved_along, nearest_axis, plane_of_view}
 #import cutaway::coat::coat_at
 #import cutaway::color::{linear_from_srgb, srgb_from_linear}
-#import cutaway::cuts::parts
+#import cutaway::cuts::{parts, place_of_part}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{CAP, NEAR_PLANE, WORDS_PER_PIXEL, clip_surface_of, kind_of, pack_normal, part_of, unpack_normal}
 #import cutaway::picture::picture
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::solids::{granite, marble, wood}
 #import cutaway::texture::{NO_TEXTURE, sampled, textures}
 
@@ -42,8 +43,6 @@ struct DressPlanes {
 @group(1) @binding(1) var<storage, read> cap_materials: array<CapMaterial>;
 @group(1) @binding(3) var<storage, read_write> lit_layers: array<u32>;
 @group(1) @binding(4) var<uniform> dress_planes: DressPlanes;
-// Place of each part of the scene in the table.
-@group(1) @binding(5) var<storage, read> place_of_part: array<u32>;
 
 const FILLED_STACK: u32 = 5u;
 
@@ -139,7 +138,7 @@ fn dress_of(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> Dress {
         let diffuse = sampled(material.diffuse, place, right, down);
         color = vec4<f32>(mix(color.rgb, diffuse.rgb, diffuse.a), max(color.a, diffuse.a));
     }
-    let own = linear_from_srgb(parts[place_of_part[part_of(word)]].cap_color.rgb);
+    let own = linear_from_srgb(parts[place_of_part(part_of(word))].cap_color.rgb);
     color = vec4<f32>(mix(own, color.rgb, color.a), 1.0);
     if material.light != NO_TEXTURE {
         color = vec4<f32>(color.rgb * sampled(material.light, place, right, down).r, 1.0);
@@ -153,21 +152,32 @@ fn dress_of(at: vec2<u32>, word: u32, packed_normal: u32, depth: f32) -> Dress {
     return Dress(color, select(packed_normal, pack_normal(normal), material.normal != NO_TEXTURE));
 }
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let pixel = pixel_index(id.xy);
+fn dress_pixel(xy: vec2<u32>) {
+    let pixel = pixel_index(xy);
     let first = pixel * WORDS_PER_PIXEL;
     let word = layers[first];
     var dress = Dress(vec4<f32>(0.0), layers[first + 1u]);
     if kind_of(word) == CAP {
-        dress = dress_of(id.xy, word, dress.normal, bitcast<f32>(layers[first + 2u]));
+        dress = dress_of(xy, word, dress.normal, bitcast<f32>(layers[first + 2u]));
     }
     let of_cap = pack4x8unorm(vec4<f32>(srgb_from_linear(dress.color.rgb), dress.color.a));
-    picture[pixel] = select(coat_at(id.xy, word), of_cap, kind_of(word) == CAP);
+    picture[pixel] = select(coat_at(xy, word), of_cap, kind_of(word) == CAP);
     lit_layers[first] = word;
     lit_layers[first + 1u] = dress.normal;
     lit_layers[first + 2u] = layers[first + 2u];
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            dress_pixel(xy);
+        }
+    }
 }

@@ -1,4 +1,4 @@
-// What a relief hides of the sky from the caps that it makes, beside what was found around them in the picture. One invocation owns a pixel.
+// What a relief hides of the sky from the caps that it makes, beside what was found around them in the picture. One invocation owns a pixel at a time.
 //
 // The map of the sky lies texel by texel as the heights do, and is read as they are.
 
@@ -6,6 +6,7 @@
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{CAP, WORDS_PER_PIXEL, clip_surface_of, kind_of}
 #import cutaway::relief::height_at
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::sky_before::sky_before
 
 struct ReliefSky {
@@ -31,18 +32,29 @@ fn light_of(number: u32, point: vec4<f32>) -> f32 {
     return 1.0;
 }
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let pixel = pixel_index(id.xy);
+fn light_relief(xy: vec2<u32>) {
+    let pixel = pixel_index(xy);
     let first = pixel * WORDS_PER_PIXEL;
     var light = sky_before(pixel);
     if kind_of(layers[first]) == CAP {
-        let ray = ray_through(centre_of(id.xy));
+        let ray = ray_through(centre_of(xy));
         let point = vec4<f32>(ray.origin + bitcast<f32>(layers[first + 2u]) * ray.direction, 1.0);
         light = (1.0 - relief_sky.cap * (1.0 - light)) * light_of(clip_surface_of(layers[first]), point);
     }
     visibility[pixel] = light;
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            light_relief(xy);
+        }
+    }
 }

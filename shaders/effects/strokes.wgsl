@@ -1,4 +1,4 @@
-// Places the stroke of each border within the pixel. One invocation owns a pixel, with the borders on its right and below it.
+// Places the stroke of each border within the pixel. One invocation owns a pixel at a time, with the borders on its right and below it.
 //
 // Borders lie between samples, so a slanting edge is a staircase of them, which moves by whole pixels while the edge glides. The staircase
 // tells where the edge is: between the middles of the steps at the two ends of a run it is a straight line (Reshetov 2009, "Morphological
@@ -8,9 +8,11 @@
 
 #import cutaway::borders::{below_of, right_of, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::shown::is_in_frame
 #import cutaway::stroke_place::{Place, placed}
 #import cutaway::style::style
+#import cutaway::touched::TILE_PX
 
 @group(1) @binding(0) var<storage, read> borders: array<u32>;
 @group(1) @binding(1) var<storage, read_write> strokes: array<u32>;
@@ -83,22 +85,33 @@ fn place_of(at: vec2<i32>, across: vec2<i32>) -> u32 {
     return placed(Place(ramps, shortened));
 }
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    if local == 0u {
-        let word = word_of_tile(tile.xy, frame.size_px);
-        strokes[word] = borders[word];
-    }
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let at = vec2<i32>(id.xy);
-    var word = borders[pixel_index(id.xy)];
+fn place(xy: vec2<u32>) {
+    let at = vec2<i32>(xy);
+    var word = borders[pixel_index(xy)];
     if is_drawn(at, vec2<i32>(1, 0)) {
         word |= place_of(at, vec2<i32>(1, 0)) << 8u;
     }
     if is_drawn(at, vec2<i32>(0, 1)) {
         word |= place_of(at, vec2<i32>(0, 1)) << 20u;
     }
-    strokes[pixel_index(id.xy)] = word;
+    strokes[pixel_index(xy)] = word;
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(local == vec3<u32>(0u)) {
+            let word = word_of_tile(xy / TILE_PX, frame.size_px);
+            strokes[word] = borders[word];
+        }
+        if all(xy < frame.size_px) {
+            place(xy);
+        }
+    }
 }

@@ -4,6 +4,8 @@
 
 #define_import_path cutaway::borders
 
+#import cutaway::touched::TILE_PX
+
 const NO_BORDER: u32 = 0u;
 // One side is background.
 const OUTLINE: u32 = 1u;
@@ -18,11 +20,8 @@ const CONTOUR: u32 = 5u;
 // A surface is folded.
 const CREASE: u32 = 6u;
 
-// Pixels along the side of a tile, which is what a workgroup of a pass over pixels owns.
-const TILE: u32 = 16u;
-
 fn tiles_along(pixels: u32) -> u32 {
-    return (pixels + TILE - 1u) / TILE;
+    return (pixels + TILE_PX - 1u) / TILE_PX;
 }
 
 // Where the word of a tile is.
@@ -34,7 +33,7 @@ fn word_of_tile(tile: vec2<u32>, size_px: vec2<u32>) -> u32 {
 fn tiles_around(at: vec2<u32>, reach_px: i32, size_px: vec2<u32>) -> vec4<u32> {
     let first = max(vec2<i32>(at) - reach_px, vec2<i32>(0));
     let last = min(vec2<i32>(at) + reach_px, vec2<i32>(size_px) - 1);
-    return vec4<u32>(vec2<u32>(first), vec2<u32>(last)) / TILE;
+    return vec4<u32>(vec2<u32>(first), vec2<u32>(last)) / TILE_PX;
 }
 
 fn right_of(word: u32) -> u32 {

@@ -55,10 +55,20 @@ struct Part {
     // sRGB.
     color: vec4<f32>,
     cap_color: vec4<f32>,
+    // Not of this part: where in the table that part is whose index in the scene is the number of this row.
+    place: u32,
+    padding_a: u32,
+    padding_b: u32,
+    padding_c: u32,
 }
 
 @group(0) @binding(1) var<uniform> cut_table: CutTable;
 @group(0) @binding(2) var<storage, read> parts: array<Part>;
+
+// Where in the table a part of the scene is.
+fn place_of_part(part: u32) -> u32 {
+    return parts[part].place;
+}
 
 fn surfaces_of_cut(cut: u32) -> u32 {
     return cut_table.surfaces_of_cut[cut / 4u][cut % 4u];

@@ -13,7 +13,7 @@
 #import cutaway::frame::buffer_from_depth
 #import cutaway::quadratic::roots_in
 #import cutaway::rays::{ray_table, along_ray}
-#import cutaway::relief::{Map, cell_between, height_in, map_of}
+#import cutaway::relief::{Map, cell_between, corners_beside, height_in, map_of}
 
 // The way of a ray through the slab of a relief. Depths count from `start`, and values along the ray are x + depth * y.
 struct Way {
@@ -43,6 +43,20 @@ struct Carried {
     entry: f32,
     kept: bool,
     begun: bool,
+}
+
+// Which way a ray goes over the cells.
+struct Heading {
+    up: vec2<bool>,
+    // From a cell to the next along each axis.
+    step: vec2<i32>,
+    // The border ahead of cell i is i + 1 when walking up, i when walking down.
+    ahead: vec2<i32>,
+}
+
+fn heading_of(way: Way) -> Heading {
+    let up = vec2<bool>(way.texel_x.y > 0.0, way.texel_y.y > 0.0);
+    return Heading(up, select(vec2<i32>(-1), vec2<i32>(1), up), select(vec2<i32>(0), vec2<i32>(1), up));
 }
 
 // The cell in which a way is first asked for, and the depth at which the ray enters it.
@@ -132,8 +146,7 @@ struct Found {
     kept: bool,
 }
 
-// Crosses a cell with these heights at its corners from where the ray enters it to `exit`. What is found is for `add_found`, outside of the loop over cells: most hold
-// nothing, and a device may run what a loop holds in every turn, masked.
+// Crosses a cell with these heights at its corners from where the ray enters it to `exit`.
 fn cross_cell(
     list: ptr<function, List>,
     way: Way,
@@ -164,6 +177,38 @@ fn cross_cell(
     (*carried).kept = kept_at_exit;
     (*carried).entry = exit;
     return Found(roots.count, entry + roots.at, kept);
+}
+
+// What comes of a step of the walk: what the cell holds, whether it is the last that is asked for, and along which axis it is left.
+struct Met {
+    found: Found,
+    is_last: bool,
+    by_x: bool,
+}
+
+fn met_nothing() -> Met {
+    return Met(Found(0u, vec2<f32>(0.0), false), false, false);
+}
+
+// Crosses the cell that the ray is in and goes on to the next, with the heights at its corners. What is found is for `add_found`, outside
+// of the loop over cells: most hold nothing, and a device may run what a loop holds in every turn, masked.
+fn walk_cell(
+    list: ptr<function, List>,
+    way: Way,
+    heading: Heading,
+    carried: ptr<function, Carried>,
+    cell: ptr<function, vec2<i32>>,
+    corners: ptr<function, vec4<f32>>,
+) -> Met {
+    let border_x = depth_at_border((*cell).x + heading.ahead.x, way.texel_x);
+    let border_y = depth_at_border((*cell).y + heading.ahead.y, way.texel_y);
+    let exit = max((*carried).entry, min(way.end, min(border_x, border_y)));
+    let found = cross_cell(list, way, carried, *cell, *corners, exit);
+    // Ties step in x first; the cell between has no length.
+    let by_x = border_x <= border_y;
+    *cell += select(vec2<i32>(0, heading.step.y), vec2<i32>(heading.step.x, 0), by_x);
+    *corners = corners_beside(way.map, *corners, *cell, by_x, select(heading.up.y, heading.up.x, by_x));
+    return Met(found, exit >= way.last, by_x);
 }
 
 // Adds to the list what a cell holds.

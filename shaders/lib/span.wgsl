@@ -5,10 +5,10 @@
 // No row is as long.
 const LONGEST: i32 = 255;
 
-// floor(value / step) of value >= 0 and step > 0, or LONGEST where that is less. A float finds it but for one, which integers put right:
-// most devices divide these one lane at a time.
+// floor(value / step) of value >= 0 and step > 0 where that is at most LONGEST, else one more. A float finds it but for one, which integers
+// put right: most devices divide these one lane at a time.
 fn quotient(value: i32, step: i32) -> i32 {
-    let near = min(i32(min(f32(value) / f32(step), 255.0)), LONGEST);
+    let near = i32(min(f32(value) / f32(step), f32(LONGEST)));
     let rest = value - near * step;
     return near + select(select(0, 1, rest >= step), -1, rest < 0);
 }

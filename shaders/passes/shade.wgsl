@@ -2,13 +2,12 @@
 // The open module `overlap` says how caps that several solids share differ.
 
 #import cutaway::background::background
+#import cutaway::cuts::place_of_part
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of, part_of}
 #import cutaway::lit::color_of
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-// Place of each part of the scene in the table.
-@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 
 @compute @workgroup_size(16, 16)
@@ -23,5 +22,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         picture[pixel] = background(id.y);
         return;
     }
-    picture[pixel] = color_of(id.xy, word, layers[at + 1u], place_of_part[part_of(word)]);
+    picture[pixel] = color_of(id.xy, word, layers[at + 1u], place_of_part(part_of(word)));
 }

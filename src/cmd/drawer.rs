@@ -25,19 +25,19 @@ pub(super) struct Chosen {
     pub(super) reason: Option<String>,
 }
 
-/// Whether a name is that of somebody who draws.
-///
-/// # Errors
-///
-/// A name of nobody, with what it may have meant.
-pub(super) fn check_name(name: &str) -> Result<()> {
-    match name {
-        AUTO => Ok(()),
-        _ => name.parse::<Renderer>().map(drop),
-    }
-}
-
 impl Drawer {
+    /// Who a name says, by these means where it says no others; without a name who is chosen.
+    ///
+    /// # Errors
+    ///
+    /// A name of nobody, with what it may have meant.
+    pub(super) fn named(name: Option<&str>, means: Means) -> Result<Self> {
+        Ok(match name {
+            None | Some(AUTO) => Self::Auto(means),
+            Some(name) => Self::Named(name.parse::<Renderer>()?.or(means)),
+        })
+    }
+
     /// Chooses where nobody is named, for a scene in a view on a device; says so to who wants to know everything. Without a device what draws
     /// is chosen as for one with fixed functions.
     pub(super) fn settle(

@@ -1,11 +1,11 @@
 //! Options of pictures: who draws them, how finely, and on what.
 
 use super::args::{parse_color_word, say};
-use super::drawer::check_name;
+use super::drawer::Drawer;
 use crate::Result;
 use crate::document::{Document, Timeline, Value, named_style, style_names};
 use crate::scene::{Fit, Style, color_help, parse_color};
-use crate::strategies::{AUTO, table};
+use crate::strategies::{AUTO, Means, table};
 use clap::Args;
 
 /// The style of pictures where nobody names one.
@@ -122,9 +122,7 @@ fn strategy_help() -> String {
 impl LookArgs {
     /// Puts them into a document.
     pub(super) fn amend(&self, document: &mut Document) -> Result<()> {
-        if let Some(name) = &self.strategy {
-            check_name(name)?;
-        }
+        Drawer::named(self.strategy.as_deref(), Means::default())?;
         let strategy = self.strategy.as_deref().map(Value::from);
         say(document, "strategy.name", "--strategy", strategy)?;
         let fineness = self.supersample.map(|n| i64::from(n).into());

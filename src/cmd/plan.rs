@@ -15,7 +15,7 @@ use crate::document::Value;
 use crate::experiment::{Renderer, SceneAtTime};
 use crate::gpu::{Gpu, GpuOptions};
 use crate::plan::Capacities;
-use crate::strategies::{self, AUTO, Method, table};
+use crate::strategies::{self, AUTO, Means, Method, table};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -65,8 +65,8 @@ pub(super) fn run(args: &PlanArgs) -> Result<Verdict> {
     args.when.amend(&mut document)?;
     args.means.amend(&mut document)?;
     let asked = args.strategy.as_deref();
-    if let Some(name) = asked.filter(|name| *name != AUTO) {
-        passes_of(name.parse()?)?;
+    if let Drawer::Named(renderer) = Drawer::named(asked, Means::default())? {
+        passes_of(renderer)?;
     }
     say(
         &mut document,

@@ -12,12 +12,12 @@ use super::places::InputFiles;
 use super::sections::SectionArgs;
 use super::upright;
 use crate::document::{Document, Timeline, part};
-use crate::experiment::{Renderer, SceneAtTime, means};
+use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
 use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
-use crate::strategies::{AUTO, Means};
+use crate::strategies::Means;
 use crate::{Error, Result};
 
 /// How many times as fine pictures are drawn where nobody says it.
@@ -139,11 +139,8 @@ impl Subject {
 
     /// What draws, by these means where it names no others.
     pub(super) fn drawer(&self) -> Result<Drawer> {
-        let means = self.means()?;
-        Ok(match self.timeline.settings().strategy.as_deref() {
-            None | Some(AUTO) => Drawer::Auto(means),
-            Some(name) => Drawer::Named(name.parse::<Renderer>()?.or(means)),
-        })
+        let name = self.timeline.settings().strategy.as_deref();
+        Drawer::named(name, self.means()?)
     }
 
     /// The view of the scene.

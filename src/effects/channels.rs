@@ -1,11 +1,11 @@
 //! What effects drew, as numbers: the shares of strokes, hatches and light in each pixel, so that a picture can be checked. The shader
 //! modules are those of the picture; the plan of a picture has no part of this.
 
-use super::borders::strokes;
+use super::borders::Strokes;
 use super::hatch::{hatch, zoom_of};
 use super::illustrate::style_numbers;
 use super::occlusion::occlusion;
-use super::pixels::{over_pixels, per_pixel};
+use super::pixels::{Pixels, over_picture, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;
@@ -20,9 +20,9 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
     let stroke = (style.strokes.widest() > 0.0).then(|| {
-        let strokes = strokes(plan, scene, &numbers, layers);
+        let strokes = Strokes::new(plan, scene).find(plan, Pixels::all(scene), &numbers, layers);
         let stroke = per_pixel(plan, scene, STROKE, 4);
-        over_pixels(
+        over_picture(
             plan,
             scene,
             (
@@ -44,12 +44,12 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
         let mut bindings = vec![
             scene.frame.clone(),
             Binding::read("layers", layers),
-            scene.place_of_part.clone(),
+            scene.parts.clone(),
             Binding::write("hatched", hatched),
             numbers.clone(),
         ];
         bindings.extend(tables);
-        over_pixels(
+        over_picture(
             plan,
             scene,
             (
@@ -61,6 +61,6 @@ pub(super) fn channels(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Resour
         );
         hatched
     });
-    let visibility = occlusion(plan, scene, layers);
+    let visibility = occlusion(plan, Pixels::all(scene), layers);
     plan.channels = [stroke, hatch, visibility].into_iter().flatten().collect();
 }

@@ -4,7 +4,7 @@
 //! or lay images on the faces of a cutter otherwise than along the axes of the scene.
 
 use super::coat::coat;
-use super::pixels::{over_pixels, per_pixel};
+use super::pixels::{Pixels, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, ResourceId, Role, pack};
 use crate::scene::PreparedSurface;
@@ -13,9 +13,10 @@ use crate::shader::Shader;
 /// Leaves the colours of what has a material in the picture; the layers with the normals that light is to see, where something has one.
 pub(super) fn dress(
     plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
+    pixels: Pixels<'_>,
     (layers, picture): (ResourceId, ResourceId),
 ) -> Option<ResourceId> {
+    let scene = pixels.scene;
     let dress = scene.input.model.dress.as_ref()?;
     let is_cut = scene.input.relevance.lanes > 0;
     if dress.coats.is_none() && !(is_cut && dress.has_materials()) {
@@ -40,7 +41,6 @@ pub(super) fn dress(
     let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
-        scene.place_of_part.clone(),
         Binding::read("layers", layers),
         table("cap_materials", Role::Storage, dress.materials()),
         Binding::write("picture", picture),
@@ -57,7 +57,7 @@ pub(super) fn dress(
         "dress",
         "materials and coats give caps and surfaces their colours",
     );
-    over_pixels(plan, scene, about, shader, bindings);
+    pixels.add_pass(plan, about, shader, bindings);
     Some(lit)
 }
 

@@ -7,7 +7,7 @@
 
 use super::borders::borders_of;
 use super::illustrate::half_px;
-use super::pixels::{numbers, over_pixels};
+use super::pixels::{numbers, over_picture};
 use crate::passes::{DrawPass, SceneBuffers, Surfaces, gather_into};
 use crate::plan::{Binding, Draw, Plan, ResourceId, pack};
 use crate::scene::style::Style;
@@ -57,7 +57,7 @@ pub(super) fn ghost(
     shader = if style.ghost.has_lines() {
         let names = ["ghost_borders", "find ghost borders"];
         let borders = borders_of(plan, scene, style_numbers, uncut, names);
-        over_pixels(
+        over_picture(
             plan,
             scene,
             (
@@ -79,7 +79,7 @@ pub(super) fn ghost(
     };
     bindings.push(numbers(plan, "ghost", ghost_numbers(scene, style)));
     let about = ("add ghost", "phantom lines and glass lie over the picture");
-    over_pixels(plan, scene, about, shader, bindings);
+    over_picture(plan, scene, about, shader, bindings);
 }
 
 /// How many rows around a band are looked at, of a picture of so many.

@@ -3,7 +3,7 @@
 //! The map is made beforehand ([`GroundShadow`](crate::passes::GroundShadow)); a model that was given none has no shadow. Cannot: lie on the
 //! model itself, and strokes around it are a little darker in it.
 
-use super::pixels::over_pixels;
+use super::pixels::over_picture;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role};
 
@@ -24,7 +24,7 @@ pub(super) fn ground(
     let numbers = upload("ground", Role::Uniform, &shadow.numbers);
     let darkness = upload("ground_darkness", Role::Storage, &shadow.darkness);
     let about = ("shade ground", "what is kept hides light from the ground");
-    over_pixels(
+    over_picture(
         plan,
         scene,
         about,

@@ -4,8 +4,7 @@
 //!
 //! Cannot: see what is hidden or outside of the picture, so that a model at its border is lighter there.
 
-use super::pixels::{numbers, over_pixels, per_pixel};
-use crate::passes::SceneBuffers;
+use super::pixels::{Pixels, numbers, per_pixel};
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
 use crate::scene::style::Occlusion;
@@ -18,10 +17,11 @@ const SMOOTH_PX: u32 = 2;
 /// Finds what of the sky each pixel sees.
 pub(super) fn horizon(
     plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
+    pixels: Pixels<'_>,
     (style, name): (&Occlusion, &'static str),
     layers: ResourceId,
 ) -> ResourceId {
+    let scene = pixels.scene;
     let diagonal = 2.0 * scene.input.model.prepared.bounds.radius();
     let horizon = pack::Horizon {
         radius: (f64::from(style.radius_percent) / 100.0 * diagonal) as f32,
@@ -31,9 +31,8 @@ pub(super) fn horizon(
     };
     let numbers = numbers(plan, "horizon", horizon);
     let sky = per_pixel(plan, scene, "sky", 4);
-    over_pixels(
+    pixels.add_pass(
         plan,
-        scene,
         (
             "find horizons",
             "the sky that a point sees lies over the highest samples around it",
@@ -47,9 +46,8 @@ pub(super) fn horizon(
         ],
     );
     let visibility = per_pixel(plan, scene, name, 4);
-    over_pixels(
+    pixels.add_pass(
         plan,
-        scene,
         (
             "smooth occlusion",
             "the mean over the pattern by which the search was turned",

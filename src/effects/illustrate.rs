@@ -5,13 +5,14 @@
 use glam::Vec3;
 
 use super::Picture;
-use super::borders::{RAMP_PX, strokes};
+use super::borders::{RAMP_PX, Strokes};
+use super::drawn_tiles::DrawnTiles;
 use super::dress::dress;
 use super::ghost;
 use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
 use super::occlusion::occlusion;
-use super::pixels::{self, over_pixels};
+use super::pixels::{self, Pixels};
 use super::relief_sky;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Plan, ResourceId, pack};
@@ -26,15 +27,19 @@ const MOST_HALF_PX: f32 = 16.0;
 pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceId) -> Picture {
     let style = scene.input.model.prepared.style;
     let numbers = style_numbers(plan, scene);
-    let strokes = (style.strokes.widest() > 0.0).then(|| strokes(plan, scene, &numbers, layers));
-    let visibility = occlusion(plan, scene, layers);
     let picture = picture(plan, scene.input);
-    let lit = dress(plan, scene, (layers, picture));
+    let strokes = (style.strokes.widest() > 0.0).then(|| Strokes::new(plan, scene));
+    let pixels = Pixels {
+        scene,
+        tiles: DrawnTiles::find(plan, scene, &numbers, layers, (picture, strokes)),
+    };
+    let strokes = strokes.map(|strokes| strokes.find(plan, pixels, &numbers, layers));
+    let visibility = occlusion(plan, pixels, layers);
+    let lit = dress(plan, pixels, (layers, picture));
     let mut bindings = vec![
         scene.frame.clone(),
         scene.parts.clone(),
         Binding::read("layers", lit.unwrap_or(layers)),
-        scene.place_of_part.clone(),
         match lit {
             Some(_) => Binding::update("picture", picture),
             None => Binding::write("picture", picture),
@@ -52,10 +57,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
             Shading::Engraved => "lib/surface_pattern/engraving.wgsl",
             _ => "lib/surface_pattern/plain.wgsl",
         })
-        .with(match style.paper {
-            Paper::Gradient => "lib/backdrop/gradient.wgsl",
-            Paper::Color(_) | Paper::None => "lib/backdrop/paper.wgsl",
-        });
+        .with(backdrop(style.paper));
     let hatch = hatch(plan, scene, &style);
     shader = match &hatch {
         Some(_) => shader
@@ -91,7 +93,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     }
     bindings.extend(hatch.into_iter().flatten());
     let about = ("illustrate", "the style turns layers into a picture");
-    over_pixels(plan, scene, about, shader, bindings);
+    pixels.add_pass(plan, about, shader, bindings);
     ground(plan, scene, (layers, picture));
     ghost::ghost(plan, scene, &numbers, (layers, picture));
     Picture { layers, picture }
@@ -118,6 +120,14 @@ pub(super) fn halo_rows(style: &Style, rows: u32) -> u32 {
     of_strokes.max(ghost::halo_rows(style, rows))
 }
 
+/// The file that fills `cutaway::backdrop`.
+pub(super) fn backdrop(paper: Paper) -> &'static str {
+    match paper {
+        Paper::Gradient => "lib/backdrop/gradient.wgsl",
+        Paper::Color(_) | Paper::None => "lib/backdrop/paper.wgsl",
+    }
+}
+
 /// The file that fills `cutaway::shading`.
 fn shading(shading: Shading) -> &'static str {
     match shading {
@@ -132,7 +142,7 @@ fn shading(shading: Shading) -> &'static str {
 }
 
 /// How many pixels away a border may be whose stroke is seen.
-fn reach_px(style: &Style, rows: u32) -> i32 {
+pub(super) fn reach_px(style: &Style, rows: u32) -> i32 {
     (half_px(style.strokes.widest(), rows)).ceil() as i32 + 1
 }
 

@@ -8,6 +8,7 @@
 mod borders;
 mod channels;
 mod coat;
+mod drawn_tiles;
 mod dress;
 mod ghost;
 mod ground;

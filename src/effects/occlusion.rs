@@ -1,7 +1,7 @@
 //! Occlusion: how much of the sky is seen, a number for each pixel, by what the style asks for.
 
+use super::pixels::Pixels;
 use super::{horizon, relief_sky, unsharp};
-use crate::passes::SceneBuffers;
 use crate::plan::{Plan, ResourceId};
 use crate::scene::View;
 use crate::scene::style::{Occlusion, OcclusionKind};
@@ -12,20 +12,21 @@ pub(crate) const VISIBILITY: &str = "visibility";
 /// What of the light reaches each pixel, one f32 a pixel; none where the style has no occlusion.
 pub(super) fn occlusion(
     plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
+    pixels: Pixels<'_>,
     layers: ResourceId,
 ) -> Option<ResourceId> {
+    let scene = pixels.scene;
     let style = &scene.input.model.prepared.style.occlusion;
     let relieved = relief_sky::is_drawn(scene);
     let name = if relieved { "open_sky" } else { VISIBILITY };
     let found = match style.kind {
         _ if !style.is_drawn() => None,
         OcclusionKind::None => None,
-        OcclusionKind::Horizon => Some(horizon::horizon(plan, scene, (style, name), layers)),
+        OcclusionKind::Horizon => Some(horizon::horizon(plan, pixels, (style, name), layers)),
         OcclusionKind::Unsharp => Some(unsharp::unsharp(plan, scene, (style, name), layers)),
     };
     match relieved {
-        true => Some(relief_sky::relief_sky(plan, scene, layers, found)),
+        true => Some(relief_sky::relief_sky(plan, pixels, layers, found)),
         false => found,
     }
 }

@@ -1,8 +1,47 @@
-//! What passes over all pixels of a picture share: their buffers, their numbers, their work.
+//! What passes over the pixels of a picture share: their buffers, their numbers, their work.
 
+use super::drawn_tiles::DrawnTiles;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::shader::Shader;
+
+/// The pixels of a frame that effects go over.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pixels<'a> {
+    /// What is drawn.
+    pub scene: &'a SceneBuffers<'a>,
+    /// The tiles that they lie in; none where they are all of the picture.
+    pub tiles: Option<DrawnTiles>,
+}
+
+impl<'a> Pixels<'a> {
+    /// All of the picture.
+    pub(super) fn all(scene: &'a SceneBuffers<'a>) -> Self {
+        Self { scene, tiles: None }
+    }
+
+    /// Adds a pass that goes over them. Its shader has an open module, `cutaway::share`.
+    pub(super) fn add_pass(
+        self,
+        plan: &mut Plan,
+        (name, help): (&'static str, &'static str),
+        shader: impl Into<Shader>,
+        mut bindings: Vec<Binding>,
+    ) {
+        let (share, work) = match self.tiles {
+            Some(tiles) => {
+                bindings.push(tiles.listed());
+                ("lib/share/drawn.wgsl", tiles.shared())
+            }
+            None => {
+                let picture = Work::over(self.scene.input.view.size_px);
+                ("lib/share/picture.wgsl", picture)
+            }
+        };
+        let shader = shader.into().with(share);
+        plan.add_pass(Pass::new(name, help, shader, bindings, work));
+    }
+}
 
 /// A buffer of so many bytes for each pixel.
 pub(super) fn per_pixel(
@@ -26,8 +65,8 @@ pub(super) fn numbers<T: bytemuck::Pod>(
     Binding::read(name, plan.add_resource(uniform))
 }
 
-/// Adds a pass that goes over all pixels.
-pub(super) fn over_pixels(
+/// Adds a pass that goes over all pixels, with an invocation for each.
+pub(super) fn over_picture(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     (name, help): (&'static str, &'static str),

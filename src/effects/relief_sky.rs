@@ -4,7 +4,7 @@
 //! One pass over the pixels; the maps are made once for each relief, on the clock of the cut. Cannot: know of other caps or of the mesh.
 
 use super::occlusion::VISIBILITY;
-use super::pixels::{numbers, over_pixels, per_pixel};
+use super::pixels::{Pixels, numbers, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId, Role, pack};
 use crate::shader::Shader;
@@ -20,10 +20,11 @@ pub(super) fn is_drawn(scene: &SceneBuffers<'_>) -> bool {
 /// What of the light reaches each pixel, with what was found of the sky around it, if anything was.
 pub(super) fn relief_sky(
     plan: &mut Plan,
-    scene: &SceneBuffers<'_>,
+    pixels: Pixels<'_>,
     layers: ResourceId,
     found: Option<ResourceId>,
 ) -> ResourceId {
+    let scene = pixels.scene;
     let model = scene.input.model;
     let style = &model.prepared.style.occlusion;
     let numbers = numbers(
@@ -60,6 +61,6 @@ pub(super) fn relief_sky(
         "light reliefs",
         "a relief hides some of the sky from its caps",
     );
-    over_pixels(plan, scene, about, shader, bindings);
+    pixels.add_pass(plan, about, shader, bindings);
     visibility
 }

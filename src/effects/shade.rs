@@ -1,7 +1,7 @@
 //! The plain end: lit shading, one pass over the layers. What measurements take.
 
 use super::Picture;
-use super::pixels::over_pixels;
+use super::pixels::over_picture;
 use crate::passes::{SceneBuffers, overlap, picture};
 use crate::plan::{Binding, Plan, ResourceId};
 use crate::shader::Shader;
@@ -13,12 +13,11 @@ pub(super) fn shade(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: ResourceI
         scene.frame.clone(),
         scene.parts.clone(),
         Binding::read("layers", layers),
-        scene.place_of_part.clone(),
         Binding::write("picture", picture),
     ];
     let overlap = overlap(plan, scene.input, &mut bindings);
     let about = ("shade", "lit shading turns layers into a picture");
     let shader = Shader::from("passes/shade.wgsl").with(overlap);
-    over_pixels(plan, scene, about, shader, bindings);
+    over_picture(plan, scene, about, shader, bindings);
     Picture { layers, picture }
 }

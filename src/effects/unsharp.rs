@@ -4,7 +4,7 @@
 //!
 //! Cannot: darken narrow gaps between what lies equally deep.
 
-use super::pixels::{numbers, over_pixels, per_pixel};
+use super::pixels::{numbers, over_picture, per_pixel};
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Plan, ResourceId, pack};
 use crate::scene::View;
@@ -26,7 +26,7 @@ pub(super) fn unsharp(
     };
     let numbers = numbers(plan, "unsharp", unsharp);
     let blurred = per_pixel(plan, scene, "blurred_depth", 4);
-    over_pixels(
+    over_picture(
         plan,
         scene,
         ("blur depth", "depth, blurred along rows"),
@@ -39,7 +39,7 @@ pub(super) fn unsharp(
         ],
     );
     let visibility = per_pixel(plan, scene, name, 4);
-    over_pixels(
+    over_picture(
         plan,
         scene,
         (

@@ -168,26 +168,22 @@ pub fn times(
 ) -> Result<bool> {
     let drawn = judgement.frames.iter().filter(|f| f.layers.is_some());
     let drawn: Vec<Renderer> = drawn.map(|f| f.renderer.or(question.means)).collect();
-    let mut runners = vec![Runner::Uncut(Rasteriser::Hardware)];
-    if drawn
-        .iter()
-        .any(|r| rasteriser_of(r) == Rasteriser::Compute)
-    {
-        runners.push(Runner::Uncut(Rasteriser::Compute));
+    let by_compute = |r: &Renderer| rasteriser_of(r) == Rasteriser::Compute;
+    let rasterisers: &[Rasteriser] = match drawn.iter().any(by_compute) {
+        true => &[Rasteriser::Hardware, Rasteriser::Compute],
+        false => &[Rasteriser::Hardware],
+    };
+    for rasteriser in rasterisers {
+        draw_uncut(session, question, *rasteriser)?;
     }
-    for runner in &runners {
-        if let Runner::Uncut(rasteriser) = runner {
-            draw_uncut(session, question, *rasteriser)?;
-        }
-    }
-    let uncut_count = runners.len();
-    runners.extend(drawn.iter().map(|r| Runner::Of(*r)));
+    let uncut = rasterisers.iter().map(|r| Runner::Uncut(*r));
+    let runners: Vec<Runner> = uncut.chain(drawn.iter().map(|r| Runner::Of(*r))).collect();
     let Some(runs) = in_turns(session, question, &runners, rounds, step, goes_on)? else {
         return Ok(false);
     };
     let measurement = &mut judgement.measurement;
     measurement.rounds = rounds;
-    let (uncut, runs) = runs.split_at(uncut_count);
+    let (uncut, runs) = runs.split_at(rasterisers.len());
     let uncut: Vec<Samples> = uncut.iter().map(|r| samples(r, Clock::Frame)).collect();
     measurement.draw_only_ms = uncut[0].clone();
     measurement.draw_only_compute_ms = uncut.get(1).cloned();

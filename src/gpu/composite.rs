@@ -46,7 +46,6 @@ pub(super) struct Composed<'a> {
     pub(super) picture: &'a wgpu::Buffer,
     pub(super) layers: &'a wgpu::Buffer,
     pub(super) parts: &'a wgpu::Buffer,
-    pub(super) place_of_part: &'a wgpu::Buffer,
 }
 
 /// A frame, or a band of one, ready to be put into the attachments of a host.
@@ -71,11 +70,7 @@ impl Compositor {
         });
         let read = match attachments.is_g_buffer() {
             false => vec![(1, frame.picture), (2, frame.layers)],
-            true => vec![
-                (2, frame.layers),
-                (3, frame.parts),
-                (4, frame.place_of_part),
-            ],
+            true => vec![(2, frame.layers), (3, frame.parts)],
         };
         let bound = [(0, &uniform)].into_iter().chain(read);
         let entries: Vec<wgpu::BindGroupEntry<'_>> = bound

@@ -261,7 +261,6 @@ impl Program {
             picture: self.buffer(plan.picture.ok_or_else(none)?)?,
             layers: self.buffer(plan.layers.ok_or_else(none)?)?,
             parts: table("parts")?,
-            place_of_part: table("place_of_part")?,
         };
         Compositor::new(gpu, target, &frame)
     }

@@ -4,6 +4,8 @@
 //! a few rows, or shares bytes that the model already holds. No pass can be recorded before the scene is there, parts that
 //! move included, for it takes these handles.
 
+use bytemuck::Zeroable;
+
 use super::pose::pose_parts;
 use super::{Input, Lanes, OnScreen, Refusal};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
@@ -22,10 +24,8 @@ pub(crate) struct SceneBuffers<'a> {
     pub cut_table: Binding,
     /// The clip-surfaces as rays see them.
     pub ray_table: Binding,
-    /// The parts that are drawn, in table order.
+    /// The parts that are drawn, in table order, and where in it each part of the scene is.
     pub parts: Binding,
-    /// Where each part of the scene is in the part table.
-    pub place_of_part: Binding,
     /// Vertices of all parts.
     pub vertices: ResourceId,
     /// Indices of all parts in a frame, with settled triangles at the end of each.
@@ -81,8 +81,6 @@ impl<'a> SceneBuffers<'a> {
         let cut_table = upload("cut_table", Role::Uniform, Clock::Cut, cut_table(input));
         let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
         let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
-        let places = places_of_parts(input);
-        let place_of_part = upload("place_of_part", Role::Storage, Clock::Cut, places);
         let settled = (input.settled.as_ref())
             .map(|_| upload("settled", Role::Uniform, Clock::Cut, input.settled_table()));
         let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
@@ -102,7 +100,6 @@ impl<'a> SceneBuffers<'a> {
             cut_table,
             ray_table,
             parts,
-            place_of_part,
             vertices: vertices.resource,
             indices: sorted.unwrap_or(indices.resource),
             solid_indices: indices.resource,
@@ -140,7 +137,7 @@ impl<'a> SceneBuffers<'a> {
 
 fn cut_table(input: &Input<'_>) -> Contents {
     let (relevance, model) = (&input.relevance, input.model);
-    let mut table: CutTable = bytemuck::Zeroable::zeroed();
+    let mut table = CutTable::zeroed();
     table.surface_count = relevance.surfaces.len() as u32;
     table.cut_count = relevance.cuts.len() as u32;
     table.has_normals = u32::from(input.has_cutters());
@@ -156,7 +153,7 @@ fn cut_table(input: &Input<'_>) -> Contents {
 }
 
 fn ray_table(input: &Input<'_>) -> Contents {
-    let mut table = [<pack::RaySurface as bytemuck::Zeroable>::zeroed(); MAX_SURFACES];
+    let mut table = [pack::RaySurface::zeroed(); MAX_SURFACES];
     for (slot, number) in table.iter_mut().zip(&input.relevance.surfaces) {
         *slot = pack::ray_surface(&input.model.prepared.surfaces[*number], input.view);
     }
@@ -165,9 +162,10 @@ fn ray_table(input: &Input<'_>) -> Contents {
 
 fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
     let (relevance, style) = (&input.relevance, &input.model.prepared.style);
-    let rows: Vec<Part> = (relevance.order.iter().enumerate())
+    let prepared = &input.model.prepared.parts;
+    let mut rows: Vec<Part> = (relevance.order.iter().enumerate())
         .map(|(place, rank)| {
-            let part = &input.model.prepared.parts[*rank];
+            let part = &prepared[*rank];
             let [lane_word, lane_shift] = lanes.of_place(place);
             Part {
                 cuts: relevance.cuts_of(*rank),
@@ -176,23 +174,21 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
                 part: part.part as u32,
                 color: style.surface_color(&part.material).extend(1.0).to_array(),
                 cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
+                place: 0,
+                padding: [0; 3],
             }
         })
         .collect();
+    // A row for each part of the scene, drawn or not: the numbers of layers are looked up there.
+    rows.resize(rows.len().max(prepared.len()), Part::zeroed());
+    for (place, rank) in relevance.order.iter().enumerate() {
+        rows[prepared[*rank].part].place = place as u32;
+    }
     Contents::from_values(&or_one(rows))
 }
 
-fn places_of_parts(input: &Input<'_>) -> Contents {
-    let parts = &input.model.prepared.parts;
-    let mut places = vec![0_u32; parts.len()];
-    for (place, rank) in input.relevance.order.iter().enumerate() {
-        places[parts[*rank].part] = place as u32;
-    }
-    Contents::from_values(&or_one(places))
-}
-
 /// WebGPU has no empty bindings: a table with no rows gets one of zeros.
-pub(crate) fn or_one<T: bytemuck::Zeroable>(mut rows: Vec<T>) -> Vec<T> {
+pub(crate) fn or_one<T: Zeroable>(mut rows: Vec<T>) -> Vec<T> {
     if rows.is_empty() {
         rows.push(T::zeroed());
     }

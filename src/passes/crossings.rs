@@ -16,14 +16,15 @@ pub(crate) struct Crossings {
     /// How many a pixel has room for.
     pub capacity: u32,
     /// File that fills `cutaway::surfaces`.
-    pub count: &'static str,
+    pub surfaces_file: &'static str,
 }
 
 /// What fills `cutaway::crossings` in a shader.
 #[derive(Clone, Debug)]
 pub(crate) struct AskedCrossings {
-    /// The file, and that which fills `cutaway::surfaces`.
-    pub files: [&'static str; 2],
+    file: &'static str,
+    /// File that fills `cutaway::surfaces`.
+    pub(super) surfaces_file: &'static str,
     /// What it binds.
     pub bindings: Vec<Binding>,
 }
@@ -41,22 +42,24 @@ impl Crossings {
     /// The list, for who may as well ask a plane.
     pub(crate) fn asked(&self) -> AskedCrossings {
         AskedCrossings {
-            files: [LIST, self.count],
+            file: LIST,
+            surfaces_file: self.surfaces_file,
             bindings: self.bindings().into(),
         }
     }
 }
 
 impl AskedCrossings {
-    /// The file that fills `cutaway::surfaces`.
-    pub(super) fn count(&self) -> &'static str {
-        self.files[1]
+    /// The file that fills `cutaway::crossings`, and that which it asks for.
+    pub(super) fn files(&self) -> [&'static str; 2] {
+        [self.file, self.surfaces_file]
     }
 
     /// There are none: nothing is cut.
     pub(crate) fn none() -> Self {
         Self {
-            files: ["lib/crossings/nothing.wgsl", ONE_SURFACE],
+            file: "lib/crossings/nothing.wgsl",
+            surfaces_file: ONE_SURFACE,
             bindings: Vec::new(),
         }
     }
@@ -64,7 +67,8 @@ impl AskedCrossings {
     /// The only clip-surface, a plane.
     pub(crate) fn of_plane(scene: &SceneBuffers<'_>) -> Self {
         Self {
-            files: ["lib/crossings/plane.wgsl", ONE_SURFACE],
+            file: "lib/crossings/plane.wgsl",
+            surfaces_file: ONE_SURFACE,
             bindings: vec![scene.ray_table.clone()],
         }
     }

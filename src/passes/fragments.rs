@@ -1,12 +1,12 @@
 //! Lists of fragments of any length: counted, laid out by a prefix sum, filled.
 //!
-//! All lists of a kind share one buffer, because the passes that fill it have no second binding to spare: a word for each list, 4 bytes
+//! All lists share one buffer, because the passes that fill it have no second binding to spare: a word for each list, 4 bytes
 //! for the depth of each fragment and, where parts meet in a list, 4 for its owner. As many fragments as the frame before
 //! needed; a frame that needs more says how many and marks what found no room. Nothing is sorted: parity asks for no order.
 //!
 //! Cannot: outgrow a storage binding, 128 MiB in core WebGPU, which holds 33 million words.
 
-use super::need::{NEED_OF_FRAGMENTS, NEED_OF_SHEETS};
+use super::need::NEED_OF_FRAGMENTS;
 use super::{
     Fresh, Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep,
 };
@@ -23,36 +23,7 @@ pub(crate) struct FragmentLists {
     fragments: ResourceId,
     pool: Binding,
     layout: FragmentPool,
-    kind: Kind,
 }
-
-/// What keeps the lists of one plan apart.
-#[derive(Clone, Copy, Debug)]
-struct Kind {
-    /// What the passes that lay them out are named after.
-    lists: &'static str,
-    /// Name of their layout.
-    pool: &'static str,
-    /// Word of the need buffer.
-    slot: u32,
-    /// What makes room.
-    knob: Knob,
-}
-
-/// Fragments of the mesh.
-const OF_MESH: Kind = Kind {
-    lists: "lists",
-    pool: "pool",
-    slot: NEED_OF_FRAGMENTS,
-    knob: Knob::Fragments,
-};
-/// Fragments of sheets.
-const OF_SHEETS: Kind = Kind {
-    lists: "sheets",
-    pool: "sheet pool",
-    slot: NEED_OF_SHEETS,
-    knob: Knob::Sheets,
-};
 
 impl FragmentLists {
     /// What a fragment does while lists are counted.
@@ -110,34 +81,12 @@ impl FragmentLists {
         has_owners: bool,
         what: &str,
     ) -> Result<Self, Refusal> {
-        let capacity = input.capacities.fragments;
-        Self::of_kind(plan, OF_MESH, lists, has_owners, capacity, what)
-    }
-
-    /// A list of sheet fragments for each pixel: depths, and a word of `shaders/lib/sheet_words.wgsl` in the place of owners.
-    pub(super) fn of_sheets(
-        plan: &mut Plan,
-        input: &Input<'_>,
-        what: &str,
-    ) -> Result<Self, Refusal> {
-        let (lists, capacity) = (input.pixel_count(), input.capacities.sheets);
-        Self::of_kind(plan, OF_SHEETS, lists, true, capacity, what)
-    }
-
-    fn of_kind(
-        plan: &mut Plan,
-        kind: Kind,
-        lists: u64,
-        has_owners: bool,
-        capacity: Option<u32>,
-        what: &str,
-    ) -> Result<Self, Refusal> {
         let lists = u32::try_from(lists).map_err(|_| {
             Refusal::amount(format!(
                 "{lists} lists of {what} are more than 32 bits can count"
             ))
         })?;
-        let capacity = capacity.unwrap_or(lists);
+        let capacity = input.capacities.fragments.unwrap_or(lists);
         let words_each = if has_owners { 2 } else { 1 };
         let bytes = 4 * (u64::from(lists) + u64::from(capacity) * words_each);
         let fragments = plan.add_resource(Resource::storage(what, bytes, Clock::Frame));
@@ -149,16 +98,15 @@ impl FragmentLists {
         };
         plan.bounded.push(Bounded {
             what: what.to_owned(),
-            slot: kind.slot,
+            slot: NEED_OF_FRAGMENTS,
             capacity,
-            knob: Some(kind.knob),
+            knob: Some(Knob::Fragments),
             exact: false,
         });
         Ok(Self {
             fragments,
-            pool: pool(plan, kind.pool, layout),
+            pool: pool(plan, "pool", layout),
             layout,
-            kind,
         })
     }
 
@@ -169,7 +117,7 @@ impl FragmentLists {
             first_list,
             ..self.layout
         };
-        let name = format!("{} from {first_list}", self.kind.pool);
+        let name = format!("pool from {first_list}");
         Self {
             pool: pool(plan, &name, layout),
             layout,
@@ -180,12 +128,12 @@ impl FragmentLists {
     /// Lays the lists out once they are counted.
     pub(crate) fn lay_out(&self, plan: &mut Plan, what: &str, need: ResourceId) {
         Scan {
-            name: self.kind.lists,
+            name: "lists",
             what,
             clock: Clock::Frame,
             items: self.fragments,
             length: self.layout.lists,
-            total: (need, self.kind.slot),
+            total: (need, NEED_OF_FRAGMENTS),
         }
         .record(plan);
     }

@@ -32,15 +32,15 @@ pub(crate) struct OnScreen {
 
 impl<'a> SceneBuffers<'a> {
     /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
-    /// fragments on the way. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels: for hosts, and for
-    /// sheets that are drawn into them. The reason where there are too many parts.
+    /// fragments on the way. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels, as for hosts. The
+    /// reason where there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
         store: &Store,
     ) -> Result<Self, Refusal> {
         let input = self.input;
-        if input.rasteriser == Rasteriser::Compute && !input.keeps_list && !input.has_cutters() {
+        if input.rasteriser == Rasteriser::Compute && !input.keeps_list {
             self.on_screen = Some(take_to_screen(plan, &self, Some(store))?);
         }
         Ok(self)
@@ -115,7 +115,7 @@ fn take_to_screen(
     };
     let screen = Screen::record(plan, scene, of)?;
     // Nobody looks at pixels before the sweep.
-    let by_sweep = store.is_some() && (input.asks_plane() || input.relevance.lanes == 0);
+    let by_sweep = input.relevance.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
         plan.add_pass(Pass::new(
             "tiles",
@@ -226,7 +226,7 @@ pub(super) fn decide_and_paint(
         Shader::from("passes/rasterise/decide.wgsl")
             .with("lib/share/touched.wgsl")
             .with(inside.file)
-            .with_all(&crossings.files),
+            .with_all(&crossings.files()),
         bindings,
         swept.touched.shared(),
     );
@@ -256,15 +256,14 @@ fn paint(
     let mut shader = Shader::from("passes/rasterise/paint.wgsl")
         .with("lib/share/touched.wgsl")
         .with(swept.rows)
-        .with(crossings.count())
+        .with(crossings.surfaces_file)
         .with(cap_normal);
     let mut reason =
         "the triangle that claimed a pixel gives it part, side and normal, a cap has its own";
     shader = match swept.picture {
         Some(picture) => {
             reason = "the triangle that claimed a pixel gives it part, side and normal, a cap has its own; lit shading colours both";
-            let colouring = [scene.parts.clone(), scene.place_of_part.clone()];
-            bindings.extend(colouring);
+            bindings.push(scene.parts.clone());
             bindings.push(Binding::update("picture", picture));
             let overlap = overlap(plan, scene.input, &mut bindings);
             shader.with("lib/coloring/lit.wgsl").with(overlap)

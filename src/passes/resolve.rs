@@ -82,7 +82,7 @@ fn resolve_drawn(
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is before it",
         Shader::from("passes/resolve.wgsl")
             .with(inside.file)
-            .with_all(&crossings.files)
+            .with_all(&crossings.files())
             .with(cap_normal),
         bindings,
         Work::over(scene.input.view.size_px),

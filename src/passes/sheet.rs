@@ -1,19 +1,24 @@
 //! Sheets: surfaces of triangles that are drawn only to learn where rays cross them.
 //!
-//! The triangles of a clip-surface leave their fragments in lists of each pixel: counted, laid out by a prefix sum, kept. A pass per
-//! pixel then inserts them into the one list of crossings, by the same rule as crossings that are found in closed form. From there
+//! The triangles of a clip-surface leave their fragments in linked lists, one for each pixel (Yang, Hensley, Gruen and Thibieroz 2010). A
+//! pass then inserts them into the one list of crossings, by the same rule as crossings that are found in closed form. From there
 //! on nobody knows where a crossing came from: the list decides, so that no tessellation, however coarse, opens the shell of a
 //! solid. What a coarse sheet costs is that the cap lies beside where it should. A sheet must have no crack: where the ends of a ray
 //! do not lie on the sides that its crossings imply, the pixel is marked.
 //!
-//! Per frame: the triangles twice, by the GPU's rasteriser whoever draws the mesh; a pass that empties the lists, a prefix sum of one
-//! to five passes, a pass that merges, in time quadratic in the crossings of a pixel; 4 bytes per pixel and 8 per fragment.
+//! Per frame: the triangles once, by the GPU's rasteriser whoever draws the mesh; a pass that empties the lists and one that merges, in
+//! time quadratic in the crossings of a pixel, both in those tiles alone that have something where these are known; 4 bytes per pixel and
+//! 12 per fragment.
 //!
 //! Cannot: know before a frame how many fragments there will be. A frame that needs more than the last is drawn twice.
 
-use super::need::need;
-use super::{Crossings, FragmentLists, Refusal, SceneBuffers};
-use crate::plan::{Binding, Clock, DepthTarget, Draw, Pass, Plan, ResourceId, Vertices, Work};
+use super::need::{NEED_OF_SHEETS, need};
+use super::{Crossings, Refusal, SceneBuffers};
+use crate::plan::pack::SheetPool;
+use crate::plan::{
+    Access, Binding, Bounded, Clock, Contents, DepthTarget, Draw, Knob, Pass, Plan, Resource,
+    ResourceId, Role, Vertices, Work,
+};
 use crate::shader::Shader;
 
 /// What is bounded, for the report of a frame that needs more.
@@ -22,9 +27,8 @@ const FRAGMENTS_OF_SHEETS: &str = "fragments of sheets";
 /// Triangles of sheets, drawn in one pass.
 #[derive(Clone, Debug)]
 pub(crate) struct SheetDraw {
-    /// What its two passes are named after, unique among those of a frame.
+    /// The name of its pass, unique among those of a frame.
     pub name: String,
-    /// The shader, but for the file that fills `cutaway::sheet_store`.
     pub shader: Shader,
     /// What it binds beside the lists.
     pub bindings: Vec<Binding>,
@@ -81,37 +85,35 @@ impl Sheets {
         scene: &SceneBuffers<'_>,
         crossings: &Crossings,
     ) -> Result<(), Refusal> {
-        let size = scene.input.view.size_px;
-        let lists = FragmentLists::of_sheets(plan, scene.input, FRAGMENTS_OF_SHEETS)?;
-        let mut bindings = vec![scene.frame.clone()];
-        bindings.extend(lists.emptied());
+        let lists = SheetLists::new(plan, scene)?;
+        let (share, work, tiles) = match &scene.on_screen {
+            Some(on_screen) => {
+                let touched = on_screen.touched;
+                let tiles = Some(touched.binding(Access::Read));
+                ("lib/share/touched.wgsl", touched.shared(), tiles)
+            }
+            None => {
+                let picture = Work::over(scene.input.view.size_px);
+                ("lib/share/picture.wgsl", picture, None)
+            }
+        };
+        let mut bindings = vec![
+            scene.frame.clone(),
+            lists.pool.clone(),
+            Binding::write("sheets", lists.buffer),
+        ];
+        bindings.extend(tiles.clone());
         plan.add_pass(Pass::new(
             "sheet clear",
             "the list of sheet fragments of every pixel begins empty",
-            "passes/sheet/clear.wgsl",
+            Shader::from("passes/sheet/clear.wgsl").with(share),
             bindings,
-            Work::over(size),
+            work.clone(),
         ));
         for draw in &self.draws {
-            plan.add_pass(draw.pass(
-                "count",
-                "how many fragments of sheets each pixel has",
-                "lib/sheet_store/count.wgsl",
-                &lists,
-                scene.depth,
-            ));
+            plan.add_pass(draw.pass(&lists, scene.depth));
         }
         let need = need(plan, scene.input, Clock::Frame);
-        lists.lay_out(plan, "fragments of sheets", need);
-        for draw in &self.draws {
-            plan.add_pass(draw.pass(
-                "keep",
-                "where rays cross the sheets",
-                "lib/sheet_store/keep.wgsl",
-                &lists,
-                scene.depth,
-            ));
-        }
         let mut bindings = vec![
             scene.frame.clone(),
             scene.cut_table.clone(),
@@ -119,17 +121,20 @@ impl Sheets {
             Binding::update("crossing_z", crossings.z),
             Binding::update("crossing_surface", crossings.surfaces),
             Binding::update("need", need),
+            lists.pool.clone(),
+            Binding::read("sheets", lists.buffer),
         ];
-        bindings.extend(lists.read());
+        bindings.extend(tiles);
         bindings.extend(self.side_bindings.iter().cloned());
         let merge = Pass::new(
             "merge",
             "crossings with sheets go into the one list of depths per pixel",
             Shader::from("passes/sheet/merge.wgsl")
+                .with(share)
                 .with_all(&self.side)
-                .with(crossings.count),
+                .with(crossings.surfaces_file),
             bindings,
-            Work::over(size),
+            work,
         );
         plan.add_pass(merge.with_constants(vec![
             ("capacity", f64::from(crossings.capacity)),
@@ -143,21 +148,54 @@ impl Sheets {
     }
 }
 
+/// The lists of sheet fragments of a frame: `shaders/lib/sheet_pool.wgsl`.
+struct SheetLists {
+    buffer: ResourceId,
+    pool: Binding,
+}
+
+impl SheetLists {
+    /// A list for each pixel, and as many fragments in them as the last frame needed: at first one for each pixel. The reason where there are
+    /// more pixels than words can count.
+    fn new(plan: &mut Plan, scene: &SceneBuffers<'_>) -> Result<Self, Refusal> {
+        let pixels = scene.input.pixel_count();
+        let lists = u32::try_from(pixels).map_err(|_| {
+            Refusal::amount(format!(
+                "{pixels} lists of {FRAGMENTS_OF_SHEETS} are more than 32 bits can count"
+            ))
+        })?;
+        let capacity = scene.input.capacities.sheets.unwrap_or(lists);
+        let words = u64::from(lists) + 1 + 3 * u64::from(capacity);
+        let buffer = Resource::storage(FRAGMENTS_OF_SHEETS, 4 * words, Clock::Frame);
+        let layout = SheetPool {
+            lists,
+            capacity,
+            padding: [0; 2],
+        };
+        let contents = Contents::from_values(&[layout]);
+        let pool = Resource::upload("sheet pool", Role::Uniform, contents, Clock::Frame);
+        plan.bounded.push(Bounded {
+            what: FRAGMENTS_OF_SHEETS.to_owned(),
+            slot: NEED_OF_SHEETS,
+            capacity,
+            knob: Some(Knob::Sheets),
+            exact: false,
+        });
+        Ok(Self {
+            buffer: plan.add_resource(buffer),
+            pool: Binding::read("sheet_pool", plan.add_resource(pool)),
+        })
+    }
+}
+
 impl SheetDraw {
-    fn pass(
-        &self,
-        name: &str,
-        reason: &str,
-        store: &'static str,
-        lists: &FragmentLists,
-        depth: ResourceId,
-    ) -> Pass {
+    fn pass(&self, lists: &SheetLists, depth: ResourceId) -> Pass {
         let mut bindings = self.bindings.clone();
-        bindings.extend(lists.updated());
+        bindings.extend([lists.pool.clone(), Binding::update("sheets", lists.buffer)]);
         let pass = Pass::new(
-            format!("{} {name}", self.name),
-            reason,
-            self.shader.clone().with(store),
+            self.name.clone(),
+            "where rays cross the sheets",
+            self.shader.clone(),
             bindings,
             Work::Draw {
                 color: None,

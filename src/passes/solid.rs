@@ -19,14 +19,6 @@ pub(crate) struct Store {
 }
 
 impl Store {
-    /// No part is cut, and fragments are asked for nothing.
-    pub(crate) fn unasked() -> Self {
-        Self {
-            file: "lib/store/unasked.wgsl",
-            bindings: Vec::new(),
-        }
-    }
-
     /// Fragments leave nothing: the inside test asks elsewhere, or draws the mesh again. What is bound begins empty.
     pub(crate) fn nothing(bindings: Vec<Binding>) -> Self {
         Self {
@@ -93,7 +85,7 @@ fn draw_solids(
         ),
         shader: Shader::from("passes/solid.wgsl")
             .with(store.file)
-            .with_all(&crossings.files),
+            .with_all(&crossings.files()),
         bindings,
         constants: vec![scene.lanes.constant()],
         vertices,
@@ -107,7 +99,7 @@ fn draw_solids(
                 .to_owned(),
             shader: Shader::from("passes/settled.wgsl")
                 .with(store.file)
-                .with_all(&crossings.files),
+                .with_all(&crossings.files()),
             draws: input.draws_of_groups(ranks),
             ..solid.clone()
         };

@@ -69,7 +69,7 @@ impl<'a> Sweep<'a> {
                 .with(screen.rows());
             if let Some(crossings) = self.crossings {
                 shader = shader
-                    .with_all(&crossings.files)
+                    .with_all(&crossings.files())
                     .with(if screen.settled.is_some() {
                         "lib/settling/groups.wgsl"
                     } else {

@@ -9,7 +9,7 @@
 use crate::plan::{Access, Binding, Clock, Contents, Plan, Resource, ResourceId, Role, Work};
 
 /// Pixels along a side of a tile: `shaders/lib/touched.wgsl`.
-const TILE_PX: u32 = 16;
+pub(crate) const TILE_PX: u32 = 16;
 /// Bytes before the tiles, and of a tile: `shaders/lib/touched_list.wgsl`.
 const HEAD_BYTES: u64 = 40;
 const TILE_BYTES: u64 = 16;
@@ -55,9 +55,14 @@ impl Touched {
 
     /// A dispatch whose workgroups share them.
     pub(crate) fn shared(self) -> Work {
-        let groups = (self.tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS);
-        Work::Compute {
-            groups: [groups, 1, 1],
-        }
+        share_tiles(self.tile_count)
+    }
+}
+
+/// A dispatch whose workgroups share a list of up to so many tiles.
+pub(crate) fn share_tiles(tile_count: u32) -> Work {
+    let groups = (tile_count / TILES_OF_GROUP).clamp(1, MOST_GROUPS);
+    Work::Compute {
+        groups: [groups, 1, 1],
     }
 }

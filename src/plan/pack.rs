@@ -20,7 +20,7 @@ use frame::BOX_MARGIN;
 pub use frame::{Frame, frame};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
-pub use lists::{Cascade, FragmentPool};
+pub use lists::{Cascade, FragmentPool, SheetPool};
 pub use normal::{pack_normal, unpack_normal};
 pub use occlusion::{Ground, Horizon, ReliefSky, Unsharp};
 pub use pyramid::{LOWEST, Pyramid, SIDE};
@@ -134,6 +134,10 @@ shared! {
         color: [f32; 4],
         /// sRGB.
         cap_color: [f32; 4],
+        /// Not of this part: where in the table that part is whose index in the scene is the number of this row.
+        place: u32,
+        /// Unused.
+        padding: [u32; 3],
     }
 }
 

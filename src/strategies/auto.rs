@@ -12,7 +12,7 @@
 //! 3. Where it refuses a scene, as one of more parts than its table holds, the hardware rasteriser draws.
 //! 4. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
 //!
-//! Costs what it takes to record a plan, some hundred microseconds.
+//! Costs what it takes to record a plan once more.
 
 use super::{Means, Method, Rasteriser, Strategy, plan};
 use crate::passes::Model;

@@ -122,10 +122,8 @@ pub(crate) fn record_uncut_by(
 /// The passes of the compute rasteriser where no cut opens a part.
 fn sweep_uncut(plan: &mut Plan, input: &Input<'_>) -> Result<Picture, Refusal> {
     let scene = SceneBuffers::upload(plan, input, Lanes::none())?;
-    let store = Store::unasked();
-    let scene = scene.on_screen_first(plan, &store)?;
     let crossings = AskedCrossings::none();
-    let nearest = over_mesh(plan, &scene, &store, &crossings)?;
+    let nearest = over_mesh(plan, &scene, &Store::nothing(Vec::new()), &crossings)?;
     let layered = resolve(plan, &scene, nearest, Inside::unasked(), &crossings);
     Ok(finish(plan, &scene, layered))
 }

@@ -6,12 +6,14 @@ use std::sync::Arc;
 
 use cutaway::generate::shapes;
 use cutaway::layers::{Kind, NEAR_PLANE};
-use cutaway::passes::{BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_TRIANGLES, NO_LANE};
+use cutaway::passes::{
+    BLOCK_WORDS, INVOCATIONS_PER_ROW, Model, NEED_OF_SHEETS, NEED_OF_TRIANGLES, NO_LANE,
+};
 use cutaway::plan::pack::{
     self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
     Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS, MOST_SETTLED_GROUPS,
     NO_RELIEF, Part, PartHatch, Pose, Pyramid, Quad, RayRow, RaySurface, Refinement, SettledGroup,
-    Sprite, Sweep,
+    SheetPool, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
@@ -231,6 +233,7 @@ fn shared_structs_are_laid_out_alike() {
     holds_in_all_shaders::<DrawnPart>(&modules);
     holds_in_all_shaders::<SettledGroup>(&modules);
     holds_in_all_shaders::<FragmentPool>(&modules);
+    holds_in_all_shaders::<SheetPool>(&modules);
     holds_in_all_shaders::<Cascade>(&modules);
     holds_in_all_shaders::<Pose>(&modules);
     holds_in_all_shaders::<Deformer>(&modules);
@@ -273,7 +276,7 @@ fn shared_structs_are_laid_out_alike() {
     let declared: usize = (files.iter())
         .map(|text| text.matches("\nshared! {").count())
         .sum();
-    assert_eq!(declared, 34, "structs in src/plan/pack.rs and beside it");
+    assert_eq!(declared, 35, "structs in src/plan/pack.rs and beside it");
     // The table of rays has no struct in Rust: it is an array of all surfaces.
     let table = modules
         .iter()
@@ -465,6 +468,10 @@ fn constants_have_one_value_on_both_sides() {
         // Cells that a workgroup looks at along a side: known to the shader alone.
         ("ROW", 22),
         ("SHARED", pack::SHARED),
+        ("NEED_OF_SHEETS", NEED_OF_SHEETS),
+        // What ends a list of sheet fragments: known to the shaders alone.
+        ("ENDS", u32::MAX),
+        ("LOST", u32::MAX - 1),
         ("NEED_OF_TRIANGLES", NEED_OF_TRIANGLES),
         // A bit for each of them, and one more: known to the shaders alone.
         ("ALL_BORDERS", (1 << pack::BORDERS_OF_DOMAIN) - 1),
@@ -488,9 +495,7 @@ fn constants_have_one_value_on_both_sides() {
         ("CONTOUR", 5),
         ("CREASE", 6),
         ("LIKENESS", 0xffff_ff03),
-        // Pixels along the side of a workgroup: `effects::borders` has it too.
-        ("TILE", 16),
-        // Pixels along the side of a tile of `touched`: `passes::touched` has it too.
+        // Pixels along the side of a workgroup and of a tile: `passes::touched` has it too.
         ("TILE_PX", 16),
     ];
     for (name, value) in expected {

@@ -1,13 +1,12 @@
 // The share of each pixel that a hatch covers, and where the pixel is on the plane of its cap in scene units.
 // 0 where there is none.
 
+#import cutaway::cuts::place_of_part
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::hatching::{footing_of, has_hatch, hatch_cover, part_hatches}
 #import cutaway::layers::{CAP, WORDS_PER_PIXEL, clip_surface_of, kind_of, part_of, unpack_normal}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-// Place of each part of the scene in the table.
-@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
 @group(1) @binding(2) var<storage, read_write> hatched: array<vec4<f32>>;
 
 @compute @workgroup_size(16, 16)
@@ -22,7 +21,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if kind_of(word) != CAP {
         return;
     }
-    let place = place_of_part[part_of(word)];
+    let place = place_of_part(part_of(word));
     if has_hatch(word, place) {
         let hatch = part_hatches[place];
         let normal = unpack_normal(layers[first + 1u]);

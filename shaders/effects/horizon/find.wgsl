@@ -1,5 +1,5 @@
 // The share of the sky that is seen from each point of the picture, weighted by the cosine to its normal (ground-truth ambient occlusion,
-// Jimenez, Wu, Pesce and Jarabo 2016). One invocation owns a pixel.
+// Jimenez, Wu, Pesce and Jarabo 2016). One invocation owns a pixel at a time.
 //
 // Planes through the line of sight slice the picture. In each, the highest sample to either side is a horizon; between the two the integral
 // over the slice has a closed form. What is farther than the radius counts for nothing, what is nearer for the more the nearer it is. Slices
@@ -9,6 +9,7 @@
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_normal}
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::shown::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 struct Horizon {
@@ -71,28 +72,24 @@ fn arc(angle: f32, lean: f32) -> f32 {
     return 0.25 * (-cos(2.0 * angle - lean) + cos(lean) + 2.0 * angle * sin(lean));
 }
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let first = first_word_of(id.xy);
-    let pixel = pixel_index(id.xy);
+fn find(xy: vec2<u32>) {
+    let first = first_word_of(xy);
+    let pixel = pixel_index(xy);
     let depth = bitcast<f32>(layers[first + 2u]);
     let reach_px = min(horizon.radius / pixel_width(depth), horizon.reach_px);
     if kind_of(layers[first]) == BACKGROUND || reach_px < 1.0 {
         sky[pixel] = 1.0;
         return;
     }
-    let point = shown_point(id.xy, layers[first], depth).xyz;
-    let eye = shown_point(id.xy, layers[first], 0.0).xyz;
-    let centre = Centre(id.xy, point, normalize(eye - point), reach_px);
+    let point = shown_point(xy, layers[first], depth).xyz;
+    let eye = shown_point(xy, layers[first], 0.0).xyz;
+    let centre = Centre(xy, point, normalize(eye - point), reach_px);
     let normal = unpack_normal(layers[first + 1u]);
     let right = normalize(frame.ray_step[0].xyz);
     let down = normalize(frame.ray_step[1].xyz);
-    let row = id.y + frame.band.x;
-    let turn = ordered(id.x, row);
-    let moved = ordered(id.x + 2u, 3u * row + 1u);
+    let row = xy.y + frame.band.x;
+    let turn = ordered(xy.x, row);
+    let moved = ordered(xy.x + 2u, 3u * row + 1u);
     var sum = 0.0;
     for (var i = 0u; i < horizon.slices; i++) {
         let angle = PI * (f32(i) + turn) / f32(horizon.slices);
@@ -108,4 +105,19 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         sum += length(within) * (arc(before, lean) + arc(after, lean));
     }
     sky[pixel] = clamp(sum / f32(horizon.slices), 0.0, 1.0);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            find(xy);
+        }
+    }
 }

@@ -1,8 +1,9 @@
 // The mean of what was found of the sky over 4 x 4 samples, as large as the pattern of the search, of those that lie on about the same
-// plane. One invocation owns a pixel.
+// plane. One invocation owns a pixel at a time.
 
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, kind_of, unpack_direction, unpack_normal}
+#import cutaway::share::{pixel_at, turns}
 #import cutaway::shown::{first_word_of, is_in_frame, pixel_width, shown_point}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
@@ -14,26 +15,22 @@ const LEVEL_PX: f32 = 4.0;
 // The least cosine between normals.
 const ALIKE: f32 = 0.7;
 
-@compute @workgroup_size(16, 16)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size_px) {
-        return;
-    }
-    let first = first_word_of(id.xy);
-    let pixel = pixel_index(id.xy);
+fn smooth_out(xy: vec2<u32>) {
+    let first = first_word_of(xy);
+    let pixel = pixel_index(xy);
     if kind_of(layers[first]) == BACKGROUND {
         visibility[pixel] = 1.0;
         return;
     }
     let depth = bitcast<f32>(layers[first + 2u]);
-    let point = shown_point(id.xy, layers[first], depth).xyz;
+    let point = shown_point(xy, layers[first], depth).xyz;
     let normal = unpack_normal(layers[first + 1u]);
     let level = LEVEL_PX * pixel_width(depth);
     var sum = sky[pixel];
     var count = 1.0;
     for (var y = -2; y < 2; y++) {
         for (var x = -2; x < 2; x++) {
-            let near = vec2<i32>(id.xy) + vec2<i32>(x, y);
+            let near = vec2<i32>(xy) + vec2<i32>(x, y);
             if !is_in_frame(near) || (x == 0 && y == 0) {
                 continue;
             }
@@ -53,4 +50,19 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         }
     }
     visibility[pixel] = sum / count;
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns(group, groups);
+    for (var turn = 0u; turn < end; turn++) {
+        let xy = pixel_at(turn, group, groups, local);
+        if all(xy < frame.size_px) {
+            smooth_out(xy);
+        }
+    }
 }

@@ -6,8 +6,6 @@
 #import cutaway::layers::{CAP, WORDS_PER_PIXEL, kind_of, part_of, unpack_normal}
 
 @group(0) @binding(3) var<storage, read> parts: array<Part>;
-// Place of each part of the scene in that table.
-@group(0) @binding(4) var<storage, read> place_of_part: array<u32>;
 
 struct Unlit {
     @location(0) base_color: vec4<f32>,
@@ -29,7 +27,7 @@ fn fragment(@builtin(position) position: vec4<f32>) -> Unlit {
     }
     let at = pixel * WORDS_PER_PIXEL;
     let word = layers[at];
-    let place = place_of_part[part_of(word)];
+    let place = parts[part_of(word)].place;
     let color = select(parts[place].color, parts[place].cap_color, kind_of(word) == CAP);
     return Unlit(as_target_takes(color), vec4<f32>(unpack_normal(layers[at + 1u]), 0.0), word, depth_of(pixel));
 }

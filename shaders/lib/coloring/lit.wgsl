@@ -2,13 +2,12 @@
 
 #define_import_path cutaway::coloring
 
+#import cutaway::cuts::place_of_part
 #import cutaway::layers::part_of
 #import cutaway::lit::color_of
 
-// Place of each part of the scene in the table.
-@group(1) @binding(1) var<storage, read> place_of_part: array<u32>;
 @group(1) @binding(2) var<storage, read_write> picture: array<u32>;
 
 fn color_pixel(pixel: u32, at: vec2<u32>, word: u32, normal: u32) {
-    picture[pixel] = color_of(at, word, normal, place_of_part[part_of(word)]);
+    picture[pixel] = color_of(at, word, normal, place_of_part(part_of(word)));
 }

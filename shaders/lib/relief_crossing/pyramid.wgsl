@@ -17,8 +17,8 @@
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
-#import cutaway::relief::{corners_beside, corners_of}
-#import cutaway::relief_ray::{Carried, Found, Way, add_found, begin_of, begin_way, cross_cell, depth_at_border, way_through}
+#import cutaway::relief::corners_of
+#import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, met_nothing, walk_cell, way_through}
 
 // Level at which a ray begins; from there it climbs where there is nothing to be met.
 const FIRST_LEVEL: u32 = 3u;
@@ -71,10 +71,9 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     }
     let x = way.texel_x;
     let y = way.texel_y;
-    let up = vec2<bool>(x.y > 0.0, y.y > 0.0);
-    let step = select(vec2<i32>(-1), vec2<i32>(1), up);
-    // The border ahead of cell i is i + 1 when walking up, i when walking down.
-    let ahead = select(vec2<i32>(0), vec2<i32>(1), up);
+    let heading = heading_of(way);
+    let up = heading.up;
+    let ahead = heading.ahead;
     let rounding = rounding_of(way);
     let levels = levels_of(surface);
     let cell_limit = cut_table.surfaces[surface].cell_limit;
@@ -135,23 +134,16 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         }
         // The cells of that block.
         var corners = corners_of(way.map, cell);
-        var found = Found(0u, vec2<f32>(0.0), false);
-        var is_last = false;
-        for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && found.count == 0u && !is_last; i++) {
-            let border_x = depth_at_border(cell.x + ahead.x, x);
-            let border_y = depth_at_border(cell.y + ahead.y, y);
-            let exit = max(carried.entry, min(way.end, min(border_x, border_y)));
-            found = cross_cell(list, way, &carried, cell, corners, exit);
-            is_last = exit >= way.last;
-            let by_x = border_x <= border_y;
-            let leaves = select(cell.y + ahead.y == border.y, cell.x + ahead.x == border.x, by_x);
-            level += select(0u, 1u, leaves && select(closes.y, closes.x, by_x));
+        var met = met_nothing();
+        for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && met.found.count == 0u && !met.is_last; i++) {
+            let ahead_of_cell = cell + ahead;
+            met = walk_cell(list, way, heading, &carried, &cell, &corners);
+            let leaves = select(ahead_of_cell.y == border.y, ahead_of_cell.x == border.x, met.by_x);
+            level += select(0u, 1u, leaves && select(closes.y, closes.x, met.by_x));
             cells = select(cells - 1u, 0u, leaves);
-            cell += select(vec2<i32>(0, step.y), vec2<i32>(step.x, 0), by_x);
-            corners = corners_beside(way.map, corners, cell, by_x, select(up.y, up.x, by_x));
         }
-        add_found(list, way, found);
-        if is_last {
+        add_found(list, way, met.found);
+        if met.is_last {
             return;
         }
     }

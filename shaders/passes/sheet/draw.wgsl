@@ -1,9 +1,9 @@
 // Draws clip-surfaces as triangles for the sake of their fragments alone: each leaves its depth, clip-surface and facing in its
-// pixel's list, or is counted there (the open module `sheet_store`).
+// pixel's list.
 
 #import cutaway::frame::pixel_index
 #import cutaway::mesh::drawn_position
-#import cutaway::sheet_store::leave
+#import cutaway::sheet_lists::leave
 #import cutaway::sheet_words::sheet_word
 #import cutaway::tessellation::cap_vertex
 

@@ -19,6 +19,18 @@ shared! {
 }
 
 shared! {
+    /// Lists of sheet fragments in one buffer: `shaders/lib/sheet_pool.wgsl`.
+    SheetPool {
+        /// How many lists.
+        lists: u32,
+        /// Fragments in all of them together.
+        capacity: u32,
+        /// Unused.
+        padding: [u32; 2],
+    }
+}
+
+shared! {
     /// The nearest fragments of each pixel and part: `shaders/lib/cascade.wgsl`.
     Cascade {
         /// How many are kept.

@@ -76,10 +76,7 @@ fn record(
         file,
         bindings: vec![Binding::update("mask", mask)],
     };
-    let scene = match surface == CapSurface::RAYCAST {
-        true => scene.on_screen_first(plan, &store)?,
-        false => scene,
-    };
+    let scene = scene.on_screen_first(plan, &store)?;
     let crossings = match surface == CapSurface::RAYCAST && input.asks_plane() {
         true => AskedCrossings::of_plane(&scene),
         false => surface::list(plan, &scene, surface, capacity, &store)?.asked(),

@@ -1,11 +1,11 @@
 //! Cutters: closed meshes drawn as sheets, whatever the cap surface is.
 //!
-//! Each cutter that matters is drawn once to count its fragments and once to keep them; they go into the one list of crossings
-//! with normals to shade by, and from there on a cutter is a clip-surface like any other. Which side of it a ray begins
-//! on follows from parity: an odd number of its fragments ahead is inside. So the eye may be in the cutter, and the near plane may
-//! cut it. Where neither is so an odd number of fragments marks the pixel.
+//! Each cutter that matters is drawn once to leave its fragments; they go into the one list of crossings with normals to shade by, and
+//! from there on a cutter is a clip-surface like any other. Which side of it a ray begins on follows from parity: an odd number of its
+//! fragments ahead is inside. So the eye may be in the cutter, and the near plane may cut it. Where neither is so an odd number of
+//! fragments marks the pixel.
 //!
-//! Per frame: the triangles of the cutters twice, by the GPU's rasteriser, and what [`Sheets`] cost. Per cut: the vertices of the
+//! Per frame: the triangles of the cutters, by the GPU's rasteriser, and what [`Sheets`] cost. Per cut: the vertices of the
 //! cutters that moved.
 //!
 //! Cannot: say on which side of a cutter a point lies that is on no ray of the picture. The paper's rule asks that.

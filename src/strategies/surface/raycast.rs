@@ -113,7 +113,7 @@ pub(super) fn record(
         z: buffer("crossing_z", words),
         surfaces: buffer("crossing_surface", if one_surface { 4 } else { words }),
         capacity,
-        count: match one_surface {
+        surfaces_file: match one_surface {
             true => ONE_SURFACE,
             false => ANY_SURFACES,
         },
@@ -176,7 +176,7 @@ pub(super) fn record(
     let pass = Pass::new(
         "crossings",
         format!("the one list of depths per pixel; {how}"),
-        shader.with_all(&files).with(crossings.count),
+        shader.with_all(&files).with(crossings.surfaces_file),
         bindings,
         work,
     );

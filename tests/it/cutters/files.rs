@@ -119,7 +119,7 @@ fn keys_move_it_and_only_its_numbers() {
 fn the_command_line_takes_a_cutter() {
     let folder = folder("cli");
     let ran = folder.run("plan shape:cube --cutter bite.obj");
-    assert!(ran.text().contains("cutter keep"), "{}", ran.text());
+    assert!(ran.text().contains("  cutter  [draw"), "{}", ran.text());
     let ran = folder.run("plan shape:cube --cutter open.obj");
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
@@ -129,7 +129,7 @@ fn the_command_line_takes_a_cutter() {
     );
     let ran = folder.run("plan shape:cube --cutter shape:sphere?radius=0.1 --exclude cube");
     assert!(
-        !ran.text().contains("cutter keep"),
+        !ran.text().contains("  cutter  [draw"),
         "spared: {}",
         ran.text()
     );

@@ -32,7 +32,7 @@ fn a_cutter_costs_what_it_adds_to_the_list_and_nothing_else() {
     let with = passes(&with).join(" ");
     assert_eq!(
         with,
-        "crossings sheet clear cutter count sheets sum 1 sheets scan sheets spread 1 cutter keep merge solid resolve shade"
+        "crossings sheet clear cutter merge solid resolve shade"
     );
     let mut plane = solid("cube", shape("cube"), Vec::new());
     plane.cuts = vec![Cut::new(
@@ -66,10 +66,8 @@ fn one_pass_draws_all_cutters() {
     let bites = [0.4, -0.4, 0.0].map(|x| ball(DVec3::new(x, 0.4, 0.4)));
     let scene = solid("cube", shape("cube"), bites.into());
     let plan = plan(&scene, &strategy("raycast+mask")).expect("a plan");
-    assert_eq!(
-        passes(&plan).iter().filter(|n| n.contains("keep")).count(),
-        1
-    );
+    let named = passes(&plan).into_iter().filter(|n| *n == "cutter");
+    assert_eq!(named.count(), 1);
 }
 
 #[test]

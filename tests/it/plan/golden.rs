@@ -26,7 +26,7 @@ per frame: 4 passes, 2.7 MiB
     writes  layers
   shade  [compute 20 x 13 x 1 groups]
     why     lit shading turns layers into a picture
-    reads   frame, parts, layers, place_of_part
+    reads   frame, parts, layers
     writes  picture
 ");
 }
@@ -69,7 +69,7 @@ per frame: 4 passes, 1.7 MiB
     writes  layers
   shade  [compute 20 x 13 x 1 groups]
     why     lit shading turns layers into a picture
-    reads   frame, parts, layers, place_of_part
+    reads   frame, parts, layers
     writes  picture
 ");
 }

@@ -20,7 +20,6 @@ fn without_a_cut_every_strategy_draws_the_same_and_nothing_more() {
             "layers",
             "parts",
             "picture",
-            "place_of_part",
             "surface_depth",
             "surface_words",
             "vertices",

@@ -1,7 +1,7 @@
 //! What the pass that merges makes of fragments written by hand: sides, order, ties, doubts.
 
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::plan::pack::{self, CutTable, FragmentPool, NO_RELIEF, Quad};
+use cutaway::plan::pack::{self, CutTable, NO_RELIEF, Quad, SheetPool};
 use cutaway::plan::{
     Binding, Clock, Contents, Pass, Piece, Plan, Resource, Role, Work, groups_over,
 };
@@ -100,18 +100,25 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         step_v: [0.0, 2.0, 0.0, 0.0],
         cells: [1, 0, 0, 0],
     };
-    let all: Vec<Fragment> = pixels.iter().flatten().copied().collect();
-    let ends = pixels.iter().scan(0, |end, list| {
-        *end += list.len() as u32;
-        Some(*end)
-    });
-    let mut fragments: Vec<u32> = ends.collect();
+    // Each list leads from its last fragment to its first; what found no room ends it.
     let z = |f: &Fragment| (view.buffer_from_depth(f.depth) as f32).to_bits();
-    let kept = &all[..all.len().min(room as usize)];
-    fragments.extend(kept.iter().map(z));
-    fragments.resize((count + room) as usize, 0);
-    fragments.extend(kept.iter().map(|f| f.surface | u32::from(f.front) << 5));
-    fragments.resize((count + 2 * room) as usize, 0);
+    let (mut lasts, mut kept, mut came) = (Vec::new(), Vec::new(), 0);
+    for list in pixels {
+        let mut last = u32::MAX;
+        for fragment in list {
+            if came < room {
+                let word = fragment.surface | u32::from(fragment.front) << 5;
+                kept.extend([z(fragment), word, last]);
+                last = came;
+            } else {
+                last = u32::MAX - 1;
+            }
+            came += 1;
+        }
+        lasts.push(last);
+    }
+    kept.resize(3 * room as usize, 0);
+    let sheets: Vec<u32> = lasts.into_iter().chain([came]).chain(kept).collect();
 
     let mut plan = Plan::default();
     let mut upload = |name: &str, role, words: &[u32]| {
@@ -120,17 +127,16 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         plan.add_resource(Resource::upload(name, role, contents, Clock::Frame))
     };
     let of = |bytes: &[u8]| bytemuck::pod_collect_to_vec::<u8, u32>(bytes);
-    let pool = FragmentPool {
+    let pool = SheetPool {
         lists: count,
         capacity: room,
-        has_owners: 1,
-        first_list: 0,
+        padding: [0; 2],
     };
     let frame = pack::frame(&view, &bounds);
     let frame = upload("frame", Role::Uniform, &of(bytemuck::bytes_of(&frame)));
     let table = upload("cut_table", Role::Uniform, &of(bytemuck::bytes_of(&table)));
-    let pool = upload("pool", Role::Uniform, &of(bytemuck::bytes_of(&pool)));
-    let fragments = upload("fragments", Role::Storage, &fragments);
+    let pool = upload("sheet_pool", Role::Uniform, &of(bytemuck::bytes_of(&pool)));
+    let sheets = upload("sheets", Role::Storage, &sheets);
     let heights = upload("heights", Role::Storage, &[0]);
     let quads = of(bytemuck::cast_slice(&[quad, quad]));
     let quads = upload("quads", Role::Storage, &quads);
@@ -145,6 +151,7 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
         clock: Clock::Frame,
         reason: "the pass that is tested".to_owned(),
         shader: Shader::from("passes/sheet/merge.wgsl")
+            .with("lib/share/picture.wgsl")
             .with("lib/sheet_side/grid.wgsl")
             .with("lib/height_filter/exact.wgsl")
             .with("lib/surfaces/any.wgsl"),
@@ -153,8 +160,8 @@ fn merge(pixels: &[Vec<Fragment>], (plane, beside): (f64, f64), room: u32) -> Ve
             Binding::read("cut_table", table),
             Binding::read("heights", heights),
             Binding::read("quads", quads),
-            Binding::read("pool", pool),
-            Binding::read("fragments", fragments),
+            Binding::read("sheet_pool", pool),
+            Binding::read("sheets", sheets),
             Binding::update("crossing_heads", heads),
             Binding::update("crossing_z", z),
             Binding::update("crossing_surface", surfaces),

@@ -46,18 +46,14 @@ fn planes_are_never_drawn_as_sheets() {
 }
 
 #[test]
-fn a_sheet_is_counted_kept_and_merged_before_the_mesh_is_drawn() {
+fn a_sheet_is_drawn_once_and_merged_before_the_mesh_is_drawn() {
     let plan = plan_of(&ring(), "grid:8+mask");
     assert_eq!(
         names(&plan),
         [
             "crossings",
             "sheet clear",
-            "sheet 0 count",
-            "sheets sum 1",
-            "sheets scan",
-            "sheets spread 1",
-            "sheet 0 keep",
+            "sheet 0",
             "merge",
             "solid",
             "resolve",
@@ -87,8 +83,7 @@ fn only_reliefs_are_drawn_all_in_one_pass() {
             Work::Compute { .. } => panic!("{name} draws nothing"),
         }
     };
-    assert_eq!(instances("sheet 0 count"), [0, 1], "two of three");
-    assert_eq!(instances("sheet 0 keep"), [0, 1], "two of three");
+    assert_eq!(instances("sheet 0"), [0, 1], "two of three");
 }
 
 #[test]

@@ -1,5 +1,5 @@
 // Draws cutters for the sake of their fragments alone: each leaves its depth, its clip-surface and the normal to shade by in its
-// pixel's list, or is counted there (the open module `sheet_store`).
+// pixel's list.
 //
 // The first vertex of a triangle is its own: what the triangle is goes with it. A fragment's normal is that of the side it shows: where
 // a ray leaves the removed side it comes from there, so a cap has the normal that faces the eye.
@@ -11,7 +11,7 @@
 #import cutaway::frame::{buffer_from_depth, centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::unpack_normal
 #import cutaway::mesh::{clip_position, drawn_position}
-#import cutaway::sheet_store::leave
+#import cutaway::sheet_lists::leave
 #import cutaway::sheet_words::sheet_word
 
 // A triangle of a cutter, beside its first corner.

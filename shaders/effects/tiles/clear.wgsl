@@ -1,0 +1,34 @@
+// Makes all of the picture background, without a stroke, where the frame before was of another picture. Otherwise there is nothing to do.
+// Workgroups share the tiles.
+
+#import cutaway::backdrop::backdrop
+#import cutaway::blank_strokes::blank_strokes
+#import cutaway::color::srgb_from_linear
+#import cutaway::drawn_list::drawn
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::picture::picture
+#import cutaway::touched::{pixel_in, tile_count, turns_among}
+
+// Whether what is in no tile is the background of this frame.
+fn is_kept() -> bool {
+    let before = drawn.before;
+    let now = drawn.now;
+    return all(before.size_px == now.size_px) && all(before.band == now.band) && all(before.paper == now.paper);
+}
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_id) local: vec3<u32>,
+) {
+    let end = turns_among(select(tile_count(), 0u, is_kept()), group.x, groups.x);
+    for (var turn = 0u; turn < end; turn++) {
+        let at = pixel_in(group.x + turn * groups.x, local.xy);
+        if all(at < frame.size_px) {
+            let color = backdrop(at.y);
+            picture[pixel_index(at)] = pack4x8unorm(vec4<f32>(srgb_from_linear(color.rgb), color.a));
+            blank_strokes(at);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+// Finds in which tiles of the picture something is shown. A workgroup owns a tile, an invocation a pixel of it.
+
+#import cutaway::drawn_marks::drawn
+#import cutaway::drawn_tiles::Kept
+#import cutaway::frame::{frame, pixel_index}
+#import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
+#import cutaway::style::style
+#import cutaway::touched::tile_at
+
+@group(1) @binding(0) var<storage, read> layers: array<u32>;
+
+// What the paper is, as a number that is not 0.
+override kind: u32 = 1u;
+
+var<workgroup> found: atomic<u32>;
+
+@compute @workgroup_size(16, 16)
+fn main(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(workgroup_id) tile: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
+    if all(id.xy < frame.size_px) && kind_of(layers[pixel_index(id.xy) * WORDS_PER_PIXEL]) != BACKGROUND {
+        atomicStore(&found, 1u);
+    }
+    workgroupBarrier();
+    if local != 0u {
+        return;
+    }
+    drawn.tiles[tile_at(tile.xy)].is_shown = atomicLoad(&found);
+    if all(tile.xy == vec2<u32>(0u)) {
+        atomicStore(&drawn.count, 0u);
+        drawn.before = drawn.now;
+        drawn.now = Kept(frame.size_px, frame.band, vec4<u32>(bitcast<vec3<u32>>(style.paper.rgb), kind));
+    }
+}

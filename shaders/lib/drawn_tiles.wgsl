@@ -1,0 +1,19 @@
+// The tiles of the picture that effects draw: those in which something is shown, or beside which, as far as a stroke reaches, and those of
+// the frame before. All others are background already, without a stroke. Tiles are as large as touched ones.
+
+#define_import_path cutaway::drawn_tiles
+
+// What the background hangs on: where it changes, all of the picture is cleared.
+struct Kept {
+    size_px: vec2<u32>,
+    band: vec2<u32>,
+    paper: vec4<u32>,
+}
+
+struct DrawnTile {
+    // The tile that is in this place of the list.
+    listed: u32,
+    is_shown: u32,
+    // Whether the frame before has drawn it for what is shown.
+    was_drawn: u32,
+}
