@@ -7,7 +7,9 @@
 struct Kept {
     size_px: vec2<u32>,
     band: vec2<u32>,
-    paper: vec4<u32>,
+    // Bits of what is behind the first row and the last.
+    top: vec4<u32>,
+    bottom: vec4<u32>,
 }
 
 struct DrawnTile {

@@ -55,8 +55,9 @@ impl Drawer {
             }
             Self::Auto(means) => means,
         };
-        let is_software = gpu.is_some_and(|gpu| gpu.report().software);
-        let Choice { method, reason } = choose(model, view, means, is_software);
+        let software = gpu.filter(|gpu| gpu.report().software);
+        let limits = software.map(Gpu::limits);
+        let Choice { method, reason } = choose(model, view, means, limits);
         console.detail(format!("{AUTO}: {method}, for {reason}"));
         Chosen {
             renderer: method.into(),

@@ -152,6 +152,9 @@ pub(super) fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
 
 fn filtered(samples: &Samples) -> RgbaImage {
     let Samples { size_px, n, .. } = *samples;
+    if n == 1 {
+        return of_one(samples);
+    }
     let [width, height] = size_px.map(|s| s / n);
     let linear: Vec<f32> = (0..=255_u8)
         .map(|v| linear_from_srgb(f32::from(v) / 255.0))
@@ -179,6 +182,15 @@ fn filtered(samples: &Samples) -> RgbaImage {
         }
     });
     RgbaImage::from_raw(width, height, out).unwrap_or_default()
+}
+
+/// A picture of one sample a pixel.
+fn of_one(samples: &Samples) -> RgbaImage {
+    let [width, height] = samples.size_px;
+    let mut rgba = samples.rgba.clone();
+    let pixels = rgba.as_chunks_mut::<4>().0.iter_mut();
+    pixels.filter(|p| p[3] == 0).for_each(|p| *p = [0; 4]);
+    RgbaImage::from_raw(width, height, rgba).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! `render`: a cut model as a picture.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -20,6 +21,7 @@ use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch};
+use crate::gpu::Preparation;
 use crate::layers::{Kind, Layers};
 use crate::passes::Model;
 use crate::plan::Clock;
@@ -116,8 +118,18 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         }
         note_what_is_not_seen(layers, &subject.scene, &console);
     }
+    if let Renderer::Method(_) = renderer {
+        console.detail(in_words(&session.gpu().preparation()));
+    }
     console.step("picture");
-    let drawn = picture::draw(&mut session, &shown, &view, renderer, subject.supersample())?.image;
+    let has_shadow = shown.model.prepared.style.shadow.is_drawn();
+    let drawn = match renderer {
+        // The frame that was looked at is the picture.
+        Renderer::Method(method) if subject.supersample() == 1 && !has_shadow => {
+            picture::plain(&session.picture(method)?, view.size_px)
+        }
+        _ => picture::draw(&mut session, &shown, &view, renderer, subject.supersample())?.image,
+    };
 
     console.step("writing");
     outputs.picture.write(&picture::png(&drawn)?)?;
@@ -298,4 +310,17 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| {
         "it must be a number from 0 to 1\n  help: 0.04 allows 10 steps of 255".to_owned()
     })
+}
+
+/// What it took to make a device ready.
+fn in_words(took: &Preparation) -> String {
+    let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
+    format!(
+        "made ready: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB uploaded in {}",
+        ms(took.composing),
+        took.pipelines,
+        ms(took.compiling),
+        took.bytes as f64 / f64::from(1 << 20),
+        ms(took.uploading),
+    )
 }

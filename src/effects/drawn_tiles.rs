@@ -7,14 +7,16 @@
 //! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do. There all of the picture is gone over.
 
 use super::borders::Strokes;
-use super::illustrate::{backdrop, reach_px};
+use super::horizon;
+use super::illustrate::{self, backdrop, reach_px};
 use crate::passes::{SceneBuffers, TILE_PX, share_tiles};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
-use crate::scene::style::Paper;
+use crate::scene::View;
+use crate::scene::style::{Paper, Style};
 use crate::shader::Shader;
 
 /// Bytes before the tiles, and of a tile: `shaders/lib/drawn_list.wgsl`.
-const BYTES_OF_HEAD: u64 = 80;
+const BYTES_OF_HEAD: u64 = 112;
 const BYTES_OF_TILE: u64 = 12;
 
 /// Tiles that a workgroup of the pass over tiles owns.
@@ -25,6 +27,11 @@ const TILES_LISTED_AT_ONCE: u32 = 64;
 pub(super) struct DrawnTiles {
     list: ResourceId,
     tile_count: u32,
+}
+
+/// How many rows around a band effects make something of for others. A search for horizons looks farther, but at layers alone.
+fn computed_halo_rows(style: &Style, view: &View) -> u32 {
+    illustrate::halo_rows(style, view.band[1]).max(horizon::SMOOTH_PX + 1)
 }
 
 impl DrawnTiles {
@@ -45,38 +52,34 @@ impl DrawnTiles {
         let size_px = scene.input.view.size_px;
         let [columns, rows] = size_px.map(|px| px.div_ceil(TILE_PX));
         let tile_count = columns * rows;
-        let bytes = BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE;
+        // A struct of WGSL is a multiple of its alignment long, that of one tile too.
+        let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
         let room = Contents::in_pieces(bytes, Vec::new(), true);
         let list = Resource::upload("drawn tiles", Role::Storage, room, Clock::Frame);
         let list = plan.add_resource(list);
         let drawn = Binding::update("drawn", list);
-        let show = Pass::new(
+        let tiles = Self { list, tile_count };
+        // The gradient asks for no number of the style.
+        let numbers = (style.paper != Paper::Gradient).then(|| style_numbers.clone());
+        let mut bindings = vec![
+            scene.frame.clone(),
+            Binding::read("layers", layers),
+            drawn.clone(),
+        ];
+        bindings.extend(numbers.clone());
+        plan.add_pass(Pass::new(
             "find tiles",
             "in which tiles of the picture something is shown: effects look at no other",
-            "effects/tiles/show.wgsl",
-            vec![
-                scene.frame.clone(),
-                style_numbers.clone(),
-                Binding::read("layers", layers),
-                drawn.clone(),
-            ],
+            Shader::from("effects/tiles/show.wgsl").with(backdrop(style.paper)),
+            bindings,
             Work::over(size_px),
-        );
-        let kind = match style.paper {
-            Paper::Gradient => 1,
-            Paper::Color(_) => 2,
-            Paper::None => 3,
-        };
-        plan.add_pass(show.with_constants(vec![("kind", f64::from(kind))]));
-        let tiles = Self { list, tile_count };
+        ));
         let mut bindings = vec![
             scene.frame.clone(),
             tiles.listed(),
             Binding::write("picture", picture),
         ];
-        if style.paper != Paper::Gradient {
-            bindings.push(style_numbers.clone());
-        }
+        bindings.extend(numbers);
         let shader = Shader::from("effects/tiles/clear.wgsl").with(backdrop(style.paper));
         let shader = match strokes {
             Some(Strokes { borders, strokes }) => {
@@ -107,8 +110,15 @@ impl DrawnTiles {
                 groups: [tile_count.div_ceil(TILES_LISTED_AT_ONCE), 1, 1],
             },
         );
-        let reach = f64::from(reach_px.div_ceil(TILE_PX));
-        plan.add_pass(list_tiles.with_constants(vec![("reach", reach)]));
+        // Rows that nobody asks for are left out, but for those that effects ask each other for.
+        let [above, below] = scene.input.view.halo_rows;
+        let asked = computed_halo_rows(style, scene.input.view);
+        let end_row = size_px[1] - below.saturating_sub(asked);
+        plan.add_pass(list_tiles.with_constants(vec![
+            ("reach", f64::from(reach_px.div_ceil(TILE_PX))),
+            ("first_row", f64::from(above.saturating_sub(asked))),
+            ("end_row", f64::from(end_row)),
+        ]));
         Some(tiles)
     }
 

@@ -11,8 +11,10 @@ use crate::scene::style::Occlusion;
 
 /// The farthest sample, in thousandths of the picture's height: near the eye a radius would be all of it.
 const REACH: f64 = 160.0;
+/// And in pixels: bands of large pictures are to fit devices that bind no more than core WebGPU asks for.
+const MOST_REACH_PX: f64 = 512.0;
 /// How far the mean of the pattern reaches.
-const SMOOTH_PX: u32 = 2;
+pub(super) const SMOOTH_PX: u32 = 2;
 
 /// Finds what of the sky each pixel sees.
 pub(super) fn horizon(
@@ -64,7 +66,7 @@ pub(super) fn horizon(
 }
 
 fn reach_px(view: &View) -> f64 {
-    REACH / 1000.0 * f64::from(view.band[1])
+    (REACH / 1000.0 * f64::from(view.band[1])).min(MOST_REACH_PX)
 }
 
 /// How many rows around a band are looked at.

@@ -9,8 +9,9 @@ use std::task::{Context, Poll, Waker};
 use super::clip::ClipLayout;
 use super::composite::Compositors;
 use super::pipelines::Pipelines;
+use super::preparation::{Preparation, timed};
 use crate::plan::{Contents, Limits};
-use crate::{Error, Result};
+use crate::{Error, Result, shader};
 
 /// Which adapter to use.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +53,7 @@ pub struct Gpu {
     /// The pipelines of all programs.
     pipelines: Mutex<Pipelines>,
     compositors: Mutex<Compositors>,
+    preparation: Mutex<Preparation>,
     /// What shaders of a host bind, once it is asked for.
     pub(super) clip: OnceLock<ClipLayout>,
 }
@@ -210,6 +212,7 @@ impl Gpu {
             shared: Mutex::default(),
             pipelines: Mutex::default(),
             compositors: Mutex::default(),
+            preparation: Mutex::default(),
             clip: OnceLock::new(),
         })
     }
@@ -243,6 +246,19 @@ impl Gpu {
     /// Whether the device's own timestamps are there and to be trusted.
     pub fn has_timestamps(&self) -> bool {
         self.timestamps
+    }
+
+    /// What it took so far to make it ready for its frames.
+    pub fn preparation(&self) -> Preparation {
+        Preparation {
+            composing: shader::time_composing(),
+            ..*self.preparing()
+        }
+    }
+
+    /// The same, to be added to.
+    pub(super) fn preparing(&self) -> MutexGuard<'_, Preparation> {
+        lock(&self.preparation)
     }
 
     /// The pipelines of all programs.
@@ -315,15 +331,22 @@ impl Gpu {
                 return buffer.clone();
             }
         }
-        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some(label),
-            size: contents.len().next_multiple_of(4),
-            usage: usage | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
+        let mut preparing = self.preparing();
+        preparing.uploads += 1;
+        preparing.bytes += contents.len();
+        let buffer = timed(&mut preparing.uploading, || {
+            let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: contents.len().next_multiple_of(4),
+                usage: usage | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            for piece in contents.pieces() {
+                self.queue.write_buffer(&buffer, piece.offset, &piece.bytes);
+            }
+            buffer
         });
-        for piece in contents.pieces() {
-            self.queue.write_buffer(&buffer, piece.offset, &piece.bytes);
-        }
+        drop(preparing);
         if sharable {
             shared.push((contents.clone(), usage, buffer.clone()));
         }

@@ -7,6 +7,7 @@ mod device;
 mod draw;
 mod layer_words;
 mod pipelines;
+mod preparation;
 mod program;
 mod readback;
 mod real;
@@ -24,6 +25,7 @@ pub(crate) use composite::Compositor;
 pub use device::{AdapterReport, Gpu, GpuOptions};
 pub(crate) use layer_words::words_from_layers;
 #[doc(hidden)]
+pub use preparation::Preparation;
 pub use program::Program;
 pub(crate) use report::Report;
 pub(crate) use target::Destination;

@@ -10,6 +10,7 @@ use naga::back::PipelineConstants;
 use naga::back::pipeline_constants::process_overrides;
 
 use super::Gpu;
+use super::preparation::timed;
 use super::real::texel_format;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,
@@ -99,7 +100,7 @@ impl Pipelines {
             name: pass.shader.to_string(),
             what: e.to_string(),
         })?;
-        let made = gpu.scoped(|| {
+        let compile = || {
             let module = gpu.module(pass.shader.path, resolved.into_owned());
             Ok(match pass.work {
                 Work::Draw { .. } => Pipeline::Render(render_pipeline(gpu, plan, pass, &module)),
@@ -114,7 +115,11 @@ impl Pipelines {
                     },
                 )),
             })
-        })?;
+        };
+        let mut preparing = gpu.preparing();
+        preparing.pipelines += 1;
+        let made = timed(&mut preparing.compiling, || gpu.scoped(compile))?;
+        drop(preparing);
         if self.made.len() >= MOST_IDLE {
             let is_held = |p: &Arc<Pipeline>| Arc::strong_count(p) > 1;
             if self.made.values().filter(|(p, _)| !is_held(p)).count() >= MOST_IDLE {

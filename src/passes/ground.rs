@@ -75,6 +75,7 @@ impl GroundShadow {
             far: 2.0 * radius + height,
             near_cap: false,
             band: [0, SIDE_PX],
+            halo_rows: [0; 2],
             fineness: 1,
         }
     }

@@ -252,6 +252,7 @@ impl Camera {
             far: near + 2.0 * (farthest - near).max(radius),
             near_cap: self.near_cap,
             band: [0, size_px[1]],
+            halo_rows: [0; 2],
             fineness: 1,
         }
     }

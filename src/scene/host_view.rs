@@ -136,6 +136,7 @@ impl Prepared {
             far: near * self.scale + self.bounds.radius().max(1e-9),
             near_cap: true,
             band: [0, size_px[1]],
+            halo_rows: [0; 2],
             fineness: 1,
         };
         let view = self.seen_to_the_end(view);

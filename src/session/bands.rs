@@ -117,6 +117,9 @@ impl Slot {
     /// The layers of the last frame.
     pub(super) fn layers(&self, gpu: &Gpu) -> Result<Layers> {
         let width = self.size_px[0];
+        if let [band] = self.bands.as_slice() {
+            return band.program.layers(gpu, self.size_px);
+        }
         let mut pixels = Vec::new();
         for band in &self.bands {
             let layers = band.program.layers(gpu, band.drawn_px(width))?;

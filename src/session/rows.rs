@@ -42,7 +42,10 @@ impl Rows {
     /// The view of all that is drawn.
     pub(super) fn view(&self, of: &View) -> View {
         let (first, count) = self.drawn();
-        of.rows(first, count)
+        View {
+            halo_rows: [self.above, self.below],
+            ..of.rows(first, count)
+        }
     }
 
     /// What is its own of all that was drawn, with so many values in a row.

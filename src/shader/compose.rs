@@ -4,14 +4,18 @@
 //! has a file for each inside test. A [`Shader`] says which file fills each open module that it needs; so what differs between
 //! two shaders is one file, and a pass over the mesh is written once for all inside tests and both rasterisers.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::time::Duration;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
+
+use web_time::Instant;
 
 use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, NATIVE, SHADERS, source};
@@ -77,23 +81,34 @@ pub struct Composed {
 }
 
 /// Shaders composed so far: plans are checked, reflected and compiled from the same one.
-static COMPOSED: Mutex<BTreeMap<Shader, Arc<Composed>>> = Mutex::new(BTreeMap::new());
+static COMPOSED: Mutex<Known> = Mutex::new(Known {
+    shaders: BTreeMap::new(),
+    took: Duration::ZERO,
+});
+
+struct Known {
+    shaders: BTreeMap<Shader, Arc<Composed>>,
+    took: Duration,
+}
+
+/// How long this process has composed and validated shaders of the tree.
+pub fn time_composing() -> Duration {
+    let known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
+    known.took
+}
 
 /// Composes a shader, or gives it back if it was composed before.
 pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     let mut known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(composed) = known.get(shader) {
+    if let Some(composed) = known.shaders.get(shader) {
         return Ok(Arc::clone(composed));
     }
+    let began = Instant::now();
     let text = source(shader.path).ok_or_else(|| Error::Shader {
         name: shader.path.to_owned(),
         what: "there is no such shader".to_owned(),
     })?;
-    let (module, is_native) = compose_source(&shader.to_string(), text, &shader.with)?;
-    let info = validate(&module).map_err(|what| Error::Shader {
-        name: shader.to_string(),
-        what,
-    })?;
+    let (module, info, is_native) = compose_source(&shader.to_string(), text, &shader.with)?;
     let bindings = bindings(&module, &info);
     let composed = Arc::new(Composed {
         module,
@@ -101,14 +116,19 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
         bindings,
         is_native,
     });
-    known.insert(shader.clone(), Arc::clone(&composed));
+    known.shaders.insert(shader.clone(), Arc::clone(&composed));
+    known.took += began.elapsed();
     Ok(composed)
 }
 
 /// What naga finds out about a composed shader; its report where that is unsound. What core WebGPU lacks is let pass: composing has
 /// held that.
 pub fn validate(module: &naga::Module) -> Result<ModuleInfo, String> {
-    let mut validator = Validator::new(ValidationFlags::all(), capabilities(true));
+    validate_as(module, true)
+}
+
+fn validate_as(module: &naga::Module, is_native: bool) -> Result<ModuleInfo, String> {
+    let mut validator = Validator::new(ValidationFlags::all(), capabilities(is_native));
     let validated = validator.validate(module);
     validated.map_err(|e| e.into_inner().to_string())
 }
@@ -120,16 +140,43 @@ pub fn compose_text(name: &str, text: &str) -> Result<naga::Module> {
 
 /// As [`compose_text`], with files that fill open modules.
 pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::Module> {
-    compose_source(name, text, with).map(|(module, _)| module)
+    compose_source(name, text, with).map(|(module, ..)| module)
 }
 
-/// The module of a text, and whether it needs atomics of 64 bits.
-fn compose_source(name: &str, text: &str, with: &[&str]) -> Result<(naga::Module, bool)> {
+thread_local! {
+    /// To make one takes as long as to compose a shader. It validates nothing: the whole is validated once, when it is there.
+    static COMPOSER: RefCell<Composer> = RefCell::new(Composer::non_validating());
+}
+
+/// The module of a text, what naga finds out about it, and whether it needs atomics of 64 bits.
+fn compose_source(
+    name: &str,
+    text: &str,
+    with: &[&str],
+) -> Result<(naga::Module, ModuleInfo, bool)> {
+    let (module, is_native) = COMPOSER.with_borrow_mut(|composer| {
+        // Another shader may have filled open modules by other files.
+        composer.module_sets.clear();
+        composer.module_index.clear();
+        compose_by(composer, name, text, with)
+    })?;
+    let info = validate_as(&module, is_native).map_err(|what| Error::Shader {
+        name: name.to_owned(),
+        what,
+    })?;
+    Ok((module, info, is_native))
+}
+
+fn compose_by(
+    composer: &mut Composer,
+    name: &str,
+    text: &str,
+    with: &[&str],
+) -> Result<(naga::Module, bool)> {
     let mut files = Vec::new();
     let mut idle: BTreeSet<&str> = with.iter().copied().collect();
     let gathered = gather(text, with, &mut files, &mut idle);
     let is_native = (files.iter()).any(|(path, _)| NATIVE.iter().any(|(listed, _)| listed == path));
-    let mut composer = Composer::default().with_capabilities(capabilities(is_native));
     let report = |composer: &Composer, e: ComposerError| Error::Shader {
         name: name.to_owned(),
         what: e.emit_to_string(composer),
@@ -152,7 +199,7 @@ fn compose_source(name: &str, text: &str, with: &[&str]) -> Result<(naga::Module
             ..ComposableModuleDescriptor::default()
         };
         if let Err(e) = composer.add_composable_module(descriptor) {
-            return Err(report(&composer, e));
+            return Err(report(composer, e));
         }
     }
     let descriptor = NagaModuleDescriptor {
@@ -162,7 +209,7 @@ fn compose_source(name: &str, text: &str, with: &[&str]) -> Result<(naga::Module
     };
     match composer.make_naga_module(descriptor) {
         Ok(module) => Ok((module, is_native)),
-        Err(e) => Err(report(&composer, e)),
+        Err(e) => Err(report(composer, e)),
     }
 }
 

@@ -9,14 +9,16 @@
 //! 1. Who is asked for rasterises.
 //! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
 //!    finds what is nearest in one sweep, takes less time in all that was measured (README, "What accuracy costs").
-//! 3. Where it refuses a scene, as one of more parts than its table holds, the hardware rasteriser draws.
+//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more of a mesh than the device can however few rows
+//!    are drawn at once, the hardware rasteriser draws: to that a mesh is vertex and index buffers, which have no such limit.
 //! 4. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
 //!
 //! Costs what it takes to record a plan once more.
 
 use super::{Means, Method, Rasteriser, Strategy, plan};
+use crate::Error;
 use crate::passes::Model;
-use crate::plan::Capacities;
+use crate::plan::{Capacities, Limits};
 use crate::scene::View;
 
 /// The name that stands for the choice.
@@ -31,8 +33,9 @@ pub struct Choice {
     pub reason: String,
 }
 
-/// Chooses the method for a scene in a view; `asked` are the means that are settled already, `is_software` says that the adapter is.
-pub fn choose(model: &Model, view: &View, asked: Means, is_software: bool) -> Choice {
+/// Chooses the method for a scene in a view; `asked` are the means that are settled already, `software` the limits of the adapter where that
+/// is a software one.
+pub fn choose(model: &Model, view: &View, asked: Means, software: Option<&Limits>) -> Choice {
     let by = |rasteriser, reason: &str| Choice {
         method: Method::new(Strategy::RAYCAST_MASK, asked.or(Means::by(rasteriser))),
         reason: reason.to_owned(),
@@ -43,18 +46,27 @@ pub fn choose(model: &Model, view: &View, asked: Means, is_software: bool) -> Ch
             &format!("the {rasteriser} rasteriser is asked for"),
         );
     }
-    if !is_software {
+    let Some(limits) = software else {
         return by(
             Rasteriser::Hardware,
             "the adapter rasterises by fixed functions",
         );
-    }
+    };
     let compute = by(
         Rasteriser::Compute,
         "the adapter is a software one, where one sweep of the compute rasteriser takes less time than fixed functions",
     );
-    match plan(model, view, compute.method, &Capacities::UNKNOWN) {
-        Ok(_) => compute,
+    // Larger pictures are drawn in bands.
+    let band = view.rows(0, view.size_px[1].min(Capacities::FEWEST_ROWS));
+    match plan(model, &band, compute.method, &Capacities::UNKNOWN) {
+        Ok(plan) => match plan.check(limits) {
+            Err(Error::Limit(lack)) => by(
+                Rasteriser::Hardware,
+                &format!("the compute rasteriser cannot draw the mesh: {lack}"),
+            ),
+            // What else may be wrong is for who draws to say.
+            _ => compute,
+        },
         Err(refusal) => by(Rasteriser::Hardware, &refusal.reason),
     }
 }

@@ -25,10 +25,24 @@ fn row(count: usize) -> Scene {
     scene
 }
 
+/// What is chosen on an adapter, if a software one by its limits.
+fn chosen_on(
+    scene: &Scene,
+    asked: Means,
+    size_px: [u32; 2],
+    software: Option<&Limits>,
+) -> (Option<Rasteriser>, String) {
+    let model = Model::new(scene);
+    let view = model.prepared.view(size_px);
+    let choice = choose(&model, &view, asked, software);
+    (choice.method.means.rasteriser, choice.reason)
+}
+
 fn chosen(scene: &Scene, asked: Means, is_software: bool) -> (Option<Rasteriser>, String) {
     let model = Model::new(scene);
     let view = model.prepared.view([64, 48]);
-    let choice = choose(&model, &view, asked, is_software);
+    let software = is_software.then_some(&Limits::CORE);
+    let choice = choose(&model, &view, asked, software);
     assert_eq!(choice.method.strategy, Strategy::RAYCAST_MASK, "exact");
     // What was chosen draws the scene.
     let plan = plan(&model, &view, choice.method, &Capacities::UNKNOWN);
@@ -54,6 +68,26 @@ fn adapter_wish_and_refusal_choose_who_rasterises() {
     assert!(reason.contains("1025"), "{reason}");
     // The control: as many as it holds.
     assert_eq!(chosen(&row(1024), any, true).0, compute);
+}
+
+#[test]
+fn a_mesh_that_no_binding_holds_is_left_to_fixed_functions() {
+    let compute = Some(Rasteriser::Compute);
+    let any = Means::default();
+    let scene = row(20);
+    let tight = Limits {
+        // 160 corners take 2560 bytes, and as much on the screen.
+        storage_binding_bytes: 2500,
+        ..Limits::CORE
+    };
+    let (by, reason) = chosen_on(&scene, any, [4, 4], Some(&tight));
+    assert_eq!(by, Some(Rasteriser::Hardware), "{reason}");
+    assert!(reason.contains("the limit is 2500"), "{reason}");
+    // The controls: fewer corners; and a picture that is too large, which is drawn in bands.
+    assert_eq!(chosen_on(&row(1), any, [4, 4], Some(&tight)).0, compute);
+    let limits = Limits::CORE;
+    let large = chosen_on(&scene, any, [8192, 8192], Some(&limits));
+    assert_eq!(large.0, compute, "{}", large.1);
 }
 
 #[test]

@@ -90,10 +90,7 @@ fn only_what_asks_for_heights_at_points_reads_them_through_the_sampler() {
     for (name, passes) in [
         ("grid:16+vds:32", vec!["clip", "cap 0"]),
         ("grid:16+ldi:32", vec!["clip", "cap 0"]),
-        (
-            "grid:16+mask",
-            vec!["sheet 0 count", "sheet 0 keep", "merge"],
-        ),
+        ("grid:16+mask", vec!["sheet 0", "merge"]),
     ] {
         let by_sampler = plan(&scene, name, HeightFilter::Hardware);
         assert_eq!(sampling(&by_sampler), passes, "{name}");

@@ -11,6 +11,7 @@ mod materials;
 mod occlusion;
 mod plans;
 mod strokes;
+mod tiles;
 
 use crate::common;
 

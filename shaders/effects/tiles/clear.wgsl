@@ -13,7 +13,8 @@
 fn is_kept() -> bool {
     let before = drawn.before;
     let now = drawn.now;
-    return all(before.size_px == now.size_px) && all(before.band == now.band) && all(before.paper == now.paper);
+    let is_same_place = all(before.size_px == now.size_px) && all(before.band == now.band);
+    return is_same_place && all(before.top == now.top) && all(before.bottom == now.bottom);
 }
 
 @compute @workgroup_size(16, 16)

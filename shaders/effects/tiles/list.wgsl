@@ -1,10 +1,13 @@
 // Lists the tiles that are to be drawn. An invocation owns a tile. In which order they are listed is left to chance, and nothing hangs on it.
 
 #import cutaway::drawn_marks::drawn
-#import cutaway::touched::{place_of, tile_at, tile_count, tiles_of_row}
+#import cutaway::touched::{TILE_PX, place_of, tile_at, tile_count, tiles_of_row}
 
 // How far from what is shown something may be drawn, in tiles.
 override reach: i32 = 1;
+// The rows of pixels that somebody asks for.
+override first_row: u32 = 0u;
+override end_row: u32 = 0xffffffffu;
 
 fn is_drawn(tile: u32) -> bool {
     let place = vec2<i32>(place_of(tile));
@@ -23,6 +26,10 @@ fn is_drawn(tile: u32) -> bool {
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let tile = id.x;
     if tile >= tile_count() {
+        return;
+    }
+    let row = place_of(tile).y * TILE_PX;
+    if row + TILE_PX <= first_row || row >= end_row {
         return;
     }
     let is_drawn_now = is_drawn(tile);

@@ -1,16 +1,13 @@
 // Finds in which tiles of the picture something is shown. A workgroup owns a tile, an invocation a pixel of it.
 
+#import cutaway::backdrop::backdrop
 #import cutaway::drawn_marks::drawn
 #import cutaway::drawn_tiles::Kept
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
-#import cutaway::style::style
 #import cutaway::touched::tile_at
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
-
-// What the paper is, as a number that is not 0.
-override kind: u32 = 1u;
 
 var<workgroup> found: atomic<u32>;
 
@@ -31,6 +28,6 @@ fn main(
     if all(tile.xy == vec2<u32>(0u)) {
         atomicStore(&drawn.count, 0u);
         drawn.before = drawn.now;
-        drawn.now = Kept(frame.size_px, frame.band, vec4<u32>(bitcast<vec3<u32>>(style.paper.rgb), kind));
+        drawn.now = Kept(frame.size_px, frame.band, bitcast<vec4<u32>>(backdrop(0u)), bitcast<vec4<u32>>(backdrop(frame.size_px.y - 1u)));
     }
 }

@@ -77,7 +77,8 @@ fn record(
         bindings: vec![Binding::update("mask", mask)],
     };
     let scene = scene.on_screen_first(plan, &store)?;
-    let crossings = match surface == CapSurface::RAYCAST && input.asks_plane() {
+    // Nobody draws a plane as a sheet.
+    let crossings = match input.asks_plane() {
         true => AskedCrossings::of_plane(&scene),
         false => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
     };

@@ -211,6 +211,7 @@ pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
         far: 2.0 * half,
         near_cap: false,
         band: [0, resolution],
+        halo_rows: [0; 2],
         fineness: 1,
     }
 }

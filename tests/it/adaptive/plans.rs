@@ -49,7 +49,7 @@ fn a_draw_by_arguments_says_so() {
     let pass = plan
         .passes
         .iter()
-        .find(|p| p.name == "sheet 0 count")
+        .find(|p| p.name == "sheet 0")
         .expect("the pass");
     for name in ["arguments", "triangles"] {
         assert!(
@@ -61,7 +61,7 @@ fn a_draw_by_arguments_says_so() {
     let passes = json["passes"].as_array().expect("passes");
     let pass = passes
         .iter()
-        .find(|p| p["name"] == "sheet 0 count")
+        .find(|p| p["name"] == "sheet 0")
         .expect("the pass");
     assert!(
         pass["reads"]
@@ -136,11 +136,8 @@ fn other_arguments_make_a_draw_due() {
         plan.passes.iter_mut().for_each(|p| p.clock = Clock::Cut);
         plan
     };
-    let is_due = |plan: &Plan, before: &Plan| {
-        plan.due_after(before, |_| false)
-            .passes
-            .contains("sheet 0 count")
-    };
+    let is_due =
+        |plan: &Plan, before: &Plan| plan.due_after(before, |_| false).passes.contains("sheet 0");
     // One more pass writes them, and nothing else that is drawn.
     let mut before = slow(plan());
     let position = |name: &str| before.passes.iter().position(|p| p.name == name);

@@ -75,6 +75,7 @@ fn view(pixels: u32) -> View {
         far: FAR,
         near_cap: true,
         band: [0, 1],
+        halo_rows: [0; 2],
         fineness: 1,
     }
 }

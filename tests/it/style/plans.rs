@@ -30,6 +30,7 @@ fn each_style_has_the_passes_that_it_asks_for() {
     let [shared @ .., "shade"] = &passes(&lit)[..] else {
         panic!("lit ends in {:?}", passes(&lit).last());
     };
+    let tiles = ["find tiles", "clear picture", "list tiles"];
     for (name, end) in [
         (
             "technical",
@@ -45,7 +46,7 @@ fn each_style_has_the_passes_that_it_asks_for() {
         ("clay", &["find horizons", "smooth occlusion", "illustrate"]),
     ] {
         let plan = plan_in(style(name));
-        assert_eq!(passes(&plan), [shared, end].concat(), "{name}");
+        assert_eq!(passes(&plan), [shared, &tiles, end].concat(), "{name}");
         for (resource, pass) in [
             ("borders", "find borders"),
             ("strokes", "place strokes"),
@@ -63,7 +64,7 @@ fn each_style_has_the_passes_that_it_asks_for() {
         ..Style::default()
     };
     let end = ["blur depth", "mask depth", "illustrate"];
-    assert_eq!(passes(&plan_in(unsharp)), [shared, &end].concat());
+    assert_eq!(passes(&plan_in(unsharp)), [shared, &tiles, &end].concat());
     let without_effect = Style {
         occlusion: Occlusion {
             surface: 0.0,
@@ -73,7 +74,24 @@ fn each_style_has_the_passes_that_it_asks_for() {
         ..unsharp
     };
     let end = ["illustrate"];
-    assert_eq!(passes(&plan_in(without_effect)), [shared, &end].concat());
+    assert_eq!(
+        passes(&plan_in(without_effect)),
+        [shared, &tiles, &end].concat()
+    );
+}
+
+#[test]
+fn what_is_drawn_on_the_background_has_no_tiles() {
+    let ghostly = Style {
+        ghost: Ghost {
+            kind: GhostKind::Lines,
+            ..Ghost::default()
+        },
+        ..style("technical")
+    };
+    assert!(!passes(&plan_in(ghostly)).contains(&"find tiles"), "ghost");
+    // The control.
+    assert!(passes(&plan_in(style("technical"))).contains(&"find tiles"));
 }
 
 #[test]
