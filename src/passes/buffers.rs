@@ -174,8 +174,7 @@ fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {
                 part: part.part as u32,
                 color: style.surface_color(&part.material).extend(1.0).to_array(),
                 cap_color: style.cap_color(&part.material).extend(1.0).to_array(),
-                place: 0,
-                padding: [0; 3],
+                ..Part::zeroed()
             }
         })
         .collect();

@@ -137,7 +137,11 @@ shared! {
         /// Not of this part: where in the table that part is whose index in the scene is the number of this row.
         place: u32,
         /// Unused.
-        padding: [u32; 3],
+        padding_a: u32,
+        /// Unused.
+        padding_b: u32,
+        /// Unused.
+        padding_c: u32,
     }
 }
 

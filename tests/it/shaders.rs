@@ -23,11 +23,18 @@ use glam::{DAffine3, DVec3};
 use naga::{ArraySize, Expression, Literal, Module, TypeInner};
 
 /// Files that no plan puts together, for so many storage buffers a stage does not have; a plan that did would be refused.
-const NEVER_TOGETHER: &[(&str, &str, &str)] = &[(
-    "lib/crossings/list.wgsl",
-    "lib/touch/tiles.wgsl",
-    "where there is a list, a pass before the sweep has found the tiles",
-)];
+const NEVER_TOGETHER: &[(&str, &str, &str)] = &[
+    (
+        "lib/crossings/list.wgsl",
+        "lib/touch/tiles.wgsl",
+        "where there is a list, a pass before the sweep has found the tiles",
+    ),
+    (
+        "lib/share/drawn.wgsl",
+        "lib/interval/tiles.wgsl",
+        "tiles that effects draw are known when there are layers, after all crossings",
+    ),
+];
 
 /// Float comparisons by equality that are meant.
 const MEANT_EQUALITIES: &[(&str, &str)] = &[
