@@ -180,14 +180,14 @@ fn cross_cell(
 }
 
 // What comes of a step of the walk: what the cell holds, whether it is the last that is asked for, and along which axis it is left.
-struct Met {
+struct CellStep {
     found: Found,
     is_last: bool,
     by_x: bool,
 }
 
-fn met_nothing() -> Met {
-    return Met(Found(0u, vec2<f32>(0.0), false), false, false);
+fn no_step() -> CellStep {
+    return CellStep(Found(0u, vec2<f32>(0.0), false), false, false);
 }
 
 // Crosses the cell that the ray is in and goes on to the next, with the heights at its corners. What is found is for `add_found`, outside
@@ -199,7 +199,7 @@ fn walk_cell(
     carried: ptr<function, Carried>,
     cell: ptr<function, vec2<i32>>,
     corners: ptr<function, vec4<f32>>,
-) -> Met {
+) -> CellStep {
     let border_x = depth_at_border((*cell).x + heading.ahead.x, way.texel_x);
     let border_y = depth_at_border((*cell).y + heading.ahead.y, way.texel_y);
     let exit = max((*carried).entry, min(way.end, min(border_x, border_y)));
@@ -208,7 +208,7 @@ fn walk_cell(
     let by_x = border_x <= border_y;
     *cell += select(vec2<i32>(0, heading.step.y), vec2<i32>(heading.step.x, 0), by_x);
     *corners = corners_beside(way.map, *corners, *cell, by_x, select(heading.up.y, heading.up.x, by_x));
-    return Met(found, exit >= way.last, by_x);
+    return CellStep(found, exit >= way.last, by_x);
 }
 
 // Adds to the list what a cell holds.

@@ -26,11 +26,11 @@ pub(super) struct Chosen {
 }
 
 impl Drawer {
-    /// Who a name says, by these means where it says no others; without a name who is chosen.
+    /// The drawer that a name stands for, by these means where it says no others; `auto` and no name are settled later.
     ///
     /// # Errors
     ///
-    /// A name of nobody, with what it may have meant.
+    /// A name that stands for none, with the one that may have been meant.
     pub(super) fn named(name: Option<&str>, means: Means) -> Result<Self> {
         Ok(match name {
             None | Some(AUTO) => Self::Auto(means),

@@ -316,7 +316,7 @@ fn parse_threshold(text: &str) -> Result<f64, String> {
 fn in_words(took: &Preparation) -> String {
     let ms = |time: Duration| format!("{:.0} ms", time.as_secs_f64() * 1e3);
     format!(
-        "made ready: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB uploaded in {}",
+        "made ready: shaders composed in {}, {} pipelines compiled in {}, {:.1} MiB of buffers uploaded in {}",
         ms(took.composing),
         took.pipelines,
         ms(took.compiling),

@@ -6,8 +6,8 @@ use glam::Vec3;
 
 use super::Picture;
 use super::borders::{RAMP_PX, Strokes};
-use super::drawn_tiles::DrawnTiles;
 use super::dress::dress;
+use super::effect_tiles::EffectTiles;
 use super::ghost;
 use super::ground::ground;
 use super::hatch::{hatch, zoom_of};
@@ -31,7 +31,7 @@ pub(super) fn illustrate(plan: &mut Plan, scene: &SceneBuffers<'_>, layers: Reso
     let strokes = (style.strokes.widest() > 0.0).then(|| Strokes::new(plan, scene));
     let pixels = Pixels {
         scene,
-        tiles: DrawnTiles::find(plan, scene, &numbers, layers, (picture, strokes)),
+        tiles: EffectTiles::find(plan, scene, &numbers, layers, (picture, strokes)),
     };
     let strokes = strokes.map(|strokes| strokes.find(plan, pixels, &numbers, layers));
     let visibility = occlusion(plan, pixels, layers);

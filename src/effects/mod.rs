@@ -8,8 +8,8 @@
 mod borders;
 mod channels;
 mod coat;
-mod drawn_tiles;
 mod dress;
+mod effect_tiles;
 mod ghost;
 mod ground;
 mod hatch;

@@ -1,6 +1,6 @@
 //! What passes over the pixels of a picture share: their buffers, their numbers, their work.
 
-use super::drawn_tiles::DrawnTiles;
+use super::effect_tiles::EffectTiles;
 use crate::passes::SceneBuffers;
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::shader::Shader;
@@ -11,7 +11,7 @@ pub(super) struct Pixels<'a> {
     /// What is drawn.
     pub scene: &'a SceneBuffers<'a>,
     /// The tiles that they lie in; none where they are all of the picture.
-    pub tiles: Option<DrawnTiles>,
+    pub tiles: Option<EffectTiles>,
 }
 
 impl<'a> Pixels<'a> {
@@ -31,7 +31,7 @@ impl<'a> Pixels<'a> {
         let (share, work) = match self.tiles {
             Some(tiles) => {
                 bindings.push(tiles.listed());
-                ("lib/share/drawn.wgsl", tiles.shared())
+                ("lib/share/effect_tiles.wgsl", tiles.shared())
             }
             None => {
                 let picture = Work::over(self.scene.input.view.size_px);

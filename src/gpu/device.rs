@@ -9,9 +9,10 @@ use std::task::{Context, Poll, Waker};
 use super::clip::ClipLayout;
 use super::composite::Compositors;
 use super::pipelines::Pipelines;
-use super::preparation::{Preparation, timed};
+use super::preparation::Preparation;
+use super::timing::timed;
 use crate::plan::{Contents, Limits};
-use crate::{Error, Result, shader};
+use crate::{Error, Result};
 
 /// Which adapter to use.
 #[derive(Clone, Debug, Default)]
@@ -250,10 +251,7 @@ impl Gpu {
 
     /// What it took so far to make it ready for its frames.
     pub fn preparation(&self) -> Preparation {
-        Preparation {
-            composing: shader::time_composing(),
-            ..*self.preparing()
-        }
+        *self.preparing()
     }
 
     /// The same, to be added to.

@@ -24,8 +24,8 @@ pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
 pub use device::{AdapterReport, Gpu, GpuOptions};
 pub(crate) use layer_words::words_from_layers;
-#[doc(hidden)]
 pub use preparation::Preparation;
+#[doc(hidden)]
 pub use program::Program;
 pub(crate) use report::Report;
 pub(crate) use target::Destination;

@@ -10,8 +10,8 @@ use naga::back::PipelineConstants;
 use naga::back::pipeline_constants::process_overrides;
 
 use super::Gpu;
-use super::preparation::timed;
 use super::real::texel_format;
+use super::timing::timed;
 use crate::plan::{
     DepthCompare, Format, Pass, Plan, ResourceId, Shape, StencilStep, Vertices, Work,
 };

@@ -14,7 +14,7 @@ use super::layer_words::layer_from_words;
 use super::real::{Real, make};
 use super::report::Report;
 use super::target::Destination;
-use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch};
+use super::timing::{ClockSet, PassTime, RunTimes, Stopwatch, timed};
 use crate::layers::Layers;
 use crate::plan::{Clock, Due, Pass, Plan, Recorded, Resource, ResourceId, Shape};
 use crate::{Error, Result};
@@ -45,7 +45,8 @@ impl Program {
         let Recorded { plan, on_cpu } = recorded.into();
         let mut rebind = self.steps.is_empty() || !same_structure(&plan, self.plan());
         if rebind {
-            plan.check(gpu.limits())?;
+            let check = || plan.check(gpu.limits());
+            timed(&mut gpu.preparing().composing, check)?;
         }
         let mut remade: BTreeSet<&str> = BTreeSet::new();
         for resource in &plan.resources {

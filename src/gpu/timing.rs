@@ -4,6 +4,8 @@
 //! stamped before or after the work of it by chance, so that one frame of 305 ms was reported as 112 ms every other time.
 //! There every pass is submitted and waited for by itself, about 0.1 ms each; nothing would have run beside it anyhow.
 
+use std::time::Duration;
+
 use web_time::Instant;
 
 use super::Gpu;
@@ -212,4 +214,12 @@ impl Stopwatch {
     pub(super) fn now() -> Instant {
         Instant::now()
     }
+}
+
+/// Does something, and adds the time that it took.
+pub(super) fn timed<T>(time: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let began = Stopwatch::now();
+    let done = work();
+    *time += began.elapsed();
+    done
 }

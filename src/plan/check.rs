@@ -153,7 +153,12 @@ impl Plan {
         }
     }
 
-    fn check_sizes(&self, limits: &Limits) -> Result<()> {
+    /// Holds the resources alone to the limits of a device: no shader is composed.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Limit`] with what is lacking.
+    pub(crate) fn check_sizes(&self, limits: &Limits) -> Result<()> {
         for r in &self.resources {
             if let Shape::Texture {
                 format: Format::Depth32FloatStencil8,

@@ -35,7 +35,7 @@ pub struct View {
     pub near_cap: bool,
     /// The first row and all rows of the picture that this is a band of, by [`View::rows`]; of a whole picture 0 and its height.
     pub band: [u32; 2],
-    /// How many rows at the top and at the bottom are there only for effects that look at neighbours: what effects make of them nobody asks.
+    /// How many rows at the top and at the bottom are drawn only as neighbours for effects: the picture does not keep them.
     pub halo_rows: [u32; 2],
     /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
     pub fineness: u32,

@@ -8,14 +8,11 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
-use std::time::Duration;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga_oil::compose::{
     ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
 };
-
-use web_time::Instant;
 
 use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, NATIVE, SHADERS, source};
@@ -81,29 +78,14 @@ pub struct Composed {
 }
 
 /// Shaders composed so far: plans are checked, reflected and compiled from the same one.
-static COMPOSED: Mutex<Known> = Mutex::new(Known {
-    shaders: BTreeMap::new(),
-    took: Duration::ZERO,
-});
-
-struct Known {
-    shaders: BTreeMap<Shader, Arc<Composed>>,
-    took: Duration,
-}
-
-/// How long this process has composed and validated shaders of the tree.
-pub fn time_composing() -> Duration {
-    let known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
-    known.took
-}
+static COMPOSED: Mutex<BTreeMap<Shader, Arc<Composed>>> = Mutex::new(BTreeMap::new());
 
 /// Composes a shader, or gives it back if it was composed before.
 pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
     let mut known = COMPOSED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(composed) = known.shaders.get(shader) {
+    if let Some(composed) = known.get(shader) {
         return Ok(Arc::clone(composed));
     }
-    let began = Instant::now();
     let text = source(shader.path).ok_or_else(|| Error::Shader {
         name: shader.path.to_owned(),
         what: "there is no such shader".to_owned(),
@@ -116,8 +98,7 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
         bindings,
         is_native,
     });
-    known.shaders.insert(shader.clone(), Arc::clone(&composed));
-    known.took += began.elapsed();
+    known.insert(shader.clone(), Arc::clone(&composed));
     Ok(composed)
 }
 

@@ -10,8 +10,7 @@ mod reflect;
 mod tree;
 
 pub use compose::{
-    Composed, Shader, compose, compose_text, compose_text_with, compositions, time_composing,
-    validate,
+    Composed, Shader, compose, compose_text, compose_text_with, compositions, validate,
 };
 pub use lints::{Finding, INVOCATIONS_PER_WORKGROUP, Rule, STORAGE_BUFFERS_PER_STAGE, lint};
 pub use reflect::{BindingKind, ShaderBinding, StructLayout, bindings, struct_layout};

@@ -9,8 +9,8 @@
 //! 1. Who is asked for rasterises.
 //! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
 //!    finds what is nearest in one sweep, takes less time in all that was measured (README, "What accuracy costs").
-//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more of a mesh than the device can however few rows
-//!    are drawn at once, the hardware rasteriser draws: to that a mesh is vertex and index buffers, which have no such limit.
+//! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does however few rows are drawn at
+//!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
 //! 4. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
 //!
 //! Costs what it takes to record a plan once more.
@@ -59,12 +59,11 @@ pub fn choose(model: &Model, view: &View, asked: Means, software: Option<&Limits
     // Larger pictures are drawn in bands.
     let band = view.rows(0, view.size_px[1].min(Capacities::FEWEST_ROWS));
     match plan(model, &band, compute.method, &Capacities::UNKNOWN) {
-        Ok(plan) => match plan.check(limits) {
+        Ok(plan) => match plan.check_sizes(limits) {
             Err(Error::Limit(lack)) => by(
                 Rasteriser::Hardware,
-                &format!("the compute rasteriser cannot draw the mesh: {lack}"),
+                &format!("the compute rasteriser would bind more than the device does: {lack}"),
             ),
-            // What else may be wrong is for who draws to say.
             _ => compute,
         },
         Err(refusal) => by(Rasteriser::Hardware, &refusal.reason),

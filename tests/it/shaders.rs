@@ -30,7 +30,7 @@ const NEVER_TOGETHER: &[(&str, &str, &str)] = &[
         "where there is a list, a pass before the sweep has found the tiles",
     ),
     (
-        "lib/share/drawn.wgsl",
+        "lib/share/effect_tiles.wgsl",
         "lib/interval/tiles.wgsl",
         "tiles that effects draw are known when there are layers, after all crossings",
     ),

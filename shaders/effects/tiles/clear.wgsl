@@ -4,15 +4,15 @@
 #import cutaway::backdrop::backdrop
 #import cutaway::blank_strokes::blank_strokes
 #import cutaway::color::srgb_from_linear
-#import cutaway::drawn_list::drawn
+#import cutaway::effect_tile_list::effect_tiles
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::picture::picture
 #import cutaway::touched::{pixel_in, tile_count, turns_among}
 
 // Whether what is in no tile is the background of this frame.
 fn is_kept() -> bool {
-    let before = drawn.before;
-    let now = drawn.now;
+    let before = effect_tiles.before;
+    let now = effect_tiles.now;
     let is_same_place = all(before.size_px == now.size_px) && all(before.band == now.band);
     return is_same_place && all(before.top == now.top) && all(before.bottom == now.bottom);
 }

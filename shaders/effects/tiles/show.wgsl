@@ -1,8 +1,8 @@
 // Finds in which tiles of the picture something is shown. A workgroup owns a tile, an invocation a pixel of it.
 
 #import cutaway::backdrop::backdrop
-#import cutaway::drawn_marks::drawn
-#import cutaway::drawn_tiles::Kept
+#import cutaway::effect_tile_marks::effect_tiles
+#import cutaway::effect_tiles::Backdrop
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 #import cutaway::touched::tile_at
@@ -24,10 +24,10 @@ fn main(
     if local != 0u {
         return;
     }
-    drawn.tiles[tile_at(tile.xy)].is_shown = atomicLoad(&found);
+    effect_tiles.tiles[tile_at(tile.xy)].is_shown = atomicLoad(&found);
     if all(tile.xy == vec2<u32>(0u)) {
-        atomicStore(&drawn.count, 0u);
-        drawn.before = drawn.now;
-        drawn.now = Kept(frame.size_px, frame.band, bitcast<vec4<u32>>(backdrop(0u)), bitcast<vec4<u32>>(backdrop(frame.size_px.y - 1u)));
+        atomicStore(&effect_tiles.count, 0u);
+        effect_tiles.before = effect_tiles.now;
+        effect_tiles.now = Backdrop(frame.size_px, frame.band, bitcast<vec4<u32>>(backdrop(0u)), bitcast<vec4<u32>>(backdrop(frame.size_px.y - 1u)));
     }
 }

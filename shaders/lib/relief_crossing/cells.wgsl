@@ -6,7 +6,7 @@
 #import cutaway::crossing_list::{List, need}
 #import cutaway::cuts::cut_table
 #import cutaway::relief::corners_of
-#import cutaway::relief_ray::{Carried, add_found, begin_of, heading_of, met_nothing, walk_cell, way_through}
+#import cutaway::relief_ray::{Carried, add_found, begin_of, heading_of, no_step, walk_cell, way_through}
 
 fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: Interval) {
     let way = way_through(list, surface, at_px, interval);
@@ -22,7 +22,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     var walked = 0u;
     // A round ends in a cell that holds something, or in the last.
     for (var round = 0u; round <= cell_limit && walked < cell_limit; round++) {
-        var met = met_nothing();
+        var met = no_step();
         for (; walked < cell_limit && met.found.count == 0u && !met.is_last; walked++) {
             met = walk_cell(list, way, heading, &carried, &cell, &corners);
         }

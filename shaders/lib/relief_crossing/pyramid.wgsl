@@ -18,7 +18,7 @@
 #import cutaway::cuts::cut_table
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
 #import cutaway::relief::corners_of
-#import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, met_nothing, walk_cell, way_through}
+#import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, no_step, walk_cell, way_through}
 
 // Level at which a ray begins; from there it climbs where there is nothing to be met.
 const FIRST_LEVEL: u32 = 3u;
@@ -134,7 +134,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         }
         // The cells of that block.
         var corners = corners_of(way.map, cell);
-        var met = met_nothing();
+        var met = no_step();
         for (var i = 0u; i < CELLS_OF_BLOCK && cells > 0u && met.found.count == 0u && !met.is_last; i++) {
             let ahead_of_cell = cell + ahead;
             met = walk_cell(list, way, heading, &carried, &cell, &corners);

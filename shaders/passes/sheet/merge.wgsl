@@ -30,11 +30,16 @@ override beside: f32 = 0.0;
 // Word of the need buffer.
 const NEED_OF_SHEETS: u32 = 3u;
 
-// A crossing that is to be: its depth-buffer value, its word, and the number of its fragment, which says who comes first at one depth.
+// A crossing to be added: its depth-buffer value, its word, and the number of its fragment, which orders those at one depth.
 struct Crossing {
     z: f32,
     word: u32,
     fragment: u32,
+}
+
+// Whether a fragment comes before a crossing. Lists are in no order, not even that of the numbers of fragments.
+fn precedes(z: f32, fragment: u32, crossing: Crossing) -> bool {
+    return is_behind(crossing.z, z) || (!is_behind(z, crossing.z) && fragment < crossing.fragment);
 }
 
 // What a list holds of a sheet.
@@ -62,7 +67,7 @@ fn share_of(last: u32, surface: u32, interval: vec2<f32>) -> Share {
         share.all += u32(is_own);
         share.ahead += u32(is_own && is_ahead);
         if is_own && is_ahead && depth < interval.y {
-            if share.within == 0u || is_behind(share.nearest.z, fragment.z) {
+            if share.within == 0u || precedes(fragment.z, at, share.nearest) {
                 share.nearest = Crossing(fragment.z, fragment.word, at);
             }
             share.within++;
@@ -84,8 +89,8 @@ fn next_after(before: Crossing, last: u32, surface: u32, interval: vec2<f32>) ->
     for (var i = 0u; i < most && is_fragment(at); i++) {
         let fragment = fragment_at(at);
         let z = fragment.z;
-        let is_later = is_behind(z, before.z) || (!is_behind(before.z, z) && at > before.fragment);
-        let is_next = is_later && !(found && !is_behind(next.z, z)) && sheet_of(fragment.word) == surface;
+        let is_later = at != before.fragment && !precedes(z, at, before);
+        let is_next = is_later && (!found || precedes(z, at, next)) && sheet_of(fragment.word) == surface;
         // Later is deeper: beyond the begin of the interval already.
         if is_next && depth_from_buffer(z) < interval.y {
             next = Crossing(z, fragment.word, at);

@@ -77,7 +77,7 @@ fn record(
         bindings: vec![Binding::update("mask", mask)],
     };
     let scene = scene.on_screen_first(plan, &store)?;
-    // Nobody draws a plane as a sheet.
+    // Planes are never drawn as sheets.
     let crossings = match input.asks_plane() {
         true => AskedCrossings::of_plane(&scene),
         false => surface::list(plan, &scene, surface, capacity, &store)?.asked(),

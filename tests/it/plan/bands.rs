@@ -1,5 +1,6 @@
 //! A picture that is too large for a limit is drawn in bands, and shows the same.
 
+use cutaway::document::named_style;
 use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
 use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
@@ -127,6 +128,36 @@ fn bands_show_what_one_frame_shows() {
             let bytes = held.bytes(method).expect("bytes");
             let of_whole = whole.bytes(method).expect("bytes");
             assert!(bytes[2] >= of_whole[2], "{what}: {bytes:?}, {of_whole:?}");
+        }
+    }
+}
+
+#[test]
+fn bands_after_others_are_those_of_a_fresh_session() {
+    let method: Method = "raycast+mask@compute".parse().expect("a method");
+    for style in ["lit", "technical"] {
+        let mut scene = cut_scene();
+        scene.style = named_style(style).unwrap_or_else(|e| panic!("{e}"));
+        let model = Model::new(&scene);
+        let of = |session: &mut Session, flipped: bool| {
+            let mut view = model.prepared.view(SIZE_PX);
+            if flipped {
+                (view.right, view.up) = (-view.right, -view.up);
+            }
+            let drawn = session.draw(&model, &view, method);
+            let outcome = drawn.unwrap_or_else(|e| panic!("{e}")).outcome;
+            assert_eq!(outcome, Outcome::Complete, "{style}");
+            assert!(session.bands(method).expect("a frame") > 1, "{style}");
+            session.picture(method).expect("a picture")
+        };
+        let tight = u64::from(SIZE_PX[0]) * u64::from(SIZE_PX[1]) * 12 - 1;
+        let fresh = [false, true].map(|flipped| of(&mut session(tight), flipped));
+        // The control: the frame before is another.
+        assert!(fresh[0] != fresh[1], "{style}");
+        let mut held = session(tight);
+        for flipped in [false, true, true, false] {
+            let found = of(&mut held, flipped);
+            assert!(found == fresh[usize::from(flipped)], "{style}: {flipped}");
         }
     }
 }

@@ -78,7 +78,8 @@ fn drawn(parts: &[Vec<[DVec3; 3]>], camera: &Camera) -> Device {
         odd: vec![Vec::new(); parts.len()],
         screen: vec![Vec::new(); parts.len()],
     };
-    for row in &rows {
+    // Rows beyond the parts that are drawn are of none.
+    for row in rows.iter().filter(|row| row.cuts != 0) {
         let top = row.lane_shift + 1;
         let first = row.lane_word as usize * pixels;
         device.odd[row.part as usize] = (0..pixels)

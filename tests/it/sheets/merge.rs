@@ -228,6 +228,29 @@ fn depths(random: &mut Numbers, count: usize) -> Vec<f64> {
 }
 
 #[test]
+fn fragments_at_one_depth_all_count_in_whatever_order_they_came() {
+    // Two solids that touch: out of the first, into the second.
+    let depths = [1.5, 2.0, 2.0, 2.5];
+    let orders = (0..24).map(|n| {
+        let (mut left, mut n) = (depths.to_vec(), n);
+        (1..=4)
+            .rev()
+            .map(|k| {
+                let taken = left.remove(n % k);
+                n /= k;
+                of_solid(taken)
+            })
+            .collect::<Vec<Fragment>>()
+    });
+    let pixels: Vec<Vec<Fragment>> = orders.collect();
+    for (pixel, merged) in pixels.iter().zip(merge(&pixels, REMOVED, 1000)) {
+        let found: Vec<f64> = merged.crossings.iter().map(|c| c.0).collect();
+        let is_close = found.iter().zip(depths).all(|(a, b)| (a - b).abs() < MOVED);
+        assert!(found.len() == 4 && is_close, "{pixel:?}: {found:?}");
+    }
+}
+
+#[test]
 fn crossings_are_sorted_and_the_first_says_where_the_ray_begins() {
     let random = &mut Numbers(0x5ee7);
     let (mut pixels, mut expected) = (Vec::new(), Vec::new());

@@ -4,10 +4,11 @@ use super::*;
 use cutaway::plan::Capacities;
 use cutaway::scene::Camera;
 use cutaway::scene::style::Strokes;
+use cutaway::shader::{self, Shader};
 use cutaway::strategies;
 use glam::Vec3;
 
-/// Words before the tiles of the list, and of a tile: `shaders/lib/drawn_list.wgsl`.
+/// Words before the tiles of the list, and of a tile: `shaders/lib/effect_tile_list.wgsl`.
 const HEAD_WORDS: usize = 28;
 const TILE_WORDS: usize = 3;
 
@@ -24,7 +25,7 @@ fn shots() -> Vec<Shot> {
     let far = scenes::looking(DVec3::new(-4.0, 3.0, 6.0), DVec3::new(0.8, 0.3, 0.0), 40.0);
     let technical = style("technical");
     let wide = Strokes {
-        outline: 60.0,
+        outline: 500.0,
         ..technical.strokes
     };
     let ghost = Ghost {
@@ -116,7 +117,7 @@ fn tiles_beyond_the_reach_of_strokes_are_not_gone_over() {
         let at = |i: usize| layers.pixels[(y + i / 16) * shot.size_px[0] as usize + x + i % 16];
         (0..256).any(|i| at(i).kind != Kind::Background)
     };
-    let words = session.words(method, "drawn tiles").expect("words");
+    let words = session.words(method, "effect tiles").expect("words");
     let count = words[0] as usize;
     let tiles = words[HEAD_WORDS..].chunks_exact(TILE_WORDS);
     let mut listed: Vec<usize> = tiles.take(count).map(|tile| tile[0] as usize).collect();
@@ -148,7 +149,25 @@ fn strokes_that_reach_farther_than_is_looked_are_missed() {
     let right = picture(&plan);
     let list = plan.passes.iter_mut().find(|p| p.name == "list tiles");
     let reach = &mut list.expect("the pass").constants[0];
-    assert!(reach.0 == "reach" && reach.1 >= 1.0, "{reach:?}");
+    assert!(reach.0 == "reach" && reach.1 >= 2.0, "{reach:?}");
     reach.1 = 0.0;
     assert!(picture(&plan) != right, "strokes end where tiles do");
+}
+
+#[test]
+fn the_list_is_laid_out_as_it_is_read() {
+    let list = Shader::from("effects/tiles/list.wgsl");
+    let clear = Shader::from("effects/tiles/clear.wgsl")
+        .with("lib/backdrop/paper.wgsl")
+        .with("lib/blank_strokes/none.wgsl");
+    for shader in [list, clear] {
+        let composed = shader::compose(&shader).unwrap_or_else(|e| panic!("{e}"));
+        let size = |name: &str| {
+            let layout = shader::struct_layout(&composed.module, name);
+            layout.unwrap_or_else(|| panic!("{shader}: no {name}")).size as usize
+        };
+        assert_eq!(size("EffectTile"), 4 * TILE_WORDS, "{shader}");
+        // A count, padded, and two backdrops.
+        assert_eq!(16 + 2 * size("Backdrop"), 4 * HEAD_WORDS, "{shader}");
+    }
 }

@@ -1,10 +1,10 @@
 // The tiles of the picture that effects draw: those in which something is shown, or beside which, as far as a stroke reaches, and those of
 // the frame before. All others are background already, without a stroke. Tiles are as large as touched ones.
 
-#define_import_path cutaway::drawn_tiles
+#define_import_path cutaway::effect_tiles
 
 // What the background hangs on: where it changes, all of the picture is cleared.
-struct Kept {
+struct Backdrop {
     size_px: vec2<u32>,
     band: vec2<u32>,
     // Bits of what is behind the first row and the last.
@@ -12,10 +12,10 @@ struct Kept {
     bottom: vec4<u32>,
 }
 
-struct DrawnTile {
+struct EffectTile {
     // The tile that is in this place of the list.
     listed: u32,
     is_shown: u32,
     // Whether the frame before has drawn it for what is shown.
-    was_drawn: u32,
+    was_listed: u32,
 }

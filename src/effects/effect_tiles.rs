@@ -2,9 +2,10 @@
 //! of the frame before, which have to become background again. All others have been background all along.
 //!
 //! One pass over the layers, one over the tiles, and one over the picture where its background changes; 12 bytes a tile of 16 x 16 pixels.
-//! The list outlives its frame, and says what the background hangs on. Whoever rasterised the mesh: layers are all that is asked.
+//! The list outlives its frame, with what its background depends on. It is made of the layers alone, whichever rasteriser drew them.
 //!
-//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do. There all of the picture is gone over.
+//! Cannot: help effects that draw on the background, as the shadow on the ground and ghosts do, nor unsharp occlusion, which looks far: these go
+//! over all of the picture.
 
 use super::borders::Strokes;
 use super::horizon;
@@ -15,7 +16,7 @@ use crate::scene::View;
 use crate::scene::style::{Paper, Style};
 use crate::shader::Shader;
 
-/// Bytes before the tiles, and of a tile: `shaders/lib/drawn_list.wgsl`.
+/// Bytes before the tiles, and of a tile: `shaders/lib/effect_tile_list.wgsl`.
 const BYTES_OF_HEAD: u64 = 112;
 const BYTES_OF_TILE: u64 = 12;
 
@@ -24,7 +25,7 @@ const TILES_LISTED_AT_ONCE: u32 = 64;
 
 /// The tiles that effects of a frame go over.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct DrawnTiles {
+pub(super) struct EffectTiles {
     list: ResourceId,
     tile_count: u32,
 }
@@ -34,7 +35,7 @@ fn computed_halo_rows(style: &Style, view: &View) -> u32 {
     illustrate::halo_rows(style, view.band[1]).max(horizon::SMOOTH_PX + 1)
 }
 
-impl DrawnTiles {
+impl EffectTiles {
     /// Finds them from the layers of the frame, and makes what is in none of them background, without strokes; none where effects draw on
     /// the background.
     pub(super) fn find(
@@ -55,9 +56,9 @@ impl DrawnTiles {
         // A struct of WGSL is a multiple of its alignment long, that of one tile too.
         let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
         let room = Contents::in_pieces(bytes, Vec::new(), true);
-        let list = Resource::upload("drawn tiles", Role::Storage, room, Clock::Frame);
+        let list = Resource::upload("effect tiles", Role::Storage, room, Clock::Frame);
         let list = plan.add_resource(list);
-        let drawn = Binding::update("drawn", list);
+        let drawn = Binding::update("effect_tiles", list);
         let tiles = Self { list, tile_count };
         // The gradient asks for no number of the style.
         let numbers = (style.paper != Paper::Gradient).then(|| style_numbers.clone());
@@ -110,7 +111,7 @@ impl DrawnTiles {
                 groups: [tile_count.div_ceil(TILES_LISTED_AT_ONCE), 1, 1],
             },
         );
-        // Rows that nobody asks for are left out, but for those that effects ask each other for.
+        // Rows that the picture does not keep are left out, but for those that effects read from each other.
         let [above, below] = scene.input.view.halo_rows;
         let asked = computed_halo_rows(style, scene.input.view);
         let end_row = size_px[1] - below.saturating_sub(asked);
@@ -122,9 +123,9 @@ impl DrawnTiles {
         Some(tiles)
     }
 
-    /// For who goes over them.
+    /// The list, for passes that go over it.
     pub(super) fn listed(self) -> Binding {
-        Binding::read("drawn", self.list)
+        Binding::read("effect_tiles", self.list)
     }
 
     /// A dispatch whose workgroups share them.

@@ -2,15 +2,15 @@
 
 #define_import_path cutaway::share
 
-#import cutaway::drawn_list::drawn
+#import cutaway::effect_tile_list::effect_tiles
 #import cutaway::touched::{pixel_in, turns_among}
 
 // How many tiles it has, of a dispatch of so many workgroups.
 fn turns(group: vec3<u32>, groups: vec3<u32>) -> u32 {
-    return turns_among(drawn.count, group.x, groups.x);
+    return turns_among(effect_tiles.count, group.x, groups.x);
 }
 
 // The pixel of an invocation in one of these tiles, maybe outside of the picture.
 fn pixel_at(turn: u32, group: vec3<u32>, groups: vec3<u32>, local: vec3<u32>) -> vec2<u32> {
-    return pixel_in(drawn.tiles[group.x + turn * groups.x].listed, local.xy);
+    return pixel_in(effect_tiles.tiles[group.x + turn * groups.x].listed, local.xy);
 }
