@@ -150,7 +150,8 @@ fn bands_after_others_are_those_of_a_fresh_session() {
             assert!(session.bands(method).expect("a frame") > 1, "{style}");
             session.picture(method).expect("a picture")
         };
-        let tight = u64::from(SIZE_PX[0]) * u64::from(SIZE_PX[1]) * 12 - 1;
+        // A byte less than the depths of 7 crossings a pixel.
+        let tight = u64::from(SIZE_PX[0]) * u64::from(SIZE_PX[1]) * 28 - 1;
         let fresh = [false, true].map(|flipped| of(&mut session(tight), flipped));
         // The control: the frame before is another.
         assert!(fresh[0] != fresh[1], "{style}");
