@@ -186,7 +186,7 @@ fn main(
         }
         workgroupBarrier();
         if is_first {
-            borders[word_of_tile(xy / TILE_PX, frame.size_px)] = atomicLoad(&found);
+            borders[word_of_tile(xy / TILE_PX)] = atomicLoad(&found);
         }
     }
 }

@@ -107,7 +107,7 @@ fn main(
     for (var turn = 0u; turn < end; turn++) {
         let xy = pixel_at(turn, group, groups, local);
         if all(local == vec3<u32>(0u)) {
-            let word = word_of_tile(xy / TILE_PX, frame.size_px);
+            let word = word_of_tile(xy / TILE_PX);
             strokes[word] = borders[word];
         }
         if all(xy < frame.size_px) {

@@ -4,7 +4,8 @@
 
 #define_import_path cutaway::borders
 
-#import cutaway::touched::TILE_PX
+#import cutaway::frame::pixel_count
+#import cutaway::touched::{TILE_PX, tile_at}
 
 const NO_BORDER: u32 = 0u;
 // One side is background.
@@ -20,13 +21,9 @@ const CONTOUR: u32 = 5u;
 // A surface is folded.
 const CREASE: u32 = 6u;
 
-fn tiles_along(pixels: u32) -> u32 {
-    return (pixels + TILE_PX - 1u) / TILE_PX;
-}
-
 // Where the word of a tile is.
-fn word_of_tile(tile: vec2<u32>, size_px: vec2<u32>) -> u32 {
-    return size_px.x * size_px.y + tile.y * tiles_along(size_px.x) + tile.x;
+fn word_of_tile(tile: vec2<u32>) -> u32 {
+    return pixel_count() + tile_at(tile);
 }
 
 // The first and the last tile within a distance of a pixel.

@@ -49,7 +49,7 @@ fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
     var found = 0u;
     for (var y = tiles.y; y <= tiles.w; y++) {
         for (var x = tiles.x; x <= tiles.z; x++) {
-            found |= strokes[word_of_tile(vec2<u32>(x, y), frame.size_px)];
+            found |= strokes[word_of_tile(vec2<u32>(x, y))];
         }
     }
     return found != 0u;

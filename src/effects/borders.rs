@@ -2,7 +2,7 @@
 //! layers and one over the borders; 4 bytes a pixel each.
 
 use super::pixels::Pixels;
-use crate::passes::{SceneBuffers, TILE_PX};
+use crate::passes::{SceneBuffers, tiles_in};
 use crate::plan::{Binding, Clock, Plan, Resource, ResourceId};
 
 /// How far along a border those are that say where its stroke is; `RAMP` in `shaders/effects/strokes.wgsl`.
@@ -52,10 +52,8 @@ impl Strokes {
 
 /// A buffer of a word for each pixel, and one for each tile, which says whether any border is in it.
 fn per_pixel_and_tile(plan: &mut Plan, scene: &SceneBuffers<'_>, name: &'static str) -> ResourceId {
-    let tiles: u64 = (scene.input.view.size_px.iter())
-        .map(|pixels| u64::from(pixels.div_ceil(TILE_PX)))
-        .product();
-    let bytes = (scene.input.pixel_count() + tiles) * 4;
+    let tiles = tiles_in(scene.input.view.size_px);
+    let bytes = (scene.input.pixel_count() + u64::from(tiles)) * 4;
     plan.add_resource(Resource::storage(name, bytes, Clock::Frame))
 }
 

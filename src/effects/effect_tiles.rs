@@ -10,7 +10,7 @@
 use super::borders::Strokes;
 use super::horizon;
 use super::illustrate::{self, backdrop, reach_px};
-use crate::passes::{SceneBuffers, TILE_PX, share_tiles};
+use crate::passes::{SceneBuffers, TILE_PX, share_tiles, tiles_in};
 use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
 use crate::scene::View;
 use crate::scene::style::{Paper, Style};
@@ -51,8 +51,7 @@ impl EffectTiles {
             return None;
         }
         let size_px = scene.input.view.size_px;
-        let [columns, rows] = size_px.map(|px| px.div_ceil(TILE_PX));
-        let tile_count = columns * rows;
+        let tile_count = tiles_in(size_px);
         // A struct of WGSL is a multiple of its alignment long, that of one tile too.
         let bytes = (BYTES_OF_HEAD + u64::from(tile_count) * BYTES_OF_TILE).next_multiple_of(16);
         let room = Contents::in_pieces(bytes, Vec::new(), true);

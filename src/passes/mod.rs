@@ -75,4 +75,4 @@ pub(crate) use solid::{NearestKept, Store, over_mesh};
 pub(crate) use surface::{DrawPass, Surfaces};
 pub use sweep::INVOCATIONS_PER_ROW;
 pub(crate) use sweep::{Sweep, groups_along};
-pub(crate) use touched::{TILE_PX, Touched, share_tiles};
+pub(crate) use touched::{TILE_PX, Touched, share_tiles, tiles_in};

@@ -29,8 +29,7 @@ pub(crate) struct Touched {
 impl Touched {
     /// The tiles of a picture, of which none is touched yet.
     pub(super) fn of_picture(plan: &mut Plan, size_px: [u32; 2]) -> Self {
-        let [columns, rows] = size_px.map(|px| px.div_ceil(TILE_PX));
-        let tile_count = columns * rows;
+        let tile_count = tiles_in(size_px);
         let bytes = HEAD_BYTES + u64::from(tile_count) * TILE_BYTES;
         let room = Contents::in_pieces(bytes, Vec::new(), true);
         let list = Resource::upload("touched", Role::Storage, room, Clock::Frame);
@@ -57,6 +56,11 @@ impl Touched {
     pub(crate) fn shared(self) -> Work {
         share_tiles(self.tile_count)
     }
+}
+
+/// How many tiles a picture has.
+pub(crate) fn tiles_in(size_px: [u32; 2]) -> u32 {
+    size_px.map(|px| px.div_ceil(TILE_PX)).iter().product()
 }
 
 /// A dispatch whose workgroups share a list of up to so many tiles.

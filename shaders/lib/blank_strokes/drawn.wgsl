@@ -3,7 +3,7 @@
 #define_import_path cutaway::blank_strokes
 
 #import cutaway::borders::word_of_tile
-#import cutaway::frame::{frame, pixel_index}
+#import cutaway::frame::pixel_index
 #import cutaway::touched::TILE_PX
 
 @group(1) @binding(0) var<storage, read_write> borders: array<u32>;
@@ -13,7 +13,7 @@ fn blank_strokes(at: vec2<u32>) {
     let pixel = pixel_index(at);
     borders[pixel] = 0u;
     strokes[pixel] = 0u;
-    let word = word_of_tile(at / TILE_PX, frame.size_px);
+    let word = word_of_tile(at / TILE_PX);
     borders[word] = 0u;
     strokes[word] = 0u;
 }

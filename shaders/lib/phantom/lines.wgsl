@@ -30,7 +30,7 @@ fn has_border_near(at: vec2<i32>, reach_px: i32) -> bool {
     var found = 0u;
     for (var y = tiles.y; y <= tiles.w; y++) {
         for (var x = tiles.x; x <= tiles.z; x++) {
-            found |= ghost_borders[word_of_tile(vec2<u32>(x, y), frame.size_px)];
+            found |= ghost_borders[word_of_tile(vec2<u32>(x, y))];
         }
     }
     return found != 0u;
