@@ -190,7 +190,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Whether files can be made in a folder, or the folder be made, found out by making one where it exists.
+/// Whether files can be made in a folder, or the folder be made, found out by making one without a name where it
+/// exists: a process that ends here leaves none behind.
 pub(super) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     let there = folder
         .ancestors()
@@ -205,9 +206,8 @@ pub(super) fn check_folder(culprit: &str, folder: &Path) -> Result<()> {
     if !there.is_dir() {
         return refuse(format!("{} is a file, not a folder", there.display()));
     }
-    let probe = there.join(format!(".cutaway.{}.tmp", std::process::id()));
-    match fs::write(&probe, []).and_then(|()| fs::remove_file(&probe)) {
-        Ok(()) => Ok(()),
+    match tempfile::tempfile_in(there) {
+        Ok(_) => Ok(()),
         Err(e) => refuse(format!(
             "nothing can be written to {}: {e}",
             there.display()

@@ -181,8 +181,9 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         Target::Numbered(_) => identity::of(args, &subject, &session),
         _ => Identity::default(),
     };
-    let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
+    // Before the encoder begins a file, which Ctrl-C would leave behind half written.
     let interrupt = Interrupt::listen("animate", "frame")?;
+    let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
     console.expect_frames(times.count);
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
