@@ -98,7 +98,8 @@ fn check(start: &str, texts: &[String]) {
 #[test]
 fn readme_has_the_figures_of_planes_and_reliefs() {
     let one = points("06-planar", "", "", &[]);
-    let ratio = format!("| {} |", range(&frames(&one, "stencil"), 1));
+    let [compute, stencil] = [COMPUTE, "stencil"].map(|name| range(&frames(&one, name), 1));
+    let ratio = format!("| {compute}, {stencil} |");
     let paper = format!("× {}", range(&frames(&one, PAPER), 1));
     let px = format!("{} px", range(&wrong(&one, PAPER), 0));
     check("one plane", &[ratio, paper, px]);
