@@ -54,6 +54,13 @@ fn sources() -> BTreeMap<String, String> {
     sources
 }
 
+/// Sources of the library and of the window.
+fn all_sources() -> BTreeMap<String, String> {
+    let of_viewer = files("viewer/src", "rs").into_iter();
+    let named = of_viewer.map(|(name, text)| (format!("viewer/src/{name}"), text));
+    sources().into_iter().chain(named).collect()
+}
+
 /// Source without comments and without what `#[cfg(test)]` guards to the end of its item.
 fn code(text: &str) -> Vec<(usize, &str)> {
     let mut lines = Vec::new();
@@ -113,7 +120,7 @@ fn shortcuts(name: &str, text: &str) -> Vec<String> {
 
 #[test]
 fn nothing_is_left_for_later() {
-    let all: Vec<String> = sources()
+    let all: Vec<String> = all_sources()
         .iter()
         .flat_map(|(name, text)| shortcuts(name, text))
         .collect();
@@ -152,7 +159,7 @@ fn has_header(text: &str) -> bool {
 
 #[test]
 fn every_file_says_what_it_is_for() {
-    let without: Vec<String> = sources()
+    let without: Vec<String> = all_sources()
         .into_iter()
         .filter(|(_, text)| !has_header(text))
         .map(|(name, _)| format!("{name} does not begin with //!"))
@@ -201,7 +208,7 @@ fn length(text: &str) -> usize {
 
 #[test]
 fn files_are_short() {
-    let mut all = sources();
+    let mut all = all_sources();
     all.extend(files("shaders", "wgsl"));
     none(&lengths(
         all.iter().map(|(name, text)| (name.as_str(), length(text))),
@@ -219,6 +226,35 @@ fn files_are_short() {
     assert_eq!(planted("b.rs", 500).len(), 0, "planted");
     assert_eq!(planted("b.rs", 501).len(), 1, "planted");
     assert_eq!(planted("b.rs", 10).len(), 1, "planted");
+}
+
+/// What of the viewer may know of a window or a device; the rest is tested without either.
+const OF_WINDOWS: [&str; 6] = [
+    "ui/",
+    "screen.rs",
+    "difference.rs",
+    "readback.rs",
+    "window.rs",
+    "main.rs",
+];
+
+/// Files that name the toolkit and should not.
+fn toolkit_in_state(files: &BTreeMap<String, String>) -> Vec<String> {
+    let is_of_windows = |name: &str| OF_WINDOWS.iter().any(|w| name.starts_with(w));
+    let names_it = |text: &str| code(text).iter().any(|(_, line)| line.contains("egui"));
+    (files.iter())
+        .filter(|(name, text)| !is_of_windows(name) && names_it(text))
+        .map(|(name, _)| format!("viewer/src/{name} names egui"))
+        .collect()
+}
+
+#[test]
+fn state_and_actions_know_of_no_window() {
+    none(&toolkit_in_state(&files("viewer/src", "rs")));
+    let planted =
+        |name: &str| BTreeMap::from([(name.to_owned(), "use eframe::egui;\n".to_owned())]);
+    assert_eq!(toolkit_in_state(&planted("state.rs")).len(), 1, "planted");
+    assert_eq!(toolkit_in_state(&planted("ui/menu.rs")).len(), 0, "a panel");
 }
 
 /// Names of constants that a text declares outside of implementations, where a trait may ask for them.

@@ -221,28 +221,10 @@ impl CameraArgs {
             say(document, path, option, value)?;
         }
         if is_new {
-            find_angles(document)?;
+            document.find_angles()?;
         }
         Ok(())
     }
-}
-
-/// Lets the angles be found that a camera of the command line does not say, as they are where there is none.
-pub(super) fn find_angles(document: &mut Document) -> Result<()> {
-    let Some(camera) = document.root().get("camera").cloned() else {
-        return Ok(());
-    };
-    let is_said = |key: &&str| camera.get(key).is_some();
-    let places = ["position", "focal_point", "view_up", "view"];
-    if places.iter().any(is_said) {
-        return Ok(());
-    }
-    for angle in ["azimuth_deg", "elevation_deg"] {
-        if !is_said(&angle) {
-            document.set(&format!("camera.{angle}"), "auto")?;
-        }
-    }
-    Ok(())
 }
 
 fn parse_zoom(text: &str) -> Result<f64, String> {

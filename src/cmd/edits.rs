@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::camera::find_angles;
 use super::output::Output;
 use crate::document::{Document, Node, Origin, Value};
 use crate::{Error, Result};
@@ -38,7 +37,7 @@ impl EditArgs {
             document.set_node(path, Node::new(Value::read(value)).said(&origin))?;
         }
         if is_new {
-            find_angles(document)?;
+            document.find_angles()?;
         }
         Ok(())
     }

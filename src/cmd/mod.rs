@@ -39,12 +39,14 @@ mod section;
 mod sections;
 mod split;
 mod subject;
-mod upright;
+mod view;
 mod when;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+pub use view::{Opened, Window};
 
 use crate::Result;
 use crate::generate::shapes::SHAPES;
@@ -66,6 +68,7 @@ const EXAMPLES: &str = "\
 Examples:
   cutaway render bracket.stl --section x=50% -o cut.png
   cutaway render shape:crank --section -z=50% --relief fractal:amplitude=5% -o ragged.png
+  cutaway view bracket.stl
   cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
   cutaway animate shape:crank --section -z=50% --turntable -o crank.gif
   cutaway section bracket.stl --section z=50% -o cut.svg
@@ -95,6 +98,13 @@ enum Command {
     /// Draw a cut model to a PNG
     #[command(after_help = render::EXAMPLES, after_long_help = with_shapes(render::EXAMPLES))]
     Render(render::RenderArgs),
+    /// Open a window in which cuts are dragged and strategies compared
+    #[command(
+        after_help = view::EXAMPLES,
+        after_long_help = with_shapes(view::EXAMPLES),
+        mut_arg("inputs", |inputs| inputs.required(false))
+    )]
+    View(view::ViewArgs),
     /// Measure strategies against the exact reference and against each other
     #[command(after_help = compare::EXAMPLES, after_long_help = with_shapes(compare::EXAMPLES))]
     Compare(compare::CompareArgs),
@@ -129,9 +139,15 @@ enum Command {
 
 /// Runs the command of this process's arguments.
 pub fn main() -> ExitCode {
+    main_with(None)
+}
+
+/// Runs the command of this process's arguments, which opens such a window to view.
+pub fn main_with(window: Option<Window>) -> ExitCode {
     environment::calm_drivers();
     let cli = Cli::parse();
     let ended = match cli.command {
+        Command::View(args) => return view::run(&args, window),
         Command::Render(args) => render::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Animate(args) => animate::run(&args),

@@ -10,13 +10,12 @@ use super::look::Usual;
 use super::output::write_file;
 use super::places::InputFiles;
 use super::sections::SectionArgs;
-use super::upright;
-use crate::document::{Document, Timeline, part};
+use crate::document::{Document, GuessedUp, Timeline, part};
 use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
-use crate::scene::{Bounds, Prepared, Scene, SceneSpace, View, doubts};
+use crate::scene::{Bounds, Prepared, Scene, SceneSpace, Up, View, doubts};
 use crate::strategies::Means;
 use crate::{Error, Result};
 
@@ -32,6 +31,7 @@ pub(super) struct Subject {
     /// All files that were read.
     pub(super) files: InputFiles,
     document: Document,
+    assets: Assets,
     /// Where the document is saved.
     saved: Option<PathBuf>,
 }
@@ -49,7 +49,7 @@ impl Subject {
         edits.amend(&mut document)?;
         let mut assets = Assets::default();
         let guessed = match usual.guesses_up {
-            true => upright::guess(&mut document, &mut assets)?,
+            true => document.guess_up(&mut assets)?,
             false => None,
         };
         let saved = edits.place(&document)?;
@@ -61,7 +61,9 @@ impl Subject {
             name => format!("{name}: {note}"),
         });
         console.notes(&notes.collect::<Vec<_>>());
-        guessed.iter().for_each(|note| console.note(note));
+        guessed
+            .iter()
+            .for_each(|guessed| console.note(said_of(guessed)));
         let scene = match at_s {
             Some(time_s) => timeline.at(time_s)?,
             None => timeline.scene()?,
@@ -73,6 +75,7 @@ impl Subject {
             timeline,
             files,
             document,
+            assets,
             saved,
         };
         if subject.timeline.settings().time_s.is_some() && !subject.timeline.moves() {
@@ -121,6 +124,11 @@ impl Subject {
         }
     }
 
+    /// The document, and what was read for it.
+    pub(super) fn into_document(self) -> (Document, Assets) {
+        (self.document, self.assets)
+    }
+
     /// Size of the picture.
     pub(super) fn size_px(&self) -> [u32; 2] {
         self.timeline.settings().size_px()
@@ -147,6 +155,16 @@ impl Subject {
     pub(super) fn view(&self, prepared: &Prepared) -> View {
         prepared.view(self.size_px())
     }
+}
+
+/// What is to be said of an axis that was guessed.
+fn said_of(GuessedUp { up, is_habit }: &GuessedUp) -> String {
+    let why = match is_habit {
+        true => "the habit of the format",
+        false => "it stands on a flat base that way",
+    };
+    let [own, other] = [*up, up.other()].map(Up::name);
+    format!("up is guessed: {own} ({why}); --up {other} changes it")
 }
 
 /// The document of the positional inputs: one scene file, or models.

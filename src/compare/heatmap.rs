@@ -88,6 +88,19 @@ impl Class {
 ///
 /// If the frames differ in size.
 pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
+    marked(exact, layers, |truth| opaque(ground(truth)))
+}
+
+/// The same marks alone, to be laid over a picture of the frame: transparent where nothing is to be told.
+///
+/// # Panics
+///
+/// If the frames differ in size.
+pub fn heatmap_overlay(exact: &Exact, layers: &Layers) -> RgbaImage {
+    marked(exact, layers, |_| Rgba([0; 4]))
+}
+
+fn marked(exact: &Exact, layers: &Layers, ground: impl Fn(&Layer) -> Rgba<u8>) -> RgbaImage {
     assert_eq!(
         exact.layers.size_px, layers.size_px,
         "frames of different size cannot be compared"
@@ -99,8 +112,8 @@ pub fn heatmap(exact: &Exact, layers: &Layers) -> RgbaImage {
         Class::of(exact, i, &layers.pixels[i])
     };
     let mut picture = RgbaImage::from_fn(width, height, |x, y| {
-        let rgb = class(x, y).map_or_else(|| ground(&exact.layers.pixels[index(x, y)]), Class::rgb);
-        opaque(rgb)
+        let own = class(x, y).map(|class| opaque(class.rgb()));
+        own.unwrap_or_else(|| ground(&exact.layers.pixels[index(x, y)]))
     });
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         if class(x, y).is_some_and(Class::is_wrong) {

@@ -26,7 +26,7 @@
 
 mod heatmap;
 
-pub use heatmap::{Class, LegendEntry, heatmap, legend};
+pub use heatmap::{Class, LegendEntry, heatmap, heatmap_overlay, legend};
 
 use serde::{Deserialize, Serialize};
 

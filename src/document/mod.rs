@@ -31,6 +31,7 @@ mod read;
 mod spec;
 mod text;
 mod timeline;
+mod upright;
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -49,6 +50,7 @@ pub(crate) use paths::Keys;
 pub(crate) use read::reader;
 pub use read::{Interpolation, Key, RoleBy, Settings, named_style, style_names};
 pub use timeline::Timeline;
+pub use upright::GuessedUp;
 
 use crate::error::{Error, Result};
 use crate::load::{Assets, Disk, Files, input_file};

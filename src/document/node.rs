@@ -279,12 +279,12 @@ impl Node {
     }
 
     /// What an entry of a list calls itself.
-    pub(crate) fn name(&self) -> Option<&str> {
+    pub fn name(&self) -> Option<&str> {
         self.get("name")?.text()
     }
 
     /// What a part is called that does not say it: after its shape or its mesh file.
-    pub(crate) fn model(&self) -> Option<String> {
+    pub fn model(&self) -> Option<String> {
         if let Some(mesh) = self.get("mesh") {
             let stem = Path::new(mesh.text()?).file_stem()?;
             return Some(stem.to_string_lossy().into_owned());
@@ -295,7 +295,7 @@ impl Node {
     }
 
     /// The text that it is.
-    pub(crate) fn text(&self) -> Option<&str> {
+    pub fn text(&self) -> Option<&str> {
         match &self.value {
             Value::Text(text) => Some(text),
             _ => None,

@@ -1,5 +1,7 @@
 //! Values as TOML text, put where the rest of a text stays as it is written.
 
+use std::fmt;
+
 use toml_edit::{
     Array, ArrayOfTables, DocumentMut, InlineTable, Item, RawString, Table, Value as Toml,
 };
@@ -173,6 +175,30 @@ fn blocks(list: &[Node]) -> Item {
     match tables.collect::<Option<ArrayOfTables>>() {
         Some(tables) if !tables.is_empty() => Item::ArrayOfTables(tables),
         _ => Item::Value(toml(&Value::List(list.to_vec()))),
+    }
+}
+
+/// As TOML has it, in one line.
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut value = toml(self);
+        in_one_line(&mut value);
+        write!(f, "{value}")
+    }
+}
+
+/// Takes away what puts lists into several lines.
+fn in_one_line(value: &mut Toml) {
+    match value {
+        Toml::Array(array) => {
+            array.iter_mut().for_each(in_one_line);
+            array.fmt();
+        }
+        Toml::InlineTable(table) => {
+            table.iter_mut().for_each(|(_, value)| in_one_line(value));
+            table.fmt();
+        }
+        _ => {}
     }
 }
 

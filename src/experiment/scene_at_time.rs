@@ -13,6 +13,7 @@ use crate::strategies::Means;
 use crate::{Error, Result};
 
 /// A scene at one time, ready to be drawn and judged.
+#[derive(Debug)]
 pub struct SceneAtTime {
     /// What strategies draw.
     pub model: Model,
@@ -30,6 +31,11 @@ impl SceneAtTime {
     /// Prepares a scene that follows this one in time; what has not changed is not prepared again.
     pub fn updated(&self, scene: &Scene) -> Self {
         Self::with(self.model.updated(scene), scene)
+    }
+
+    /// Prepares a scene as if it were the first, by [`Model::anew`].
+    pub fn anew(&self, scene: &Scene) -> Self {
+        Self::with(self.model.anew(scene), scene)
     }
 
     fn with(model: Model, scene: &Scene) -> Self {

@@ -42,14 +42,35 @@ impl AtRest {
         if let Some(before) = before.filter(|b| b.parts.len() == scene.parts.len()) {
             return before.clone();
         }
+        Arc::new(Self::new(scene, prepared))
+    }
+
+    fn new(scene: &Scene, prepared: &Prepared) -> Self {
         let parts = scene.parts.iter();
-        Arc::new(Self {
+        Self {
             parts: parts.map(|p| (p.mesh.clone(), p.world_from_part)).collect(),
             diagonal: prepared.bounds.size().length() / prepared.scale,
             picture_height: picture_height(prepared),
             classes: OnceLock::new(),
             thicknesses: OnceLock::new(),
-        })
+        }
+    }
+
+    /// Of a scene that is seen as if for the first time. What was found of the same parts is not found again.
+    pub(super) fn anew(&self, scene: &Scene, prepared: &Prepared) -> Self {
+        let new = Self::new(scene, prepared);
+        let is_same = |((mesh, at), (was, was_at)): (&(Arc<Mesh>, DAffine3), &(_, _))| {
+            Arc::ptr_eq(mesh, was) && at == was_at
+        };
+        let pairs = || new.parts.iter().zip(&self.parts);
+        match new.parts.len() == self.parts.len() && pairs().all(is_same) {
+            true => Self {
+                classes: self.classes.clone(),
+                thicknesses: self.thicknesses.clone(),
+                ..new
+            },
+            false => new,
+        }
     }
 
     /// A class for each part, by its index in the scene: parts that touch have unlike ones.

@@ -100,6 +100,19 @@ impl Model {
         Self::after(scene, Some(self))
     }
 
+    /// The scene as if it were seen for the first time, with all that it shares with this model: hatches hang on where its parts and its
+    /// eye are now.
+    #[must_use]
+    pub fn anew(&self, scene: &Scene) -> Self {
+        let updated = self.updated(scene);
+        let at_rest = Arc::new(self.at_rest.anew(scene, &updated.prepared));
+        Self {
+            moved: at_rest.moved(scene, &updated.prepared),
+            at_rest,
+            ..updated
+        }
+    }
+
     fn after(scene: &Scene, before: Option<&Self>) -> Self {
         let world = scene.bounds();
         let space = SceneSpace::new(&world);

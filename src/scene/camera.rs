@@ -34,6 +34,23 @@ pub enum Up {
 }
 
 impl Up {
+    /// As documents have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PlusY => "+Y",
+            Self::PlusZ => "+Z",
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::PlusY => Self::PlusZ,
+            Self::PlusZ => Self::PlusY,
+        }
+    }
+
     /// As a direction.
     pub fn axis(self) -> DVec3 {
         match self {

@@ -10,6 +10,8 @@
 //! The side that the normal points to is kept. Normals of any length are taken; along an axis they give the frame of
 //! the surface without rounding.
 
+use std::fmt;
+
 use glam::DVec3;
 
 use super::range::LARGEST;
@@ -138,6 +140,150 @@ impl PlaneSpec {
             );
         }
         Ok(ClipSurface::upright(origin, normal, up))
+    }
+}
+
+/// Percentages of a plane that was moved have so many decimals.
+const PERCENT_DECIMALS: i32 = 3;
+/// Lengths of one are rounded to this share of the model.
+const FINEST_SHARE: f64 = 1e-6;
+
+impl PlaneSpec {
+    /// The same plane, moved along its normal by a distance in world units: with the percentages that it had, rounded to what a hand can
+    /// tell.
+    #[must_use]
+    pub fn moved(&self, distance: f64, bounds: &Bounds) -> Self {
+        let moved = |at: Amount, by: f64, axis: usize| match at {
+            Amount::Units(v) => Amount::Units(rounded(v + by, bounds)),
+            Amount::Percent(p) => {
+                let share = by / (bounds.max[axis] - bounds.min[axis]);
+                let percent = p + 100.0 * if share.is_finite() { share } else { 0.0 };
+                Amount::Percent(to_decimals(percent, PERCENT_DECIMALS))
+            }
+        };
+        Self::new(match self.plane {
+            Plane::Axis { axis, sign, at } => Plane::Axis {
+                axis,
+                sign,
+                at: moved(at, sign * distance, axis),
+            },
+            Plane::Point { normal, point } => {
+                let by = unit(normal) * distance;
+                let at = |i: usize| moved(point[i], by[i], i);
+                Plane::Point {
+                    normal,
+                    point: [at(0), at(1), at(2)],
+                }
+            }
+            Plane::Offset { normal, offset } => Plane::Offset {
+                normal,
+                offset: rounded(offset + distance * normal.length(), bounds),
+            },
+        })
+    }
+
+    /// The same plane, of which the other side is kept.
+    #[must_use]
+    pub fn flipped(&self) -> Self {
+        Self::new(match self.plane {
+            Plane::Axis { axis, sign, at } => Plane::Axis {
+                axis,
+                sign: -sign,
+                at,
+            },
+            Plane::Point { normal, point } => Plane::Point {
+                // Zero is written without a sign.
+                normal: DVec3::ZERO - normal,
+                point,
+            },
+            Plane::Offset { normal, offset } => Plane::Offset {
+                normal: DVec3::ZERO - normal,
+                offset: 0.0 - offset,
+            },
+        })
+    }
+
+    /// A plane of another normal, through the point of this one that is next to the middle of the bounds. Along an axis its place is in
+    /// percent.
+    ///
+    /// # Errors
+    ///
+    /// A plane that makes no sense beside such bounds.
+    pub fn turned(&self, normal: DVec3, bounds: &Bounds) -> Result<Self> {
+        let through = self.surface(bounds, Up::PlusY)?.origin;
+        let normal = unit(normal);
+        let axis = (0..3).find(|i| normal[*i].abs() > 1.0 - 1e-9);
+        let extent = bounds.max - bounds.min;
+        Ok(Self::new(match axis.filter(|i| extent[*i] > 0.0) {
+            Some(axis) => {
+                let percent = (through[axis] - bounds.min[axis]) / extent[axis] * 100.0;
+                let at = Amount::Percent(to_decimals(percent, PERCENT_DECIMALS));
+                let sign = normal[axis].signum();
+                Plane::Axis { axis, sign, at }
+            }
+            None => Plane::Point {
+                normal: DVec3::from_array(normal.to_array().map(|c| to_decimals(c, 6))),
+                point: through
+                    .to_array()
+                    .map(|c| Amount::Units(rounded(c, bounds))),
+            },
+        }))
+    }
+
+    fn new(plane: Plane) -> Self {
+        let text = plane.to_string();
+        Self { text, plane }
+    }
+}
+
+/// As `--section` takes it.
+impl fmt::Display for PlaneSpec {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl fmt::Display for Plane {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Axis { axis, sign, at } => {
+                let minus = if *sign < 0.0 { "-" } else { "" };
+                write!(f, "{minus}{}={at}", ["x", "y", "z"][*axis])
+            }
+            Self::Point { normal, point } => {
+                let [x, y, z] = point;
+                write!(f, "{}@{x},{y},{z}", listed(*normal))
+            }
+            Self::Offset { normal, offset } => write!(f, "{},{offset}", listed(*normal)),
+        }
+    }
+}
+
+impl fmt::Display for Amount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Units(v) => write!(f, "{v}"),
+            Self::Percent(p) => write!(f, "{p}%"),
+        }
+    }
+}
+
+/// A number with so many decimals, and never -0.
+fn to_decimals(value: f64, decimals: i32) -> f64 {
+    let unit = 10.0_f64.powi(decimals.abs());
+    let rounded = match decimals >= 0 {
+        true => (value * unit).round() / unit,
+        false => (value / unit).round() * unit,
+    };
+    rounded + 0.0
+}
+
+/// A length, to what can be told apart in a model.
+fn rounded(length: f64, bounds: &Bounds) -> f64 {
+    let finest = (bounds.max - bounds.min).max_element() * FINEST_SHARE;
+    match finest > 0.0 && finest.is_finite() {
+        true => to_decimals(length, -(finest.log10().floor() as i32)),
+        false => length,
     }
 }
 
@@ -335,6 +481,53 @@ mod tests {
             s.scale.z = height;
             assert_eq!(s.misses(&bounds()), misses, "height {height}");
         }
+    }
+
+    #[test]
+    fn planes_are_moved_flipped_and_turned_in_their_own_words() {
+        let bounds = bounds();
+        for (text, distance, moved, flipped) in [
+            ("z=50%", 1.0, "z=60%", "-z=60%"),
+            ("-z=50%", 1.0, "-z=40%", "z=40%"),
+            ("x=0.5", 0.25, "x=0.75", "-x=0.75"),
+            ("0,0,-2,-10", 1.0, "0,0,-2,-8", "0,0,2,8"),
+            (
+                "0,0,1@50%,50%,25%",
+                0.5,
+                "0,0,1@50%,50%,30%",
+                "0,0,-1@50%,50%,30%",
+            ),
+            ("0,3,0@1,2,3", -0.5, "0,3,0@1,1.5,3", "0,-3,0@1,1.5,3"),
+        ] {
+            let spec = PlaneSpec::parse(text).expect(text);
+            let other = spec.moved(distance, &bounds);
+            assert_eq!(other.to_string(), moved, "{text}");
+            let [was, is] = [text, moved].map(surface);
+            let normal = was.frame().normal;
+            let apart = (is.origin - was.origin).dot(normal);
+            assert!((apart - distance).abs() < 1e-9, "{text} moved by {apart}");
+            assert_eq!(is.frame().normal, normal, "{text}");
+            assert_eq!(other.flipped().to_string(), flipped, "{text}");
+            let back = surface(flipped);
+            assert_eq!(back.frame().normal, -normal, "{text}");
+            assert!(back.kept_height(is.origin).abs() < 1e-12, "{text}");
+        }
+        for (text, normal, turned) in [
+            ("z=50%", DVec3::X, "x=50%"),
+            ("z=25%", DVec3::NEG_Z, "-z=25%"),
+            (
+                "x=0",
+                DVec3::new(1.0, 1.0, 0.0),
+                "0.707107,0.707107,0@0,0.4,7",
+            ),
+        ] {
+            let spec = PlaneSpec::parse(text).expect(text);
+            let turned_to = spec.turned(normal, &bounds).expect(text);
+            assert_eq!(turned_to.to_string(), turned, "{text}");
+        }
+        let third = PlaneSpec::parse("x=0%").expect("a plane");
+        let third = third.moved(4.0 / 3.0, &bounds);
+        assert_eq!(third.to_string(), "x=33.333%", "what a hand can tell");
     }
 
     #[test]

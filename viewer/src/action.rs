@@ -1,0 +1,73 @@
+//! What can be done: every button, key, drag and dropped file becomes one of these, which [`State`](crate::State) carries out.
+
+use std::path::PathBuf;
+
+use cutaway::document::Value;
+
+use crate::camera::CameraMove;
+use crate::cuts::{NewCut, PlaneMove};
+use crate::slot::{Layout, Painter, Side};
+
+/// What the panels are about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// The scene as a whole.
+    #[default]
+    Scene,
+    /// A cut, by its place in the document.
+    Cut(usize),
+    /// A part, by its place in the document.
+    Part(usize),
+}
+
+/// Something to be done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Takes files in: a scene in the place of this one, models as further parts, an image as the relief of the selected cut.
+    Take(Vec<PathBuf>),
+    /// Writes the scene to a file, and goes on with that.
+    Save(PathBuf),
+    /// Reads all files again.
+    Reload,
+    /// Takes the last step back.
+    Undo,
+    /// Does the step again that was taken back.
+    Redo,
+    /// Sets a value of the document.
+    Set {
+        /// Dotted path.
+        path: String,
+        /// What it is to be.
+        value: Value,
+    },
+    /// Takes a value out of the document, after which what is usual holds.
+    Unset(String),
+    /// Adds a cut and selects it.
+    Add(NewCut),
+    /// Adds a copy of a cut behind the others.
+    Duplicate(usize),
+    /// Takes a cut away.
+    Remove(usize),
+    /// Moves the plane of the selected cut.
+    MovePlane(PlaneMove),
+    /// Turns the plane of the selected cut to the eye.
+    FaceEye,
+    /// Ends what is held: the next change is a step of its own.
+    Release,
+    /// Selects what the panels are about.
+    Select(Selection),
+    /// Moves the eye.
+    MoveCamera(CameraMove),
+    /// Chooses who draws a slot.
+    Choose(Side, Painter),
+    /// Exchanges the slots.
+    Swap,
+    /// How the slots are seen.
+    Arrange(Layout),
+    /// Where the line between the slots is: 0 at the left end.
+    Wipe(f32),
+    /// Whether errors are shown over the slots.
+    ShowErrors(bool),
+    /// Shows a moment.
+    Seek(f64),
+}

@@ -1,0 +1,257 @@
+//! Where the eye is, moved by hand.
+//!
+//! Moves change a [`Camera`], which is then written into the document in its own words: angles and a zoom for an orbit, a position and a
+//! focal point for an eye that stands somewhere. An eye that a document names otherwise, by a view or by `auto`, becomes an orbit.
+//!
+//! Cannot: tilt the horizon.
+
+use cutaway::document::Value;
+use cutaway::scene::{Camera, Projection, Up, Viewpoint};
+use cutaway::{Document, Result};
+use glam::{DVec2, DVec3};
+
+/// Straight up and down are left out: there the picture would spin.
+const STEEPEST_DEG: f64 = 89.9;
+
+/// A move of the eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CameraMove {
+    /// Around the model, in degrees: to the right, and up.
+    Orbit(DVec2),
+    /// Of the picture, right and up, in heights of it.
+    Pan(DVec2),
+    /// Larger by a factor, about a point of the picture: right and up from the middle, in heights.
+    Zoom {
+        /// More than 1 is larger.
+        factor: f64,
+        /// What stays where it is.
+        about: DVec2,
+    },
+    /// To a direction, by azimuth and elevation in degrees.
+    Stand([f64; 2]),
+    /// All of the model is seen.
+    Home,
+    /// Parallel rays or not.
+    Parallel(bool),
+}
+
+/// Directions that have names: azimuth and elevation.
+pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
+    ("Front", [0.0, 0.0]),
+    ("Back", [180.0, 0.0]),
+    ("Left", [-90.0, 0.0]),
+    ("Right", [90.0, 0.0]),
+    ("Top", [0.0, 90.0]),
+    ("Bottom", [0.0, -90.0]),
+    ("Isometric", [45.0, 35.264]),
+];
+
+/// Moves a camera.
+pub fn move_camera(camera: &mut Camera, by: CameraMove) {
+    match by {
+        CameraMove::Orbit(degrees) => {
+            let [azimuth, elevation] = angles(camera);
+            let to = [azimuth - degrees.x, elevation - degrees.y];
+            turn(camera, [to[0], to[1].clamp(-STEEPEST_DEG, STEEPEST_DEG)]);
+        }
+        CameraMove::Pan(by) => camera.pan = (camera.pan + by).clamp(-FARTHEST_PAN, FARTHEST_PAN),
+        CameraMove::Zoom { factor, about } => {
+            let zoom = (camera.zoom * factor).clamp(1e-3, 1e3);
+            let factor = zoom / camera.zoom;
+            camera.zoom = zoom;
+            let pan = about - (about - camera.pan) * factor;
+            camera.pan = pan.clamp(-FARTHEST_PAN, FARTHEST_PAN);
+        }
+        CameraMove::Stand(to) => turn(camera, to),
+        CameraMove::Home => {
+            (camera.zoom, camera.pan) = (1.0, DVec2::ZERO);
+            if let Viewpoint::Explicit { .. } = camera.viewpoint {
+                let [azimuth_deg, elevation_deg] = angles(camera);
+                camera.viewpoint = Viewpoint::Orbit {
+                    azimuth_deg,
+                    elevation_deg,
+                };
+            }
+        }
+        CameraMove::Parallel(true) => {
+            camera.projection = Projection::Orthographic { height: None };
+        }
+        CameraMove::Parallel(false) => camera.projection = Camera::default().projection,
+    }
+}
+
+/// As far as documents let a picture be moved.
+const FARTHEST_PAN: DVec2 = DVec2::splat(10.0);
+
+/// Puts the eye into a direction, as far away as it is.
+fn turn(camera: &mut Camera, [azimuth_deg, elevation_deg]: [f64; 2]) {
+    let azimuth_deg = (azimuth_deg + 180.0).rem_euclid(360.0) - 180.0;
+    camera.viewpoint = match camera.viewpoint {
+        Viewpoint::Explicit {
+            position,
+            focal_point,
+            ..
+        } => {
+            let towards = direction(camera.up, azimuth_deg, elevation_deg);
+            Viewpoint::Explicit {
+                position: focal_point + towards * (position - focal_point).length(),
+                focal_point,
+                view_up: None,
+            }
+        }
+        _ => Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        },
+    };
+}
+
+/// From what is looked at to the eye.
+fn direction(up: Up, azimuth_deg: f64, elevation_deg: f64) -> DVec3 {
+    let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
+    let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
+    match up {
+        Up::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
+        Up::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
+    }
+}
+
+/// Azimuth and elevation of an eye, in degrees.
+pub fn angles(camera: &Camera) -> [f64; 2] {
+    let towards = match camera.viewpoint {
+        Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } => return [azimuth_deg, elevation_deg],
+        Viewpoint::Along { forward, .. } => -forward,
+        Viewpoint::Explicit {
+            position,
+            focal_point,
+            ..
+        } => position - focal_point,
+    };
+    let d = towards.normalize_or(DVec3::Z);
+    let [azimuth, height] = match camera.up {
+        Up::PlusY => [d.x.atan2(d.z), d.y],
+        Up::PlusZ => [d.x.atan2(-d.y), d.z],
+    };
+    [
+        azimuth.to_degrees(),
+        height.clamp(-1.0, 1.0).asin().to_degrees(),
+    ]
+}
+
+/// Writes a camera into a document, where it was moved.
+///
+/// # Errors
+///
+/// A document whose `camera` is no table.
+pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
+    match camera.viewpoint {
+        Viewpoint::Explicit {
+            position,
+            focal_point,
+            view_up,
+        } => {
+            let list = |v: DVec3| Value::from(v.to_array().map(|c| to_decimals(c, 6)).to_vec());
+            document.set("camera.position", list(position))?;
+            document.set("camera.focal_point", list(focal_point))?;
+            if view_up.is_none() {
+                document.remove("camera.view_up")?;
+            }
+        }
+        _ => {
+            for key in ["view", "position", "focal_point", "view_up"] {
+                document.remove(&format!("camera.{key}"))?;
+            }
+            let [azimuth, elevation] = angles(camera).map(|a| to_decimals(a, 2));
+            document.set("camera.azimuth_deg", azimuth)?;
+            document.set("camera.elevation_deg", elevation)?;
+        }
+    }
+    let parallel = matches!(camera.projection, Projection::Orthographic { .. });
+    let projection = if parallel {
+        "orthographic"
+    } else {
+        "perspective"
+    };
+    let pan = camera.pan.to_array().map(|c| to_decimals(c, 5));
+    say(
+        document,
+        "projection",
+        projection.into(),
+        "perspective".into(),
+    )?;
+    say(
+        document,
+        "zoom",
+        to_decimals(camera.zoom, 5).into(),
+        1.0.into(),
+    )?;
+    say(document, "pan", pan.to_vec().into(), vec![0.0, 0.0].into())
+}
+
+/// Sets a key of the camera, or leaves it out where it says what holds without it.
+fn say(document: &mut Document, key: &str, value: Value, usual: Value) -> Result<()> {
+    let path = format!("camera.{key}");
+    match value == usual {
+        true => document.remove(&path),
+        false => document.set(&path, value),
+    }
+}
+
+/// A number with so many decimals.
+fn to_decimals(value: f64, decimals: i32) -> f64 {
+    let unit = 10.0_f64.powi(decimals);
+    (value * unit).round() / unit + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_under_the_pointer_stays_there() {
+        let mut camera = Camera::default();
+        let about = DVec2::new(0.3, -0.2);
+        for factor in [2.0, 0.7, 1e9, 1e-9] {
+            let content = |camera: &Camera| (about - camera.pan) / camera.zoom;
+            let before = content(&camera);
+            move_camera(&mut camera, CameraMove::Zoom { factor, about });
+            // At the ends of the range the picture is held instead.
+            if (2e-3..5e2).contains(&camera.zoom) {
+                assert!((content(&camera) - before).length() < 1e-12, "{factor}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_orbit_of_any_eye_turns_it_by_as_much() {
+        for up in [Up::PlusY, Up::PlusZ] {
+            for viewpoint in [
+                Camera::default().viewpoint,
+                Viewpoint::Along {
+                    forward: DVec3::new(-1.0, -0.3, -0.2),
+                    view_up: up.axis(),
+                },
+                Viewpoint::Explicit {
+                    position: DVec3::new(3.0, 1.0, 2.0),
+                    focal_point: DVec3::ONE * 0.5,
+                    view_up: None,
+                },
+            ] {
+                let mut camera = Camera {
+                    up,
+                    viewpoint,
+                    ..Camera::default()
+                };
+                let before = angles(&camera);
+                move_camera(&mut camera, CameraMove::Orbit(DVec2::new(10.0, -5.0)));
+                let after = angles(&camera);
+                let turned = [after[0] - before[0], after[1] - before[1]];
+                assert!((turned[0] + 10.0).abs() < 1e-9, "{viewpoint:?}: {turned:?}");
+                assert!((turned[1] - 5.0).abs() < 1e-9, "{viewpoint:?}: {turned:?}");
+            }
+        }
+    }
+}

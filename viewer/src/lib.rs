@@ -1,0 +1,32 @@
+//! The window of `cutaway`: cuts are dragged, and strategies are compared by wiping one over the other, with the errors of each shown live.
+//!
+//! ```text
+//! pointer, keys, files -> ui -> Action -> State (document, history, scene) -> Screen (pictures by the session, on egui's device)
+//!                                                                          -> Judge (exact, on a thread with a device of its own)
+//! ```
+//!
+//! [`State`] knows of no window, [`gizmo`] and [`camera`] are geometry, [`ui`] paints and asks. The document is what a scene file holds:
+//! undo, save and the command that makes a picture are taken from it.
+
+pub mod action;
+pub mod camera;
+pub mod command;
+pub mod cuts;
+pub mod difference;
+pub mod files;
+pub mod gizmo;
+pub mod history;
+pub mod judge;
+pub mod notice;
+pub mod pace;
+pub mod readback;
+pub mod screen;
+pub mod shown;
+pub mod slot;
+pub mod state;
+pub mod ui;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod window;
+
+pub use action::Action;
+pub use state::State;

@@ -1,0 +1,344 @@
+//! The pictures of the slots, in textures that egui shows: drawn by the session on egui's own device, into an encoder, with nothing waited
+//! for and nothing read back.
+//!
+//! A slot that is drawn on the CPU gets its picture from the [judge](crate::judge). Two slots by one method are one picture. What a frame
+//! took is told by the queue when it is done; until then no other is drawn, so that a slow device has no frames in store.
+//!
+//! Cannot: show a picture of more pixels than a texture of the device holds.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use cutaway::experiment::Renderer;
+use cutaway::gpu::{Gpu, Target};
+use cutaway::session::Encoded;
+use cutaway::strategies::Method;
+use cutaway::{Result, Session};
+use eframe::egui::{TextureId, TextureOptions};
+use egui_wgpu::{RenderState, wgpu};
+use image::RgbaImage;
+
+use crate::difference::Difference;
+use crate::readback;
+use crate::shown::Shown;
+use crate::slot::Side;
+
+/// As egui wants textures of others: sRGB values as they are.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// A texture that egui shows.
+struct Picture {
+    id: TextureId,
+    texture: wgpu::Texture,
+    view: wgpu::TextureView,
+}
+
+impl Picture {
+    fn new(host: &RenderState, size_px: [u32; 2]) -> Self {
+        let texture = host.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("slot"),
+            size: wgpu::Extent3d {
+                width: size_px[0],
+                height: size_px[1],
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_DST
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let filter = wgpu::FilterMode::Linear;
+        let id = (host.renderer.write()).register_native_texture(&host.device, &view, filter);
+        Self { id, texture, view }
+    }
+
+    fn size_px(&self) -> [u32; 2] {
+        [self.texture.width(), self.texture.height()]
+    }
+}
+
+/// A frame that the device has not done yet.
+struct UnderWay {
+    divisor: u32,
+    /// Bits of milliseconds; 0 until it is done.
+    took: Arc<AtomicU64>,
+}
+
+/// The pictures of the slots.
+pub struct Screen {
+    session: Session,
+    host: RenderState,
+    pictures: BTreeMap<Side, Picture>,
+    difference: Difference,
+    difference_picture: Option<Picture>,
+    under_way: Option<UnderWay>,
+    /// Why a slot shows nothing.
+    refusals: [Option<String>; 2],
+    took_ms: Option<f64>,
+    passes: usize,
+}
+
+impl Screen {
+    /// On the device that egui draws with.
+    ///
+    /// # Errors
+    ///
+    /// A device with less than core WebGPU.
+    pub fn on(host: &RenderState) -> Result<Self> {
+        let info = host.adapter.get_info();
+        let gpu = Gpu::from_device(&info, host.device.clone(), host.queue.clone())?;
+        Ok(Self {
+            session: Session::new(gpu),
+            host: host.clone(),
+            pictures: BTreeMap::new(),
+            difference: Difference::new(&host.device, FORMAT),
+            difference_picture: None,
+            under_way: None,
+            refusals: [None, None],
+            took_ms: None,
+            passes: 0,
+        })
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        self.session.gpu()
+    }
+
+    /// What the last whole frame took, in milliseconds, from its submission until it was done.
+    pub fn took_ms(&self) -> Option<f64> {
+        self.took_ms
+    }
+
+    /// How many passes it had.
+    pub fn passes(&self) -> usize {
+        self.passes
+    }
+
+    /// Why a slot shows nothing.
+    pub fn refusal(&self, side: Side) -> Option<&str> {
+        self.refusals[side.index()].as_deref()
+    }
+
+    /// The picture of a slot.
+    pub fn picture(&self, side: Side) -> Option<TextureId> {
+        self.pictures.get(&side).map(|p| p.id)
+    }
+
+    /// How far apart the pictures of the slots are.
+    pub fn difference(&self) -> Option<TextureId> {
+        self.difference_picture.as_ref().map(|p| p.id)
+    }
+
+    /// Takes in what the device has done: the divisor and the time of a frame that ended, and whether a frame is to be drawn again, because
+    /// a buffer was too small.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub fn settle(&mut self) -> Result<(Option<(u32, f64)>, bool)> {
+        let overflows = self.session.poll()?;
+        let must_redraw = overflows.iter().any(|(_, overflow)| overflow.is_mended);
+        let done = self.under_way.as_ref().and_then(|frame| {
+            let took_ms = f64::from_bits(frame.took.load(Ordering::Acquire));
+            (took_ms > 0.0).then_some((frame.divisor, took_ms))
+        });
+        if let Some((_, took_ms)) = done {
+            self.under_way = None;
+            self.took_ms = Some(took_ms);
+        }
+        Ok((done, must_redraw))
+    }
+
+    /// Whether a frame is under way.
+    pub fn is_busy(&self) -> bool {
+        self.under_way.is_some()
+    }
+
+    /// Draws slots that methods draw, in pictures that are so much coarser than the window.
+    ///
+    /// # Errors
+    ///
+    /// A device that fails.
+    pub fn draw(
+        &mut self,
+        shown: &Shown,
+        renderers: [Option<Renderer>; 2],
+        size_px: [u32; 2],
+        divisor: u32,
+        wants_difference: bool,
+    ) -> Result<()> {
+        let size_px = size_px.map(|s| (s / divisor).max(1));
+        let view = shown.view(size_px);
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.passes = 0;
+        let mut drawn: Option<(Method, Side)> = None;
+        for side in Side::BOTH {
+            self.refusals[side.index()] = None;
+            let Some(Renderer::Method(method)) = renderers[side.index()] else {
+                continue;
+            };
+            self.make_room(side, size_px);
+            if let Some((same, other)) = drawn.filter(|(drawn, _)| *drawn == method) {
+                debug_assert_eq!(same, method, "one method draws once");
+                self.copy(&mut encoder, other, side);
+                self.refusals[side.index()] = self.refusals[other.index()].clone();
+                continue;
+            }
+            drawn = drawn.or(Some((method, side)));
+            let Some(picture) = self.pictures.get(&side) else {
+                continue;
+            };
+            let target = Target {
+                color: &picture.view,
+                color_format: FORMAT,
+                depth: None,
+                sample_count: 1,
+                origin_px: [0, 0],
+                background: true,
+                caps_only: false,
+            };
+            clear(&mut encoder, &picture.view);
+            let encoded =
+                (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target)?;
+            match encoded {
+                Encoded::Drawn { passes } => self.passes += passes,
+                Encoded::Refused(refusal) => {
+                    self.refusals[side.index()] = Some(refusal.reason);
+                }
+            }
+        }
+        if wants_difference {
+            self.subtract(&mut encoder, size_px);
+        }
+        self.submit(encoder, divisor);
+        Ok(())
+    }
+
+    /// Puts a picture that was made elsewhere into a slot.
+    pub fn put(&mut self, side: Side, image: &RgbaImage, wants_difference: bool) {
+        let size_px = [image.width(), image.height()];
+        self.make_room(side, size_px);
+        self.refusals[side.index()] = None;
+        let Some(picture) = self.pictures.get(&side) else {
+            return;
+        };
+        self.host.queue.write_texture(
+            picture.texture.as_image_copy(),
+            image.as_raw(),
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(size_px[0] * 4),
+                rows_per_image: None,
+            },
+            picture.texture.size(),
+        );
+        if wants_difference {
+            let mut encoder = (self.host.device)
+                .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            self.subtract(&mut encoder, size_px);
+            self.host.queue.submit([encoder.finish()]);
+        }
+    }
+
+    /// The pixels of a slot, waited for: for tests and files.
+    ///
+    /// # Errors
+    ///
+    /// A device that fails.
+    pub fn read(&self, side: Side) -> Result<Option<RgbaImage>> {
+        let Some(picture) = self.pictures.get(&side) else {
+            return Ok(None);
+        };
+        readback::read(&self.host, &picture.texture).map(Some)
+    }
+
+    /// Says that a slot shows nothing, and why.
+    pub fn refuse(&mut self, side: Side, why: String) {
+        self.refusals[side.index()] = Some(why);
+    }
+
+    /// Makes the picture of a slot as large as it is to be.
+    fn make_room(&mut self, side: Side, size_px: [u32; 2]) {
+        let fits = |picture: &Picture| picture.size_px() == size_px;
+        if self.pictures.get(&side).is_some_and(fits) {
+            return;
+        }
+        let made = Picture::new(&self.host, size_px);
+        if let Some(old) = self.pictures.insert(side, made) {
+            self.free(old);
+        }
+    }
+
+    fn free(&self, picture: Picture) {
+        self.host.renderer.write().free_texture(&picture.id);
+        picture.texture.destroy();
+    }
+
+    fn copy(&self, encoder: &mut wgpu::CommandEncoder, from: Side, to: Side) {
+        if let (Some(from), Some(to)) = (self.pictures.get(&from), self.pictures.get(&to)) {
+            encoder.copy_texture_to_texture(
+                from.texture.as_image_copy(),
+                to.texture.as_image_copy(),
+                from.texture.size(),
+            );
+        }
+    }
+
+    fn subtract(&mut self, encoder: &mut wgpu::CommandEncoder, size_px: [u32; 2]) {
+        let fits = |picture: &Picture| picture.size_px() == size_px;
+        if !self.difference_picture.as_ref().is_some_and(fits) {
+            let made = Picture::new(&self.host, size_px);
+            if let Some(old) = self.difference_picture.replace(made) {
+                self.free(old);
+            }
+        }
+        let sides = Side::BOTH.map(|side| self.pictures.get(&side));
+        if let ([Some(a), Some(b)], Some(onto)) = (sides, &self.difference_picture) {
+            let (device, onto) = (&self.host.device, &onto.view);
+            self.difference
+                .encode(device, encoder, [&a.view, &b.view], onto);
+        }
+    }
+
+    fn submit(&mut self, encoder: wgpu::CommandEncoder, divisor: u32) {
+        let queue = &self.host.queue;
+        let took = Arc::new(AtomicU64::new(0));
+        let tell = took.clone();
+        let began = Instant::now();
+        queue.submit([encoder.finish()]);
+        queue.on_submitted_work_done(move || {
+            let took_ms = began.elapsed().as_secs_f64() * 1e3;
+            tell.store(took_ms.max(1e-3).to_bits(), Ordering::Release);
+        });
+        self.under_way = Some(UnderWay { divisor, took });
+    }
+}
+
+/// How textures that images are loaded into are sampled: as they are.
+pub const PLAIN: TextureOptions = TextureOptions::NEAREST;
+
+fn clear(encoder: &mut wgpu::CommandEncoder, view: &wgpu::TextureView) {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("clear"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..wgpu::RenderPassDescriptor::default()
+    });
+}

@@ -1,0 +1,274 @@
+//! What the window shows, and what actions make of it: a document with its history, the scene that it shows, two slots, a selection.
+//!
+//! Nothing here knows of a window: a test applies actions and looks at the document. What is refused changes nothing, and is told
+//! ([`State::notices`]).
+//!
+//! Cost of an action that changes the scene: the tree of the document, and what [`Shown::open`] costs.
+
+mod edits;
+mod intake;
+
+use cutaway::load::Assets;
+use cutaway::scene::Bounds;
+use cutaway::{Document, Result};
+
+use crate::action::{Action, Selection};
+use crate::camera;
+use crate::command::{self, Picture};
+use crate::cuts::{self, CutEntry, PlaneMove};
+use crate::history::History;
+use crate::notice::Notice;
+use crate::shown::Shown;
+use crate::slot::{Layout, Painter, Side};
+
+/// What the window shows.
+#[derive(Debug)]
+pub struct State {
+    document: Document,
+    /// As it was read or saved.
+    saved: Document,
+    history: History,
+    assets: Assets,
+    shown: Option<Shown>,
+    /// Counts changes of what is seen.
+    revision: u64,
+    time_s: Option<f64>,
+    selection: Selection,
+    slots: [Painter; 2],
+    layout: Layout,
+    wipe: f32,
+    shows_errors: bool,
+    notices: Vec<Notice>,
+}
+
+impl State {
+    /// Shows a document, whose files are in the assets as far as they have been read.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be opened.
+    pub fn open(mut document: Document, mut assets: Assets) -> Result<Self> {
+        document.guess_up(&mut assets)?;
+        let shown = Shown::open(&document, &mut assets, None, None)?;
+        let mut state = Self {
+            saved: document.clone(),
+            document,
+            history: History::default(),
+            assets,
+            shown,
+            revision: 0,
+            time_s: None,
+            selection: Selection::Scene,
+            slots: [Painter::Auto; 2],
+            layout: Layout::Single,
+            wipe: 0.5,
+            shows_errors: false,
+            notices: Vec::new(),
+        };
+        state.take_settings()?;
+        Ok(state)
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// Whether it says something else than its file.
+    pub fn is_changed(&self) -> bool {
+        self.document != self.saved
+    }
+
+    /// The scene that it shows; nothing, where it has no parts.
+    pub fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
+    }
+
+    /// Another number whenever something else is to be drawn.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Whether there is a step to be taken back, and one to be done again.
+    pub fn can_undo_redo(&self) -> [bool; 2] {
+        self.history.reaches()
+    }
+
+    /// What the panels are about.
+    pub fn selection(&self) -> Selection {
+        self.selection
+    }
+
+    /// Who draws a slot.
+    pub fn painter(&self, side: Side) -> Painter {
+        self.slots[side.index()]
+    }
+
+    /// How the slots are seen.
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// Where the line between the slots is: 0 at the left end.
+    pub fn wipe(&self) -> f32 {
+        self.wipe
+    }
+
+    /// Whether errors are shown over the slots.
+    pub fn shows_errors(&self) -> bool {
+        self.shows_errors
+    }
+
+    /// The moment that is shown; `None` for the scene at rest.
+    pub fn time_s(&self) -> Option<f64> {
+        self.time_s
+    }
+
+    /// What is to be told since the last time.
+    pub fn notices(&mut self) -> Vec<Notice> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// Something to be told.
+    pub fn tell(&mut self, notice: impl Into<Notice>) {
+        self.notices.push(notice.into());
+    }
+
+    /// The cuts of the document.
+    pub fn cuts(&self) -> Vec<CutEntry> {
+        cuts::cuts(&self.document)
+    }
+
+    /// The box of the model; empty where there is none.
+    pub fn bounds(&self) -> Bounds {
+        (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
+    }
+
+    /// The command that makes this very picture.
+    ///
+    /// # Errors
+    ///
+    /// As of [`command::words`].
+    pub fn command(&self, size_px: [u32; 2]) -> Result<String> {
+        let mut document = self.document.clone();
+        if let Some(shown) = &self.shown {
+            camera::write(&shown.scene.camera, &mut document)?;
+        }
+        if let Some(time_s) = self.time_s {
+            document.set("time_s", time_s)?;
+        }
+        let picture = Picture {
+            painter: self.painter(Side::A),
+            size_px,
+        };
+        let words = command::words(&document, &self.saved, picture)?;
+        Ok(command::quoted(&words))
+    }
+
+    /// Prepares the scene as a picture of it would, when nothing has moved for a while.
+    pub fn settle(&mut self) {
+        let settled = self.shown.as_mut().map_or(Ok(()), Shown::settle);
+        if let Err(error) = settled {
+            self.tell(error);
+        }
+    }
+
+    /// Carries an action out; what refuses it is told.
+    pub fn apply(&mut self, action: Action) {
+        if let Err(error) = self.carry_out(action) {
+            self.tell(error);
+        }
+    }
+
+    fn carry_out(&mut self, action: Action) -> Result<()> {
+        match action {
+            Action::Take(paths) => self.take(&paths),
+            Action::Save(path) => self.save(&path),
+            Action::Reload => {
+                self.assets = Assets::default();
+                self.show(self.document.clone(), true)
+            }
+            Action::Undo => match self.history.undo(&self.document) {
+                Some(before) => self.go_to(before),
+                None => Ok(()),
+            },
+            Action::Redo => match self.history.redo(&self.document) {
+                Some(after) => self.go_to(after),
+                None => Ok(()),
+            },
+            Action::Set { path, value } => {
+                let gesture = Some(path.clone());
+                self.edit(gesture, |document| document.set(&path, value))
+            }
+            Action::Unset(path) => self.edit(None, |document| document.remove(&path)),
+            Action::Add(new) => self.add(new),
+            Action::Duplicate(index) => self.duplicate(index),
+            Action::Remove(index) => {
+                self.edit(None, |document| document.remove(&format!("cut.{index}")))?;
+                self.selection = Selection::Scene;
+                Ok(())
+            }
+            Action::MovePlane(by) => self.move_plane(by),
+            Action::FaceEye => match &self.shown {
+                Some(shown) => {
+                    let forward = shown.view([64, 64]).forward;
+                    self.move_plane(PlaneMove::Turn(forward))
+                }
+                None => Ok(()),
+            },
+            Action::Release => {
+                self.history.end_gesture();
+                Ok(())
+            }
+            Action::Select(selection) => {
+                self.selection = selection;
+                Ok(())
+            }
+            Action::MoveCamera(by) => self.move_camera(by),
+            Action::Choose(side, painter) => {
+                self.slots[side.index()] = painter;
+                self.revision += 1;
+                Ok(())
+            }
+            Action::Swap => {
+                self.slots.swap(0, 1);
+                self.revision += 1;
+                Ok(())
+            }
+            Action::Arrange(layout) => {
+                self.layout = layout;
+                self.revision += 1;
+                Ok(())
+            }
+            Action::Wipe(at) => {
+                self.wipe = at.clamp(0.0, 1.0);
+                Ok(())
+            }
+            Action::ShowErrors(shows) => {
+                self.shows_errors = shows;
+                Ok(())
+            }
+            Action::Seek(time_s) => {
+                if let Some(shown) = &mut self.shown {
+                    shown.seek(time_s)?;
+                    self.time_s = Some(time_s);
+                    self.revision += 1;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Takes over what a document asks for beside its scene.
+    fn take_settings(&mut self) -> Result<()> {
+        let Some(shown) = &self.shown else {
+            return Ok(());
+        };
+        let settings = shown.timeline.settings();
+        if let Some(name) = &settings.strategy {
+            self.slots[Side::A.index()] = name.parse()?;
+        }
+        self.time_s = settings.time_s;
+        Ok(())
+    }
+}

@@ -1,0 +1,142 @@
+//! Changes of the document, and what they make of the scene.
+
+use cutaway::document::Node;
+use cutaway::scene::Viewpoint;
+use cutaway::{Document, Error, Result};
+
+use super::State;
+use crate::action::Selection;
+use crate::camera::{self, CameraMove};
+use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
+use crate::shown::Shown;
+
+impl State {
+    /// Changes the document by something that may fail, in which case nothing changes.
+    pub(super) fn edit(
+        &mut self,
+        gesture: Option<String>,
+        change: impl FnOnce(&mut Document) -> Result<()>,
+    ) -> Result<()> {
+        let mut document = self.document.clone();
+        change(&mut document)?;
+        if document == self.document {
+            return Ok(());
+        }
+        let before = self.document.clone();
+        self.show(document, false)?;
+        self.history.keep(&before, gesture);
+        Ok(())
+    }
+
+    /// Goes to another document; it is prepared anew, or after the present scene.
+    pub(super) fn show(&mut self, document: Document, is_new: bool) -> Result<()> {
+        let last = self.shown.as_ref().filter(|_| !is_new);
+        let mut shown = Shown::open(&document, &mut self.assets, self.time_s, last)?;
+        // Angles that are to be found are found once: a cut that is turned does not turn the eye.
+        if let (Some(shown), Some(last)) = (&mut shown, last)
+            && document.root().get("camera") == self.document.root().get("camera")
+        {
+            shown.scene.camera = last.scene.camera;
+        }
+        (self.document, self.shown) = (document, shown);
+        self.revision += 1;
+        Ok(())
+    }
+
+    /// Goes to a document of the history, seen from where the eye is now.
+    pub(super) fn go_to(&mut self, mut document: Document) -> Result<()> {
+        if let Some(camera) = self.document.root().get("camera").cloned() {
+            document.remove("camera")?;
+            document.set_node("camera", camera)?;
+        }
+        self.show(document, false)?;
+        let count = self.cuts().len();
+        if matches!(self.selection, Selection::Cut(index) if index >= count) {
+            self.selection = Selection::Scene;
+        }
+        Ok(())
+    }
+
+    pub(super) fn add(&mut self, new: NewCut) -> Result<()> {
+        let Some(shown) = &self.shown else {
+            return Err(no_model());
+        };
+        let forward = shown.view([64, 64]).forward;
+        let up = shown.scene.camera.up;
+        let name = match new {
+            NewCut::Plane(_) => "plane",
+            NewCut::Relief(_) => "relief",
+            NewCut::Box => "box",
+            NewCut::Wedge => "wedge",
+            NewCut::Cutout => "cutout",
+            NewCut::Breakaway => "breakaway",
+        };
+        self.edit(None, |document| {
+            document.add_cut(new.draft(forward, up).name(name))
+        })?;
+        self.selection = Selection::Cut(self.cuts().len() - 1);
+        Ok(())
+    }
+
+    pub(super) fn duplicate(&mut self, index: usize) -> Result<()> {
+        let copy = self.document.get(&format!("cut.{index}"))?.clone();
+        let count = self.cuts().len();
+        let names: Vec<String> = self.cuts().into_iter().map(|c| c.name).collect();
+        self.edit(None, |document| {
+            document.push("cut", Node::new(copy.value))?;
+            let name = &names[index];
+            let mut numbered = (2..).map(|n| format!("{name}_{n}"));
+            let free = numbered.find(|n| !names.contains(n)).unwrap_or_default();
+            document.set(&format!("cut.{count}.name"), free)
+        })?;
+        self.selection = Selection::Cut(count);
+        Ok(())
+    }
+
+    pub(super) fn move_plane(&mut self, by: PlaneMove) -> Result<()> {
+        let Selection::Cut(index) = self.selection else {
+            let help = "select a cut with a plane, or add one";
+            return Err(Error::input("the plane", "no cut is selected", help));
+        };
+        let bounds = self.bounds();
+        let gesture = match by {
+            PlaneMove::Along(_) | PlaneMove::Turn(_) => Some(format!("plane {index}")),
+            _ => None,
+        };
+        self.edit(gesture, |document| {
+            cuts::move_plane(document, index, by, &bounds)
+        })
+    }
+
+    pub(super) fn move_camera(&mut self, by: CameraMove) -> Result<()> {
+        let Some(shown) = &mut self.shown else {
+            return Ok(());
+        };
+        let mut moved = shown.scene.camera;
+        if !matches!(moved.viewpoint, Viewpoint::Explicit { .. }) {
+            let [azimuth_deg, elevation_deg] = camera::angles(&moved);
+            moved.viewpoint = Viewpoint::Orbit {
+                azimuth_deg,
+                elevation_deg,
+            };
+        }
+        camera::move_camera(&mut moved, by);
+        camera::write(&moved, &mut self.document)?;
+        shown.scene.camera = moved;
+        self.revision += 1;
+        let opens_to_the_eye =
+            |cut: &CutEntry| matches!(cut.kind, CutKind::Cutout | CutKind::Breakaway);
+        if self.cuts().iter().any(opens_to_the_eye) {
+            return self.show(self.document.clone(), false);
+        }
+        Ok(())
+    }
+}
+
+fn no_model() -> Error {
+    Error::input(
+        "the cut",
+        "there is no model to be cut",
+        "open a file: drop it into the window",
+    )
+}

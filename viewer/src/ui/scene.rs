@@ -1,0 +1,160 @@
+//! The left panel: parts and cuts of the document, and cuts to be added.
+
+use cutaway::document::{Node, Value};
+use eframe::egui::{Button, ScrollArea, Ui};
+
+use crate::action::{Action, Selection};
+use crate::cuts::NewCut;
+use crate::state::State;
+
+/// Cuts that the panel adds.
+const NEW: [(&str, &str, NewCut); 6] = [
+    (
+        "Plane",
+        "Remove what is on one side of a plane",
+        NewCut::Plane(0),
+    ),
+    (
+        "Relief",
+        "Remove what is above a ragged surface",
+        NewCut::Relief(0),
+    ),
+    (
+        "Box",
+        "Remove a box: the eighth that is nearest",
+        NewCut::Box,
+    ),
+    (
+        "Wedge",
+        "Remove a slice of pie about the axis that is up",
+        NewCut::Wedge,
+    ),
+    (
+        "Cutout",
+        "Remove a wedge that places itself, open to the eye",
+        NewCut::Cutout,
+    ),
+    (
+        "Breakaway",
+        "Open what hides the interior parts",
+        NewCut::Breakaway,
+    ),
+];
+
+/// Shows the panel.
+pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    ScrollArea::vertical().show(ui, |ui| {
+        ui.heading("Cuts");
+        ui.horizontal_wrapped(|ui| {
+            for (label, help, new) in NEW {
+                if ui.button(label).on_hover_text(help).clicked() {
+                    actions.push(Action::Add(across_the_eye(state, new)));
+                }
+            }
+        });
+        for (index, cut) in state.cuts().into_iter().enumerate() {
+            ui.horizontal(|ui| {
+                let mut is_enabled = cut.is_enabled;
+                let checkbox = ui.checkbox(&mut is_enabled, "");
+                let checkbox = checkbox.accessible_name(format!("Cut by {}", cut.name));
+                if checkbox
+                    .on_hover_text("Whether it removes anything")
+                    .changed()
+                {
+                    let path = format!("cut.{index}.enabled");
+                    actions.push(Action::Set {
+                        path,
+                        value: is_enabled.into(),
+                    });
+                }
+                let is_selected = state.selection() == Selection::Cut(index);
+                let label = format!("{} ({})", cut.name, cut.kind.name());
+                if ui.selectable_label(is_selected, label).clicked() {
+                    actions.push(Action::Select(Selection::Cut(index)));
+                }
+            });
+        }
+        ui.separator();
+        ui.heading("Parts");
+        parts(ui, state, actions);
+    });
+}
+
+fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    let root = state.document().root();
+    let entries = root.get("part").map_or(&[] as &[_], Node::items);
+    if entries.is_empty() {
+        ui.weak("Drop a mesh or a scene into the window.");
+    }
+    for (index, entry) in entries.iter().enumerate() {
+        let name = entry.name().map(str::to_owned).or_else(|| entry.model());
+        let name = name.unwrap_or_else(|| index.to_string());
+        let is_selected = state.selection() == Selection::Part(index);
+        ui.horizontal(|ui| {
+            if ui.selectable_label(is_selected, &name).clicked() {
+                actions.push(Action::Select(Selection::Part(index)));
+            }
+            if let Selection::Cut(cut) = state.selection() {
+                spared(ui, state, cut, &name, actions);
+            }
+        });
+    }
+    if let Some(shown) = state
+        .shown()
+        .filter(|s| s.scene.parts.len() > entries.len())
+    {
+        ui.collapsing(format!("{} solids", shown.scene.parts.len()), |ui| {
+            for part in &shown.scene.parts {
+                ui.horizontal(|ui| {
+                    ui.label(&part.name);
+                    if let Selection::Cut(cut) = state.selection() {
+                        spared(ui, state, cut, &part.name, actions);
+                    }
+                });
+            }
+        });
+    }
+}
+
+/// Whether the selected cut spares a part.
+fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<Action>) {
+    let path = format!("cut.{cut}.except");
+    let held = state.document().get(&path).ok();
+    let mut globs: Vec<String> = held
+        .map_or(&[] as &[_], Node::items)
+        .iter()
+        .filter_map(Node::text)
+        .map(str::to_owned)
+        .collect();
+    let is_spared = globs.iter().any(|glob| glob == part);
+    let button = Button::selectable(is_spared, "spare").small();
+    let help = "Whether the selected cut leaves this part whole";
+    let button = ui.add(button).on_hover_text(help);
+    if button
+        .accessible_name(format!("Spare {part} from this cut"))
+        .clicked()
+    {
+        match is_spared {
+            true => globs.retain(|glob| glob != part),
+            false => globs.push(part.to_owned()),
+        }
+        actions.push(match globs.is_empty() {
+            true => Action::Unset(path),
+            false => Action::Set {
+                path,
+                value: Value::from(globs),
+            },
+        });
+    }
+}
+
+/// A plane is put across the axis that points to the eye most.
+fn across_the_eye(state: &State, new: NewCut) -> NewCut {
+    let forward = state.shown().map(|shown| shown.view([64, 64]).forward);
+    let axis = forward.map_or(0, |f| f.abs().max_position());
+    match new {
+        NewCut::Plane(_) => NewCut::Plane(axis),
+        NewCut::Relief(_) => NewCut::Relief(axis),
+        other => other,
+    }
+}

@@ -1,0 +1,80 @@
+//! A viewer in a harness.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use cutaway::Document;
+use cutaway::document::part;
+use cutaway::load::Assets;
+use cutaway_viewer::ui::Viewer;
+use cutaway_viewer::window::on_our_device;
+use cutaway_viewer::{Action, State};
+use eframe::egui::Vec2;
+use egui_kittest::Harness;
+use egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, wgpu};
+
+/// A model of few faces, so that the reference answers soon.
+pub(crate) const TORUS: &str = "shape:torus?segments=48&sides=24";
+
+/// A folder that is gone when it is dropped.
+pub(crate) struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    pub(crate) fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+}
+
+/// A device that is made as the window makes it.
+pub(crate) fn host() -> RenderState {
+    let mut config = WgpuConfiguration {
+        wgpu_setup: WgpuSetup::without_display_handle(),
+        ..WgpuConfiguration::default()
+    };
+    on_our_device(&mut config, None);
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let made = RenderState::create(&config, &instance, None, RendererOptions::default());
+    pollster::block_on(made).unwrap()
+}
+
+/// The state of a model.
+pub(crate) fn state(model: &str) -> State {
+    let mut document = Document::new();
+    document.add_part(part(model)).unwrap();
+    State::open(document, Assets::default()).unwrap()
+}
+
+/// A viewer of a state, which has drawn it.
+pub(crate) fn viewer(state: State) -> Harness<'static, Viewer> {
+    let viewer = Viewer::on(&host(), state).unwrap();
+    let show = |ui: &mut eframe::egui::Ui, viewer: &mut Viewer| viewer.show(ui);
+    let builder = Harness::builder().with_size(Vec2::new(1100.0, 640.0));
+    let mut harness = builder.build_ui_state(show, viewer);
+    settle(&mut harness);
+    harness
+}
+
+/// Goes on until nothing is still to come, and looks whether all controls are labelled.
+pub(crate) fn settle(harness: &mut Harness<'_, Viewer>) {
+    let began = Instant::now();
+    for _ in 0..3 {
+        harness.step();
+    }
+    while harness.state().is_busy() {
+        assert!(began.elapsed() < Duration::from_secs(120), "it never ends");
+        std::thread::sleep(Duration::from_millis(5));
+        harness.step();
+    }
+    harness.step();
+    harness.check_accessibility();
+}
+
+/// Carries out an action and waits for what it shows.
+pub(crate) fn act(harness: &mut Harness<'_, Viewer>, action: Action) {
+    harness.state_mut().apply(action);
+    settle(harness);
+}

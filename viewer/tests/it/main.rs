@@ -1,0 +1,9 @@
+//! The window without a window: panels are asked by their labels, as a screen reader does, and pictures are read back from the device.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+mod command;
+mod common;
+mod flow;
+mod refusals;
+mod state;
