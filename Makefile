@@ -19,13 +19,13 @@ gallery: setup
 # In order of cost, so that the cheap complaints come first.
 test: setup
 	# One layout, so that a diff shows only what changed.
-	$(CARGO) fmt --check
+	$(CARGO) fmt --all --check
 	# The lints of Cargo.toml, for tests and benches too.
-	$(CARGO) clippy --all-targets -- -D warnings
+	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	# The parts that hosts embed compile by themselves, and for a browser.
 	CARGO="$(CARGO)" scripts/check-features.sh
 	# Every public item says what it is, and every link in it leads somewhere.
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --no-deps
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps
 	# Everything else, on whatever adapter there is; a software one will do.
 	CARGO="$(CARGO)" scripts/test.sh
 

@@ -37,7 +37,7 @@ shot() {
 
 # How many pixels two screens differ in.
 apart() {
-    compare -metric AE -fuzz 2% "$out/$1.png" "$out/$2.png" null: 2>&1 | cut -d ' ' -f 1 | cut -d . -f 1
+    compare -metric AE -fuzz 2% "$out/$1.png" "$out/$2.png" null: 2>&1 | awk '{ printf "%d", $1 }'
 }
 
 expect() {
@@ -69,13 +69,18 @@ look() {
     sleep 2
     shot turned
     expect open turned "a drag turns the model" 5000 || return 1
+    # There is no window manager to give it the keyboard.
+    xdotool search --name '^cutaway$' windowfocus
     xdotool mousemove 600 300 key w
     sleep 2
     shot wiped
     expect turned wiped "a key shows both slots" 500 || return 1
 }
 
-look "$program" view shape:crank --section -z=50%
+if ! look "$program" view shape:crank --section -z=50%; then
+    echo "error: the window does not follow; its screens are in $out" >&2
+    exit 1
+fi
 kill "$viewer"
 wait "$viewer" 2>/dev/null || true
 viewer=

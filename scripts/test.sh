@@ -14,16 +14,16 @@ export CUTAWAY_NOT_CHECKED="$log.not_checked"
 # Tests that draw wait for one of a few sessions, and frames leave cores idle.
 export RUST_TEST_THREADS="${RUST_TEST_THREADS:-$((2 * $(getconf _NPROCESSORS_ONLN)))}"
 
-$cargo test --no-run
+$cargo test --workspace --no-run
 started=$(date +%s)
 # The times of single tests are a feature of the harness that is only switched on for nightly compilers, or by this variable: it is
 # given to the tests that run, not to the compiler.
 {
     $cargo --config "target.'cfg(all())'.runner = ['env', 'RUSTC_BOOTSTRAP=1']" \
-        test --no-fail-fast --lib --bins --tests -- -Zunstable-options --report-time && status=0 || status=$?
+        test --workspace --no-fail-fast --lib --bins --tests -- -Zunstable-options --report-time && status=0 || status=$?
     echo "$status" >"$log.status"
 } 2>&1 | tee "$log"
-$cargo test --doc
+$cargo test --workspace --doc
 took=$(($(date +%s) - started))
 
 echo

@@ -38,7 +38,7 @@ pub use renderer::{Evaluation, Evaluator, Renderer};
 pub use run::Watcher;
 pub use samples::Samples;
 pub use scene_at_time::{SceneAtTime, means};
-pub(crate) use stopwatch::Stopwatch;
+pub use stopwatch::Stopwatch;
 pub use synopsis::{ChartSynopsis, RunSynopsis, Synopsis};
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use web_time::Instant;
 
 /// Runs from when it is made.
-pub(crate) struct Stopwatch(Instant);
+pub struct Stopwatch(Instant);
 
 impl Stopwatch {
     /// Starts one.
@@ -11,12 +11,12 @@ impl Stopwatch {
         clippy::disallowed_methods,
         reason = "the one place that reads the clock, beside the device"
     )]
-    pub(crate) fn start() -> Self {
+    pub fn start() -> Self {
         Self(Instant::now())
     }
 
     /// Milliseconds since its start.
-    pub(crate) fn ms(&self) -> f64 {
+    pub fn ms(&self) -> f64 {
         self.0.elapsed().as_secs_f64() * 1e3
     }
 }

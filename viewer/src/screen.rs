@@ -9,9 +9,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Instant;
 
-use cutaway::experiment::Renderer;
+use cutaway::experiment::{Renderer, Stopwatch};
 use cutaway::gpu::{Gpu, Target};
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
@@ -314,11 +313,10 @@ impl Screen {
         let queue = &self.host.queue;
         let took = Arc::new(AtomicU64::new(0));
         let tell = took.clone();
-        let began = Instant::now();
+        let watch = Stopwatch::start();
         queue.submit([encoder.finish()]);
         queue.on_submitted_work_done(move || {
-            let took_ms = began.elapsed().as_secs_f64() * 1e3;
-            tell.store(took_ms.max(1e-3).to_bits(), Ordering::Release);
+            tell.store(watch.ms().max(1e-3).to_bits(), Ordering::Release);
         });
         self.under_way = Some(UnderWay { divisor, took });
     }

@@ -1,7 +1,5 @@
 //! What the judge has answered: marks of what is wrong, counts, pictures of slots that are drawn on the CPU.
 
-use std::time::Instant;
-
 use cutaway::compare::Comparison;
 use cutaway::experiment::Renderer;
 use eframe::egui::{ColorImage, Context, TextureHandle};
@@ -23,14 +21,23 @@ struct Errors {
     failed: Option<String>,
 }
 
+/// What a question was about.
+#[derive(Clone, Copy, PartialEq)]
+struct About {
+    revision: u64,
+    is_settled: bool,
+    size_px: [u32; 2],
+    renderers: [Option<Renderer>; 2],
+    wants_errors: bool,
+}
+
 /// The judge, and what it has answered.
 #[derive(Default)]
 pub(super) struct Judged {
     judge: Option<Judge>,
     /// Number of the last question, and what it was about.
     asked: u64,
-    about: Option<(u64, bool, [u32; 2], [Option<Renderer>; 2], bool)>,
-    since: Option<Instant>,
+    about: Option<About>,
     errors: [Errors; 2],
     /// Of which question the pictures are that slots have from here, and how coarse they are.
     pictures: [(u64, u32); 2],
@@ -54,19 +61,18 @@ impl Judged {
         let is_needed = wants_errors || paints;
         // Hatches make a difference to pictures, and none to errors.
         let is_settled = paints && is_settled;
-        let about = (
-            state.revision(),
+        let about = About {
+            revision: state.revision(),
             is_settled,
             size_px,
             renderers,
             wants_errors,
-        );
+        };
         if !is_needed || self.about == Some(about) {
             return;
         }
         self.about = Some(about);
         self.asked += 1;
-        self.since = Some(Instant::now());
         let wake = ctx.clone();
         let adapter = &screen.gpu().report().name;
         let judge = (self.judge)
@@ -133,7 +139,12 @@ impl Judged {
 
     /// Whether an answer is still to come.
     pub(super) fn is_busy(&self) -> bool {
-        let Some((_, _, _, renderers, wants_errors)) = self.about else {
+        let Some(About {
+            renderers,
+            wants_errors,
+            ..
+        }) = self.about
+        else {
             return false;
         };
         let whole = (self.asked, 1);

@@ -11,7 +11,7 @@ mod value;
 mod viewport;
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use cutaway::Result;
 use cutaway::compare::Comparison;
@@ -51,8 +51,8 @@ pub struct Viewer {
     toasts: Toasts,
     pace: Pace,
     last: Option<Last>,
-    /// Which revision was last seen, and since when.
-    changed: (u64, Instant),
+    /// Which revision was last seen, and since when, on egui's clock in seconds.
+    changed: (u64, f64),
     /// The revision that is prepared as a picture would be.
     settled: Option<u64>,
     held: Held,
@@ -84,7 +84,7 @@ impl Viewer {
             toasts: Toasts::default(),
             pace: Pace::default(),
             last: None,
-            changed: (0, Instant::now()),
+            changed: (0, 0.0),
             settled: None,
             held: Held::default(),
             flickers: false,
@@ -169,7 +169,7 @@ impl Viewer {
         let notices = self.state.notices();
         notices
             .into_iter()
-            .for_each(|notice| self.toasts.add(notice));
+            .for_each(|notice| self.toasts.add(&ctx, notice));
         self.dialogs(&ctx);
         self.toasts.show(&ctx);
         if self.changed.0 != self.state.revision() {
@@ -181,7 +181,7 @@ impl Viewer {
     fn draw(&mut self, ctx: &Context) {
         match self.try_draw(ctx) {
             Ok(()) => {}
-            Err(error) => self.toasts.add(error.into()),
+            Err(error) => self.toasts.add(ctx, error.into()),
         }
     }
 
@@ -194,11 +194,12 @@ impl Viewer {
             self.last = None;
         }
         let revision = self.state.revision();
+        let now = ctx.input(|input| input.time);
         if self.changed.0 != revision {
-            self.changed = (revision, Instant::now());
+            self.changed = (revision, now);
         }
-        let rested = self.changed.1.elapsed();
-        let is_moving = self.last.is_some() && rested < REST;
+        let rested = now - self.changed.1;
+        let is_moving = self.last.is_some() && rested < REST.as_secs_f64();
         if !is_moving && self.settled != Some(revision) {
             self.state.settle();
             self.settled = Some(revision);
@@ -242,7 +243,7 @@ impl Viewer {
         if self.screen.is_busy() || !is_drawn {
             ctx.request_repaint_after(Duration::from_millis(5));
         } else if !is_settled {
-            ctx.request_repaint_after(REST.saturating_sub(rested));
+            ctx.request_repaint_after(REST);
         }
         Ok(())
     }
@@ -365,9 +366,9 @@ impl Viewer {
             Ok(command) => {
                 ctx.copy_text(command);
                 self.toasts
-                    .add(Notice::done("the command is in the clipboard"));
+                    .add(ctx, Notice::done("the command is in the clipboard"));
             }
-            Err(error) => self.toasts.add(error.into()),
+            Err(error) => self.toasts.add(ctx, error.into()),
         }
     }
 

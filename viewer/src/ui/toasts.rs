@@ -1,6 +1,6 @@
 //! Notices in a corner: what was done goes by itself, what failed stays until it is closed.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::{self, Align2, Area, Color32, Frame, RichText, Vec2};
 
@@ -9,22 +9,24 @@ use crate::notice::Notice;
 /// How long what was done is told.
 const SHOWN_FOR: Duration = Duration::from_secs(4);
 
-/// Notices that are shown.
+/// Notices that are shown, and since when, on egui's clock in seconds.
 #[derive(Debug, Default)]
-pub(super) struct Toasts(Vec<(Notice, Instant)>);
+pub(super) struct Toasts(Vec<(Notice, f64)>);
 
 impl Toasts {
     /// Shows one more.
-    pub(super) fn add(&mut self, notice: Notice) {
-        let is_same = |(held, _): &(Notice, Instant)| *held == notice;
+    pub(super) fn add(&mut self, ctx: &egui::Context, notice: Notice) {
+        let is_same = |(held, _): &(Notice, f64)| *held == notice;
         self.0.retain(|held| !is_same(held));
-        self.0.push((notice, Instant::now()));
+        self.0.push((notice, ctx.input(|input| input.time)));
     }
 
     /// Draws them.
     pub(super) fn show(&mut self, ctx: &egui::Context) {
-        let is_there =
-            |(notice, since): &(Notice, Instant)| notice.is_error || since.elapsed() < SHOWN_FOR;
+        let now = ctx.input(|input| input.time);
+        let is_there = |(notice, since): &(Notice, f64)| {
+            notice.is_error || now - since < SHOWN_FOR.as_secs_f64()
+        };
         self.0.retain(is_there);
         if self.0.is_empty() {
             return;
