@@ -3,6 +3,9 @@
 use crate::layers::{Kind, Layer, Layers};
 use crate::plan::pack::{pack_normal, unpack_normal};
 
+/// Bytes of one pixel.
+pub(super) const LAYER_BYTES: u64 = 12;
+
 /// The words of one pixel as [`Layer`]; the other direction is `shaders/lib/layers.wgsl`.
 pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     let [word, normal, depth] = *words;

@@ -1,11 +1,13 @@
 //! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
 
+mod arrival;
 mod bind;
 mod clip;
 mod composite;
 mod device;
 mod draw;
 mod layer_words;
+mod pick;
 mod pipelines;
 mod preparation;
 mod program;
@@ -24,6 +26,7 @@ pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
 pub use device::{AdapterReport, Gpu, GpuOptions};
 pub(crate) use layer_words::words_from_layers;
+pub use pick::Pick;
 pub use preparation::Preparation;
 #[doc(hidden)]
 pub use program::Program;

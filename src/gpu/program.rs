@@ -10,7 +10,8 @@ use super::Gpu;
 use super::composite::{Composed, Compositor};
 use super::device::is_shared;
 use super::draw::Step;
-use super::layer_words::layer_from_words;
+use super::layer_words::{LAYER_BYTES, layer_from_words};
+use super::pick::Pick;
 use super::real::{Real, make};
 use super::report::Report;
 use super::target::Destination;
@@ -248,6 +249,20 @@ impl Program {
             _ => None,
         };
         Ok(Encoded { passes, report })
+    }
+
+    /// Copies the layers of one pixel behind what is encoded, by its number from the upper left corner, row by row.
+    pub(crate) fn pick(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        pixel: u64,
+    ) -> Result<Pick> {
+        let none = || Error::Plan("the plan has no layers".to_owned());
+        let layers = self.buffer(self.plan().layers.ok_or_else(none)?)?;
+        let staging = gpu.staging(LAYER_BYTES);
+        encoder.copy_buffer_to_buffer(layers, pixel * LAYER_BYTES, &staging, 0, LAYER_BYTES);
+        Ok(Pick::new(encoder, staging))
     }
 
     /// What puts the picture into the attachments of a host.

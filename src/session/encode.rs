@@ -9,7 +9,7 @@
 //! [`Session::forget`](super::Session::forget).
 
 use super::bands::{Band, Slot};
-use crate::gpu::{BindGroup, ClipTable, CommandEncoder, Compositor, Destination, Gpu};
+use crate::gpu::{BindGroup, ClipTable, CommandEncoder, Compositor, Destination, Gpu, Pick};
 use crate::passes::{Model, Relevance};
 use crate::plan::{Capacities, Recorded};
 use crate::scene::View;
@@ -89,6 +89,29 @@ impl Slot {
             }
         }
         Ok(Encoded::Drawn { passes })
+    }
+
+    /// Asks for a pixel of the frame that was last encoded.
+    pub(super) fn pick(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut CommandEncoder,
+        [x, y]: [u32; 2],
+    ) -> Result<Pick> {
+        let width = self.size_px[0];
+        let owns = |band: &&Band| (band.rows.first..band.rows.first + band.rows.count).contains(&y);
+        let band = self.bands.iter().find(owns).filter(|_| x < width);
+        let Some(band) = band else {
+            let [width, height] = self.size_px;
+            return Err(Error::input(
+                format!("pixel ({x}, {y})"),
+                format!("the frame has {width} x {height}"),
+                "count from its upper left corner, from 0",
+            ));
+        };
+        let row = u64::from(y - band.rows.drawn().0);
+        let pixel = row * u64::from(width) + u64::from(x);
+        band.program.pick(gpu, encoder, pixel)
     }
 
     /// What the shaders of a host bind of the frame that was last encoded.

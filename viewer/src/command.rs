@@ -58,10 +58,6 @@ pub fn words(document: &Document, origin: &Document, picture: Picture) -> Result
     if let Some((key, _)) = gone {
         return Err(cannot_remove(key));
     }
-    let says_fit = document.root().get("camera").and_then(|c| c.get("fit"));
-    if says_fit.is_none() {
-        words.extend(["--camera-fit", "all"].map(str::to_owned));
-    }
     for setting in settings {
         words.extend(["--set".to_owned(), setting]);
     }

@@ -13,18 +13,22 @@ pub mod camera;
 pub mod command;
 pub mod cuts;
 pub mod difference;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod export;
 pub mod files;
 pub mod gizmo;
 pub mod history;
 pub mod judge;
 pub mod notice;
 pub mod pace;
+pub mod pick;
 pub mod readback;
 pub mod screen;
 pub mod shown;
 pub mod slot;
 pub mod state;
 pub mod ui;
+pub mod watch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 

@@ -11,7 +11,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use cutaway::experiment::{Renderer, Stopwatch};
-use cutaway::gpu::{Gpu, Target};
+use cutaway::gpu::{Gpu, Pick, Target};
+use cutaway::layers::Layer;
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
 use cutaway::{Result, Session};
@@ -79,6 +80,8 @@ pub struct Screen {
     difference: Difference,
     difference_picture: Option<Picture>,
     under_way: Option<UnderWay>,
+    /// A pixel that was asked for.
+    pick: Option<([u32; 2], Pick)>,
     /// Why a slot shows nothing.
     refusals: [Option<String>; 2],
     took_ms: Option<f64>,
@@ -101,6 +104,7 @@ impl Screen {
             difference: Difference::new(&host.device, FORMAT),
             difference_picture: None,
             under_way: None,
+            pick: None,
             refusals: [None, None],
             took_ms: None,
             passes: 0,
@@ -247,6 +251,33 @@ impl Screen {
             self.subtract(&mut encoder, size_px);
             self.host.queue.submit([encoder.finish()]);
         }
+    }
+
+    /// Asks what a pixel of the last whole frame by a method shows.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Session::pick`].
+    pub fn pick(&mut self, method: Method, at_px: [u32; 2]) -> Result<()> {
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let pick = self.session.pick(&mut encoder, method, at_px)?;
+        self.host.queue.submit([encoder.finish()]);
+        self.pick = Some((at_px, pick));
+        Ok(())
+    }
+
+    /// Whether a pixel that was asked for is still to come.
+    pub fn is_picking(&self) -> bool {
+        self.pick
+            .as_ref()
+            .is_some_and(|(_, pick)| pick.is_under_way())
+    }
+
+    /// The pixel that was asked for, when it has come, and what it shows.
+    pub fn picked(&mut self) -> Option<([u32; 2], Layer)> {
+        let (at_px, pick) = self.pick.take_if(|(_, pick)| !pick.is_under_way())?;
+        Some((at_px, pick.layer()?))
     }
 
     /// The pixels of a slot, waited for: for tests and files.

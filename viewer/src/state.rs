@@ -9,7 +9,7 @@ mod edits;
 mod intake;
 
 use cutaway::load::Assets;
-use cutaway::scene::Bounds;
+use cutaway::scene::{Bounds, Fit};
 use cutaway::{Document, Result};
 
 use crate::action::{Action, Selection};
@@ -144,19 +144,41 @@ impl State {
         (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
     }
 
+    /// The document of what is seen: with the eye where it is, at the moment that is shown, by who draws the first slot.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be changed.
+    pub fn as_seen(&self) -> Result<Document> {
+        let mut document = self.document.clone();
+        if let Some(shown) = &self.shown {
+            camera::write(&shown.scene.camera, &mut document)?;
+            if shown.scene.camera.fit == Fit::All {
+                document.set("camera.fit", "all")?;
+            }
+        }
+        self.with_settings(document)
+    }
+
+    /// A document with the moment that is shown and who draws the first slot.
+    fn with_settings(&self, mut document: Document) -> Result<Document> {
+        if let Some(time_s) = self.time_s {
+            document.set("time_s", time_s)?;
+        }
+        let painter = self.painter(Side::A);
+        if painter != Painter::Auto {
+            document.set("strategy.name", painter.to_string())?;
+        }
+        Ok(document)
+    }
+
     /// The command that makes this very picture.
     ///
     /// # Errors
     ///
     /// As of [`command::words`].
     pub fn command(&self, size_px: [u32; 2]) -> Result<String> {
-        let mut document = self.document.clone();
-        if let Some(shown) = &self.shown {
-            camera::write(&shown.scene.camera, &mut document)?;
-        }
-        if let Some(time_s) = self.time_s {
-            document.set("time_s", time_s)?;
-        }
+        let document = self.as_seen()?;
         let picture = Picture {
             painter: self.painter(Side::A),
             size_px,
@@ -184,10 +206,7 @@ impl State {
         match action {
             Action::Take(paths) => self.take(&paths),
             Action::Save(path) => self.save(&path),
-            Action::Reload => {
-                self.assets = Assets::default();
-                self.show(self.document.clone(), true)
-            }
+            Action::Reload => self.reload(),
             Action::Undo => match self.history.undo(&self.document) {
                 Some(before) => self.go_to(before),
                 None => Ok(()),

@@ -109,14 +109,10 @@ fn what_overflows_is_reported_later_and_has_room_then() {
     assert_eq!(passes.last(), Some(&0), "{passes:?}");
 }
 
-#[test]
-fn bands_are_composed_to_one_picture() {
-    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
-    let model = Model::new(&scene);
-    let method = method("raycast+mask");
+/// A session that draws a frame in several bands.
+fn in_bands(host: &Host, model: &Model, method: Method) -> Session {
     let mut whole = host.session();
-    settled(&host, &mut whole, &model, method);
-    let (expected, _) = host.read();
+    settled(host, &mut whole, model, method);
     let plan = whole.plan(method).expect("a plan");
     let largest = plan.resources.iter().map(|r| r.shape.bytes()).max();
     let limits = Limits {
@@ -125,7 +121,50 @@ fn bands_are_composed_to_one_picture() {
     };
     let (device, queue) = (host.device.clone(), host.queue.clone());
     let gpu = Gpu::from_device(&host.info, device, queue).expect("a device");
-    let mut held = Session::new(gpu.held_to(limits));
+    Session::new(gpu.held_to(limits))
+}
+
+#[test]
+fn a_picked_pixel_is_that_of_the_layers() {
+    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::new(&scene);
+    let method = method("raycast+mask");
+    for mut session in [host.session(), in_bands(&host, &model, method)] {
+        let mut encoder = host.encoder();
+        let none = session.pick(&mut encoder, method, [0, 0]);
+        assert!(none.is_err(), "there is no frame yet");
+        settled(&host, &mut session, &model, method);
+        let layers = session.layers(method).expect("layers");
+        let mut kinds = [0; 3];
+        for index in (0..layers.pixels.len()).step_by(611) {
+            let [x, y] = [index as u32 % SIZE_PX[0], index as u32 / SIZE_PX[0]];
+            let mut encoder = host.encoder();
+            let pick = session
+                .pick(&mut encoder, method, [x, y])
+                .expect("it is there");
+            assert!(pick.layer().is_none(), "nothing was submitted");
+            host.submit(encoder);
+            host.wait();
+            session.poll().expect("a device");
+            let layer = pick.layer().expect("it has come");
+            assert_eq!(layer, layers.pixels[index], "({x}, {y})");
+            kinds[layer.kind as usize] += 1;
+        }
+        assert!(kinds.iter().all(|k| *k > 0), "of every kind: {kinds:?}");
+        for beyond in [[SIZE_PX[0], 0], [0, SIZE_PX[1]]] {
+            let refused = session.pick(&mut encoder, method, beyond);
+            assert!(refused.is_err(), "{beyond:?} is beyond it");
+        }
+    }
+}
+
+#[test]
+fn bands_are_composed_to_one_picture() {
+    let (scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::new(&scene);
+    let method = method("raycast+mask");
+    let mut held = in_bands(&host, &model, method);
+    let (expected, _) = host.read();
     let mut encoder = host.encoder();
     host.clear(&mut encoder, [0.0; 3], 0.0);
     host.submit(encoder);

@@ -10,7 +10,6 @@ use super::State;
 use crate::action::Selection;
 use crate::files;
 use crate::notice::Notice;
-use crate::slot::{Painter, Side};
 
 impl State {
     /// Takes files in.
@@ -72,16 +71,29 @@ impl State {
         })
     }
 
+    /// Reads all files again. The scene itself is read again only where nothing of it was changed here.
+    pub(super) fn reload(&mut self) -> Result<()> {
+        let mut document = self.document.clone();
+        let is_file = !document.path().as_os_str().is_empty();
+        if is_file && !self.is_changed() {
+            document = Document::read(document.path())?;
+        }
+        let (is_changed, assets) = (self.is_changed(), std::mem::take(&mut self.assets));
+        if let Err(error) = self.show(document, true) {
+            // What was read is still good.
+            self.assets = assets;
+            return Err(error);
+        }
+        if !is_changed {
+            self.saved = self.document.clone();
+        }
+        self.tell(Notice::done("read all files again"));
+        Ok(())
+    }
+
     /// Writes the document to a file, with who draws the first slot, and goes on with that.
     pub(super) fn save(&mut self, path: &Path) -> Result<()> {
-        let mut document = self.document.clone();
-        let painter = self.painter(Side::A);
-        if painter != Painter::Auto {
-            document.set("strategy.name", painter.to_string())?;
-        }
-        if let Some(time_s) = self.time_s {
-            document.set("time_s", time_s)?;
-        }
+        let document = self.with_settings(self.document.clone())?;
         let document = document.moved_to(path)?;
         files::write_whole(path, document.to_string().as_bytes())?;
         let document = Document::read(path)?;

@@ -22,6 +22,10 @@ pub(super) enum Does {
     Flicker,
     /// Exchanges perspective and parallel rays.
     Projection,
+    /// Puts the plane through the face under the pointer.
+    CutHere,
+    /// Lets time pass, or stops it.
+    Play,
 }
 
 /// A key and what it does.
@@ -84,6 +88,12 @@ pub(super) fn bindings() -> Vec<Binding> {
             "plane forth by 1 %",
         ),
         key(Key::C, act(Action::FaceEye), "turn the plane to the eye"),
+        key(
+            Key::F,
+            Does::CutHere,
+            "plane through the face under the pointer",
+        ),
+        key(Key::Space, Does::Play, "play or pause"),
         key(Key::Num1, stand(0), "look from the front"),
         key(Key::Num3, stand(3), "look from the right"),
         key(Key::Num7, stand(4), "look from the top"),

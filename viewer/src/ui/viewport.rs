@@ -38,6 +38,14 @@ pub(super) enum Held {
     Arrow,
 }
 
+/// Where the pointer is in the picture of a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pointed {
+    pub(super) side: Side,
+    pub(super) at_px: [u32; 2],
+    pub(super) is_click: bool,
+}
+
 /// The size of the picture of a slot, in pixels.
 pub(super) fn size_px(rect: Rect, layout: Layout, pixels_per_point: f32) -> [u32; 2] {
     let columns = if layout == Layout::SideBySide {
@@ -57,7 +65,7 @@ pub(super) fn show(
     (screen, judged): (&Screen, &Judged),
     (held, flickers): (&mut Held, bool),
     actions: &mut Vec<Action>,
-) {
+) -> Option<Pointed> {
     let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
     let response = response.accessible_name("Picture");
     let painter = ui.painter_at(rect);
@@ -133,7 +141,7 @@ pub(super) fn show(
         let color = ui.visuals().weak_text_color();
         let text = "Drop a mesh (.obj, .stl, .ply, .glb, .gltf) or a scene (.toml) here";
         painter.text(rect.center(), Align2::CENTER_CENTER, text, font, color);
-        return;
+        return None;
     };
     let pictures: Vec<Rect> = match layout {
         Layout::SideBySide => {
@@ -164,6 +172,23 @@ pub(super) fn show(
         (held, gizmo.as_ref()),
         actions,
     );
+    let at = response.hover_pos().filter(|_| !response.dragged())?;
+    let side = match layout {
+        Layout::Wipe if at.x >= line(rect, state.wipe()) => Side::B,
+        Layout::SideBySide if own.min.x > rect.min.x => Side::B,
+        Layout::Flicker if flickers => Side::B,
+        _ => Side::A,
+    };
+    let px = ui.ctx().pixels_per_point();
+    let size_px = size_px(rect, layout, px);
+    let in_picture = (at - own.min) * px;
+    let at_px = [in_picture.x, in_picture.y].map(|c| c.max(0.0) as u32);
+    let is_within = at_px[0] < size_px[0] && at_px[1] < size_px[1];
+    is_within.then_some(Pointed {
+        side,
+        at_px,
+        is_click: response.clicked(),
+    })
 }
 
 /// Where the line of the wipe is.

@@ -5,5 +5,6 @@
 mod command;
 mod common;
 mod flow;
+mod pointer;
 mod refusals;
 mod state;

@@ -1,0 +1,217 @@
+//! The menus, the keys, and the windows over the picture: what the keys are, and the name of a file.
+
+use std::path::Path;
+
+use eframe::egui::{self, Button, Context, Grid, TextEdit, ThemePreference, Ui, Window};
+
+use super::Viewer;
+use super::keys::{self, Does};
+use crate::action::Action;
+use crate::camera::{CameraMove, STANDARD_VIEWS};
+use crate::notice::Notice;
+
+/// What a name of a file is asked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum For {
+    Open,
+    Save,
+    Export,
+}
+
+/// A file that is asked for, and what is typed so far.
+pub(super) struct Asks {
+    what_for: For,
+    typed: String,
+}
+
+impl Asks {
+    fn open() -> Self {
+        Self {
+            what_for: For::Open,
+            typed: String::new(),
+        }
+    }
+
+    fn export() -> Self {
+        Self {
+            what_for: For::Export,
+            typed: "cut.png".to_owned(),
+        }
+    }
+
+    fn title(&self) -> &'static str {
+        match self.what_for {
+            For::Open => "Open a mesh, a scene or an image",
+            For::Save => "Save the scene",
+            For::Export => "Export a picture (.png), a film (.gif, .mp4) or a drawing (.svg)",
+        }
+    }
+
+    fn verb(&self) -> &'static str {
+        match self.what_for {
+            For::Open => "Open",
+            For::Save => "Save",
+            For::Export => "Export",
+        }
+    }
+}
+
+impl Viewer {
+    pub(super) fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let typing = ctx.egui_wants_keyboard_input();
+        self.flickers = !typing && ctx.input(|input| input.key_down(keys::FLICKER));
+        for does in keys::pressed(ctx) {
+            match does {
+                Does::Act(action) => actions.push(action),
+                Does::Help => self.shows_keys = !self.shows_keys,
+                Does::CopyCommand => self.copy_command(ctx),
+                Does::Save => self.ask_for_save(),
+                Does::Projection => actions.push(self.other_projection()),
+                Does::CutHere => self.cut_here(actions),
+                Does::Play => self.plays = !self.plays,
+                Does::Flicker => {}
+            }
+        }
+    }
+
+    fn other_projection(&self) -> Action {
+        let shown = self.state.shown();
+        let is_parallel = shown.is_some_and(|shown| shown.view([64, 64]).orthographic);
+        Action::MoveCamera(CameraMove::Parallel(!is_parallel))
+    }
+
+    pub(super) fn menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let [can_undo, can_redo] = self.state.can_undo_redo();
+        ui.horizontal_wrapped(|ui| {
+            ui.menu_button("File", |ui| self.file_menu(ui, actions));
+            if ui.add_enabled(can_undo, Button::new("Undo")).clicked() {
+                actions.push(Action::Undo);
+            }
+            if ui.add_enabled(can_redo, Button::new("Redo")).clicked() {
+                actions.push(Action::Redo);
+            }
+            ui.menu_button("View", |ui| {
+                for (name, to) in STANDARD_VIEWS {
+                    if ui.button(name).clicked() {
+                        actions.push(Action::MoveCamera(CameraMove::Stand(to)));
+                    }
+                }
+                if ui.button("Show all").clicked() {
+                    actions.push(Action::MoveCamera(CameraMove::Home));
+                }
+                if ui.button("Perspective or parallel").clicked() {
+                    actions.push(self.other_projection());
+                }
+            });
+            ui.menu_button("Theme", |ui| {
+                // egui's own buttons have pictures that its fonts here lack.
+                let mut theme = ui.options(|options| options.theme_preference);
+                for (name, choice) in [
+                    ("As the system", ThemePreference::System),
+                    ("Light", ThemePreference::Light),
+                    ("Dark", ThemePreference::Dark),
+                ] {
+                    ui.selectable_value(&mut theme, choice, name);
+                }
+                ui.ctx().set_theme(theme);
+            });
+            if ui.button("?").on_hover_text("Keys").clicked() {
+                self.shows_keys = !self.shows_keys;
+            }
+            let name = match self.state.document().name() {
+                name if name.is_empty() => "no scene".to_owned(),
+                name => name,
+            };
+            let is_changed = self.state.is_changed();
+            let mark = if is_changed { " (changed)" } else { "" };
+            ui.weak(format!("{name}{mark}"));
+            self.exporting(ui);
+        });
+    }
+
+    fn file_menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        if ui.button("Open ...").clicked() {
+            self.asks = Some(Asks::open());
+        }
+        if ui.button("Save scene ...").clicked() {
+            self.ask_for_save();
+        }
+        if ui.button("Export ...").clicked() {
+            self.asks = Some(Asks::export());
+        }
+        if ui.button("Reload files").clicked() {
+            actions.push(Action::Reload);
+        }
+        if ui.button("Copy command").clicked() {
+            self.copy_command(&ui.ctx().clone());
+        }
+    }
+
+    fn ask_for_save(&mut self) {
+        let path = self.state.document().path();
+        let typed = match path.as_os_str().is_empty() {
+            true => "scene.toml".to_owned(),
+            false => path.display().to_string(),
+        };
+        self.asks = Some(Asks {
+            what_for: For::Save,
+            typed,
+        });
+    }
+
+    fn copy_command(&mut self, ctx: &Context) {
+        match self.state.command(self.size_px) {
+            Ok(command) => {
+                ctx.copy_text(command);
+                self.toasts
+                    .add(ctx, Notice::done("the command is in the clipboard"));
+            }
+            Err(error) => self.toasts.add(ctx, error.into()),
+        }
+    }
+
+    pub(super) fn dialogs(&mut self, ctx: &Context) {
+        let mut is_open = self.shows_keys;
+        Window::new("Keys").open(&mut is_open).show(ctx, |ui| {
+            Grid::new("keys").num_columns(2).show(ui, |ui| {
+                for binding in keys::bindings() {
+                    ui.strong(ctx.format_shortcut(&binding.key));
+                    ui.label(binding.help);
+                    ui.end_row();
+                }
+            });
+        });
+        self.shows_keys = is_open;
+        let Some(asks) = &mut self.asks else {
+            return;
+        };
+        let mut answer = None;
+        Window::new(asks.title())
+            .collapsible(false)
+            .show(ctx, |ui| {
+                let field = ui.add(TextEdit::singleline(&mut asks.typed).desired_width(360.0));
+                let field = field.accessible_name("File name");
+                let has_entered =
+                    field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+                ui.horizontal(|ui| {
+                    if ui.button(asks.verb()).clicked() || has_entered {
+                        answer = Some(true);
+                    }
+                    if ui.button("Cancel").clicked() {
+                        answer = Some(false);
+                    }
+                });
+            });
+        let Some(is_meant) = answer else {
+            return;
+        };
+        if let Some(Asks { typed, what_for }) = self.asks.take().filter(|_| is_meant) {
+            let path = Path::new(typed.trim()).to_owned();
+            match what_for {
+                For::Open => self.state.apply(Action::Take(vec![path])),
+                For::Save => self.state.apply(Action::Save(path)),
+                For::Export => self.begin_export(ctx, &path),
+            }
+        }
+    }
+}
