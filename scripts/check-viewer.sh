@@ -66,12 +66,14 @@ look() {
         sleep 0.1
     done
     xdotool mouseup 1
+    # Where the pointer will be when the key is pressed, so that the key alone makes the difference.
+    xdotool mousemove 600 300
     sleep 2
     shot turned
     expect open turned "a drag turns the model" 5000 || return 1
     # There is no window manager to give it the keyboard.
     xdotool search --name '^cutaway$' windowfocus
-    xdotool mousemove 600 300 key w
+    xdotool key w
     sleep 2
     shot wiped
     expect turned wiped "a key shows both slots" 500 || return 1

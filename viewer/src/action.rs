@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use cutaway::document::Value;
+use glam::DVec3;
 
 use crate::camera::CameraMove;
 use crate::cuts::{NewCut, PlaneMove};
@@ -40,6 +41,8 @@ pub enum Action {
         /// What it is to be.
         value: Value,
     },
+    /// Sets several values, or takes them out, in one step.
+    Change(Vec<(String, Option<Value>)>),
     /// Takes a value out of the document, after which what is usual holds.
     Unset(String),
     /// Adds a cut and selects it.
@@ -50,6 +53,8 @@ pub enum Action {
     Remove(usize),
     /// Moves the plane of the selected cut.
     MovePlane(PlaneMove),
+    /// Puts the plane of the selected cut, or a new one, through a point: the normal points to what stays.
+    CutThrough(DVec3, DVec3),
     /// Turns the plane of the selected cut to the eye.
     FaceEye,
     /// Ends what is held: the next change is a step of its own.

@@ -141,7 +141,38 @@ pub fn angles(camera: &Camera) -> [f64; 2] {
     ]
 }
 
-/// Writes a camera into a document, where it was moved.
+/// Rounds a camera to what documents are given of it.
+pub fn round(camera: &mut Camera) {
+    let decimals =
+        |v: DVec3, count: i32| DVec3::from_array(v.to_array().map(|c| to_decimals(c, count)));
+    camera.viewpoint = match camera.viewpoint {
+        Viewpoint::Explicit {
+            position,
+            focal_point,
+            view_up,
+        } => {
+            // A millionth of how far the eye is away.
+            let count = 6 - (position - focal_point).length().log10().floor() as i32;
+            Viewpoint::Explicit {
+                position: decimals(position, count),
+                focal_point: decimals(focal_point, count),
+                view_up,
+            }
+        }
+        Viewpoint::Orbit {
+            azimuth_deg,
+            elevation_deg,
+        } => Viewpoint::Orbit {
+            azimuth_deg: to_decimals(azimuth_deg, 2),
+            elevation_deg: to_decimals(elevation_deg, 2),
+        },
+        along => along,
+    };
+    camera.zoom = to_decimals(camera.zoom, 5);
+    camera.pan = DVec2::from_array(camera.pan.to_array().map(|c| to_decimals(c, 5)));
+}
+
+/// Writes a camera into a document, where it was moved and [rounded](round).
 ///
 /// # Errors
 ///
@@ -153,9 +184,8 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
             focal_point,
             view_up,
         } => {
-            let list = |v: DVec3| Value::from(v.to_array().map(|c| to_decimals(c, 6)).to_vec());
-            document.set("camera.position", list(position))?;
-            document.set("camera.focal_point", list(focal_point))?;
+            document.set("camera.position", position.to_array().to_vec())?;
+            document.set("camera.focal_point", focal_point.to_array().to_vec())?;
             if view_up.is_none() {
                 document.remove("camera.view_up")?;
             }
@@ -164,46 +194,48 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
             for key in ["view", "position", "focal_point", "view_up"] {
                 document.remove(&format!("camera.{key}"))?;
             }
-            let [azimuth, elevation] = angles(camera).map(|a| to_decimals(a, 2));
+            let [azimuth, elevation] = angles(camera);
             document.set("camera.azimuth_deg", azimuth)?;
             document.set("camera.elevation_deg", elevation)?;
         }
     }
-    let parallel = matches!(camera.projection, Projection::Orthographic { .. });
-    let projection = if parallel {
-        "orthographic"
-    } else {
-        "perspective"
+    // What holds without a key needs none.
+    let (projection, fov_y_deg, height) = match camera.projection {
+        Projection::Perspective { fov_y_deg } => (None, Some(fov_y_deg), None),
+        Projection::Orthographic { height } => (Some("orthographic".into()), None, height),
     };
-    let pan = camera.pan.to_array().map(|c| to_decimals(c, 5));
-    say(
-        document,
-        "projection",
-        projection.into(),
-        "perspective".into(),
-    )?;
-    say(
-        document,
-        "zoom",
-        to_decimals(camera.zoom, 5).into(),
-        1.0.into(),
-    )?;
-    say(document, "pan", pan.to_vec().into(), vec![0.0, 0.0].into())
-}
-
-/// Sets a key of the camera, or leaves it out where it says what holds without it.
-fn say(document: &mut Document, key: &str, value: Value, usual: Value) -> Result<()> {
-    let path = format!("camera.{key}");
-    match value == usual {
-        true => document.remove(&path),
-        false => document.set(&path, value),
+    let usual = Camera::default();
+    let is_usual = camera.projection == usual.projection;
+    for (key, value) in [
+        ("projection", projection),
+        (
+            "fov_y_deg",
+            fov_y_deg.filter(|_| !is_usual).map(Value::from),
+        ),
+        ("height", height.map(Value::from)),
+        (
+            "zoom",
+            (camera.zoom != usual.zoom).then(|| camera.zoom.into()),
+        ),
+        (
+            "pan",
+            (camera.pan != usual.pan).then(|| camera.pan.to_array().to_vec().into()),
+        ),
+    ] {
+        let path = format!("camera.{key}");
+        match value {
+            Some(value) => document.set(&path, value)?,
+            None => document.remove(&path)?,
+        }
     }
+    Ok(())
 }
 
 /// A number with so many decimals.
 fn to_decimals(value: f64, decimals: i32) -> f64 {
     let unit = 10.0_f64.powi(decimals);
-    (value * unit).round() / unit + 0.0
+    let rounded = (value * unit).round() / unit + 0.0;
+    if rounded.is_finite() { rounded } else { value }
 }
 
 #[cfg(test)]

@@ -210,9 +210,14 @@ impl Surface {
 pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3, DVec3)> {
     let surface = Surface::find(document, cut, 0)?;
     let (normal, origin) = surface.plane(bounds)?;
-    let flip = document.get(&format!("{}.flip", surface.path));
-    let is_flipped = flip.is_ok_and(|n| n.value == true.into());
+    let is_flipped = is_flipped(document, &surface.path);
     Ok((if is_flipped { -normal } else { normal }, origin))
+}
+
+/// Whether a surface keeps the other side than its plane says.
+fn is_flipped(document: &Document, surface: &str) -> bool {
+    let flip = document.get(&format!("{surface}.flip"));
+    flip.is_ok_and(|n| n.value == true.into())
 }
 
 /// Moves the first plane of a cut.
@@ -226,12 +231,18 @@ pub fn move_plane(
     by: PlaneMove,
     bounds: &Bounds,
 ) -> Result<()> {
+    let was = plane(document, cut, bounds)?;
     let Surface { path, words } = Surface::find(document, cut, 0)?;
-    let was = Surface::find(document, cut, 0)?.plane(bounds)?;
-    let spec = match &words {
+    let mut spec = match &words {
         Words::Section(spec) => spec.clone(),
         Words::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
     };
+    // Which side stays is said by the plane itself from now on.
+    let flip = format!("{path}.flip");
+    if is_flipped(document, &path) {
+        spec = spec.flipped();
+    }
+    document.remove(&flip)?;
     let moved = match by {
         PlaneMove::Along(distance) => spec.moved(distance, bounds),
         PlaneMove::Step(share) => {
@@ -313,6 +324,11 @@ mod tests {
                 "section = \"-x=25%\"",
                 PlaneMove::Across(0),
                 "section = \"x=25%\"",
+            ),
+            (
+                "section = \"z=50%\", flip = true",
+                PlaneMove::Along(1.0),
+                "section = \"-z=25%\"",
             ),
             (
                 "normal = [0, 0, 2], origin = [0, 0, 1]",

@@ -18,6 +18,7 @@ const SUPERSAMPLE: &str = "2";
 pub struct Export {
     child: Child,
     path: PathBuf,
+    made: PathBuf,
     /// Holds the scene that the command reads.
     _folder: tempfile::TempDir,
 }
@@ -66,13 +67,15 @@ impl Export {
         };
         let folder = tempfile::tempdir().map_err(fault)?;
         let scene = folder.path().join("scene.toml");
+        // Made here, and put into its place when it is whole.
+        let made = folder.path().join(format!("made.{ending}"));
         write_whole(&scene, document.moved_to(&scene)?.to_string().as_bytes())?;
         let (subcommand, options) = (words[0], &words[1..]);
         let child = Command::new(program)
             .arg(subcommand)
             .arg(&scene)
             .args(options)
-            .args(["--quiet".as_ref(), "--output".as_ref(), path.as_os_str()])
+            .args(["--quiet".as_ref(), "--output".as_ref(), made.as_os_str()])
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
@@ -81,6 +84,7 @@ impl Export {
         Ok(Self {
             child,
             path: path.to_owned(),
+            made,
             _folder: folder,
         })
     }
@@ -94,7 +98,11 @@ impl Export {
     pub fn ended(&mut self) -> Option<Notice> {
         let status = self.child.try_wait().ok().flatten()?;
         if status.success() {
-            return Some(Notice::done(format!("exported {}", self.path.display())));
+            let read = std::fs::read(&self.made);
+            let read = read.map_err(|e| Error::file(&self.made, e.to_string(), "export it again"));
+            let placed = read.and_then(|bytes| write_whole(&self.path, &bytes));
+            let done = format!("exported {}", self.path.display());
+            return Some(placed.map_or_else(Notice::from, |()| Notice::done(done)));
         }
         let mut text = String::new();
         if let Some(stderr) = &mut self.child.stderr {

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use cutaway::{Error, Result};
-use tempfile::NamedTempFile;
+use tempfile::Builder;
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +58,8 @@ pub fn kind(path: &Path) -> Result<Kind> {
 ///
 /// A folder that takes no file.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
+    // A link is followed: what it points to is replaced, not the link.
+    let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
     let fault = |e: std::io::Error| {
         Error::file(
@@ -66,7 +68,11 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
             "check the folder's permissions and the room on the disk",
         )
     };
-    let mut file = NamedTempFile::new_in(folder.unwrap_or(Path::new("."))).map_err(fault)?;
+    let mut builder = Builder::new();
+    // As any other file: the mask of the process decides.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = (builder.tempfile_in(folder.unwrap_or(Path::new(".")))).map_err(fault)?;
     file.write_all(bytes).map_err(fault)?;
     file.persist(path).map_err(|e| fault(e.error))?;
     Ok(())

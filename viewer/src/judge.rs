@@ -12,7 +12,7 @@ use std::thread;
 use cutaway::compare::{Comparison, compare, heatmap_overlay};
 use cutaway::exact::evaluate;
 use cutaway::experiment::{Evaluator, Renderer, SceneAtTime};
-use cutaway::scene::Camera;
+use cutaway::scene::{Camera, View};
 use cutaway::{Exact, Gpu, GpuOptions, Outcome, Result, Session};
 use image::RgbaImage;
 
@@ -192,36 +192,54 @@ fn answer(
             if is_outdated(desk) {
                 return Ok(());
             }
-            let truth = question.at.truth()?;
-            let layers = match renderer {
-                Renderer::Cpu(Evaluator::Exact) => {
-                    let exact = exact.get_or_insert_with(|| evaluate(truth, &view));
-                    exact.layers.clone()
-                }
-                Renderer::Cpu(evaluator) => evaluator.evaluate(truth, &view).layers,
-                Renderer::Method(_) if !question.wants_errors => continue,
-                Renderer::Method(method) => {
-                    let drawn = session.draw(model, &view, method)?;
-                    if let Outcome::Refused(refusal) = drawn.outcome {
-                        say(side, divisor, Known::Failed(refusal.reason));
-                        continue;
-                    }
-                    session.layers(method)?
-                }
-            };
-            if let Renderer::Cpu(_) = renderer {
-                let rgba = session.shade(model, &view, &layers)?;
-                let [width, height] = size_px;
-                let picture = RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
-                say(side, divisor, Known::Picture(picture));
-            }
-            if question.wants_errors && renderer != Renderer::EXACT {
-                let exact = exact.get_or_insert_with(|| evaluate(truth, &view));
-                let comparison = compare(exact, &layers, &view, model.prepared.scale);
-                let marks = heatmap_overlay(exact, &layers);
-                say(side, divisor, Known::Errors { marks, comparison });
+            let say = |known| say(side, divisor, known);
+            let judged = judge(session, question, renderer, &view, &mut exact, &say);
+            if let Err(error) = judged {
+                say(Known::Failed(error.to_string()));
             }
         }
+    }
+    Ok(())
+}
+
+/// Says what is to be known of a slot at a resolution; the reference is evaluated once for both.
+fn judge(
+    session: &mut Session,
+    question: &Question,
+    renderer: Renderer,
+    view: &View,
+    exact: &mut Option<Exact>,
+    say: &dyn Fn(Known),
+) -> Result<()> {
+    let model = &question.at.model;
+    let truth = question.at.truth()?;
+    let layers = match renderer {
+        Renderer::Cpu(Evaluator::Exact) => {
+            let exact = exact.get_or_insert_with(|| evaluate(truth, view));
+            exact.layers.clone()
+        }
+        Renderer::Cpu(evaluator) => evaluator.evaluate(truth, view).layers,
+        Renderer::Method(_) if !question.wants_errors => return Ok(()),
+        Renderer::Method(method) => {
+            let drawn = session.draw(model, view, method)?;
+            if let Outcome::Refused(refusal) = drawn.outcome {
+                say(Known::Failed(refusal.reason));
+                return Ok(());
+            }
+            session.layers(method)?
+        }
+    };
+    if let Renderer::Cpu(_) = renderer {
+        let rgba = session.shade(model, view, &layers)?;
+        let [width, height] = view.size_px;
+        let picture = RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
+        say(Known::Picture(picture));
+    }
+    if question.wants_errors && renderer != Renderer::EXACT {
+        let exact = exact.get_or_insert_with(|| evaluate(truth, view));
+        let comparison = compare(exact, &layers, view, model.prepared.scale);
+        let marks = heatmap_overlay(exact, &layers);
+        say(Known::Errors { marks, comparison });
     }
     Ok(())
 }

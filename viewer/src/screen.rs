@@ -6,6 +6,8 @@
 //!
 //! Cannot: show a picture of more pixels than a texture of the device holds.
 
+mod picture;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -24,46 +26,7 @@ use crate::difference::Difference;
 use crate::readback;
 use crate::shown::Shown;
 use crate::slot::Side;
-
-/// As egui wants textures of others: sRGB values as they are.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
-/// A texture that egui shows.
-struct Picture {
-    id: TextureId,
-    texture: wgpu::Texture,
-    view: wgpu::TextureView,
-}
-
-impl Picture {
-    fn new(host: &RenderState, size_px: [u32; 2]) -> Self {
-        let texture = host.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("slot"),
-            size: wgpu::Extent3d {
-                width: size_px[0],
-                height: size_px[1],
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_DST
-                | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let filter = wgpu::FilterMode::Linear;
-        let id = (host.renderer.write()).register_native_texture(&host.device, &view, filter);
-        Self { id, texture, view }
-    }
-
-    fn size_px(&self) -> [u32; 2] {
-        [self.texture.width(), self.texture.height()]
-    }
-}
+use picture::{FORMAT, Picture};
 
 /// A frame that the device has not done yet.
 struct UnderWay {
@@ -77,6 +40,8 @@ pub struct Screen {
     session: Session,
     host: RenderState,
     pictures: BTreeMap<Side, Picture>,
+    /// Who drew them.
+    painted_by: [Option<Renderer>; 2],
     difference: Difference,
     difference_picture: Option<Picture>,
     under_way: Option<UnderWay>,
@@ -101,6 +66,7 @@ impl Screen {
             session: Session::new(gpu),
             host: host.clone(),
             pictures: BTreeMap::new(),
+            painted_by: [None; 2],
             difference: Difference::new(&host.device, FORMAT),
             difference_picture: None,
             under_way: None,
@@ -186,10 +152,20 @@ impl Screen {
         self.passes = 0;
         let mut drawn: Option<(Method, Side)> = None;
         for side in Side::BOTH {
-            self.refusals[side.index()] = None;
-            let Some(Renderer::Method(method)) = renderers[side.index()] else {
+            let renderer = renderers[side.index()];
+            let is_new = self.painted_by[side.index()] != renderer;
+            let Some(Renderer::Method(method)) = renderer else {
+                // A picture of another is not shown under this name.
+                if is_new {
+                    self.refusals[side.index()] = None;
+                    if let Some(old) = self.pictures.remove(&side) {
+                        self.free(old);
+                    }
+                }
                 continue;
             };
+            self.refusals[side.index()] = None;
+            self.painted_by[side.index()] = renderer;
             self.make_room(side, size_px);
             if let Some((same, other)) = drawn.filter(|(drawn, _)| *drawn == method) {
                 debug_assert_eq!(same, method, "one method draws once");
@@ -212,7 +188,11 @@ impl Screen {
             };
             clear(&mut encoder, &picture.view);
             let encoded =
-                (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target)?;
+                (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target);
+            let encoded = encoded.inspect_err(|_| {
+                // The encoder goes with the frames that are in it.
+                self.session.forget();
+            })?;
             match encoded {
                 Encoded::Drawn { passes } => self.passes += passes,
                 Encoded::Refused(refusal) => {
@@ -227,8 +207,9 @@ impl Screen {
         Ok(())
     }
 
-    /// Puts a picture that was made elsewhere into a slot.
-    pub fn put(&mut self, side: Side, image: &RgbaImage, wants_difference: bool) {
+    /// Puts a picture that a renderer has made elsewhere into a slot.
+    pub fn put(&mut self, side: Side, by: Renderer, image: &RgbaImage, wants_difference: bool) {
+        self.painted_by[side.index()] = Some(by);
         let size_px = [image.width(), image.height()];
         self.make_room(side, size_px);
         self.refusals[side.index()] = None;
@@ -325,6 +306,16 @@ impl Screen {
     }
 
     fn subtract(&mut self, encoder: &mut wgpu::CommandEncoder, size_px: [u32; 2]) {
+        if Side::BOTH
+            .iter()
+            .any(|side| !self.pictures.contains_key(side))
+        {
+            // One is still to come.
+            if let Some(old) = self.difference_picture.take() {
+                self.free(old);
+            }
+            return;
+        }
         let fits = |picture: &Picture| picture.size_px() == size_px;
         if !self.difference_picture.as_ref().is_some_and(fits) {
             let made = Picture::new(&self.host, size_px);

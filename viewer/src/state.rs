@@ -50,8 +50,11 @@ impl State {
     pub fn open(mut document: Document, mut assets: Assets) -> Result<Self> {
         document.guess_up(&mut assets)?;
         let shown = Shown::open(&document, &mut assets, None, None)?;
+        // What options have made of a scene file is a change of it.
+        let is_file = !document.path().as_os_str().is_empty();
+        let read = is_file.then(|| Document::read(document.path()).ok());
         let mut state = Self {
-            saved: document.clone(),
+            saved: read.flatten().unwrap_or_else(|| document.clone()),
             document,
             history: History::default(),
             assets,
@@ -166,8 +169,9 @@ impl State {
             document.set("time_s", time_s)?;
         }
         let painter = self.painter(Side::A);
-        if painter != Painter::Auto {
-            document.set("strategy.name", painter.to_string())?;
+        match painter {
+            Painter::Auto => document.remove("strategy.name")?,
+            named => document.set("strategy.name", named.to_string())?,
         }
         Ok(document)
     }
@@ -207,18 +211,20 @@ impl State {
             Action::Take(paths) => self.take(&paths),
             Action::Save(path) => self.save(&path),
             Action::Reload => self.reload(),
-            Action::Undo => match self.history.undo(&self.document) {
-                Some(before) => self.go_to(before),
-                None => Ok(()),
-            },
-            Action::Redo => match self.history.redo(&self.document) {
-                Some(after) => self.go_to(after),
-                None => Ok(()),
-            },
+            Action::Undo => self.undo(),
+            Action::Redo => self.redo(),
             Action::Set { path, value } => {
                 let gesture = Some(path.clone());
                 self.edit(gesture, |document| document.set(&path, value))
             }
+            Action::Change(changes) => self.edit(None, |document| {
+                changes
+                    .into_iter()
+                    .try_for_each(|(path, value)| match value {
+                        Some(value) => document.set(&path, value),
+                        None => document.remove(&path),
+                    })
+            }),
             Action::Unset(path) => self.edit(None, |document| document.remove(&path)),
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
@@ -228,6 +234,7 @@ impl State {
                 Ok(())
             }
             Action::MovePlane(by) => self.move_plane(by),
+            Action::CutThrough(point, normal) => self.cut_through(point, normal),
             Action::FaceEye => match &self.shown {
                 Some(shown) => {
                     let forward = shown.view([64, 64]).forward;

@@ -1,10 +1,12 @@
 //! Changes of the document, and what they make of the scene.
 
-use cutaway::document::Node;
-use cutaway::scene::Viewpoint;
+use cutaway::document::{Node, cut, section};
+use cutaway::scene::{PlaneSpec, Viewpoint};
 use cutaway::{Document, Error, Result};
 
 use super::State;
+use glam::DVec3;
+
 use crate::action::Selection;
 use crate::camera::{self, CameraMove};
 use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
@@ -43,17 +45,55 @@ impl State {
         Ok(())
     }
 
-    /// Goes to a document of the history, seen from where the eye is now.
-    pub(super) fn go_to(&mut self, mut document: Document) -> Result<()> {
+    /// A document seen from where the eye is now.
+    pub(super) fn seen_from_here(&self, mut document: Document) -> Result<Document> {
         if let Some(camera) = self.document.root().get("camera").cloned() {
             document.remove("camera")?;
             document.set_node("camera", camera)?;
         }
+        Ok(document)
+    }
+
+    /// Goes to a document of the history, seen from where the eye is now.
+    pub(super) fn go_to(&mut self, document: Document) -> Result<()> {
+        let document = self.seen_from_here(document)?;
         self.show(document, false)?;
         let count = self.cuts().len();
         if matches!(self.selection, Selection::Cut(index) if index >= count) {
             self.selection = Selection::Scene;
         }
+        Ok(())
+    }
+
+    pub(super) fn undo(&mut self) -> Result<()> {
+        let Some(before) = self.history.undo(&self.document) else {
+            return Ok(());
+        };
+        self.go_to(before.clone()).inspect_err(|_| {
+            // What cannot be gone to stays where it is in the history.
+            let _ = self.history.redo(&before);
+        })
+    }
+
+    pub(super) fn redo(&mut self) -> Result<()> {
+        let Some(after) = self.history.redo(&self.document) else {
+            return Ok(());
+        };
+        self.go_to(after.clone()).inspect_err(|_| {
+            let _ = self.history.undo(&after);
+        })
+    }
+
+    /// Puts the plane of the selected cut, or a new one, through a point.
+    pub(super) fn cut_through(&mut self, point: DVec3, normal: DVec3) -> Result<()> {
+        if let Selection::Cut(_) = self.selection {
+            return self.move_plane(PlaneMove::Through(point, normal));
+        }
+        let spec = PlaneSpec::through(point, normal)?.turned(normal, &self.bounds())?;
+        self.edit(None, |document| {
+            document.add_cut(cut([section(&spec.to_string())]).name("plane"))
+        })?;
+        self.selection = Selection::Cut(self.cuts().len() - 1);
         Ok(())
     }
 
@@ -121,6 +161,8 @@ impl State {
             };
         }
         camera::move_camera(&mut moved, by);
+        // The eye is where the document says it is, to the last digit.
+        camera::round(&mut moved);
         camera::write(&moved, &mut self.document)?;
         shown.scene.camera = moved;
         self.revision += 1;

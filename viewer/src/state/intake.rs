@@ -71,24 +71,44 @@ impl State {
         })
     }
 
-    /// Reads all files again. The scene itself is read again only where nothing of it was changed here.
+    /// Reads all files again. The scene itself is read again only where nothing of it was changed here but the eye.
     pub(super) fn reload(&mut self) -> Result<()> {
         let mut document = self.document.clone();
-        let is_file = !document.path().as_os_str().is_empty();
-        if is_file && !self.is_changed() {
-            document = Document::read(document.path())?;
+        let path = document.path().to_owned();
+        let is_file = !path.as_os_str().is_empty();
+        let on_disk = is_file.then(|| Document::read(&path)).transpose()?;
+        let written = on_disk.filter(|on_disk| *on_disk != self.saved);
+        if let Some(written) = &written {
+            if self.is_changed_beside_the_eye()? {
+                return Err(Error::file(
+                    &path,
+                    "it was written, and the scene was changed here as well",
+                    "save the scene under another name, or take the changes back and reload",
+                ));
+            }
+            document = self.seen_from_here(written.clone())?;
         }
-        let (is_changed, assets) = (self.is_changed(), std::mem::take(&mut self.assets));
+        let assets = std::mem::take(&mut self.assets);
         if let Err(error) = self.show(document, true) {
-            // What was read is still good.
+            // What was read before is still good.
             self.assets = assets;
             return Err(error);
         }
-        if !is_changed {
-            self.saved = self.document.clone();
+        if let Some(written) = written {
+            self.saved = written;
+            self.history.clear();
         }
         self.tell(Notice::done("read all files again"));
         Ok(())
+    }
+
+    /// Whether the document says something else than its file, wherever the eye is.
+    fn is_changed_beside_the_eye(&self) -> Result<bool> {
+        let mut both = [self.document.clone(), self.saved.clone()];
+        for document in &mut both {
+            document.remove("camera")?;
+        }
+        Ok(both[0] != both[1])
     }
 
     /// Writes the document to a file, with who draws the first slot, and goes on with that.

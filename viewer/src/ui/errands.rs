@@ -40,6 +40,8 @@ impl Viewer {
         let Some(shown) = self.state.shown() else {
             return;
         };
+        // Asked for in every frame, for each frame forgets what the one before has asked for.
+        ctx.request_repaint_after(Duration::from_secs_f64(LOOKED_AT_EVERY_S));
         if now - self.watch.1 < LOOKED_AT_EVERY_S {
             return;
         }
@@ -47,7 +49,6 @@ impl Viewer {
         if self.watch.0.has_changed(shown.timeline.files()) {
             actions.push(Action::Reload);
         }
-        ctx.request_repaint_after(Duration::from_secs_f64(LOOKED_AT_EVERY_S));
     }
 
     /// Goes on in time, and begins anew at the end.
@@ -64,6 +65,13 @@ impl Viewer {
     }
 
     pub(super) fn begin_export(&mut self, ctx: &Context, path: &Path) {
+        if let Some(export) = &self.export {
+            let at = export.path().display();
+            let help = "wait for it, or cancel it";
+            let error = Error::file(path, format!("{at} is still being exported"), help);
+            self.toasts.add(ctx, error.into());
+            return;
+        }
         match self.try_export(path) {
             Ok(export) => self.export = Some(export),
             Err(error) => self.toasts.add(ctx, error.into()),

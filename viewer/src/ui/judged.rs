@@ -103,10 +103,17 @@ impl Judged {
             match what {
                 Known::Picture(image) if id == self.asked => {
                     self.pictures[side.index()] = (id, divisor);
-                    screen.put(side, &image, wants_difference);
+                    let by = self.about.and_then(|about| about.renderers[side.index()]);
+                    if let Some(by) = by {
+                        screen.put(side, by, &image, wants_difference);
+                    }
                 }
                 Known::Picture(_) => {}
                 Known::Failed(why) => {
+                    let by = self.about.and_then(|about| about.renderers[side.index()]);
+                    if id == self.asked && by.is_some_and(|by| by.method().is_none()) {
+                        screen.refuse(side, why.clone());
+                    }
                     *errors = Errors {
                         id,
                         failed: Some(why),

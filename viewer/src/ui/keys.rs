@@ -116,6 +116,11 @@ pub(super) fn bindings() -> Vec<Binding> {
         command(Key::Y, act(Action::Redo), "do it again"),
         command(Key::S, Does::Save, "save the scene"),
         Binding {
+            key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
+            does: act(Action::Redo),
+            help: "do it again",
+        },
+        Binding {
             key: KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::C),
             does: Does::CopyCommand,
             help: "copy the command that makes this picture",
@@ -130,7 +135,7 @@ pub(super) fn pressed(ctx: &Context) -> Vec<Does> {
     }
     let mut bound = bindings();
     // Those with most held beside them first: what is consumed is gone for the others.
-    bound.sort_by_key(|b| std::cmp::Reverse(b.key.modifiers.any()));
+    bound.sort_by_key(|b| std::cmp::Reverse((b.key.modifiers.shift, b.key.modifiers.any())));
     let is_pressed = |b: &Binding| ctx.input_mut(|input| input.consume_shortcut(&b.key));
     let pressed = bound.into_iter().filter(is_pressed);
     pressed.map(|b| b.does).collect()

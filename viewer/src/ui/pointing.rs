@@ -1,17 +1,20 @@
 //! What the pointer picks: a pixel is asked for when the picture rests, and what it shows is told when it has come. Two clicks measure.
 
-use cutaway::experiment::Renderer;
+use cutaway::scene::View;
 use eframe::egui::Context;
 
 use super::Viewer;
 use super::viewport::Pointed;
-use crate::action::{Action, Selection};
-use crate::cuts::{NewCut, PlaneMove};
+use crate::action::Action;
 use crate::pick::Picked;
-use crate::slot::Side;
 
-/// What was asked for.
-type Asked = (u64, Side, [u32; 2]);
+/// A pixel that is asked for.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    revision: u64,
+    pointed: Pointed,
+    view: View,
+}
 
 /// What is under the pointer, and what was clicked.
 #[derive(Debug, Default)]
@@ -20,8 +23,8 @@ pub(super) struct Pointing {
     under_pointer: Option<Picked>,
     /// The last two clicks.
     clicked: Vec<Picked>,
-    /// A click whose pixel is still to come.
-    is_click: bool,
+    /// A click that came while another pixel was under way.
+    waiting: Option<Pointed>,
 }
 
 impl Pointing {
@@ -46,10 +49,11 @@ impl Pointing {
 impl Viewer {
     /// Asks for what is under the pointer, and takes in what has come.
     pub(super) fn point(&mut self, ctx: &Context, at: Option<Pointed>) {
-        if let (Some((at_px, layer)), Some(shown)) = (self.screen.picked(), self.state.shown()) {
-            let view = shown.view(self.size_px);
-            let picked = Picked::new(&layer, shown, &view, at_px);
-            if std::mem::take(&mut self.pointing.is_click) {
+        let revision = self.state.revision();
+        if let (Some((at_px, layer)), Some(asked)) = (self.screen.picked(), self.pointing.asked) {
+            let shown = self.state.shown().filter(|_| asked.revision == revision);
+            let picked = shown.and_then(|shown| Picked::new(&layer, shown, &asked.view, at_px));
+            if asked.pointed.is_click {
                 let clicked = &mut self.pointing.clicked;
                 clicked.extend(picked.clone());
                 clicked.drain(..clicked.len().saturating_sub(2));
@@ -57,27 +61,39 @@ impl Viewer {
             self.pointing.under_pointer = picked;
             ctx.request_repaint();
         }
-        let Some(Pointed {
-            side,
-            at_px,
-            is_click,
-        }) = at
-        else {
-            self.pointing.asked = None;
+        if self.screen.is_picking() {
+            ctx.request_repaint();
+        }
+        let at = at.filter(|at| self.screen.refusal(at.side).is_none());
+        if let Some(click) = at.filter(|at| at.is_click) {
+            self.pointing.waiting = Some(click);
+        }
+        let waiting = self.pointing.waiting;
+        let Some(pointed) = waiting.or(at) else {
+            (self.pointing.asked, self.pointing.under_pointer) = (None, None);
             return;
         };
-        self.pointing.is_click |= is_click;
-        let asked = (self.state.revision(), side, at_px);
+        let is_known = |asked: Asked| asked.revision == revision && asked.pointed == pointed;
         let rests = !self.is_drawing() && !self.screen.is_picking();
-        if !rests || (self.pointing.asked == Some(asked) && !is_click) {
+        if !rests || self.pointing.asked.is_some_and(is_known) && waiting.is_none() {
             return;
         }
+        self.pointing.waiting = None;
         let renderers = self.last.map(|last| last.renderers);
-        if let Some(Some(Renderer::Method(method))) = renderers.map(|r| r[side.index()]) {
-            self.pointing.asked = Some(asked);
-            if let Err(error) = self.screen.pick(method, at_px) {
-                self.toasts.add(ctx, error.into());
-            }
+        let renderer = renderers.and_then(|r| r[pointed.side.index()]);
+        let method = renderer.and_then(|renderer| renderer.method());
+        let (Some(method), Some(shown)) = (method, self.state.shown()) else {
+            // What is drawn on the CPU has no layers here.
+            (self.pointing.asked, self.pointing.under_pointer) = (None, None);
+            return;
+        };
+        self.pointing.asked = Some(Asked {
+            revision,
+            pointed,
+            view: shown.view(self.size_px),
+        });
+        if let Err(error) = self.screen.pick(method, pointed.at_px) {
+            self.toasts.add(ctx, error.into());
         }
         ctx.request_repaint();
     }
@@ -87,11 +103,7 @@ impl Viewer {
         let Some(picked) = &self.pointing.under_pointer else {
             return;
         };
-        if !matches!(self.state.selection(), Selection::Cut(_)) {
-            actions.push(Action::Add(NewCut::Plane(0)));
-        }
         // What is before the face goes: the normal of a plane points to what stays.
-        let through = PlaneMove::Through(picked.point, -picked.normal);
-        actions.push(Action::MovePlane(through));
+        actions.push(Action::CutThrough(picked.point, -picked.normal));
     }
 }

@@ -143,14 +143,18 @@ fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     let ends = bounds.corners().map(|corner| corner.dot(normal));
     let least = ends.iter().copied().fold(f64::INFINITY, f64::min);
     let most = ends.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let was = (origin.dot(normal) - least) / (most - least) * 100.0;
-    let mut percent = was;
-    let slider = Slider::new(&mut percent, 0.0..=100.0)
-        .text("Position %")
-        .max_decimals(2);
-    if ui.add(slider).changed() {
-        let by = (percent - was) / 100.0 * (most - least);
-        actions.push(Action::MovePlane(PlaneMove::Along(by)));
+    // A model that is flat across the plane has no room for it to move.
+    if most > least {
+        let percent_at = (origin.dot(normal) - least) / (most - least) * 100.0;
+        // As the slider rounds it, or it would count as moved.
+        let was = (percent_at.clamp(0.0, 100.0) * 100.0).round() / 100.0;
+        let mut percent = was;
+        let slider = Slider::new(&mut percent, 0.0..=100.0).text("Position %");
+        let is_moved = ui.add(slider.max_decimals(2)).changed();
+        if is_moved && (percent - was).abs() > 1e-9 {
+            let by = (percent - percent_at) / 100.0 * (most - least);
+            actions.push(Action::MovePlane(PlaneMove::Along(by)));
+        }
     }
     ui.horizontal(|ui| {
         for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
@@ -210,9 +214,9 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         .selected_text(shown)
         .show_ui(ui, |ui| {
             if ui.selectable_label(kind.is_none(), "none").clicked() && kind.is_some() {
-                for key in ["relief", "amplitude", "period", "wrap"] {
-                    actions.push(Action::Unset(format!("{surface}.{key}")));
-                }
+                let keys = ["relief", "amplitude", "period", "wrap"];
+                let gone = keys.map(|key| (format!("{surface}.{key}"), None));
+                actions.push(Action::Change(gone.into()));
             }
             for (word, _) in RELIEFS {
                 if ui.selectable_label(shown == word, word).clicked() && shown != word {
@@ -268,16 +272,13 @@ fn put_relief(
     };
     let of = name.map_or(free, str::to_owned);
     // What only the other kind has would be refused.
-    actions.push(Action::Set {
-        path: format!("relief.{of}"),
-        value: Value::from([("kind", Value::from(kind))]),
-    });
+    let table = Value::from([("kind", Value::from(kind))]);
+    let mut changes = vec![(format!("relief.{of}"), Some(table))];
     if name.is_none() {
-        actions.push(Action::Set {
-            path: format!("cut.{index}.surfaces.0.relief"),
-            value: of.into(),
-        });
+        let surface = format!("cut.{index}.surfaces.0.relief");
+        changes.push((surface, Some(of.into())));
     }
+    actions.push(Action::Change(changes));
 }
 
 fn others(ui: &mut Ui, state: &State, (index, kind): (usize, CutKind), actions: &mut Vec<Action>) {

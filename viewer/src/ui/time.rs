@@ -19,7 +19,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, plays: &mut bool, actions: &mut V
         let slider = Slider::new(&mut time_s, 0.0..=duration_s)
             .text("Time")
             .suffix(" s");
-        if ui.add(slider.max_decimals(3)).changed() {
+        // Shown with few digits and kept with all: a slider that rounds what it is given counts as moved.
+        let slider = slider.custom_formatter(|time_s, _| format!("{time_s:.3}"));
+        if ui.add(slider).changed() {
             *plays = false;
             actions.push(Action::Seek(time_s));
         }

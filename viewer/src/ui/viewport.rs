@@ -75,6 +75,13 @@ pub(super) fn show(
             .picture(side)
             .filter(|_| screen.refusal(side).is_none())
     };
+    let Some(shown) = state.shown() else {
+        let font = FontId::proportional(16.0);
+        let color = ui.visuals().weak_text_color();
+        let text = "Drop a mesh (.obj, .stl, .ply, .glb, .gltf) or a scene (.toml) here";
+        painter.text(rect.center(), Align2::CENTER_CENTER, text, font, color);
+        return None;
+    };
     match layout {
         Layout::Single => slot(
             &painter,
@@ -136,13 +143,6 @@ pub(super) fn show(
             }
         }
     }
-    let Some(shown) = state.shown() else {
-        let font = FontId::proportional(16.0);
-        let color = ui.visuals().weak_text_color();
-        let text = "Drop a mesh (.obj, .stl, .ply, .glb, .gltf) or a scene (.toml) here";
-        painter.text(rect.center(), Align2::CENTER_CENTER, text, font, color);
-        return None;
-    };
     let pictures: Vec<Rect> = match layout {
         Layout::SideBySide => {
             let (left, right) = rect.split_left_right_at_fraction(0.5);

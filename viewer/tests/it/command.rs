@@ -46,7 +46,7 @@ fn it_makes_the_picture_that_is_seen() {
             "an eye that went around",
             vec![
                 Action::Add(NewCut::Plane(0)),
-                Action::MoveCamera(CameraMove::Orbit(DVec2::new(20.0, 10.0))),
+                Action::MoveCamera(CameraMove::Orbit(DVec2::new(20.123_45, 10.987_65))),
             ],
         ),
         (
@@ -54,7 +54,7 @@ fn it_makes_the_picture_that_is_seen() {
             vec![
                 Action::Add(NewCut::Plane(0)),
                 Action::MoveCamera(CameraMove::Zoom {
-                    factor: 1.5,
+                    factor: 1.234_567_8,
                     about: DVec2::new(0.2, 0.1),
                 }),
             ],

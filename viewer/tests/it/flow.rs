@@ -2,15 +2,16 @@
 
 use cutaway::Document;
 use cutaway::load::Assets;
-use cutaway_viewer::State;
+use cutaway_viewer::cuts::NewCut;
 use cutaway_viewer::slot::Side;
 use cutaway_viewer::ui::Viewer;
+use cutaway_viewer::{Action, State};
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use image::RgbaImage;
 
-use super::common::{Scratch, TORUS, settle, state, viewer};
+use super::common::{Scratch, TORUS, act, settle, state, viewer};
 
 fn click(harness: &mut Harness<'_, Viewer>, role: Role, label: &str) {
     harness.get_by_role_and_label(role, label).click();
@@ -22,6 +23,9 @@ fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
     settle(harness);
     // As a screen reader does it: a pointer would have to scroll.
     harness.get_by_label(choice).click_accesskit();
+    settle(harness);
+    // Which leaves the list open.
+    harness.key_press(eframe::egui::Key::Escape);
     settle(harness);
 }
 
@@ -133,4 +137,77 @@ fn slots_show_the_reference_and_the_difference() {
         harness.state().screen().difference().is_some(),
         "it is drawn"
     );
+}
+
+#[test]
+fn what_is_only_looked_at_does_not_change() {
+    let mut state = state(TORUS);
+    state.apply(Action::Add(NewCut::Plane(2)));
+    // No number that a slider with few digits could show.
+    let path = "cut.0.surfaces.0.section".to_owned();
+    let value = "z=0.123456".into();
+    state.apply(Action::Set { path, value });
+    let before = state.document().clone();
+    let harness = viewer(state);
+    assert_eq!(*harness.state().state().document(), before);
+}
+
+#[test]
+fn a_relief_is_put_on_and_taken_off_in_one_step_each() {
+    let mut harness = viewer(state(TORUS));
+    click(&mut harness, Role::Button, "Plane");
+    let plain = harness.state().state().document().clone();
+    choose(&mut harness, "Relief", "cracks");
+    let ragged = harness.state().state().document().clone();
+    assert_ne!(plain, ragged);
+    let amplitude = "cut.0.surfaces.0.amplitude";
+    act(
+        &mut harness,
+        Action::Set {
+            path: amplitude.to_owned(),
+            value: "3%".into(),
+        },
+    );
+    choose(&mut harness, "Relief", "none");
+    let surface = |harness: &Harness<'_, Viewer>| {
+        harness
+            .state()
+            .state()
+            .document()
+            .get("cut.0.surfaces.0")
+            .unwrap()
+            .clone()
+    };
+    assert_eq!(surface(&harness), *plain.get("cut.0.surfaces.0").unwrap());
+    for _ in 0..3 {
+        click(&mut harness, Role::Button, "Undo");
+    }
+    assert_eq!(
+        harness.state().state().document().root().get("cut"),
+        plain.root().get("cut")
+    );
+}
+
+#[test]
+fn time_passes_until_it_is_stopped() {
+    let text = "[[part]]\nname = \"box\"\nshape = \"cube\"\ntranslate = [0, 0, 0]\n\n[[key]]\ntarget = \"part.box.translate\"\ntimes_s = [0, 1]\nvalues = [[0, 0, 0], [1, 0, 0]]\n";
+    let document = Document::parse("moving.toml", text).unwrap();
+    let mut harness = viewer(State::open(document, Assets::default()).unwrap());
+    harness.get_by_role_and_label(Role::Button, "Play").click();
+    harness.step();
+    let times: Vec<Option<f64>> = (0..3)
+        .map(|_| {
+            harness.step();
+            harness.state().state().time_s()
+        })
+        .collect();
+    assert!(
+        times[0] != times[1] && times[1] != times[2],
+        "it goes on: {times:?}"
+    );
+    harness.get_by_role_and_label(Role::Button, "Pause").click();
+    settle(&mut harness);
+    let stopped = harness.state().state().time_s();
+    settle(&mut harness);
+    assert_eq!(harness.state().state().time_s(), stopped);
 }

@@ -86,3 +86,71 @@ fn an_empty_window_takes_a_model_and_then_an_image() {
     let surface = &state.shown().unwrap().scene.cuts[0].surfaces[0];
     assert!(surface.relief.is_some(), "the image is its relief");
 }
+
+#[test]
+fn a_scene_file_that_was_written_is_read_again_unless_both_were_changed() {
+    let scratch = Scratch::new();
+    let path = scratch.path("scene.toml");
+    let text = "[[part]]\nshape = \"cube\"\n\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n";
+    fs::write(&path, text).unwrap();
+    let mut state = State::open(Document::read(&path).unwrap(), Assets::default()).unwrap();
+    state.apply(Action::MoveCamera(CameraMove::Orbit(DVec2::new(7.0, 3.0))));
+    let camera = state.shown().unwrap().scene.camera;
+    fs::write(&path, text.replace("50%", "60%")).unwrap();
+    state.apply(Action::Reload);
+    assert!(state.document().to_string().contains("z=60%"), "read again");
+    let after = state.shown().unwrap().scene.camera;
+    assert_eq!(camera.viewpoint, after.viewpoint, "the eye stays");
+    assert!(
+        state.notices().iter().all(|n| !n.is_error),
+        "nothing is lost"
+    );
+
+    state.apply(Action::Select(Selection::Cut(0)));
+    state.apply(Action::MovePlane(cutaway_viewer::cuts::PlaneMove::Flip));
+    fs::write(&path, text.replace("50%", "70%")).unwrap();
+    state.apply(Action::Reload);
+    assert!(
+        state.document().to_string().contains("-z=60%"),
+        "what was changed here stays"
+    );
+    let notices = state.notices();
+    let is_told = |phrase: &str| {
+        notices
+            .iter()
+            .any(|n| n.is_error && n.text.contains(phrase))
+    };
+    assert!(is_told("the scene was changed here as well"), "{notices:?}");
+}
+
+#[test]
+fn options_beside_a_scene_file_are_changes_of_it() {
+    let scratch = Scratch::new();
+    let path = scratch.path("scene.toml");
+    fs::write(&path, "[[part]]\nshape = \"cube\"\n").unwrap();
+    let mut document = Document::read(&path).unwrap();
+    document
+        .add_cut(cutaway::document::cut([cutaway::document::section(
+            "x=50%",
+        )]))
+        .unwrap();
+    let mut state = State::open(document, Assets::default()).unwrap();
+    let command = state.command([64, 48]).unwrap();
+    assert!(command.contains("--section x=50%"), "{command}");
+    state.apply(Action::Reload);
+    assert_eq!(state.cuts().len(), 1, "the cut is still there");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_saved_scene_is_as_readable_as_any_other_file() {
+    use std::os::unix::fs::PermissionsExt;
+    let scratch = Scratch::new();
+    let other = scratch.path("other");
+    fs::write(&other, "").unwrap();
+    let path = scratch.path("scene.toml");
+    let mut state = state(TORUS);
+    state.apply(Action::Save(path.clone()));
+    let mode = |path: &std::path::Path| fs::metadata(path).unwrap().permissions().mode();
+    assert_eq!(mode(&path), mode(&other));
+}

@@ -1,0 +1,44 @@
+//! A texture that egui shows and a session draws into.
+
+use eframe::egui::TextureId;
+use egui_wgpu::{RenderState, wgpu};
+
+/// As egui wants textures of others: sRGB values as they are.
+pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// A texture that egui shows.
+pub(super) struct Picture {
+    pub(super) id: TextureId,
+    pub(super) texture: wgpu::Texture,
+    pub(super) view: wgpu::TextureView,
+}
+
+impl Picture {
+    pub(super) fn new(host: &RenderState, size_px: [u32; 2]) -> Self {
+        let texture = host.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("slot"),
+            size: wgpu::Extent3d {
+                width: size_px[0],
+                height: size_px[1],
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_DST
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let filter = wgpu::FilterMode::Linear;
+        let id = (host.renderer.write()).register_native_texture(&host.device, &view, filter);
+        Self { id, texture, view }
+    }
+
+    pub(super) fn size_px(&self) -> [u32; 2] {
+        [self.texture.width(), self.texture.height()]
+    }
+}
