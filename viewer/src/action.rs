@@ -41,10 +41,8 @@ pub enum Action {
         /// What it is to be.
         value: Value,
     },
-    /// Sets several values, or takes them out, in one step.
+    /// Sets several values, or takes them out, after which what is usual holds, in one step.
     Change(Vec<(String, Option<Value>)>),
-    /// Takes a value out of the document, after which what is usual holds.
-    Unset(String),
     /// Adds a cut and selects it.
     Add(NewCut),
     /// Adds a copy of a cut behind the others.

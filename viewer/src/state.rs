@@ -225,7 +225,6 @@ impl State {
                         None => document.remove(&path),
                     })
             }),
-            Action::Unset(path) => self.edit(None, |document| document.remove(&path)),
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
             Action::Remove(index) => {

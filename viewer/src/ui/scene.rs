@@ -139,7 +139,7 @@ fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<
             false => globs.push(part.to_owned()),
         }
         actions.push(match globs.is_empty() {
-            true => Action::Unset(path),
+            true => Action::Change(vec![(path, None)]),
             false => Action::Set {
                 path,
                 value: Value::from(globs),
