@@ -17,6 +17,7 @@ use crate::scene::{Style, View};
 use crate::strategies::{self, Method, Obstacle, Rasteriser, Refusal, Strategy};
 use crate::{Error, Result};
 
+mod awaited;
 mod bands;
 mod encode;
 mod finish;

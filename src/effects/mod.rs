@@ -98,5 +98,6 @@ pub(crate) fn finish_of(model: &Model, view: &View, layers: &[u32]) -> Result<Pl
         picture: None,
     };
     plan.picture = Some(finish(&mut plan, &scene, layered).picture);
+    plan.layers = Some(layers);
     Ok(plan.without_unused())
 }

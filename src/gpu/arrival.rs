@@ -1,42 +1,93 @@
-//! Words on their way back from a frame that a host submits.
+//! Words on their way back from a frame that somebody submits.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::future::poll_fn;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::task::{Poll, Waker};
 
-/// A copy that is mapped once the host has submitted it.
+use crate::{Error, Result};
+
+/// A copy that is mapped once its commands have been submitted.
 #[derive(Debug)]
 pub(super) struct Arrival {
     staging: wgpu::Buffer,
-    state: Arc<AtomicU8>,
+    state: Arc<Mutex<State>>,
 }
 
-const UNDER_WAY: u8 = 0;
-const ARRIVED: u8 = 1;
-const LOST: u8 = 2;
+#[derive(Debug)]
+enum State {
+    UnderWay(Option<Waker>),
+    Arrived,
+    Lost,
+}
 
 impl Arrival {
     /// Of a copy that is made by commands of the same encoder.
     pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
-        let state = Arc::new(AtomicU8::new(UNDER_WAY));
+        let state = Arc::new(Mutex::new(State::UnderWay(None)));
         let shared = state.clone();
         encoder.map_buffer_on_submit(&staging, wgpu::MapMode::Read, .., move |mapped| {
-            let how = if mapped.is_ok() { ARRIVED } else { LOST };
-            shared.store(how, Ordering::Release);
+            let how = match mapped {
+                Ok(()) => State::Arrived,
+                Err(_) => State::Lost,
+            };
+            let before = std::mem::replace(&mut *lock(&shared), how);
+            if let State::UnderWay(Some(waker)) = before {
+                waker.wake();
+            }
         });
         Self { staging, state }
     }
 
     /// Whether it may still come.
     pub(super) fn is_under_way(&self) -> bool {
-        self.state.load(Ordering::Acquire) == UNDER_WAY
+        matches!(*lock(&self.state), State::UnderWay(_))
     }
 
-    /// The words, once they are there.
-    pub(super) fn words(&self) -> Option<Vec<u32>> {
-        if self.state.load(Ordering::Acquire) != ARRIVED {
+    /// Ends when it has come, or will not come any more.
+    async fn ended(&self) {
+        poll_fn(|context| match &mut *lock(&self.state) {
+            State::UnderWay(waker) => {
+                *waker = Some(context.waker().clone());
+                Poll::Pending
+            }
+            State::Arrived | State::Lost => Poll::Ready(()),
+        })
+        .await;
+    }
+
+    /// The values, when they have come. A browser polls its devices by itself; elsewhere the device is waited for.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost; `name` is that of its adapter.
+    pub(super) async fn awaited<T: bytemuck::Pod>(
+        &self,
+        device: &wgpu::Device,
+        name: &str,
+    ) -> Result<Vec<T>> {
+        let lost = || Error::Adapter {
+            what: format!("{name} lost a frame on its way back"),
+            help: "run again".to_owned(),
+        };
+        if cfg!(not(target_arch = "wasm32")) {
+            let waited = device.poll(wgpu::PollType::wait_indefinitely());
+            waited.map_err(|_| lost())?;
+        }
+        self.ended().await;
+        self.values().ok_or_else(lost)
+    }
+
+    /// The values, once they are there.
+    pub(super) fn values<T: bytemuck::Pod>(&self) -> Option<Vec<T>> {
+        if !matches!(*lock(&self.state), State::Arrived) {
             return None;
         }
         let mapped = self.staging.get_mapped_range(..).ok()?;
         Some(bytemuck::pod_collect_to_vec(&mapped))
     }
+}
+
+/// A poisoned lock only means that another thread panicked while it held plain data.
+fn lock(state: &Mutex<State>) -> MutexGuard<'_, State> {
+    state.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -37,8 +37,19 @@ pub(super) fn layer_from_words(words: &[u32; 3]) -> Layer {
     }
 }
 
-/// The words of layers, to be shaded by the same pass as a strategy's.
-pub(crate) fn words_from_layers(layers: &Layers) -> Vec<u32> {
+/// Pixels from their words, three for each: the other direction of [`words_from_layers`].
+pub fn layers_from_words(words: &[u32]) -> Vec<Layer> {
+    words
+        .as_chunks::<3>()
+        .0
+        .iter()
+        .map(layer_from_words)
+        .collect()
+}
+
+/// Layers as shaders have them, three words a pixel: to be shaded by the same pass as a strategy's, or sent elsewhere. Depths and normals lose
+/// what [`Layer`] has beyond single precision and two 16-bit numbers.
+pub fn words_from_layers(layers: &Layers) -> Vec<u32> {
     let words = layers.pixels.iter().map(|p| {
         let flags =
             u32::from(p.back_face) << 2 | u32::from(p.unreliable) << 3 | u32::from(p.overlap) << 4;

@@ -25,7 +25,7 @@ pub use clip::clip_wgsl;
 pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
 pub use device::{AdapterReport, Gpu, GpuOptions};
-pub(crate) use layer_words::words_from_layers;
+pub use layer_words::{layers_from_words, words_from_layers};
 pub use pick::Pick;
 pub use preparation::Preparation;
 #[doc(hidden)]

@@ -1,9 +1,12 @@
-//! What one pixel of a frame shows, on its way back: what a pointer picks is read from the layers, so that it is what is seen, cuts and all.
+//! What pixels of a frame show, on their way back: one, or all. What a pointer picks is read from the layers, so that it is what is seen,
+//! cuts and all.
 //!
-//! Costs a copy of 12 bytes. Cannot: know of a frame that was not submitted.
+//! Costs a copy of 12 bytes a pixel. Cannot: know of a frame that was not submitted.
 
+use super::Gpu;
 use super::arrival::Arrival;
-use super::layer_words::layer_from_words;
+use super::layer_words::{layer_from_words, layers_from_words};
+use crate::Result;
 use crate::layers::Layer;
 
 /// A pixel that was asked for.
@@ -23,7 +26,28 @@ impl Pick {
 
     /// What the pixel shows, once it is known.
     pub fn layer(&self) -> Option<Layer> {
-        let words: [u32; 3] = self.0.words()?.try_into().ok()?;
+        let words: [u32; 3] = self.0.values()?.try_into().ok()?;
         Some(layer_from_words(&words))
+    }
+}
+
+/// The layers of a program's frame, on their way back.
+#[derive(Debug)]
+pub(crate) struct Arriving(Arrival);
+
+impl Arriving {
+    /// Of a copy that is made by commands of the same encoder.
+    pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
+        Self(Arrival::new(encoder, staging))
+    }
+
+    /// The pixels, row by row, when they have come: what a page of a browser awaits is waited for elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub(crate) async fn pixels(self, gpu: &Gpu) -> Result<Vec<Layer>> {
+        let words = self.0.awaited(&gpu.device, &gpu.report().name).await?;
+        Ok(layers_from_words(&words))
     }
 }

@@ -10,8 +10,8 @@ use super::Gpu;
 use super::composite::{Composed, Compositor};
 use super::device::is_shared;
 use super::draw::Step;
-use super::layer_words::{LAYER_BYTES, layer_from_words};
-use super::pick::Pick;
+use super::layer_words::{LAYER_BYTES, layers_from_words};
+use super::pick::{Arriving, Pick};
 use super::real::{Real, make};
 use super::report::Report;
 use super::target::Destination;
@@ -258,11 +258,22 @@ impl Program {
         encoder: &mut wgpu::CommandEncoder,
         pixel: u64,
     ) -> Result<Pick> {
-        let none = || Error::Plan("the plan has no layers".to_owned());
-        let layers = self.buffer(self.plan().layers.ok_or_else(none)?)?;
+        let layers = self.layers_buffer()?;
         let staging = gpu.staging(LAYER_BYTES);
         encoder.copy_buffer_to_buffer(layers, pixel * LAYER_BYTES, &staging, 0, LAYER_BYTES);
         Ok(Pick::new(encoder, staging))
+    }
+
+    /// Copies the layers of all pixels behind what is encoded.
+    pub(crate) fn send_layers(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Arriving> {
+        let layers = self.layers_buffer()?;
+        let staging = gpu.staging(layers.size());
+        encoder.copy_buffer_to_buffer(layers, 0, &staging, 0, layers.size());
+        Ok(Arriving::new(encoder, staging))
     }
 
     /// What puts the picture into the attachments of a host.
@@ -275,7 +286,7 @@ impl Program {
         };
         let frame = Composed {
             picture: self.buffer(plan.picture.ok_or_else(none)?)?,
-            layers: self.buffer(plan.layers.ok_or_else(none)?)?,
+            layers: self.layers_buffer()?,
             parts: table("parts")?,
         };
         Compositor::new(gpu, target, &frame)
@@ -323,18 +334,11 @@ impl Program {
 
     /// The layers of the last frame.
     pub fn layers(&self, gpu: &Gpu, size_px: [u32; 2]) -> Result<Layers> {
-        let id = self
-            .plan()
-            .layers
-            .ok_or_else(|| Error::Plan("the plan makes no layers".to_owned()))?;
-        let words = gpu.read::<u32>(self.buffer(id)?)?;
-        let pixels = words
-            .as_chunks::<3>()
-            .0
-            .iter()
-            .map(layer_from_words)
-            .collect();
-        Ok(Layers { size_px, pixels })
+        let words = gpu.read::<u32>(self.layers_buffer()?)?;
+        Ok(Layers {
+            size_px,
+            pixels: layers_from_words(&words),
+        })
     }
 
     /// The picture of the last frame: RGBA8, rows from the top.
@@ -353,6 +357,11 @@ impl Program {
             .resource_named(name)
             .ok_or_else(|| Error::Plan(format!("there is no resource `{name}`")))?;
         gpu.read::<u32>(self.buffer(id)?)
+    }
+
+    fn layers_buffer(&self) -> Result<&wgpu::Buffer> {
+        let none = || Error::Plan("the plan makes no layers".to_owned());
+        self.buffer(self.plan().layers.ok_or_else(none)?)
     }
 
     fn buffer(&self, id: ResourceId) -> Result<&wgpu::Buffer> {

@@ -1,6 +1,7 @@
 //! Reading buffers back, after the frame and never inside it.
 
 use super::Gpu;
+use super::arrival::Arrival;
 use crate::{Error, Result};
 
 impl Gpu {
@@ -41,6 +42,23 @@ impl Gpu {
         encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
         self.queue.submit([encoder.finish()]);
         self.map(&staging)
+    }
+
+    /// Submits commands that copy into a buffer which can be mapped, and awaits its bytes. Elsewhere than in a browser it waits, before it is
+    /// first pending.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub fn submit_and_read(
+        &self,
+        encoder: wgpu::CommandEncoder,
+        staging: wgpu::Buffer,
+    ) -> impl Future<Output = Result<Vec<u8>>> + use<> {
+        let arrival = Arrival::new(&encoder, staging);
+        self.queue.submit([encoder.finish()]);
+        let (device, name) = (self.device.clone(), self.report().name.clone());
+        async move { arrival.awaited(&device, &name).await }
     }
 
     /// Lets the device report what it has done, without waiting.

@@ -29,7 +29,7 @@ impl Report {
 
     /// The bounded buffers, each with what it needed; none while that has not arrived.
     pub(crate) fn needs(&self) -> Vec<(&Bounded, u32)> {
-        let Some(words) = self.arrival.words() else {
+        let Some(words) = self.arrival.values::<u32>() else {
             return Vec::new();
         };
         let need = |b: &Bounded| words.get(b.slot as usize).copied().unwrap_or(0);

@@ -19,7 +19,11 @@ const CUT_OFF: &str = "the file is cut off or damaged: export or download it aga
 
 pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
     let stated = stated_facets(bytes);
-    let whole = stated.is_some_and(|n| bytes.len() == HEADER_BYTES + FACET_BYTES * n);
+    // Text read as a number of facets is too large for the product to fit where addresses have 32 bits.
+    let whole = stated.is_some_and(|n| {
+        let length = n.checked_mul(FACET_BYTES);
+        length.and_then(|l| l.checked_add(HEADER_BYTES)) == Some(bytes.len())
+    });
     let text = without_mark(bytes);
     if !whole && is_text(text) {
         return ascii(path, &String::from_utf8_lossy(text));

@@ -180,7 +180,7 @@ impl Camera {
             Viewpoint::Orbit {
                 azimuth_deg,
                 elevation_deg,
-            } => -orbit_direction(self.up, azimuth_deg, elevation_deg),
+            } => -self.up.direction([azimuth_deg, elevation_deg]),
             Viewpoint::Along { forward, .. } => forward.normalize_or(-DVec3::Z),
             Viewpoint::Explicit {
                 position,
@@ -275,11 +275,39 @@ impl Camera {
     }
 }
 
-fn orbit_direction(up: Up, azimuth_deg: f64, elevation_deg: f64) -> DVec3 {
-    let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
-    let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
-    match up {
-        Up::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
-        Up::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
+/// Directions that have names, as azimuth and elevation in degrees.
+pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
+    ("front", [0.0, 0.0]),
+    ("back", [180.0, 0.0]),
+    ("left", [-90.0, 0.0]),
+    ("right", [90.0, 0.0]),
+    ("top", [0.0, 90.0]),
+    ("bottom", [0.0, -90.0]),
+    // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
+    ("iso", [45.0, 35.264_389_682_754_654]),
+];
+
+impl Up {
+    /// The unit vector from what is looked at to an eye at some azimuth and elevation.
+    pub fn direction(self, [azimuth_deg, elevation_deg]: [f64; 2]) -> DVec3 {
+        let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
+        let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
+        match self {
+            Self::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
+            Self::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
+        }
+    }
+
+    /// Azimuth and elevation of an eye in a direction, in degrees: the inverse of [`Up::direction`].
+    pub fn angles(self, direction: DVec3) -> [f64; 2] {
+        let d = direction.normalize_or(DVec3::Z);
+        let [azimuth, height] = match self {
+            Self::PlusY => [d.x.atan2(d.z), d.y],
+            Self::PlusZ => [d.x.atan2(-d.y), d.z],
+        };
+        [
+            azimuth.to_degrees(),
+            height.clamp(-1.0, 1.0).asin().to_degrees(),
+        ]
     }
 }

@@ -57,7 +57,7 @@ pub(crate) use base::standing_up;
 pub use bodies::Bodies;
 pub(crate) use bodies::{Pieces, body_name};
 pub use bounds::Bounds;
-pub use camera::{Camera, Fit, Projection, Up, Viewpoint};
+pub use camera::{Camera, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint};
 pub use cap_material::{CapMaterial, SolidTexture};
 pub use clip_surface::{ClipSurface, SurfaceFrame};
 pub use coat::{Coat, CoatedTriangle};
@@ -89,7 +89,7 @@ pub use offset_map::{OffsetMap, Wrap};
 pub use outline::Outline;
 pub(crate) use part::who_wins;
 pub use part::{Part, Role};
-pub use plane_spec::{Amount, PlaneSpec};
+pub use plane_spec::{Amount, PlaneSpec, to_decimals};
 pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,

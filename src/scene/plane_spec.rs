@@ -268,14 +268,18 @@ impl fmt::Display for Amount {
     }
 }
 
-/// A number with so many decimals, and never -0.
-fn to_decimals(value: f64, decimals: i32) -> f64 {
+/// A number with so many decimals, of which there may be less than none, and never -0.
+pub fn to_decimals(value: f64, decimals: i32) -> f64 {
     let unit = 10.0_f64.powi(decimals.abs());
     let rounded = match decimals >= 0 {
         true => (value * unit).round() / unit,
         false => (value / unit).round() * unit,
     };
-    rounded + 0.0
+    if rounded.is_finite() {
+        rounded + 0.0
+    } else {
+        value
+    }
 }
 
 /// A length, to what can be told apart in a model.

@@ -100,7 +100,11 @@ impl Slot {
         let halo_rows = effects::halo_rows(model, view);
         if self.size_px != view.size_px || self.bands.is_empty() {
             (self.size_px, self.halo_rows) = (view.size_px, halo_rows);
-            self.cut_into(1);
+            match &mut self.bands[..] {
+                // What hangs on no view is kept.
+                [band] => band.rows = Rows::whole(view.size_px[1]),
+                _ => self.cut_into(1),
+            }
         } else if self.halo_rows != halo_rows {
             self.halo_rows = halo_rows;
             // One band has nothing around it.

@@ -2,7 +2,7 @@
 
 use super::{Rows, Session};
 use crate::effects;
-use crate::gpu::{ClockSet, Program, words_from_layers};
+use crate::gpu::{ClockSet, CommandEncoder, Destination, Program, Target, words_from_layers};
 use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::{Capacities, Plan};
@@ -45,6 +45,40 @@ impl Session {
         Ok(pictures?.concat())
     }
 
+    /// Encodes the same picture for a host, into its encoder and its attachments, as [`Session::encode`] does for a method. Nothing of it is kept
+    /// for the next frame.
+    ///
+    /// # Errors
+    ///
+    /// A target that does not hold the frame, layers that are too large for the device.
+    pub fn encode_layers(
+        &self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        layers: &Layers,
+        target: &Target<'_>,
+    ) -> Result<()> {
+        let target = Destination::from(target);
+        target.must_hold(view.size_px)?;
+        let (width, scale) = (view.size_px[0], model.prepared.scale);
+        self.gpu.scoped(|| {
+            self.in_bands(model, view, layers, |session, band, view, layers| {
+                let gpu = &session.gpu;
+                let words = words_from_layers(layers);
+                let plan = effects::finish_of(model, view, &words);
+                let mut program = Program::default();
+                program.load(gpu, plan.map_err(|r| Error::Plan(r.reason))?)?;
+                program.encode_due(gpu, encoder)?;
+                let rows = (band.drawn(), (band.first, band.count));
+                let mut compositor = program.compositor(gpu, &target)?;
+                compositor.encode(gpu, encoder, &target, rows, width, scale);
+                Ok(())
+            })
+        })?;
+        Ok(())
+    }
+
     /// What the style of a scene draws over layers, pixel by pixel, so that a picture can be checked.
     pub fn style_channels(
         &mut self,
@@ -84,7 +118,7 @@ impl Session {
         model: &Model,
         view: &View,
         layers: &Layers,
-        finish: impl Fn(&Self, &Rows, &View, &Layers) -> Result<T>,
+        mut finish: impl FnMut(&Self, &Rows, &View, &Layers) -> Result<T>,
     ) -> Result<Vec<T>> {
         let rows = layers.size_px[1];
         let halo = effects::halo_rows(model, view);

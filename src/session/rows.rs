@@ -33,6 +33,16 @@ impl Rows {
         })
     }
 
+    /// All rows of a picture.
+    pub(super) fn whole(rows: u32) -> Self {
+        Self {
+            first: 0,
+            count: rows,
+            above: 0,
+            below: 0,
+        }
+    }
+
     /// The first row that is drawn, and how many are.
     pub(super) fn drawn(&self) -> (u32, u32) {
         let (above, below) = (self.above, self.below);

@@ -8,3 +8,4 @@ mod depth;
 mod g_buffer;
 mod guest;
 mod host;
+mod layers;

@@ -6,7 +6,7 @@
 //! Cannot: tilt the horizon.
 
 use cutaway::document::Value;
-use cutaway::scene::{Camera, Projection, Up, Viewpoint};
+use cutaway::scene::{Camera, Projection, Viewpoint, to_decimals};
 use cutaway::{Document, Result};
 use glam::{DVec2, DVec3};
 
@@ -34,17 +34,6 @@ pub enum CameraMove {
     /// Parallel rays or not.
     Parallel(bool),
 }
-
-/// Directions that have names: azimuth and elevation.
-pub const STANDARD_VIEWS: [(&str, [f64; 2]); 7] = [
-    ("Front", [0.0, 0.0]),
-    ("Back", [180.0, 0.0]),
-    ("Left", [-90.0, 0.0]),
-    ("Right", [90.0, 0.0]),
-    ("Top", [0.0, 90.0]),
-    ("Bottom", [0.0, -90.0]),
-    ("Isometric", [45.0, 35.264]),
-];
 
 /// Moves a camera.
 pub fn move_camera(camera: &mut Camera, by: CameraMove) {
@@ -92,7 +81,7 @@ fn turn(camera: &mut Camera, [azimuth_deg, elevation_deg]: [f64; 2]) {
             focal_point,
             ..
         } => {
-            let towards = direction(camera.up, azimuth_deg, elevation_deg);
+            let towards = camera.up.direction([azimuth_deg, elevation_deg]);
             Viewpoint::Explicit {
                 position: focal_point + towards * (position - focal_point).length(),
                 focal_point,
@@ -104,16 +93,6 @@ fn turn(camera: &mut Camera, [azimuth_deg, elevation_deg]: [f64; 2]) {
             elevation_deg,
         },
     };
-}
-
-/// From what is looked at to the eye.
-fn direction(up: Up, azimuth_deg: f64, elevation_deg: f64) -> DVec3 {
-    let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
-    let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
-    match up {
-        Up::PlusY => DVec3::new(sin_a * cos_e, sin_e, cos_a * cos_e),
-        Up::PlusZ => DVec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e),
-    }
 }
 
 /// Azimuth and elevation of an eye, in degrees.
@@ -130,15 +109,7 @@ pub fn angles(camera: &Camera) -> [f64; 2] {
             ..
         } => position - focal_point,
     };
-    let d = towards.normalize_or(DVec3::Z);
-    let [azimuth, height] = match camera.up {
-        Up::PlusY => [d.x.atan2(d.z), d.y],
-        Up::PlusZ => [d.x.atan2(-d.y), d.z],
-    };
-    [
-        azimuth.to_degrees(),
-        height.clamp(-1.0, 1.0).asin().to_degrees(),
-    ]
+    camera.up.angles(towards)
 }
 
 /// Rounds a camera to what documents are given of it.
@@ -231,16 +202,10 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
     Ok(())
 }
 
-/// A number with so many decimals.
-fn to_decimals(value: f64, decimals: i32) -> f64 {
-    let unit = 10.0_f64.powi(decimals);
-    let rounded = (value * unit).round() / unit + 0.0;
-    if rounded.is_finite() { rounded } else { value }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cutaway::scene::Up;
 
     #[test]
     fn what_is_under_the_pointer_stays_there() {

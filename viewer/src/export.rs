@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 
 use cutaway::{Document, Error, Result};
 
-use crate::files::write_whole;
+use crate::disk::write_whole;
 use crate::notice::Notice;
 
 /// How many times as fine as the window pictures are drawn.

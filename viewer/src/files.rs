@@ -1,10 +1,19 @@
-//! Files by what they are to the viewer, and files that are written whole.
+//! Files by what they are to the viewer, and where they are kept: on the disk, or in the memory of a page.
 
-use std::io::Write;
 use std::path::Path;
 
+use cutaway::load::Files;
 use cutaway::{Error, Result};
-use tempfile::Builder;
+
+/// Where files are read from and written to.
+pub trait Store: Files {
+    /// Writes a file that is there whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// A place that takes no file.
+    fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
+}
 
 /// What a file is, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,30 +59,4 @@ pub fn kind(path: &Path) -> Result<Kind> {
             "open .toml, .obj, .stl, .ply, .glb, .gltf, or an image such as .png",
         ))
     }
-}
-
-/// Writes a file that is there whole or not at all.
-///
-/// # Errors
-///
-/// A folder that takes no file.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    // A link is followed: what it points to is replaced, not the link.
-    let path = &std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
-    let fault = |e: std::io::Error| {
-        Error::file(
-            path,
-            format!("cannot be written: {e}"),
-            "check the folder's permissions and the room on the disk",
-        )
-    };
-    let mut builder = Builder::new();
-    // As any other file: the mask of the process decides.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = (builder.tempfile_in(folder.unwrap_or(Path::new(".")))).map_err(fault)?;
-    file.write_all(bytes).map_err(fault)?;
-    file.persist(path).map_err(|e| fault(e.error))?;
-    Ok(())
 }

@@ -12,13 +12,17 @@ pub mod action;
 pub mod camera;
 pub mod command;
 pub mod cuts;
+pub mod device;
 pub mod difference;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod disk;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod export;
 pub mod files;
 pub mod gizmo;
 pub mod history;
 pub mod judge;
+pub mod link;
 pub mod notice;
 pub mod pace;
 pub mod pick;
@@ -29,6 +33,8 @@ pub mod slot;
 pub mod state;
 pub mod ui;
 pub mod watch;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 

@@ -1,29 +1,30 @@
-//! The pixels of a texture, waited for: for tests and files, never in a frame.
+//! The pixels of a texture, awaited: for tests and files, never in a frame.
 
-use cutaway::{Error, Result};
-use egui_wgpu::{RenderState, wgpu};
+use cutaway::Result;
+use cutaway::gpu::Gpu;
+use cutaway::gpu::wgpu;
 use image::RgbaImage;
 
-/// The pixels of an RGBA8 texture.
+/// The pixels of an RGBA8 texture. The copy is on its way when this returns.
 ///
 /// # Errors
 ///
-/// A device that fails.
-pub fn read(host: &RenderState, texture: &wgpu::Texture) -> Result<RgbaImage> {
+/// A device that is lost.
+pub fn read(gpu: &Gpu, texture: &wgpu::Texture) -> impl Future<Output = Result<RgbaImage>> + use<> {
     let [width, height] = [texture.width(), texture.height()];
     let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let buffer = host.device.create_buffer(&wgpu::BufferDescriptor {
+    let staging = gpu.device().create_buffer(&wgpu::BufferDescriptor {
         label: Some("readback"),
         size: u64::from(row) * u64::from(height),
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
-    let mut encoder =
-        (host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let descriptor = wgpu::CommandEncoderDescriptor::default();
+    let mut encoder = gpu.device().create_command_encoder(&descriptor);
     encoder.copy_texture_to_buffer(
         texture.as_image_copy(),
         wgpu::TexelCopyBufferInfo {
-            buffer: &buffer,
+            buffer: &staging,
             layout: wgpu::TexelCopyBufferLayout {
                 offset: 0,
                 bytes_per_row: Some(row),
@@ -32,17 +33,11 @@ pub fn read(host: &RenderState, texture: &wgpu::Texture) -> Result<RgbaImage> {
         },
         texture.size(),
     );
-    host.queue.submit([encoder.finish()]);
-    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
-    let failed = |what: String| Error::Adapter {
-        what,
-        help: "restart the viewer, or choose another adapter with --adapter".to_owned(),
-    };
-    (host.device.poll(wgpu::PollType::wait_indefinitely())).map_err(|e| failed(e.to_string()))?;
-    let mapped = (buffer.get_mapped_range(..)).map_err(|e| failed(e.to_string()))?;
-    let rows = mapped.chunks_exact(row as usize);
-    let rgba: Vec<u8> = rows
-        .flat_map(|r| r[..width as usize * 4].to_vec())
-        .collect();
-    Ok(RgbaImage::from_raw(width, height, rgba).unwrap_or_default())
+    let bytes = gpu.submit_and_read(encoder, staging);
+    async move {
+        let bytes = bytes.await?;
+        let rows = bytes.chunks_exact(row as usize);
+        let own = rows.flat_map(|r| &r[..width as usize * 4]).copied();
+        Ok(RgbaImage::from_raw(width, height, own.collect()).unwrap_or_default())
+    }
 }

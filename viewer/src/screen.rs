@@ -1,7 +1,7 @@
 //! The pictures of the slots, in textures that egui shows: drawn by the session on egui's own device, into an encoder, with nothing waited
 //! for and nothing read back.
 //!
-//! A slot that is drawn on the CPU gets its picture from the [judge](crate::judge). Two slots by one method are one picture. What a frame
+//! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method are one picture. What a frame
 //! took is told by the queue when it is done; until then no other is drawn, so that a slow device has no frames in store.
 //!
 //! Cannot: show a picture of more pixels than a texture of the device holds.
@@ -12,12 +12,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use cutaway::experiment::{Renderer, Stopwatch};
-use cutaway::gpu::{Gpu, Pick, Target};
+use cutaway::experiment::{Renderer, SceneAtTime, Stopwatch};
+use cutaway::gpu::{Gpu, Pick};
 use cutaway::layers::Layer;
+use cutaway::scene::Camera;
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
-use cutaway::{Result, Session};
+use cutaway::{Layers, Result, Session};
 use eframe::egui::{TextureId, TextureOptions};
 use egui_wgpu::{RenderState, wgpu};
 use image::RgbaImage;
@@ -176,15 +177,7 @@ impl Screen {
             let Some(picture) = self.pictures.get(&side) else {
                 continue;
             };
-            let target = Target {
-                color: &picture.view,
-                color_format: FORMAT,
-                depth: None,
-                sample_count: 1,
-                origin_px: [0, 0],
-                background: true,
-                caps_only: false,
-            };
+            let target = picture.target();
             clear(&mut encoder, &picture.view);
             let encoded =
                 (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target);
@@ -206,31 +199,36 @@ impl Screen {
         Ok(())
     }
 
-    /// Puts a picture that a renderer has made elsewhere into a slot.
-    pub fn put(&mut self, side: Side, by: Renderer, image: &RgbaImage, wants_difference: bool) {
+    /// Puts layers that a renderer has found elsewhere into a slot, as the scene that they are of is drawn.
+    ///
+    /// # Errors
+    ///
+    /// A device that fails.
+    pub fn put(
+        &mut self,
+        side: Side,
+        by: Renderer,
+        (at, camera): (&SceneAtTime, &Camera),
+        layers: &Layers,
+        wants_difference: bool,
+    ) -> Result<()> {
         self.painted_by[side.index()] = Some(by);
-        let size_px = [image.width(), image.height()];
-        self.make_room(side, size_px);
+        self.make_room(side, layers.size_px);
         self.refusals[side.index()] = None;
         let Some(picture) = self.pictures.get(&side) else {
-            return;
+            return Ok(());
         };
-        self.host.queue.write_texture(
-            picture.texture.as_image_copy(),
-            image.as_raw(),
-            wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(size_px[0] * 4),
-                rows_per_image: None,
-            },
-            picture.texture.size(),
-        );
+        let view = at.model.prepared.view_of(camera, layers.size_px);
+        let mut encoder =
+            (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        clear(&mut encoder, &picture.view);
+        let target = picture.target();
+        (self.session).encode_layers(&mut encoder, &at.model, &view, layers, &target)?;
         if wants_difference {
-            let mut encoder = (self.host.device)
-                .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            self.subtract(&mut encoder, size_px);
-            self.host.queue.submit([encoder.finish()]);
+            self.subtract(&mut encoder, layers.size_px);
         }
+        self.host.queue.submit([encoder.finish()]);
+        Ok(())
     }
 
     /// Asks what a pixel of the last whole frame by a method shows.
@@ -260,16 +258,14 @@ impl Screen {
         Some((at_px, pick.layer()?))
     }
 
-    /// The pixels of a slot, waited for: for tests and files.
+    /// The pixels of a slot, awaited: for tests and files.
     ///
     /// # Errors
     ///
-    /// A device that fails.
-    pub fn read(&self, side: Side) -> Result<Option<RgbaImage>> {
-        let Some(picture) = self.pictures.get(&side) else {
-            return Ok(None);
-        };
-        readback::read(&self.host, &picture.texture).map(Some)
+    /// A device that is lost.
+    pub fn read(&self, side: Side) -> Option<impl Future<Output = Result<RgbaImage>> + use<>> {
+        let picture = self.pictures.get(&side)?;
+        Some(readback::read(self.gpu(), &picture.texture))
     }
 
     /// Says that a slot shows nothing, and why.

@@ -8,6 +8,8 @@
 mod edits;
 mod intake;
 
+use std::sync::Arc;
+
 use cutaway::load::Assets;
 use cutaway::scene::{Bounds, Fit};
 use cutaway::{Document, Result};
@@ -16,6 +18,7 @@ use crate::action::{Action, Selection};
 use crate::camera;
 use crate::command::{self, Picture};
 use crate::cuts::{self, CutEntry, PlaneMove};
+use crate::files::Store;
 use crate::history::History;
 use crate::notice::Notice;
 use crate::shown::Shown;
@@ -29,6 +32,7 @@ pub struct State {
     saved: Document,
     history: History,
     assets: Assets,
+    store: Arc<dyn Store>,
     shown: Option<Shown>,
     /// Counts changes of what is seen.
     revision: u64,
@@ -42,22 +46,37 @@ pub struct State {
 }
 
 impl State {
-    /// Shows a document, whose files are in the assets as far as they have been read.
+    /// Shows a document of the disk, whose files are in the assets as far as they have been read.
     ///
     /// # Errors
     ///
     /// A document that cannot be opened.
-    pub fn open(mut document: Document, mut assets: Assets) -> Result<Self> {
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn open(document: Document, assets: Assets) -> Result<Self> {
+        Self::open_from(Arc::new(cutaway::load::Disk), document, assets)
+    }
+
+    /// As [`State::open`], of files that are elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// As of [`State::open`].
+    pub fn open_from(
+        store: Arc<dyn Store>,
+        mut document: Document,
+        mut assets: Assets,
+    ) -> Result<Self> {
         document.guess_up(&mut assets)?;
         let shown = Shown::open(&document, &mut assets, None, None)?;
         // What options have made of a scene file is a change of it.
         let is_file = !document.path().as_os_str().is_empty();
-        let read = is_file.then(|| Document::read(document.path()).ok());
+        let read = is_file.then(|| Document::read_from(document.path(), &*store).ok());
         let mut state = Self {
             saved: read.flatten().unwrap_or_else(|| document.clone()),
             document,
             history: History::default(),
             assets,
+            store,
             shown,
             revision: 0,
             time_s: None,
@@ -75,6 +94,11 @@ impl State {
     /// The document.
     pub fn document(&self) -> &Document {
         &self.document
+    }
+
+    /// Where its files are.
+    pub fn store(&self) -> &Arc<dyn Store> {
+        &self.store
     }
 
     /// Whether it says something else than its file.

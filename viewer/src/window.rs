@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use cutaway::cmd::Opened;
-use cutaway::{Error, Gpu, Result};
+use cutaway::{Error, Result};
 use eframe::egui::{Ui, ViewportBuilder};
 use egui_wgpu::{WgpuConfiguration, WgpuSetup, wgpu};
 
+use crate::device::on_our_device;
 use crate::state::State;
 use crate::ui::Viewer;
 
@@ -22,7 +23,10 @@ pub fn open(opened: Opened) -> Result<()> {
         renderer: eframe::Renderer::Wgpu,
         ..eframe::NativeOptions::default()
     };
-    on_our_device(&mut options.wgpu_options, opened.adapter);
+    on_our_device(&mut options.wgpu_options);
+    if let Some(wanted) = opened.adapter {
+        on_adapter(&mut options.wgpu_options, wanted);
+    }
     let run = eframe::run_native(
         "cutaway",
         options,
@@ -44,27 +48,24 @@ pub fn open(opened: Opened) -> Result<()> {
     })
 }
 
-/// Lets egui make its device as sessions want it.
-pub fn on_our_device(options: &mut WgpuConfiguration, adapter: Option<String>) {
+/// Lets egui take the adapter with some words in its name.
+fn on_adapter(options: &mut WgpuConfiguration, wanted: String) {
     let WgpuSetup::CreateNew(setup) = &mut options.wgpu_setup else {
         return;
     };
-    setup.device_descriptor = Arc::new(Gpu::descriptor);
-    if let Some(wanted) = adapter {
-        let select = move |adapters: &[wgpu::Adapter], _: Option<&wgpu::Surface<'_>>| {
-            let name = |a: &wgpu::Adapter| a.get_info().name;
-            let is_wanted =
-                |a: &&wgpu::Adapter| name(a).to_lowercase().contains(&wanted.to_lowercase());
-            adapters.iter().find(is_wanted).cloned().ok_or_else(|| {
-                let names: Vec<String> = adapters.iter().map(name).collect();
-                format!(
-                    "no adapter has `{wanted}` in its name; use part of one of: {}",
-                    names.join(", ")
-                )
-            })
-        };
-        setup.native_adapter_selector = Some(Arc::new(select));
-    }
+    let select = move |adapters: &[wgpu::Adapter], _: Option<&wgpu::Surface<'_>>| {
+        let name = |a: &wgpu::Adapter| a.get_info().name;
+        let is_wanted =
+            |a: &&wgpu::Adapter| name(a).to_lowercase().contains(&wanted.to_lowercase());
+        adapters.iter().find(is_wanted).cloned().ok_or_else(|| {
+            let names: Vec<String> = adapters.iter().map(name).collect();
+            format!(
+                "no adapter has `{wanted}` in its name; use part of one of: {}",
+                names.join(", ")
+            )
+        })
+    };
+    setup.native_adapter_selector = Some(Arc::new(select));
 }
 
 struct App(Viewer);

@@ -9,7 +9,9 @@ use super::reader::{Entry, Table};
 use crate::document::Keys;
 use crate::document::Value;
 use crate::error::Result;
-use crate::scene::{Bounds, Camera, ClipSurface, Cut, Fit, Projection, Up, Viewpoint};
+use crate::scene::{
+    Bounds, Camera, ClipSurface, Cut, Fit, Projection, STANDARD_VIEWS, Up, Viewpoint,
+};
 
 static KEYS: Keys = Keys::below("camera");
 
@@ -24,17 +26,10 @@ pub(crate) struct Seen {
 }
 
 /// What `view` can be, as azimuth and elevation; of `cut` they are not known yet.
-const NAMED_VIEWS: [(&str, Option<[f64; 2]>); 8] = [
-    ("front", Some([0.0, 0.0])),
-    ("back", Some([180.0, 0.0])),
-    ("left", Some([-90.0, 0.0])),
-    ("right", Some([90.0, 0.0])),
-    ("top", Some([0.0, 90.0])),
-    ("bottom", Some([0.0, -90.0])),
-    // All three axes are seen alike: the elevation is atan(1 / sqrt 2).
-    ("iso", Some([45.0, 35.264_389_682_754_654])),
-    ("cut", None),
-];
+fn named_views() -> Vec<(&'static str, Option<[f64; 2]>)> {
+    let standard = STANDARD_VIEWS.map(|(name, angles)| (name, Some(angles)));
+    standard.into_iter().chain([("cut", None)]).collect()
+}
 
 impl Seen {
     /// That of a document which says nothing of it.
@@ -77,7 +72,7 @@ pub(super) fn read(entry: &Entry<'_>, bounds: &Bounds, usual_fit: Fit) -> Result
     let free = ["azimuth_deg", "elevation_deg"].map(|key| !has_view && is_free(&table, key));
     let view = table
         .get("view")
-        .map(|v| v.choice(&NAMED_VIEWS))
+        .map(|v| v.choice(&named_views()))
         .transpose()?;
     camera.viewpoint = match view {
         None => viewpoint(&table, (camera.viewpoint, camera.up), bounds.centre())?,

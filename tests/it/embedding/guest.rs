@@ -11,10 +11,10 @@ use cutaway::strategies::{Method, Obstacle};
 use super::common::{meshes, scenes, session};
 use super::host::{Host, adapter};
 
-const SIZE_PX: [u32; 2] = [160, 120];
+pub(super) const SIZE_PX: [u32; 2] = [160, 120];
 const PLAIN: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-fn crank() -> Scene {
+pub(super) fn crank() -> Scene {
     let mut scene = scenes::of_parts("crank", meshes::parts("crank"), Vec::new());
     let plane = ClipSurface::parse("-z=50%", &scene.bounds()).expect("a section");
     let rough = scenes::relief(&scene, "x=60%", "waves:amplitude=4%");
@@ -110,7 +110,7 @@ fn what_overflows_is_reported_later_and_has_room_then() {
 }
 
 /// A session that draws a frame in several bands.
-fn in_bands(host: &Host, model: &Model, method: Method) -> Session {
+pub(super) fn in_bands(host: &Host, model: &Model, method: Method) -> Session {
     let mut whole = host.session();
     settled(host, &mut whole, model, method);
     let plan = whole.plan(method).expect("a plan");

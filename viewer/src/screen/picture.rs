@@ -1,5 +1,6 @@
 //! A texture that egui shows and a session draws into.
 
+use cutaway::gpu::Target;
 use eframe::egui::TextureId;
 use egui_wgpu::{RenderState, wgpu};
 
@@ -36,6 +37,19 @@ impl Picture {
         let filter = wgpu::FilterMode::Linear;
         let id = (host.renderer.write()).register_native_texture(&host.device, &view, filter);
         Self { id, texture, view }
+    }
+
+    /// As sessions want it: covered by the frame.
+    pub(super) fn target(&self) -> Target<'_> {
+        Target {
+            color: &self.view,
+            color_format: FORMAT,
+            depth: None,
+            sample_count: 1,
+            origin_px: [0, 0],
+            background: true,
+            caps_only: false,
+        }
     }
 
     pub(super) fn size_px(&self) -> [u32; 2] {

@@ -17,8 +17,9 @@ impl State {
         for path in paths {
             match files::kind(path)? {
                 files::Kind::Scene => {
-                    let document = Document::read(path)?;
-                    let mut opened = Self::open(document, Assets::default())?;
+                    let document = Document::read_from(path, &*self.store)?;
+                    let assets = Assets::from_files(self.store.clone());
+                    let mut opened = Self::open_from(self.store.clone(), document, assets)?;
                     opened.revision = self.revision + 1;
                     opened.layout = self.layout;
                     opened.notices.append(&mut self.notices);
@@ -35,17 +36,11 @@ impl State {
     pub(super) fn take_model(&mut self, path: &Path) -> Result<()> {
         let name = path.to_string_lossy();
         let is_first = self.shown.is_none();
-        let mut assets = std::mem::take(&mut self.assets);
-        let added = self.document.clone();
-        let mut document = added;
-        let read = document
-            .add_part(part(&name))
-            .and_then(|()| match is_first {
-                true => document.guess_up(&mut assets).map(|_| ()),
-                false => Ok(()),
-            });
-        self.assets = assets;
-        read?;
+        let mut document = self.document.clone();
+        document.add_part(part(&name))?;
+        if is_first {
+            document.guess_up(&mut self.assets)?;
+        }
         let before = self.document.clone();
         self.show(document, true)?;
         self.history.keep(&before, None);
@@ -76,7 +71,9 @@ impl State {
         let mut document = self.document.clone();
         let path = document.path().to_owned();
         let is_file = !path.as_os_str().is_empty();
-        let on_disk = is_file.then(|| Document::read(&path)).transpose()?;
+        let on_disk = is_file
+            .then(|| Document::read_from(&path, &*self.store))
+            .transpose()?;
         let written = on_disk.filter(|on_disk| *on_disk != self.saved);
         if let Some(written) = &written {
             if self.is_changed_beside_the_eye()? {
@@ -88,7 +85,8 @@ impl State {
             }
             document = self.seen_from_here(written.clone())?;
         }
-        let assets = std::mem::take(&mut self.assets);
+        let fresh = Assets::from_files(self.store.clone());
+        let assets = std::mem::replace(&mut self.assets, fresh);
         if let Err(error) = self.show(document, true) {
             // What was read before is still good.
             self.assets = assets;
@@ -115,8 +113,8 @@ impl State {
     pub(super) fn save(&mut self, path: &Path) -> Result<()> {
         let document = self.with_settings(self.document.clone())?;
         let document = document.moved_to(path)?;
-        files::write_whole(path, document.to_string().as_bytes())?;
-        let document = Document::read(path)?;
+        self.store.write(path, document.to_string().as_bytes())?;
+        let document = Document::read_from(path, &*self.store)?;
         self.show(document, false)?;
         self.saved = self.document.clone();
         self.history.clear();

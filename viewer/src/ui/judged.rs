@@ -1,7 +1,10 @@
 //! What the judge has answered: marks of what is wrong, counts, pictures of slots that are drawn on the CPU.
 
+use std::sync::Arc;
+
 use cutaway::compare::Comparison;
-use cutaway::experiment::Renderer;
+use cutaway::experiment::{Renderer, SceneAtTime};
+use cutaway::scene::Camera;
 use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
@@ -38,6 +41,8 @@ pub(super) struct Judged {
     /// Number of the last question, and what it was about.
     asked: u64,
     about: Option<About>,
+    /// The scene of the last question, as its camera sees it.
+    scene: Option<(Arc<SceneAtTime>, Camera)>,
     errors: [Errors; 2],
     /// Of which question the pictures are that slots have from here, and how coarse they are.
     pictures: [(u64, u32); 2],
@@ -72,19 +77,19 @@ impl Judged {
             return;
         }
         self.about = Some(about);
+        self.scene = Some((shown.at.clone(), shown.scene.camera));
         self.asked += 1;
         let wake = ctx.clone();
         let adapter = &screen.gpu().report().name;
         let judge = (self.judge)
-            .get_or_insert_with(|| Judge::start(adapter.clone(), move || wake.request_repaint()));
-        judge.ask(Question {
+            .get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()));
+        let question = Question {
             id: self.asked,
-            at: shown.at.clone(),
-            camera: shown.scene.camera,
             size_px,
             renderers,
             wants_errors,
-        });
+        };
+        judge.ask(state, question);
     }
 
     /// Takes in what was answered since; whether a picture has come.
@@ -101,14 +106,17 @@ impl Judged {
             let wants_difference = state.layout() == crate::slot::Layout::Difference;
             let errors = &mut self.errors[side.index()];
             match what {
-                Known::Picture(image) if id == self.asked => {
+                Known::Layers(layers) if id == self.asked => {
                     self.pictures[side.index()] = (id, divisor);
                     let by = self.about.and_then(|about| about.renderers[side.index()]);
-                    if let Some(by) = by {
-                        screen.put(side, by, &image, wants_difference);
+                    if let (Some(by), Some((at, camera))) = (by, &self.scene) {
+                        let put = screen.put(side, by, (at, camera), &layers, wants_difference);
+                        if let Err(error) = put {
+                            screen.refuse(side, error.to_string());
+                        }
                     }
                 }
-                Known::Picture(_) => {}
+                Known::Layers(_) => {}
                 Known::Failed(why) => {
                     let by = self.about.and_then(|about| about.renderers[side.index()]);
                     if id == self.asked && by.is_some_and(|by| by.method().is_none()) {

@@ -1,9 +1,10 @@
 //! The keys, in one table: what they do, and what `?` says of them.
 
+use cutaway::scene::STANDARD_VIEWS;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::action::Action;
-use crate::camera::{CameraMove, STANDARD_VIEWS};
+use crate::camera::CameraMove;
 use crate::cuts::PlaneMove;
 use crate::slot::Layout;
 

@@ -2,16 +2,21 @@
 
 use std::path::Path;
 
+use cutaway::scene::STANDARD_VIEWS;
 use eframe::egui::{self, Button, Context, Grid, TextEdit, ThemePreference, Ui, Window};
 
 use super::Viewer;
 use super::keys::{self, Does};
 use crate::action::Action;
-use crate::camera::{CameraMove, STANDARD_VIEWS};
+use crate::camera::CameraMove;
 use crate::notice::Notice;
 
 /// What a name of a file is asked for.
 #[derive(Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    target_arch = "wasm32",
+    allow(dead_code, reason = "a page has files chosen by the browser")
+)]
 enum For {
     Open,
     Save,
@@ -25,7 +30,7 @@ pub(super) struct Asks {
 }
 
 impl Asks {
-    fn open() -> Self {
+    pub(super) fn open() -> Self {
         Self {
             what_for: For::Open,
             typed: String::new(),
@@ -92,7 +97,8 @@ impl Viewer {
             }
             ui.menu_button("View", |ui| {
                 for (name, to) in STANDARD_VIEWS {
-                    if ui.button(name).clicked() {
+                    let (first, others) = name.split_at(1);
+                    if ui.button(first.to_uppercase() + others).clicked() {
                         actions.push(Action::MoveCamera(CameraMove::Stand(to)));
                     }
                 }
@@ -131,7 +137,7 @@ impl Viewer {
 
     fn file_menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         if ui.button("Open ...").clicked() {
-            self.asks = Some(Asks::open());
+            self.ask_for_files(&ui.ctx().clone());
         }
         if ui.button("Save scene ...").clicked() {
             self.ask_for_save();
@@ -144,6 +150,10 @@ impl Viewer {
         }
         if ui.button("Copy command").clicked() {
             self.copy_command(&ui.ctx().clone());
+        }
+        #[cfg(target_arch = "wasm32")]
+        if ui.button("Copy link").clicked() {
+            self.copy_link(&ui.ctx().clone());
         }
     }
 

@@ -2,11 +2,15 @@
 //! it.
 
 mod compare;
+#[cfg(not(target_arch = "wasm32"))]
+mod desktop;
 mod errands;
 mod frames;
 mod judged;
 mod keys;
 mod menu;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod pointing;
 mod properties;
 mod scene;
@@ -15,24 +19,25 @@ mod toasts;
 mod value;
 mod viewport;
 
-use std::path::PathBuf;
-
 use cutaway::Result;
 use cutaway::compare::Comparison;
 use eframe::egui::{CentralPanel, Frame, Panel, Ui};
 use egui_wgpu::RenderState;
 
 use crate::action::Action;
-use crate::export::Export;
 use crate::pace::Pace;
 use crate::pick::Picked;
 use crate::screen::Screen;
 use crate::slot::Side;
 use crate::state::State;
 use crate::watch::Watch;
+#[cfg(not(target_arch = "wasm32"))]
+use desktop::Outside;
 use frames::Last;
 use judged::Judged;
 use menu::Asks;
+#[cfg(target_arch = "wasm32")]
+use page::Outside;
 use pointing::Pointing;
 use toasts::Toasts;
 use viewport::Held;
@@ -55,9 +60,7 @@ pub struct Viewer {
     pointing: Pointing,
     /// The files of the scene, and when they were last looked at.
     watch: (Watch, f64),
-    export: Option<Export>,
-    /// Who exports, in the place of this program.
-    program: Option<PathBuf>,
+    outside: Outside,
     shows_keys: bool,
     asks: Option<Asks>,
     size_px: [u32; 2],
@@ -84,8 +87,7 @@ impl Viewer {
             plays: false,
             pointing: Pointing::default(),
             watch: (Watch::default(), 0.0),
-            export: None,
-            program: None,
+            outside: Outside::default(),
             shows_keys: false,
             asks: None,
             size_px: [16, 16],
@@ -119,13 +121,8 @@ impl Viewer {
 
     /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported.
     pub fn is_busy(&self) -> bool {
-        let is_exporting = self.export.is_some();
-        self.is_drawing() || self.judged.is_busy() || self.screen.is_picking() || is_exporting
-    }
-
-    /// Lets another program export, for one that is no `cutaway` itself.
-    pub fn export_by(&mut self, program: impl Into<PathBuf>) {
-        self.program = Some(program.into());
+        let is_outside = self.outside.is_busy();
+        self.is_drawing() || self.judged.is_busy() || self.screen.is_picking() || is_outside
     }
 
     /// Carries out an action, as a button would have it done.
@@ -163,16 +160,18 @@ impl Viewer {
         if ctx.input(|input| input.pointer.any_released()) {
             actions.push(Action::Release);
         }
-        CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
-            let rect = ui.available_rect_before_wrap();
-            self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
-            self.judged.take_in(&ctx, &self.state, &mut self.screen);
-            self.draw(&ctx);
-            let pictures = (&self.screen, &self.judged);
-            let pointer = (&mut self.held, self.flickers);
-            let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
-            self.point(&ctx, at);
-        });
+        CentralPanel::default()
+            .frame(Frame::NONE.fill(ui.visuals().panel_fill))
+            .show(ui, |ui| {
+                let rect = ui.available_rect_before_wrap();
+                self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
+                self.judged.take_in(&ctx, &self.state, &mut self.screen);
+                self.draw(&ctx);
+                let pictures = (&self.screen, &self.judged);
+                let pointer = (&mut self.held, self.flickers);
+                let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
+                self.point(&ctx, at);
+            });
         if !actions.is_empty() {
             ctx.request_repaint();
         }

@@ -8,7 +8,7 @@ use cutaway_viewer::cuts::{NewCut, PlaneMove};
 use cutaway_viewer::slot::Side;
 use glam::DVec2;
 
-use super::common::{Scratch, TORUS, act, state, viewer};
+use super::common::{self, Scratch, TORUS, act, state, viewer};
 
 /// Runs a command by the shell, with its picture in a folder; the picture.
 fn run(command: &str, scratch: &Scratch) -> image::RgbaImage {
@@ -76,11 +76,11 @@ fn it_makes_the_picture_that_is_seen() {
         ),
     ] {
         let mut harness = viewer(state(TORUS));
-        let before = harness.state().screen().read(Side::A).unwrap().unwrap();
+        let before = common::picture(&harness, Side::A);
         for action in actions {
             act(&mut harness, action);
         }
-        let seen = harness.state().screen().read(Side::A).unwrap().unwrap();
+        let seen = common::picture(&harness, Side::A);
         assert_ne!(before, seen, "{what} changes the picture");
         let command = harness
             .state()

@@ -6,12 +6,14 @@ use std::time::Duration;
 use cutaway::Document;
 use cutaway::document::part;
 use cutaway::load::Assets;
+use cutaway_viewer::device::on_our_device;
+use cutaway_viewer::slot::Side;
 use cutaway_viewer::ui::Viewer;
-use cutaway_viewer::window::on_our_device;
 use cutaway_viewer::{Action, State};
 use eframe::egui::Vec2;
 use egui_kittest::Harness;
 use egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, wgpu};
+use image::RgbaImage;
 
 /// A model of few faces, so that the reference answers soon.
 pub(crate) const TORUS: &str = "shape:torus?segments=48&sides=24";
@@ -35,7 +37,7 @@ pub(crate) fn host() -> RenderState {
         wgpu_setup: WgpuSetup::without_display_handle(),
         ..WgpuConfiguration::default()
     };
-    on_our_device(&mut config, None);
+    on_our_device(&mut config);
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let made = RenderState::create(&config, &instance, None, RendererOptions::default());
     pollster::block_on(made).unwrap()
@@ -72,6 +74,11 @@ pub(crate) fn settle(harness: &mut Harness<'_, Viewer>) {
     }
     harness.step();
     harness.check_accessibility();
+}
+
+/// The pixels of a slot.
+pub(crate) fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
+    pollster::block_on(harness.state().screen().read(side).unwrap()).unwrap()
 }
 
 /// Carries out an action and waits for what it shows.

@@ -11,7 +11,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use image::RgbaImage;
 
-use super::common::{Scratch, TORUS, act, settle, state, viewer};
+use super::common::{self, Scratch, TORUS, act, settle, state, viewer};
 
 fn click(harness: &mut Harness<'_, Viewer>, role: Role, label: &str) {
     harness.get_by_role_and_label(role, label).click();
@@ -30,7 +30,7 @@ fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
 }
 
 fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
-    harness.state().screen().read(side).unwrap().unwrap()
+    common::picture(harness, side)
 }
 
 /// How many pixels differ.

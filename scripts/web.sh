@@ -1,0 +1,44 @@
+#!/bin/sh
+# Builds the page: static files in target/page (or $1), for any static host.
+set -eu
+
+out=${1:-target/page}
+cargo=${CARGO:-cargo}
+target=${CARGO_TARGET_DIR:-target}
+# Most bytes of the program, and of what a host sends of it when it compresses.
+most=8000000
+most_sent=3000000
+
+need() {
+    echo "make web needs $1: $2" >&2
+    exit 2
+}
+rustup target add wasm32-unknown-unknown >/dev/null 2>&1 || need "the target wasm32-unknown-unknown" "rustup target add wasm32-unknown-unknown"
+
+# The tool that makes the module is of the version that the program is linked with.
+version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
+tools=$target/web-tools
+if [ "$("$tools/bin/wasm-bindgen" --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
+    $cargo install --quiet --root "$tools" --version "$version" wasm-bindgen-cli
+fi
+
+$cargo rustc --quiet --package cutaway-viewer --lib --crate-type cdylib --profile web --target wasm32-unknown-unknown
+mkdir -p "$out"
+"$tools/bin/wasm-bindgen" --target web --out-dir "$out" "$target/wasm32-unknown-unknown/web/cutaway_viewer.wasm"
+program=$out/cutaway_viewer_bg.wasm
+if command -v wasm-opt >/dev/null; then
+    wasm-opt -Os --all-features -o "$program.small" "$program"
+    mv "$program.small" "$program"
+else
+    echo "wasm-opt is not installed (Debian: binaryen): the program is larger than it need be" >&2
+fi
+cp viewer/web/index.html viewer/web/judge.js "$out"
+cp docs/images/crank.png "$out/still.png"
+
+bytes=$(wc -c <"$program")
+sent=$(gzip -9 -c "$program" | wc -c)
+echo "$out: $bytes bytes of program, $sent compressed"
+[ "$bytes" -le "$most" ] && [ "$sent" -le "$most_sent" ] || {
+    echo "it is larger than $most bytes, or than $most_sent compressed" >&2
+    exit 1
+}

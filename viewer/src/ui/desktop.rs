@@ -1,0 +1,95 @@
+//! The desktop beside the window: files that are dropped, and exports by the command.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use cutaway::{Error, Result};
+use eframe::egui::{Context, Ui};
+
+use super::Viewer;
+use super::menu::Asks;
+use crate::action::Action;
+use crate::export::Export;
+
+/// What goes on beside the window.
+#[derive(Default)]
+pub(super) struct Outside {
+    export: Option<Export>,
+    /// Who exports, in the place of this program.
+    program: Option<PathBuf>,
+}
+
+impl Outside {
+    pub(super) fn is_busy(&self) -> bool {
+        self.export.is_some()
+    }
+}
+
+impl Viewer {
+    /// Lets another program export, for one that is no `cutaway` itself.
+    pub fn export_by(&mut self, program: impl Into<PathBuf>) {
+        self.outside.program = Some(program.into());
+    }
+
+    /// Takes in what was dropped, and what came of an export.
+    pub(super) fn look_outside(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        let paths: Vec<PathBuf> = dropped
+            .into_iter()
+            .map(|file| file.path().to_owned())
+            .collect();
+        if !paths.is_empty() {
+            actions.push(Action::Take(paths));
+        }
+        if let Some(notice) = self.outside.export.as_mut().and_then(Export::ended) {
+            self.outside.export = None;
+            self.toasts.add(ctx, notice);
+        }
+    }
+
+    /// Has files named that are opened.
+    pub(super) fn ask_for_files(&mut self, _: &Context) {
+        self.asks = Some(Asks::open());
+    }
+
+    pub(super) fn begin_export(&mut self, ctx: &Context, path: &Path) {
+        if let Some(export) = &self.outside.export {
+            let at = export.path().display();
+            let help = "wait for it, or cancel it";
+            let error = Error::file(path, format!("{at} is still being exported"), help);
+            self.toasts.add(ctx, error.into());
+            return;
+        }
+        match self.try_export(path) {
+            Ok(export) => self.outside.export = Some(export),
+            Err(error) => self.toasts.add(ctx, error.into()),
+        }
+    }
+
+    fn try_export(&self, path: &Path) -> Result<Export> {
+        let own = || {
+            std::env::current_exe().map_err(|e| {
+                let what = format!("this program does not know where it is: {e}");
+                Error::file(path, what, "use *Copy command* instead")
+            })
+        };
+        let program = self.outside.program.clone().map_or_else(own, Ok)?;
+        let moves = self.state.shown().is_some_and(|s| s.timeline.moves());
+        let document = self.state.as_seen()?;
+        Export::begin(&program, &document, self.size_px, moves, path)
+    }
+
+    /// What is being exported, and a button that ends it.
+    pub(super) fn exporting(&mut self, ui: &mut Ui) {
+        let Some(export) = &mut self.outside.export else {
+            return;
+        };
+        ui.spinner();
+        ui.label(format!("exporting {}", export.path().display()));
+        if ui.button("Cancel export").clicked() {
+            export.cancel();
+            self.outside.export = None;
+        }
+        ui.ctx().request_repaint_after(Duration::from_millis(100));
+    }
+}

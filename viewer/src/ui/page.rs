@@ -1,0 +1,200 @@
+//! The page around the window: files that are dropped or chosen, the link, and pictures that are downloaded.
+
+use std::cell::{Cell, RefCell};
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use cutaway::{Error, Result};
+use eframe::egui::{Context, DroppedFileHandle, Ui};
+use image::{ImageFormat, RgbaImage};
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{File, HtmlInputElement};
+
+use super::Viewer;
+use crate::action::Action;
+use crate::files::{self, Kind};
+use crate::link;
+use crate::notice::Notice;
+use crate::slot::Side;
+use crate::web::files::{PageFiles, download};
+
+/// What is on its way to the window.
+#[derive(Clone, Default)]
+pub(super) struct Outside {
+    come: Rc<RefCell<Vec<Come>>>,
+    under_way: Rc<Cell<usize>>,
+}
+
+/// What has come.
+enum Come {
+    /// Files, which are among those of the page by now.
+    Files(Vec<PathBuf>),
+    /// Something to be told.
+    Told(Notice),
+}
+
+impl Outside {
+    pub(super) fn is_busy(&self) -> bool {
+        self.under_way.get() > 0 || !self.come.borrow().is_empty()
+    }
+
+    /// Has something come, later.
+    fn await_it(&self, ctx: &Context, what: impl Future<Output = Come> + 'static) {
+        let (own, ctx) = (self.clone(), ctx.clone());
+        own.under_way.set(own.under_way.get() + 1);
+        spawn_local(async move {
+            let come = what.await;
+            own.come.borrow_mut().push(come);
+            own.under_way.set(own.under_way.get() - 1);
+            ctx.request_repaint();
+        });
+    }
+}
+
+/// Reads files into the memory of the page.
+async fn read(dropped: Vec<DroppedFileHandle>) -> Come {
+    let mut paths = Vec::new();
+    for file in dropped {
+        let path = file.path().to_owned();
+        match file.bytes_async().await {
+            Ok(bytes) => PageFiles::of_page().insert(&path, bytes),
+            Err(why) => return unreadable(&path, &why),
+        }
+        paths.push(path);
+    }
+    Come::Files(paths)
+}
+
+/// Reads chosen files into the memory of the page.
+async fn read_chosen(chosen: Vec<File>) -> Come {
+    let mut paths = Vec::new();
+    for file in chosen {
+        let path = PathBuf::from(file.name());
+        match JsFuture::from(file.array_buffer()).await {
+            Ok(bytes) => {
+                let bytes = js_sys::Uint8Array::new(&bytes).to_vec();
+                PageFiles::of_page().insert(&path, bytes);
+            }
+            Err(why) => {
+                return unreadable(&path, &String::from(js_sys::Object::from(why).to_string()));
+            }
+        }
+        paths.push(path);
+    }
+    Come::Files(paths)
+}
+
+/// Hands a picture to the user.
+fn download_png(path: &Path, image: Result<RgbaImage>) -> Notice {
+    let written = image.and_then(|image| {
+        let mut png = Cursor::new(Vec::new());
+        let written = image.write_to(&mut png, ImageFormat::Png);
+        written.map_err(|e| Error::file(path, e.to_string(), "make the window smaller"))?;
+        download(path, png.get_ref())
+    });
+    let done = format!("exported {}", path.display());
+    written.map_or_else(Notice::from, |()| Notice::done(done))
+}
+
+fn unreadable(path: &Path, why: &str) -> Come {
+    let help = "choose it again, or a smaller one";
+    Come::Told(Error::file(path, format!("the browser cannot read it: {why}"), help).into())
+}
+
+/// Those that are taken in: of a scene and what it names, the scene; of a mesh and what it names, the mesh.
+fn taken(paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    let of = |kind| move |path: &&PathBuf| files::kind(path).is_ok_and(|k| k == kind);
+    for kind in [Kind::Scene, Kind::Model] {
+        let taken: Vec<PathBuf> = paths.iter().filter(of(kind)).cloned().collect();
+        if !taken.is_empty() {
+            return taken;
+        }
+    }
+    paths
+}
+
+impl Viewer {
+    /// Takes in what was dropped, and what has come.
+    pub(super) fn look_outside(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        if !dropped.is_empty() {
+            self.outside.await_it(ctx, read(dropped));
+        }
+        for come in self.outside.come.take() {
+            match come {
+                Come::Files(paths) => actions.push(Action::Take(taken(paths))),
+                Come::Told(notice) => self.toasts.add(ctx, notice),
+            }
+        }
+    }
+
+    /// Has files chosen that are opened.
+    pub(super) fn ask_for_files(&mut self, ctx: &Context) {
+        if let Err(why) = self.choose_files(ctx) {
+            let text = format!("the browser does not let files be chosen: {why:?}");
+            let is_error = true;
+            self.toasts.add(ctx, Notice { text, is_error });
+        }
+    }
+
+    /// Has the picture of slot A downloaded, as it is seen.
+    pub(super) fn begin_export(&mut self, ctx: &Context, path: &Path) {
+        if path.extension().is_none_or(|ending| ending != "png") {
+            let what = "a page exports pictures (.png)";
+            let help = "save the scene, and use the command for films and drawings";
+            self.toasts.add(ctx, Error::file(path, what, help).into());
+            return;
+        }
+        if let Some(image) = self.screen.read(Side::A) {
+            let path = path.to_owned();
+            let told = async move { Come::Told(download_png(&path, image.await)) };
+            self.outside.await_it(ctx, told);
+        }
+    }
+
+    /// That something is on its way.
+    pub(super) fn exporting(&mut self, ui: &mut Ui) {
+        if self.outside.is_busy() {
+            ui.spinner();
+        }
+    }
+
+    /// Puts the address of the page that shows this scene into the clipboard.
+    pub(super) fn copy_link(&mut self, ctx: &Context) {
+        let fragment = self.state.as_seen().and_then(|d| link::fragment(&d));
+        match fragment {
+            Ok(fragment) => {
+                let page = web_sys::window().and_then(|window| window.location().href().ok());
+                let page = page.unwrap_or_default();
+                let page = page.split('#').next().unwrap_or_default();
+                ctx.copy_text(format!("{page}#{fragment}"));
+                let told = Notice::done("the link is in the clipboard");
+                self.toasts.add(ctx, told);
+            }
+            Err(error) => self.toasts.add(ctx, error.into()),
+        }
+    }
+
+    /// Has the user choose files.
+    fn choose_files(&self, ctx: &Context) -> Result<(), JsValue> {
+        let document = web_sys::window().and_then(|window| window.document());
+        let document = document.ok_or("there is no page")?;
+        let input: HtmlInputElement = document.create_element("input")?.unchecked_into();
+        input.set_type("file");
+        input.set_multiple(true);
+        let (outside, ctx, chosen) = (self.outside.clone(), ctx.clone(), input.clone());
+        let on_change = Closure::once_into_js(move || {
+            let list = chosen.files();
+            let files = list
+                .iter()
+                .flat_map(|l| (0..l.length()).filter_map(|i| l.get(i)));
+            outside.await_it(&ctx, read_chosen(files.collect()));
+        });
+        input.set_onchange(Some(on_change.unchecked_ref()));
+        input.click();
+        Ok(())
+    }
+}

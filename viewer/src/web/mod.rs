@@ -1,0 +1,167 @@
+//! The window on a page: a canvas, files that are dropped into it or chosen, a link that holds the scene, and what the page itself may ask.
+//!
+//! The same [`Viewer`] as on a desktop, on the browser's WebGPU. Nothing is sent anywhere: files stay in the memory of the page.
+//!
+//! Cannot: make films, which the command does; watch files; keep files from one visit to the next.
+
+pub mod files;
+
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use cutaway::load::Assets;
+use cutaway::{Document, Result};
+use eframe::egui::{FontData, FontDefinitions, FontFamily, Ui};
+use epaint_default_fonts::{HACK_REGULAR, UBUNTU_LIGHT};
+use js_sys::{Promise, Uint8Array};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen_futures::future_to_promise;
+use web_sys::HtmlCanvasElement;
+
+use crate::action::Action;
+use crate::device::on_our_device;
+use crate::link;
+use crate::slot::Side;
+use crate::state::State;
+use crate::ui::Viewer;
+use files::PageFiles;
+
+/// The viewer, as the page sees it.
+#[wasm_bindgen]
+pub struct Cutaway {
+    viewer: Rc<RefCell<Viewer>>,
+    ctx: eframe::egui::Context,
+}
+
+/// Shows the viewer on a canvas, with the scene of a link: the fragment of the page's address.
+///
+/// # Errors
+///
+/// A browser without WebGPU.
+#[wasm_bindgen]
+pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutaway, JsValue> {
+    let mut options = eframe::WebOptions {
+        renderer: eframe::Renderer::Wgpu,
+        ..eframe::WebOptions::default()
+    };
+    on_our_device(&mut options.wgpu_options);
+    let made = Rc::new(RefCell::new(None));
+    let given = made.clone();
+    let runner = eframe::WebRunner::new();
+    let run = runner.start(
+        canvas,
+        options,
+        Box::new(move |creation| {
+            let host = creation.wgpu_render_state.as_ref();
+            let host = host.ok_or("egui draws without wgpu")?;
+            creation.egui_ctx.set_fonts(fonts());
+            let viewer = Rc::new(RefCell::new(Viewer::on(host, open(&fragment)?)?));
+            *given.borrow_mut() = Some(Cutaway {
+                viewer: viewer.clone(),
+                ctx: creation.egui_ctx.clone(),
+            });
+            Ok(Box::new(App(viewer)))
+        }),
+    );
+    run.await?;
+    made.take().ok_or_else(|| "the viewer did not start".into())
+}
+
+/// The fonts of egui without those that have pictures, which nothing here shows.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::empty();
+    for (family, name, font) in [
+        (FontFamily::Proportional, "Ubuntu-Light", UBUNTU_LIGHT),
+        (FontFamily::Monospace, "Hack", HACK_REGULAR),
+    ] {
+        let data = Arc::new(FontData::from_static(font));
+        fonts.font_data.insert(name.to_owned(), data);
+        fonts.families.insert(family, vec![name.to_owned()]);
+    }
+    fonts
+}
+
+/// The scene of a fragment; where it cannot be opened an empty one, which says why.
+fn open(fragment: &str) -> Result<State> {
+    let store = PageFiles::of_page();
+    let open = |document| {
+        let assets = Assets::from_files(store.clone());
+        State::open_from(store.clone(), document, assets)
+    };
+    match link::document(fragment).and_then(|d| open(d.unwrap_or_else(Document::new))) {
+        Ok(state) => Ok(state),
+        Err(error) => {
+            let mut empty = open(Document::new())?;
+            empty.tell(error);
+            Ok(empty)
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl Cutaway {
+    /// Takes a file in, as if it were dropped: a scene in the place of this one, a model as a further part, an image as the relief of the
+    /// selected cut.
+    pub fn take(&self, name: &str, bytes: &[u8]) {
+        PageFiles::of_page().insert(name, bytes);
+        self.apply(Action::Take(vec![name.into()]));
+    }
+
+    /// The scene file.
+    pub fn scene(&self) -> Result<String, JsValue> {
+        let scene = self.viewer.borrow().state().as_seen();
+        Ok(scene.map_err(text)?.to_string())
+    }
+
+    /// The command that makes the picture of slot A.
+    pub fn command(&self) -> Result<String, JsValue> {
+        let viewer = self.viewer.borrow();
+        viewer.state().command(viewer.size_px()).map_err(text)
+    }
+
+    /// The fragment of an address that shows the scene.
+    pub fn fragment(&self) -> Result<String, JsValue> {
+        let scene = self.viewer.borrow().state().as_seen();
+        scene.and_then(|scene| link::fragment(&scene)).map_err(text)
+    }
+
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for.
+    pub fn is_busy(&self) -> bool {
+        self.viewer.borrow().is_busy()
+    }
+
+    /// Width and height of the picture of a slot, in pixels.
+    pub fn size_px(&self) -> Vec<u32> {
+        self.viewer.borrow().size_px().to_vec()
+    }
+
+    /// The pixels of slot A or B: RGBA8, rows from the top.
+    pub fn picture(&self, is_b: bool) -> Promise {
+        let side = if is_b { Side::B } else { Side::A };
+        let read = self.viewer.borrow().screen().read(side);
+        future_to_promise(async move {
+            let read = read.ok_or("the slot has no picture")?;
+            let image = read.await.map_err(text)?;
+            Ok(Uint8Array::from(image.as_raw().as_slice()).into())
+        })
+    }
+
+    fn apply(&self, action: Action) {
+        self.viewer.borrow_mut().apply(action);
+        self.ctx.request_repaint();
+    }
+}
+
+fn text(error: cutaway::Error) -> JsValue {
+    error.to_string().into()
+}
+
+struct App(Rc<RefCell<Viewer>>);
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        self.0.borrow_mut().show(ui);
+    }
+}
