@@ -1,37 +1,71 @@
-//! The reference, and the errors of the slots against it, on a thread with a device of its own: the window never waits for it.
+//! The reference, and what is compared with it, on a thread with a device of its own: the window never waits for it.
 //!
-//! A question is answered at a quarter of the resolution, then at half, then whole, so that the first answer comes while a hand still
-//! moves. A newer question ends the one before it between two steps. The thread leaves a core to the window.
+//! Of each kind of question the newest is answered: the errors of the slots, a pixel that is [magnified](magnify), the [cost] of a
+//! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
+//! answer comes while a hand still moves; a newer question ends the one before it between two steps. A survey takes its next step only
+//! when nothing else is asked. The thread leaves a core to the window.
+//!
+//! The reference at the whole resolution is kept, 40 bytes a pixel, for the next question about the same picture.
 //!
 //! Cannot: end in the middle of a step.
+
+pub mod cost;
+mod errors;
+pub mod magnify;
+pub mod survey;
+mod worker;
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 
-use cutaway::compare::{Comparison, compare, heatmap_overlay};
-use cutaway::exact::evaluate;
-use cutaway::experiment::{Evaluator, Renderer, SceneAtTime};
+use cutaway::compare::Comparison;
+use cutaway::experiment::{Renderer, SceneAtTime};
 use cutaway::scene::{Camera, View};
-use cutaway::{Exact, Gpu, GpuOptions, Outcome, Result, Session};
 use image::RgbaImage;
 
 use crate::slot::Side;
+use cost::Cost;
+use magnify::Magnified;
+use survey::{Survey, Surveyed};
+use worker::Worker;
 
-/// By how much coarser the answers are that come one after the other.
-const DIVISORS: [u32; 3] = [4, 2, 1];
-
-/// What is asked.
+/// A picture that is asked about.
 #[derive(Clone, Debug)]
-pub struct Question {
-    /// Its number, which answers name.
-    pub id: u64,
+pub struct Subject {
+    /// Another number whenever solids, cuts or the eye may be others.
+    pub revision: u64,
     /// The scene.
     pub at: Arc<SceneAtTime>,
     /// From where it is seen.
     pub camera: Camera,
-    /// The picture that is looked at, in pixels.
+    /// Width and height in pixels.
     pub size_px: [u32; 2],
+}
+
+impl Subject {
+    /// Its view at the whole resolution.
+    pub fn view(&self) -> View {
+        let prepared = &self.at.model.prepared;
+        prepared.view_of(&self.camera, self.size_px)
+    }
+
+    /// Whether the rays meet the same in it, however that is dressed.
+    pub fn has_the_rays_of(&self, other: &Self) -> bool {
+        let scale = |subject: &Self| subject.at.model.prepared.scale;
+        self.revision == other.revision
+            && self.view() == other.view()
+            && scale(self) == scale(other)
+    }
+}
+
+/// What is asked of the errors of the slots.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Its number, which answers name.
+    pub id: u64,
+    /// The picture that is looked at.
+    pub subject: Subject,
     /// Who draws the slots; none that is not seen.
     pub renderers: [Option<Renderer>; 2],
     /// Whether errors are wanted, or only the pictures of slots that are drawn on the CPU.
@@ -67,17 +101,51 @@ pub enum Known {
     Failed(String),
 }
 
-/// The newest question, and whether the thread is to end.
+/// What else was found.
+#[derive(Debug)]
+pub enum Finding {
+    /// The neighbourhood of a pixel, by the number of the question.
+    Magnified(u64, Result<Magnified, String>),
+    /// The cost of a frame of a slot, by the number of the question.
+    Cost(u64, Side, Result<Cost, String>),
+    /// A step of a survey, by the number of the question.
+    Surveyed(u64, Surveyed),
+}
+
+/// The newest questions.
 #[derive(Default)]
 struct Desk {
-    question: Mutex<(Option<Question>, bool)>,
+    asked: Mutex<Asked>,
     changed: Condvar,
+}
+
+/// What is asked and not begun, by kind.
+#[derive(Default)]
+struct Asked {
+    errors: Option<Question>,
+    pixel: Option<magnify::Question>,
+    cost: Option<cost::Question>,
+    survey: Option<survey::Question>,
+    /// The number of the survey that is to go on.
+    surveyed: Option<u64>,
+    /// The thread is to end.
+    is_over: bool,
+}
+
+/// What is done next.
+enum Task {
+    Errors(Question),
+    Pixel(magnify::Question),
+    Cost(cost::Question),
+    BeginSurvey(survey::Question),
+    GoOnWithSurvey,
 }
 
 /// The thread that answers.
 pub struct Judge {
     desk: Arc<Desk>,
     answers: Receiver<Answer>,
+    findings: Receiver<Finding>,
 }
 
 impl Judge {
@@ -85,28 +153,63 @@ impl Judge {
     pub fn start(adapter: String, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let desk = Arc::new(Desk::default());
         let (tell, answers) = channel();
+        let (find, findings) = channel();
         let own = desk.clone();
-        thread::spawn(move || work(&own, &adapter, &tell, &wake));
-        Self { desk, answers }
+        thread::spawn(move || work(&own, adapter, (&tell, &find), &wake));
+        Self {
+            desk,
+            answers,
+            findings,
+        }
     }
 
-    /// Asks; what was asked before is not answered any more.
+    /// Asks for errors; what was asked of them before is not answered any more.
     pub fn ask(&self, question: Question) {
-        let mut desk = lock(&self.desk.question);
-        desk.0 = Some(question);
-        self.desk.changed.notify_one();
+        self.put(|asked| asked.errors = Some(question));
+    }
+
+    /// Asks for the neighbourhood of a pixel.
+    pub fn magnify(&self, question: magnify::Question) {
+        self.put(|asked| asked.pixel = Some(question));
+    }
+
+    /// Asks for the cost of a frame.
+    pub fn cost(&self, question: cost::Question) {
+        self.put(|asked| asked.cost = Some(question));
+    }
+
+    /// Begins a survey in the place of the last.
+    pub fn survey(&self, question: survey::Question) {
+        self.put(|asked| {
+            asked.surveyed = Some(question.id);
+            asked.survey = Some(question);
+        });
+    }
+
+    /// Ends the survey before its next step.
+    pub fn cancel_survey(&self) {
+        self.put(|asked| (asked.survey, asked.surveyed) = (None, None));
     }
 
     /// What was answered since.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         self.answers.try_iter()
     }
+
+    /// What else was found since.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        self.findings.try_iter()
+    }
+
+    fn put(&self, change: impl FnOnce(&mut Asked)) {
+        change(&mut lock(&self.desk.asked));
+        self.desk.changed.notify_one();
+    }
 }
 
 impl Drop for Judge {
     fn drop(&mut self) {
-        lock(&self.desk.question).1 = true;
-        self.desk.changed.notify_one();
+        self.put(|asked| asked.is_over = true);
     }
 }
 
@@ -114,44 +217,79 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn work(desk: &Desk, adapter: &str, tell: &Sender<Answer>, wake: &(dyn Fn() + Sync)) {
+fn work(
+    desk: &Desk,
+    adapter: String,
+    (tell, find): (&Sender<Answer>, &Sender<Finding>),
+    wake: &(dyn Fn() + Sync),
+) {
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
     let Ok(pool) = pool.build() else {
         return;
     };
-    let mut session = None;
-    while let Some(question) = next(desk) {
-        let Question { id, renderers, .. } = question;
-        let say = |side, divisor, what| {
-            // The window is closed: there is nobody left to tell.
-            let _ = tell.send(Answer {
-                id,
-                side,
-                divisor,
-                what,
-            });
-            wake();
-        };
-        let answered = pool.install(|| answer(desk, adapter, &mut session, &question, &say));
-        if let Err(error) = answered {
-            let asked = Side::BOTH
-                .into_iter()
-                .filter(|side| renderers[side.index()].is_some());
-            asked.for_each(|side| say(side, 1, Known::Failed(error.to_string())));
-        }
+    let mut worker = Worker::new(adapter);
+    let mut survey: Option<Survey> = None;
+    let found = |finding| {
+        // The window is closed: there is nobody left to tell.
+        let _ = find.send(finding);
+        wake();
+    };
+    while let Some(task) = next(desk, &mut survey) {
+        pool.install(|| match task {
+            Task::Errors(question) => {
+                let say = |answer| {
+                    let _ = tell.send(answer);
+                    wake();
+                };
+                errors::answer(&mut worker, &question, &|| is_outdated(desk), &say);
+            }
+            Task::Pixel(question) => {
+                let magnified = magnify::answer(&mut worker, &question);
+                found(Finding::Magnified(
+                    question.id,
+                    magnified.map_err(|e| e.to_string()),
+                ));
+            }
+            Task::Cost(question) => {
+                for (side, renderer) in question.slots() {
+                    let cost = cost::answer(&mut worker, &question, renderer);
+                    found(Finding::Cost(
+                        question.id,
+                        side,
+                        cost.map_err(|e| e.to_string()),
+                    ));
+                }
+            }
+            Task::BeginSurvey(question) => survey = Some(Survey::new(question)),
+            Task::GoOnWithSurvey => {
+                if let Some(survey) = &mut survey {
+                    let surveyed = survey.step(&mut worker);
+                    found(Finding::Surveyed(survey.id(), surveyed));
+                }
+            }
+        });
     }
 }
 
-/// Waits for a question; none when the thread is to end.
-fn next(desk: &Desk) -> Option<Question> {
-    let mut held = lock(&desk.question);
+/// Waits for something to be done; none when the thread is to end.
+fn next(desk: &Desk, survey: &mut Option<Survey>) -> Option<Task> {
+    let mut held = lock(&desk.asked);
     loop {
-        if held.1 {
+        let asked = &mut *held;
+        if asked.is_over {
             return None;
         }
-        if let Some(question) = held.0.take() {
-            return Some(question);
+        let is_wanted = |survey: &Survey| asked.surveyed == Some(survey.id()) && !survey.is_done();
+        *survey = survey.take().filter(is_wanted);
+        let goes_on = survey.as_ref().map(|_| Task::GoOnWithSurvey);
+        let task = (asked.pixel.take().map(Task::Pixel))
+            .or_else(|| asked.errors.take().map(Task::Errors))
+            .or_else(|| asked.cost.take().map(Task::Cost))
+            .or_else(|| asked.survey.take().map(Task::BeginSurvey))
+            .or(goes_on);
+        if task.is_some() {
+            return task;
         }
         held = desk
             .changed
@@ -160,86 +298,8 @@ fn next(desk: &Desk) -> Option<Question> {
     }
 }
 
-/// Whether nobody waits for the present answer any more.
+/// Whether nobody waits for the errors that are being found any more.
 fn is_outdated(desk: &Desk) -> bool {
-    let held = lock(&desk.question);
-    held.1 || held.0.is_some()
-}
-
-fn answer(
-    desk: &Desk,
-    adapter: &str,
-    session: &mut Option<Session>,
-    question: &Question,
-    say: &(dyn Fn(Side, u32, Known) + Sync),
-) -> Result<()> {
-    let session = match session {
-        Some(session) => session,
-        None => session.insert(Session::new(Gpu::open(&GpuOptions {
-            adapter: Some(adapter.to_owned()),
-            prefer_software: false,
-        })?)),
-    };
-    let model = &question.at.model;
-    for divisor in DIVISORS {
-        let size_px = question.size_px.map(|s| (s / divisor).max(1));
-        let view = model.prepared.view_of(&question.camera, size_px);
-        let mut exact: Option<Exact> = None;
-        for side in Side::BOTH {
-            let Some(renderer) = question.renderers[side.index()] else {
-                continue;
-            };
-            if is_outdated(desk) {
-                return Ok(());
-            }
-            let say = |known| say(side, divisor, known);
-            let judged = judge(session, question, renderer, &view, &mut exact, &say);
-            if let Err(error) = judged {
-                say(Known::Failed(error.to_string()));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Says what is to be known of a slot at a resolution; the reference is evaluated once for both.
-fn judge(
-    session: &mut Session,
-    question: &Question,
-    renderer: Renderer,
-    view: &View,
-    exact: &mut Option<Exact>,
-    say: &dyn Fn(Known),
-) -> Result<()> {
-    let model = &question.at.model;
-    let truth = question.at.truth()?;
-    let layers = match renderer {
-        Renderer::Cpu(Evaluator::Exact) => {
-            let exact = exact.get_or_insert_with(|| evaluate(truth, view));
-            exact.layers.clone()
-        }
-        Renderer::Cpu(evaluator) => evaluator.evaluate(truth, view).layers,
-        Renderer::Method(_) if !question.wants_errors => return Ok(()),
-        Renderer::Method(method) => {
-            let drawn = session.draw(model, view, method)?;
-            if let Outcome::Refused(refusal) = drawn.outcome {
-                say(Known::Failed(refusal.reason));
-                return Ok(());
-            }
-            session.layers(method)?
-        }
-    };
-    if let Renderer::Cpu(_) = renderer {
-        let rgba = session.shade(model, view, &layers)?;
-        let [width, height] = view.size_px;
-        let picture = RgbaImage::from_raw(width, height, rgba).unwrap_or_default();
-        say(Known::Picture(picture));
-    }
-    if question.wants_errors && renderer != Renderer::EXACT {
-        let exact = exact.get_or_insert_with(|| evaluate(truth, view));
-        let comparison = compare(exact, &layers, view, model.prepared.scale);
-        let marks = heatmap_overlay(exact, &layers);
-        say(Known::Errors { marks, comparison });
-    }
-    Ok(())
+    let held = lock(&desk.asked);
+    held.is_over || held.errors.is_some()
 }

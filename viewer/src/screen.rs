@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use cutaway::experiment::{Renderer, Stopwatch};
-use cutaway::gpu::{Gpu, Pick, Target};
+use cutaway::gpu::{ClockSet, Gpu, Pick, Target};
 use cutaway::layers::Layer;
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
@@ -51,6 +51,8 @@ pub struct Screen {
     refusals: [Option<String>; 2],
     took_ms: Option<f64>,
     passes: usize,
+    /// The clocks on which the last whole frame of each slot ran.
+    clocks: [Option<ClockSet>; 2],
 }
 
 impl Screen {
@@ -74,6 +76,7 @@ impl Screen {
             refusals: [None, None],
             took_ms: None,
             passes: 0,
+            clocks: [None; 2],
         })
     }
 
@@ -90,6 +93,11 @@ impl Screen {
     /// How many passes it had.
     pub fn passes(&self) -> usize {
         self.passes
+    }
+
+    /// The clocks on which the last whole frame of a slot ran, where a method draws it.
+    pub fn clocks(&self, side: Side) -> Option<ClockSet> {
+        self.clocks[side.index()]
     }
 
     /// Why a slot shows nothing.
@@ -155,6 +163,7 @@ impl Screen {
             let renderer = renderers[side.index()];
             let is_new = self.painted_by[side.index()] != renderer;
             let Some(Renderer::Method(method)) = renderer else {
+                self.clocks[side.index()] = None;
                 // A picture of another is not shown under this name.
                 if is_new {
                     self.refusals[side.index()] = None;
@@ -170,6 +179,7 @@ impl Screen {
             if let Some((_, other)) = drawn.filter(|(drawn, _)| *drawn == method) {
                 self.copy(&mut encoder, other, side);
                 self.refusals[side.index()] = self.refusals[other.index()].clone();
+                self.clocks[side.index()] = self.clocks[other.index()];
                 continue;
             }
             drawn = drawn.or(Some((method, side)));
@@ -193,7 +203,12 @@ impl Screen {
                 self.session.forget();
             })?;
             match encoded {
-                Encoded::Drawn { passes } => self.passes += passes,
+                Encoded::Drawn { passes } => {
+                    self.passes += passes;
+                    if divisor == 1 {
+                        self.clocks[side.index()] = self.session.clocks(method).ok();
+                    }
+                }
                 Encoded::Refused(refusal) => {
                     self.refusals[side.index()] = Some(refusal.reason);
                 }

@@ -5,7 +5,7 @@ use cutaway::experiment::Renderer;
 use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
-use crate::judge::{Answer, Judge, Known, Question};
+use crate::judge::{Answer, Finding, Judge, Known, Question, Subject};
 use crate::screen::{PLAIN, Screen};
 use crate::slot::Side;
 use crate::state::State;
@@ -73,18 +73,32 @@ impl Judged {
         }
         self.about = Some(about);
         self.asked += 1;
-        let wake = ctx.clone();
-        let adapter = &screen.gpu().report().name;
-        let judge = (self.judge)
-            .get_or_insert_with(|| Judge::start(adapter.clone(), move || wake.request_repaint()));
-        judge.ask(Question {
-            id: self.asked,
+        let id = self.asked;
+        let subject = Subject {
+            revision: state.revision(),
             at: shown.at.clone(),
             camera: shown.scene.camera,
             size_px,
+        };
+        self.judge(ctx, screen).ask(Question {
+            id,
+            subject,
             renderers,
             wants_errors,
         });
+    }
+
+    /// The judge, who is there from the first question on.
+    pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
+        let wake = ctx.clone();
+        let adapter = &screen.gpu().report().name;
+        (self.judge)
+            .get_or_insert_with(|| Judge::start(adapter.clone(), move || wake.request_repaint()))
+    }
+
+    /// What was found since, beside errors.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        self.judge.iter().flat_map(Judge::findings).collect()
     }
 
     /// Takes in what was answered since; whether a picture has come.

@@ -2,14 +2,17 @@
 //! it.
 
 mod compare;
+mod cost;
 mod errands;
 mod frames;
 mod judged;
 mod keys;
+mod magnifier;
 mod menu;
 mod pointing;
 mod properties;
 mod scene;
+mod survey;
 mod time;
 mod toasts;
 mod value;
@@ -19,21 +22,29 @@ use std::path::PathBuf;
 
 use cutaway::Result;
 use cutaway::compare::Comparison;
-use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+use cutaway::strategies::Method;
+use eframe::egui::{CentralPanel, Context, Frame, Panel, Ui};
 use egui_wgpu::RenderState;
 
 use crate::action::Action;
 use crate::export::Export;
+use crate::judge::Finding;
+use crate::judge::cost::Cost;
+use crate::judge::magnify::Magnified;
+use crate::judge::survey::Found;
 use crate::pace::Pace;
 use crate::pick::Picked;
 use crate::screen::Screen;
 use crate::slot::Side;
 use crate::state::State;
 use crate::watch::Watch;
+use cost::Costs;
 use frames::Last;
 use judged::Judged;
+use magnifier::Magnifier;
 use menu::Asks;
 use pointing::Pointing;
+use survey::Chart;
 use toasts::Toasts;
 use viewport::Held;
 
@@ -53,6 +64,9 @@ pub struct Viewer {
     flickers: bool,
     plays: bool,
     pointing: Pointing,
+    magnifier: Magnifier,
+    chart: Chart,
+    costs: Costs,
     /// The files of the scene, and when they were last looked at.
     watch: (Watch, f64),
     export: Option<Export>,
@@ -83,6 +97,9 @@ impl Viewer {
             flickers: false,
             plays: false,
             pointing: Pointing::default(),
+            magnifier: Magnifier::default(),
+            chart: Chart::default(),
+            costs: Costs::default(),
             watch: (Watch::default(), 0.0),
             export: None,
             program: None,
@@ -117,10 +134,29 @@ impl Viewer {
         self.pointing.under_pointer()
     }
 
+    /// The pixel that was clicked, magnified, once it is known.
+    pub fn magnified(&self) -> Option<&Magnified> {
+        self.magnifier.magnified()
+    }
+
+    /// What was found of the methods that have been measured so far.
+    pub fn surveyed(&self) -> &[(Method, Found)] {
+        self.chart.entries()
+    }
+
+    /// What a frame of a slot costs, where that is shown, once it is known.
+    pub fn cost(&self, side: Side) -> Option<&Cost> {
+        self.costs.cost(side)
+    }
+
     /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported.
     pub fn is_busy(&self) -> bool {
         let is_exporting = self.export.is_some();
-        self.is_drawing() || self.judged.is_busy() || self.screen.is_picking() || is_exporting
+        let is_judging = self.judged.is_busy()
+            || self.magnifier.is_busy()
+            || self.chart.is_busy()
+            || self.costs.is_busy();
+        self.is_drawing() || is_judging || self.screen.is_picking() || is_exporting
     }
 
     /// Lets another program export, for one that is no `cutaway` itself.
@@ -142,7 +178,9 @@ impl Viewer {
         Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
         // Of one height, whatever it says: the picture does not change its size with the counts.
         Panel::bottom("compare").exact_size(84.0).show(ui, |ui| {
-            compare::show(ui, &self.state, (&self.screen, &self.judged), &mut actions);
+            let windows = (&mut self.chart.is_asked, &mut self.costs.is_open);
+            let pictures = (&self.screen, &self.judged);
+            compare::show(ui, &self.state, pictures, windows, &mut actions);
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
@@ -167,12 +205,17 @@ impl Viewer {
             let rect = ui.available_rect_before_wrap();
             self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
             self.judged.take_in(&ctx, &self.state, &mut self.screen);
+            self.take_findings(&ctx);
             self.draw(&ctx);
             let pictures = (&self.screen, &self.judged);
             let pointer = (&mut self.held, self.flickers);
             let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
             self.point(&ctx, at);
         });
+        self.ask_the_judge(&ctx);
+        self.magnifier(&ctx);
+        self.chart(&ctx, &mut actions);
+        self.costs(&ctx);
         if !actions.is_empty() {
             ctx.request_repaint();
         }
@@ -187,6 +230,24 @@ impl Viewer {
         self.toasts.show(&ctx);
         if self.changed.0 != self.state.revision() {
             ctx.request_repaint();
+        }
+    }
+
+    /// Asks the judge what open windows want to know.
+    fn ask_the_judge(&mut self, ctx: &Context) {
+        self.magnify(ctx);
+        self.survey(ctx);
+        self.ask_costs(ctx);
+    }
+
+    /// Takes in what the judge has found beside errors.
+    fn take_findings(&mut self, ctx: &Context) {
+        for finding in self.judged.findings() {
+            match finding {
+                Finding::Magnified(id, magnified) => self.magnifier.take_in(ctx, id, magnified),
+                Finding::Surveyed(id, surveyed) => self.chart.take_in(id, surveyed),
+                Finding::Cost(id, side, cost) => self.costs.take_in(id, side, cost),
+            }
         }
     }
 }
