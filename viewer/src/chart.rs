@@ -24,8 +24,9 @@ pub fn time_label(place: f64) -> String {
 
 /// What stands at a place of the axis of errors, in pixels.
 pub fn wrong_label(place: f64) -> String {
+    let is_none = (place - NONE_WRONG).abs() < 1e-9;
     match place < 0.0 {
-        true if place == NONE_WRONG => "0".to_owned(),
+        true if is_none => "0".to_owned(),
         true => String::new(),
         false => number(place),
     }
@@ -59,6 +60,18 @@ pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
     let all = powers.flat_map(around);
     all.filter(|(place, _)| (from..=to).contains(place))
         .collect()
+}
+
+/// The places next to some, below the least and above the greatest, that have a label.
+pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
+    let all = lines(least - 1.0, greatest + 1.0).into_iter();
+    let labelled = all.filter_map(|(place, to_next)| (to_next > 0.2).then_some(place));
+    let (below, above): (Vec<f64>, Vec<f64>) = labelled.partition(|place| *place <= least);
+    let above = above.into_iter().find(|place| *place >= greatest);
+    [
+        below.last().copied().unwrap_or(least),
+        above.unwrap_or(greatest),
+    ]
 }
 
 /// The lines of the axis of errors: none between no wrong pixel and one.
@@ -100,6 +113,10 @@ mod tests {
         assert!(all.is_sorted_by(|a, b| a.0 < b.0), "{all:?}");
         let thick = all.iter().filter(|(_, step)| *step == 1.0).count();
         assert_eq!(thick, 3, "a tenth, one and ten");
+        let around = labels_around(place_of_time(430.0), place_of_time(1010.0));
+        assert_eq!(around.map(time_label), ["200", "2000"]);
+        let alone = labels_around(place_of_time(100.0), place_of_time(100.0));
+        assert_eq!(alone.map(time_label), ["100", "200"]);
         let wrong = lines_of_wrong(-1.0, 1.0);
         assert_eq!(wrong[0].0, NONE_WRONG);
         assert_eq!(wrong[1].0, 0.0, "nothing between none and one");

@@ -38,9 +38,7 @@ pub struct Question {
 /// What was found of a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surveyed {
-    /// How many methods are done, and how many there are.
-    pub done: usize,
-    /// How many there are.
+    /// How many methods there are.
     pub total: usize,
     /// The method.
     pub method: Method,
@@ -66,6 +64,8 @@ pub struct Point {
     pub is_device_time: bool,
     /// Wrong pixels that the reference is sure of.
     pub wrong_px: usize,
+    /// Those of them that the method does not mark as unreliable.
+    pub unmarked_px: usize,
     /// What bounded buffer was too small, if one was.
     pub overflow: Option<String>,
 }
@@ -105,7 +105,6 @@ impl Survey {
         let found = self.try_step(worker, method);
         self.done += 1;
         Surveyed {
-            done: self.done,
             total: self.methods.len(),
             method,
             found: found.unwrap_or_else(|error| Found::Refused(error.to_string())),
@@ -164,6 +163,7 @@ fn measure(
         time_ms: Samples::new(times_ms).median,
         is_device_time: session.gpu().has_timestamps(),
         wrong_px: comparison.decided_wrong_px,
+        unmarked_px: comparison.unmarked_wrong_px,
         overflow,
     }))
 }

@@ -11,7 +11,9 @@ use egui_plot::{GridMark, MarkerShape, Plot, PlotPoint, Points};
 
 use super::Viewer;
 use crate::action::Action;
-use crate::chart::{lines, lines_of_wrong, place_of_time, place_of_wrong, time_label, wrong_label};
+use crate::chart::{
+    labels_around, lines, lines_of_wrong, place_of_time, place_of_wrong, time_label, wrong_label,
+};
 use crate::judge::Subject;
 use crate::judge::survey::{Found, Point, Question, Surveyed};
 use crate::slot::{Painter, Side};
@@ -210,10 +212,14 @@ fn plot(ui: &mut Ui, points: &[(Method, &Point)], height: f32) -> Option<Method>
         (false, _) => Color32::from_rgb(70, 120, 200),
     };
     let at = |point: &Point| [place_of_time(point.time_ms), place_of_wrong(point.wrong_px)];
-    // Whole powers of ten around the points, which have labels.
-    let times = points.iter().map(|(_, point)| at(point)[0]);
-    let around = times.flat_map(|place| [place.floor(), place.ceil()]);
-    let plot = around.fold(Plot::new("error against time"), Plot::include_x);
+    let times = || points.iter().map(|(_, point)| at(point)[0]);
+    let range = (times().reduce(f64::min), times().reduce(f64::max));
+    let around = match range {
+        (Some(least), Some(greatest)) => labels_around(least, greatest),
+        _ => [0.0, 1.0],
+    };
+    let plot = Plot::new("error against time");
+    let plot = around.into_iter().fold(plot, Plot::include_x);
     let shown = plot
         .height(height)
         .x_axis_label("a frame, ms")
@@ -267,9 +273,16 @@ fn plot(ui: &mut Ui, points: &[(Method, &Point)], height: f32) -> Option<Method>
 
 fn sentence(method: Method, point: &Point) -> String {
     let Point {
-        time_ms, wrong_px, ..
+        time_ms,
+        wrong_px,
+        unmarked_px,
+        ..
     } = point;
+    let unmarked = match wrong_px == unmarked_px {
+        true => String::new(),
+        false => format!(", {unmarked_px} of them unmarked"),
+    };
     let overflow = point.overflow.as_ref();
     let overflow = overflow.map_or(String::new(), |what| format!("; overflowed: {what}"));
-    format!("{method}: {time_ms:.2} ms, {wrong_px} px decided wrong{overflow}")
+    format!("{method}: {time_ms:.2} ms, {wrong_px} px decided wrong{unmarked}{overflow}")
 }
