@@ -88,7 +88,7 @@ impl Judged {
         });
     }
 
-    /// The judge, who is there from the first question on.
+    /// The judge, started by the first question.
     pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
         let wake = ctx.clone();
         let adapter = &screen.gpu().report().name;

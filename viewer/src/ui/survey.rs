@@ -124,7 +124,7 @@ impl Viewer {
                     actions.extend(by.map(|by| Action::Choose(Side::B, by)));
                 });
         }
-        // What nobody looks at is not measured.
+        // A survey whose window is closed ends.
         ends |= self.chart.is_open && !is_open;
         self.chart.is_open = is_open;
         if let Some(measured) = (self.chart.measured.as_mut()).filter(|m| ends && m.is_running()) {
