@@ -3,8 +3,8 @@
 //! Along the ray through a pixel centre the visible point is the first one, beyond the near plane, at which the ray enters
 //! some solid less what is removed from it. It shows a *surface* where the ray crosses the mesh there and a *cap* where it
 //! leaves the removed region. This module lists every crossing of the ray with every triangle (`raster`) and with every
-//! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`walk`), and says which answers hang on less than a picture
-//! can tell (`ambiguity`). It shares no algorithm with the strategies it judges.
+//! clip-surface (`clip`, `relief`, `cutter`), walks them in order (`follow`, `walk`), and says which answers hang on less than a
+//! picture can tell (`ambiguity`). [`trace`] gives the list of one pixel. It shares no algorithm with the strategies it judges.
 //!
 //! *Inside* is by the part's [`Fill`](crate::scene::Fill). The crossings of the whole line count, behind the eye too: inside
 //! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
@@ -18,6 +18,7 @@ mod ambiguity;
 mod blocks;
 mod clip;
 mod cutter;
+mod follow;
 mod outline;
 mod quadratic;
 mod raster;
@@ -27,6 +28,7 @@ mod screen;
 mod settle;
 mod shading;
 mod table;
+mod trace;
 mod walk;
 mod winding;
 
@@ -36,14 +38,15 @@ use rayon::prelude::*;
 use self::ambiguity::{Case, Openness};
 use self::clip::{Clip, Ray};
 use self::cutter::Cutters;
+use self::follow::Followed;
 use self::outline::{Brush, Outline};
 use self::raster::{BAND_ROWS, Bands, Crossing, Projected};
 use self::ray_scratch::RayScratch;
 use self::settle::SettledFaces;
-use self::walk::{Cause, Sight, walk};
-use crate::layers::{Kind, Layer, Layers, NEAR_PLANE};
+use crate::layers::{Kind, Layer, Layers};
 use crate::scene::{Prepared, View};
 
+pub use trace::{Crossed, RayCrossing, Trace, trace};
 pub use winding::Windings;
 
 /// The right answer for every pixel of a view, rows from the top.
@@ -137,10 +140,6 @@ struct Answer {
     open: Openness,
 }
 
-/// How far before the first and behind the last crossing clip-surfaces are looked for, in pixels of that depth: events
-/// farther away than this are never too close to order.
-const PAD_PX: f64 = 4.0;
-
 /// Whether outlines are wanted: they say where sampling is ambiguous, and nothing else.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Outlining {
@@ -227,165 +226,37 @@ impl<'a> Lines<'a> {
         brushes: &[Brush],
         bench: &mut RayScratch,
     ) -> Answer {
-        let (prepared, view) = (self.prepared, self.view);
-        let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
         let (brushes, cutter_brushes) = brushes.split_at(self.cutters.split(brushes, |b| b.rank));
-        let ray = Ray::through(view, at);
-        // From a little before the near plane, so that an event just before it is known to be close.
-        let slack = self.pad(view.near);
-        let before_near = view.near
-            - if view.orthographic {
-                slack
-            } else {
-                slack.min(0.5 * view.near)
-            };
-        let odd = bench.sort_crossings(found, brushes, before_near);
-        let depths = (bench.crossings.iter().map(|c| c.depth))
-            .chain(
-                brushes
-                    .iter()
-                    .flat_map(|b| [b.depth - b.margin, b.depth + b.margin]),
-            )
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], d| {
-                [lo.min(d), hi.max(d)]
-            });
-        let mut layer = Layer {
-            unreliable: odd,
-            depth: f64::INFINITY,
-            ..Layer::default()
-        };
-        if depths[0] > depths[1] {
-            bench.clear();
-            return Answer {
-                layer,
-                open: Openness::Nothing,
-            };
-        }
-        let inside_at_near = bench.ranks.iter().any(|r| bench.start.is_inside(*r));
-        let from = if inside_at_near {
-            before_near
-        } else {
-            (depths[0] - self.pad(depths[0])).max(before_near)
-        };
-        let range = [from, depths[1] + self.pad(depths[1])];
-        layer.unreliable |= self.meet_clips(&ray, range, of_cutters, bench);
-        self.settle(at, &ray, bench);
-        bench.merge_events();
-        bench.state.set(&bench.start);
-        let sight = walk(
-            prepared,
-            (view.near, view.near_cap),
-            &bench.ranks,
-            &bench.events,
-            &mut bench.state,
-        );
-        if let Some(sight) = sight {
-            self.show(&ray, &sight, bench, &mut layer);
-        }
-        let case = Case {
-            prepared,
-            view,
-            parts: &self.parts,
-            ray,
-            ranks: &bench.ranks,
-            start: &bench.start,
-            events: &bench.events,
-            crossings: &bench.crossings,
-            roots: &bench.roots,
-            grazes: &bench.grazes,
-            brushes,
-            cutter_brushes,
-            cutters: &self.cutters,
+        let ray = Ray::through(self.view, at);
+        let Followed {
+            layer,
             sight,
-            settled: &bench.settled,
+            meets_something,
+        } = self.follow(at, &ray, found, brushes, bench);
+        let open = match meets_something {
+            false => Openness::Nothing,
+            true => {
+                let case = Case {
+                    prepared: self.prepared,
+                    view: self.view,
+                    parts: &self.parts,
+                    ray,
+                    ranks: &bench.ranks,
+                    start: &bench.start,
+                    events: &bench.events,
+                    crossings: &bench.crossings,
+                    roots: &bench.roots,
+                    grazes: &bench.grazes,
+                    brushes,
+                    cutter_brushes,
+                    cutters: &self.cutters,
+                    sight,
+                    settled: &bench.settled,
+                };
+                case.openness(&mut bench.scratch)
+            }
         };
-        let open = case.openness(&mut bench.scratch);
         bench.clear();
         Answer { layer, open }
-    }
-
-    fn pad(&self, depth: f64) -> f64 {
-        PAD_PX * self.view.pixel_size(depth).abs()
-    }
-
-    /// Lists the crossings of the ray with the clip-surfaces of the parts it meets, and tells whether it has no side of a cutter.
-    fn meet_clips(
-        &self,
-        ray: &Ray,
-        range: [f64; 2],
-        of_cutters: &[Crossing],
-        bench: &mut RayScratch,
-    ) -> bool {
-        let mut odd = false;
-        for rank in &bench.ranks {
-            for cut in &self.prepared.parts[*rank as usize].cuts {
-                for surface in &self.prepared.cuts[*cut].surfaces {
-                    if std::mem::replace(&mut bench.met[*surface], true) {
-                        continue;
-                    }
-                    if let Some(volume) = &self.prepared.surfaces[*surface].volume {
-                        let number = *surface as u16;
-                        let rank = self.cutters.rank_of(number);
-                        bench.of_cutter.clear();
-                        let own = of_cutters.iter().filter(|c| c.rank == rank);
-                        bench.of_cutter.extend(own);
-                        let mesh = (self.mesh_of_cutter(number), number, volume.keeps_inside);
-                        let met =
-                            cutter::meet(mesh, ray, range, &mut bench.of_cutter, &mut bench.roots);
-                        bench.start.removed[*surface] = met.removed;
-                        odd |= met.odd;
-                        continue;
-                    }
-                    bench.start.removed[*surface] = self.clips[*surface].meet(
-                        self.view,
-                        ray,
-                        range,
-                        &mut bench.roots,
-                        &mut bench.grazes,
-                    );
-                }
-            }
-        }
-        odd
-    }
-
-    /// The mesh of a cutter, by the number of its clip-surface.
-    fn mesh_of_cutter(&self, surface: u16) -> &Projected<'a> {
-        &self.parts[usize::from(self.cutters.rank_of(surface))]
-    }
-
-    /// Fills in what is seen.
-    fn show(&self, ray: &Ray, sight: &Sight, bench: &RayScratch, layer: &mut Layer) {
-        layer.part = self.prepared.parts[sight.rank as usize].part as u16;
-        layer.depth = sight.depth;
-        layer.overlap = sight.overlap;
-        match sight.event.map(|e| (e.cause, e.source as usize)) {
-            None => {
-                layer.kind = Kind::Cap;
-                layer.clip_surface = NEAR_PLANE;
-                layer.normal = (-self.view.forward).as_vec3();
-            }
-            Some((Cause::Clip { surface, .. }, source)) => {
-                layer.kind = Kind::Cap;
-                layer.clip_surface = surface as u8;
-                let root = &bench.roots[source];
-                layer.normal = match root.face {
-                    None => shading::cap_normal(root),
-                    Some(face) => {
-                        let mesh = self.mesh_of_cutter(surface);
-                        let point = ray.origin + ray.direction * sight.depth;
-                        shading::cutter_normal(mesh, root, face, point)
-                    }
-                };
-            }
-            Some((Cause::Mesh { .. }, source)) => {
-                let crossing = &bench.crossings[source];
-                layer.kind = Kind::Surface;
-                layer.back_face = crossing.back_face;
-                let point = ray.origin + ray.direction * sight.depth;
-                let part = &self.parts[sight.rank as usize];
-                layer.normal = shading::surface_normal(part, crossing, point);
-            }
-        }
     }
 }

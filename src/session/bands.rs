@@ -47,6 +47,8 @@ pub(super) struct Slot {
     pub(super) refused: Option<String>,
     /// What was last encoded for a host, where it still stands.
     pub(super) last: Option<Last>,
+    /// The clocks of the passes of the frame that was last encoded.
+    pub(super) clocks: ClockSet,
     /// A bounded buffer has grown since.
     pub(super) must_redraw: bool,
     /// What the shaders of a host bind of an encoded frame, and whether that is the last one.

@@ -9,7 +9,9 @@
 //! [`Session::forget`](super::Session::forget).
 
 use super::bands::{Band, Slot};
-use crate::gpu::{BindGroup, ClipTable, CommandEncoder, Compositor, Destination, Gpu, Pick};
+use crate::gpu::{
+    BindGroup, ClipTable, ClockSet, CommandEncoder, Compositor, Destination, Gpu, Pick,
+};
 use crate::passes::{Model, Relevance};
 use crate::plan::{Capacities, Recorded};
 use crate::scene::View;
@@ -64,9 +66,12 @@ impl Slot {
         if !is_still {
             self.must_redraw = false;
             self.begin(model, view);
-            if let Err(refusal) = self.load_bands(gpu, view, &record)? {
-                self.refused = Some(refusal.reason.clone());
-                return Ok(Encoded::Refused(refusal));
+            match self.load_bands(gpu, view, &record)? {
+                Ok(clocks) => self.clocks = clocks,
+                Err(refusal) => {
+                    self.refused = Some(refusal.reason.clone());
+                    return Ok(Encoded::Refused(refusal));
+                }
             }
             for band in &mut self.bands {
                 band.program.clear_needs_of_frame(gpu)?;
@@ -148,15 +153,16 @@ impl Slot {
         Ok(group)
     }
 
-    /// Loads the plans of all bands, cut into as many as fit.
+    /// Loads the plans of all bands, cut into as many as fit; the clocks of the passes that are to run.
     fn load_bands(
         &mut self,
         gpu: &Gpu,
         view: &View,
         record: &impl Fn(&View, &Capacities) -> Result<Recorded, Refusal>,
-    ) -> Result<Result<(), Refusal>> {
+    ) -> Result<Result<ClockSet, Refusal>> {
         let mut too_large: Option<String> = None;
         'cut: loop {
+            let mut clocks = ClockSet::NONE;
             let capacities = self.capacities.get_or_insert(Capacities::UNKNOWN);
             for band in &mut self.bands {
                 let recorded = match record(&band.rows.view(view), capacities) {
@@ -165,7 +171,12 @@ impl Slot {
                 };
                 capacities.pyramids |= recorded.plan.has_pyramids;
                 match band.program.load(gpu, recorded) {
-                    Ok(_) => {}
+                    Ok(due) => {
+                        let names = due.passes.clone();
+                        let passes = &band.program.plan().passes;
+                        let run = passes.iter().filter(|pass| names.contains(&pass.name));
+                        clocks = clocks.union(run.map(|pass| pass.clock).collect());
+                    }
                     Err(Error::Limit(reason)) => {
                         let first = too_large.get_or_insert(reason).clone();
                         match self.cut_smaller() {
@@ -176,7 +187,7 @@ impl Slot {
                     Err(e) => return Err(e),
                 }
             }
-            return Ok(Ok(()));
+            return Ok(Ok(clocks));
         }
     }
 

@@ -1,7 +1,7 @@
 //! What a host asks of a session: frames in its encoder, pixels of them, and what its own shaders bind.
 
 use super::{Drawing, Encoded, Overflow, Session};
-use crate::gpu::{BindGroup, CommandEncoder, Destination, GBuffer, Pick, Target};
+use crate::gpu::{BindGroup, ClockSet, CommandEncoder, Destination, GBuffer, Pick, Target};
 use crate::passes::Model;
 use crate::scene::View;
 use crate::strategies::{self, Method};
@@ -64,6 +64,15 @@ impl Session {
         at_px: [u32; 2],
     ) -> Result<Pick> {
         self.slot(method)?.pick(&self.gpu, encoder, at_px)
+    }
+
+    /// The clocks of the passes that the last frame by a method took; a frame that stands still takes none, and does not count.
+    ///
+    /// # Errors
+    ///
+    /// No such frame.
+    pub fn clocks(&self, method: impl Into<Method>) -> Result<ClockSet> {
+        Ok(self.slot(method)?.clocks)
     }
 
     /// The bind group for shaders of a host with [`clip_wgsl`](crate::gpu::clip_wgsl), of the frame that was last encoded by a method: of

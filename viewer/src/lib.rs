@@ -10,6 +10,7 @@
 
 pub mod action;
 pub mod camera;
+pub mod chart;
 pub mod command;
 pub mod cuts;
 pub mod device;

@@ -12,10 +12,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use cutaway::experiment::{Renderer, SceneAtTime, Stopwatch};
-use cutaway::gpu::{Gpu, Pick};
+use cutaway::experiment::{Renderer, Stopwatch};
+use cutaway::gpu::{ClockSet, Gpu, Pick};
 use cutaway::layers::Layer;
-use cutaway::scene::Camera;
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
 use cutaway::{Layers, Result, Session};
@@ -24,6 +23,7 @@ use egui_wgpu::{RenderState, wgpu};
 use image::RgbaImage;
 
 use crate::difference::Difference;
+use crate::judge::Subject;
 use crate::readback;
 use crate::shown::Shown;
 use crate::slot::Side;
@@ -52,6 +52,8 @@ pub struct Screen {
     refusals: [Option<String>; 2],
     took_ms: Option<f64>,
     passes: usize,
+    /// The clocks on which the last whole frame of each slot ran.
+    clocks: [Option<ClockSet>; 2],
 }
 
 impl Screen {
@@ -75,6 +77,7 @@ impl Screen {
             refusals: [None, None],
             took_ms: None,
             passes: 0,
+            clocks: [None; 2],
         })
     }
 
@@ -91,6 +94,11 @@ impl Screen {
     /// How many passes it had.
     pub fn passes(&self) -> usize {
         self.passes
+    }
+
+    /// The clocks on which the last whole frame of a slot ran, where a method draws it.
+    pub fn clocks(&self, side: Side) -> Option<ClockSet> {
+        self.clocks[side.index()]
     }
 
     /// Why a slot shows nothing.
@@ -156,6 +164,7 @@ impl Screen {
             let renderer = renderers[side.index()];
             let is_new = self.painted_by[side.index()] != renderer;
             let Some(Renderer::Method(method)) = renderer else {
+                self.clocks[side.index()] = None;
                 // A picture of another is not shown under this name.
                 if is_new {
                     self.refusals[side.index()] = None;
@@ -171,6 +180,7 @@ impl Screen {
             if let Some((_, other)) = drawn.filter(|(drawn, _)| *drawn == method) {
                 self.copy(&mut encoder, other, side);
                 self.refusals[side.index()] = self.refusals[other.index()].clone();
+                self.clocks[side.index()] = self.clocks[other.index()];
                 continue;
             }
             drawn = drawn.or(Some((method, side)));
@@ -186,7 +196,12 @@ impl Screen {
                 self.session.forget();
             })?;
             match encoded {
-                Encoded::Drawn { passes } => self.passes += passes,
+                Encoded::Drawn { passes } => {
+                    self.passes += passes;
+                    if divisor == 1 {
+                        self.clocks[side.index()] = self.session.clocks(method).ok();
+                    }
+                }
                 Encoded::Refused(refusal) => {
                     self.refusals[side.index()] = Some(refusal.reason);
                 }
@@ -208,7 +223,7 @@ impl Screen {
         &mut self,
         side: Side,
         by: Renderer,
-        (at, camera): (&SceneAtTime, &Camera),
+        subject: &Subject,
         layers: &Layers,
         wants_difference: bool,
     ) -> Result<()> {
@@ -218,12 +233,13 @@ impl Screen {
         let Some(picture) = self.pictures.get(&side) else {
             return Ok(());
         };
-        let view = at.model.prepared.view_of(camera, layers.size_px);
+        let model = &subject.at.model;
+        let view = (model.prepared).view_of(&subject.camera, layers.size_px);
         let mut encoder =
             (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         clear(&mut encoder, &picture.view);
         let target = picture.target();
-        (self.session).encode_layers(&mut encoder, &at.model, &view, layers, &target)?;
+        (self.session).encode_layers(&mut encoder, model, &view, layers, &target)?;
         if wants_difference {
             self.subtract(&mut encoder, layers.size_px);
         }

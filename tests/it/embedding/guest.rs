@@ -2,8 +2,8 @@
 
 use cutaway::Gpu;
 use cutaway::Model;
-use cutaway::gpu::wgpu;
-use cutaway::plan::Limits;
+use cutaway::gpu::{ClockSet, wgpu};
+use cutaway::plan::{Clock, Limits};
 use cutaway::scene::{ClipSurface, Cut, Scene};
 use cutaway::session::{Encoded, Outcome, Session};
 use cutaway::strategies::{Method, Obstacle};
@@ -200,6 +200,23 @@ fn what_moves_is_drawn_anew_and_what_is_refused_leaves_no_trace() {
         drawn => panic!("{drawn:?}"),
     }
     assert!(host.read().0 == after, "a refusal has drawn");
+}
+
+#[test]
+fn clocks_are_those_of_the_passes_that_ran() {
+    let (mut scene, host) = (crank(), Host::new(SIZE_PX, PLAIN));
+    let model = Model::new(&scene);
+    let mut session = host.session();
+    let paper = method("grid:16+vds:64");
+    assert!(session.clocks(paper).is_err(), "there is no frame");
+    settled(&host, &mut session, &model, paper);
+    let first = session.clocks(paper).expect("a frame");
+    assert!(first.contains(Clock::Solid), "sprites are made: {first:?}");
+    assert!(first.contains(Clock::Frame), "{first:?}");
+    scene.camera.zoom *= 1.1;
+    settled(&host, &mut session, &model.updated(&scene), paper);
+    let moved = session.clocks(paper).expect("a frame");
+    assert_eq!(moved, ClockSet::FRAME, "only the eye has moved");
 }
 
 #[test]

@@ -1,40 +1,83 @@
-//! The reference, and the errors of the slots against it, aside of the window, which never waits for it: on a [thread](thread) with a
-//! device of its own, or in a [worker](worker) of a page, which has one too.
+//! The reference, and what is compared with it, aside of the window, which never waits for it: on a thread with a device of its own, or in a
+//! worker of a page, which has one too.
 //!
-//! A question is answered at a quarter of the resolution, then at half, then whole, so that the first answer comes while a hand still
-//! moves. A newer question ends the one before it between two steps.
+//! Of each kind of question the newest is answered: the errors of the slots, a pixel that is [magnified](magnify), the [cost] of a
+//! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
+//! answer comes while a hand still moves; a newer question ends the one before it between two steps.
 //!
-//! Cannot: end in the middle of a step.
+//! The reference at the whole resolution is kept, 40 bytes a pixel, for the next question about the same picture.
+//!
+//! Cannot: end in the middle of a step; answer on a page what is not about errors.
 
+#![cfg_attr(
+    target_arch = "wasm32",
+    allow(dead_code, reason = "a page asks for errors alone")
+)]
+
+mod bench;
+pub mod cost;
+mod errors;
+pub mod magnify;
+pub mod survey;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
 #[cfg(target_arch = "wasm32")]
 pub mod worker;
 
-use cutaway::compare::{Comparison, compare, heatmap_overlay};
-use cutaway::exact::evaluate;
-use cutaway::experiment::{Evaluator, Renderer, SceneAtTime};
+use std::sync::Arc;
+
+use cutaway::Layers;
+use cutaway::compare::Comparison;
+use cutaway::experiment::{Renderer, SceneAtTime};
 use cutaway::scene::{Camera, View};
-use cutaway::{Exact, Gpu, GpuOptions, Layers, Result, Session};
 use image::RgbaImage;
 
 use crate::slot::Side;
+use cost::Cost;
+use magnify::Magnified;
+use survey::Surveyed;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use thread::Judge;
 #[cfg(target_arch = "wasm32")]
 pub use worker::Judge;
 
-/// By how much coarser the answers are that come one after the other.
-const DIVISORS: [u32; 3] = [4, 2, 1];
+/// A picture that is asked about.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// Another number whenever solids, cuts or the eye may be others.
+    pub revision: u64,
+    /// The scene.
+    pub at: Arc<SceneAtTime>,
+    /// From where it is seen.
+    pub camera: Camera,
+    /// Width and height in pixels.
+    pub size_px: [u32; 2],
+}
 
-/// What is asked of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+impl Subject {
+    /// Its view at the whole resolution.
+    pub fn view(&self) -> View {
+        let prepared = &self.at.model.prepared;
+        prepared.view_of(&self.camera, self.size_px)
+    }
+
+    /// Whether the rays meet the same in it, however that is dressed.
+    pub fn has_the_rays_of(&self, other: &Self) -> bool {
+        let scale = |subject: &Self| subject.at.model.prepared.scale;
+        self.revision == other.revision
+            && self.view() == other.view()
+            && scale(self) == scale(other)
+    }
+}
+
+/// What is asked of the errors of the slots.
+#[derive(Clone, Debug)]
 pub struct Question {
     /// Its number, which answers name.
     pub id: u64,
-    /// The picture that is looked at, in pixels.
-    pub size_px: [u32; 2],
+    /// The picture that is looked at.
+    pub subject: Subject,
     /// Who draws the slots; none that is not seen.
     pub renderers: [Option<Renderer>; 2],
     /// Whether errors are wanted, or only the layers of slots that are found on the CPU.
@@ -70,101 +113,22 @@ pub enum Known {
     Failed(String),
 }
 
+/// What else was found.
+#[derive(Debug)]
+pub enum Finding {
+    /// The neighbourhood of a pixel, by the number of the question.
+    Magnified(u64, Result<Magnified, String>),
+    /// The cost of a frame of a slot, by the number of the question.
+    Cost(u64, Side, Result<Cost, String>),
+    /// A step of a survey, by the number of the question.
+    Surveyed(u64, Surveyed),
+}
+
 /// Where answers go, and whether anybody still waits for them.
 trait Asker {
     /// Tells a part of the answer.
-    fn tell(&self, side: Side, divisor: u32, what: Known);
+    fn tell(&self, answer: Answer);
 
     /// Whether nobody waits for the present answer any more; looked at between two steps.
     async fn is_outdated(&self) -> bool;
-}
-
-/// Answers a question about a scene as a camera sees it, with a session that is kept from one to the next.
-async fn answer(
-    session: &mut Option<Session>,
-    adapter: Option<&str>,
-    (at, camera): (&SceneAtTime, &Camera),
-    question: &Question,
-    asker: &impl Asker,
-) {
-    if let Err(error) = try_answer(session, adapter, (at, camera), question, asker).await {
-        let asked = Side::BOTH.into_iter();
-        let asked = asked.filter(|side| question.renderers[side.index()].is_some());
-        asked.for_each(|side| asker.tell(side, 1, Known::Failed(error.to_string())));
-    }
-}
-
-async fn try_answer(
-    session: &mut Option<Session>,
-    adapter: Option<&str>,
-    (at, camera): (&SceneAtTime, &Camera),
-    question: &Question,
-    asker: &impl Asker,
-) -> Result<()> {
-    let session = match session {
-        Some(session) => session,
-        None => {
-            let options = GpuOptions {
-                adapter: adapter.map(str::to_owned),
-                prefer_software: false,
-            };
-            session.insert(Session::new(Gpu::open_async(&options).await?))
-        }
-    };
-    for divisor in DIVISORS {
-        let size_px = question.size_px.map(|s| (s / divisor).max(1));
-        let view = at.model.prepared.view_of(camera, size_px);
-        let mut exact: Option<Exact> = None;
-        for side in Side::BOTH {
-            let Some(renderer) = question.renderers[side.index()] else {
-                continue;
-            };
-            if asker.is_outdated().await {
-                return Ok(());
-            }
-            let say = |known| asker.tell(side, divisor, known);
-            let asked = (renderer, question.wants_errors);
-            if let Err(error) = judge(session, at, &view, asked, &mut exact, &say).await {
-                say(Known::Failed(error.to_string()));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Says what is to be known of a slot at a resolution; the reference is evaluated once for both.
-async fn judge(
-    session: &mut Session,
-    at: &SceneAtTime,
-    view: &View,
-    (renderer, wants_errors): (Renderer, bool),
-    exact: &mut Option<Exact>,
-    say: &impl Fn(Known),
-) -> Result<()> {
-    let truth = at.truth()?;
-    let layers = match renderer {
-        Renderer::Cpu(Evaluator::Exact) => {
-            let exact = exact.get_or_insert_with(|| evaluate(truth, view));
-            exact.layers.clone()
-        }
-        Renderer::Cpu(evaluator) => evaluator.evaluate(truth, view).layers,
-        Renderer::Method(_) if !wants_errors => return Ok(()),
-        Renderer::Method(method) => match session.layers_async(&at.model, view, method).await? {
-            Ok(layers) => layers,
-            Err(refusal) => {
-                say(Known::Failed(refusal.reason));
-                return Ok(());
-            }
-        },
-    };
-    if wants_errors && renderer != Renderer::EXACT {
-        let exact = exact.get_or_insert_with(|| evaluate(truth, view));
-        let comparison = compare(exact, &layers, view, at.model.prepared.scale);
-        let marks = heatmap_overlay(exact, &layers);
-        say(Known::Errors { marks, comparison });
-    }
-    if let Renderer::Cpu(_) = renderer {
-        say(Known::Layers(layers));
-    }
-    Ok(())
 }

@@ -1,34 +1,51 @@
-//! A thread that answers, with a device of its own. It leaves a core to the window.
+//! A thread that answers, with a device of its own. A survey takes its next step only when nothing else is asked. The thread leaves a core to
+//! the window.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 
-use cutaway::experiment::SceneAtTime;
-use cutaway::scene::Camera;
+use pollster::block_on;
 
-use super::{Answer, Asker, Known, Question, answer};
-use crate::slot::Side;
+use super::bench::Bench;
+use super::survey::{self, Survey};
+use super::{Answer, Asker, Finding, Question, cost, errors, magnify};
 use crate::state::State;
 
-/// A question and the scene that it is about.
-struct Asked {
-    question: Question,
-    at: Arc<SceneAtTime>,
-    camera: Camera,
-}
-
-/// The newest question, and whether the thread is to end.
+/// The newest questions.
 #[derive(Default)]
 struct Desk {
-    asked: Mutex<(Option<Asked>, bool)>,
+    asked: Mutex<Asked>,
     changed: Condvar,
+}
+
+/// What is asked and not begun, by kind.
+#[derive(Default)]
+struct Asked {
+    errors: Option<Question>,
+    pixel: Option<magnify::Question>,
+    cost: Option<cost::Question>,
+    survey: Option<survey::Question>,
+    /// The number of the survey that is to go on.
+    surveyed: Option<u64>,
+    /// The thread is to end.
+    is_over: bool,
+}
+
+/// What is done next.
+enum Task {
+    Errors(Question),
+    Pixel(magnify::Question),
+    Cost(cost::Question),
+    BeginSurvey(survey::Question),
+    GoOnWithSurvey,
 }
 
 /// The thread that answers.
 pub struct Judge {
     desk: Arc<Desk>,
     answers: Receiver<Answer>,
+    findings: Receiver<Finding>,
 }
 
 impl Judge {
@@ -36,98 +53,159 @@ impl Judge {
     pub fn start(adapter: &str, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let desk = Arc::new(Desk::default());
         let (tell, answers) = channel();
+        let (find, findings) = channel();
         let (own, adapter) = (desk.clone(), adapter.to_owned());
-        thread::spawn(move || work(&own, &adapter, &tell, &wake));
-        Self { desk, answers }
+        thread::spawn(move || work(&own, adapter, (&tell, &find), &wake));
+        Self {
+            desk,
+            answers,
+            findings,
+        }
     }
 
-    /// Asks about what is seen; what was asked before is not answered any more.
-    pub fn ask(&self, state: &State, question: Question) {
-        let asked = state.shown().map(|shown| Asked {
-            question,
-            at: shown.at.clone(),
-            camera: shown.scene.camera,
+    /// Asks for errors; what was asked of them before is not answered any more.
+    pub fn ask(&self, _: &State, question: Question) {
+        self.put(|asked| asked.errors = Some(question));
+    }
+
+    /// Asks for the neighbourhood of a pixel.
+    pub fn magnify(&self, question: magnify::Question) {
+        self.put(|asked| asked.pixel = Some(question));
+    }
+
+    /// Asks for the cost of a frame.
+    pub fn cost(&self, question: cost::Question) {
+        self.put(|asked| asked.cost = Some(question));
+    }
+
+    /// Begins a survey in the place of the last.
+    pub fn survey(&self, question: survey::Question) {
+        self.put(|asked| {
+            asked.surveyed = Some(question.id);
+            asked.survey = Some(question);
         });
-        lock(&self.desk).0 = asked;
-        self.desk.changed.notify_one();
+    }
+
+    /// Ends the survey before its next step.
+    pub fn cancel_survey(&self) {
+        self.put(|asked| (asked.survey, asked.surveyed) = (None, None));
     }
 
     /// What was answered since.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         self.answers.try_iter()
     }
-}
 
-impl Drop for Judge {
-    fn drop(&mut self) {
-        lock(&self.desk).1 = true;
+    /// What else was found since.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        self.findings.try_iter()
+    }
+
+    fn put(&self, change: impl FnOnce(&mut Asked)) {
+        change(&mut lock(&self.desk.asked));
         self.desk.changed.notify_one();
     }
 }
 
-fn lock(desk: &Desk) -> MutexGuard<'_, (Option<Asked>, bool)> {
-    desk.asked.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Who asked the present question.
-struct Window<'a> {
-    id: u64,
-    desk: &'a Desk,
-    answers: &'a Sender<Answer>,
-    wake: &'a (dyn Fn() + Sync),
-}
-
-impl Asker for Window<'_> {
-    fn tell(&self, side: Side, divisor: u32, what: Known) {
-        // The window is closed: there is nobody left to tell.
-        let _ = self.answers.send(Answer {
-            id: self.id,
-            side,
-            divisor,
-            what,
-        });
-        (self.wake)();
-    }
-
-    async fn is_outdated(&self) -> bool {
-        let held = lock(self.desk);
-        held.1 || held.0.is_some()
+impl Drop for Judge {
+    fn drop(&mut self) {
+        self.put(|asked| asked.is_over = true);
     }
 }
 
-fn work(desk: &Desk, adapter: &str, answers: &Sender<Answer>, wake: &(dyn Fn() + Sync)) {
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn work(
+    desk: &Desk,
+    adapter: String,
+    (tell, find): (&Sender<Answer>, &Sender<Finding>),
+    wake: &(dyn Fn() + Sync),
+) {
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
     let Ok(pool) = pool.build() else {
         return;
     };
-    let mut session = None;
-    while let Some(asked) = next(desk) {
-        let window = Window {
-            id: asked.question.id,
-            desk,
-            answers,
-            wake,
-        };
-        let scene = (&*asked.at, &asked.camera);
-        pool.install(|| {
-            let adapter = Some(adapter);
-            let answered = answer(&mut session, adapter, scene, &asked.question, &window);
-            pollster::block_on(answered);
+    let mut bench = Bench::new(Some(adapter));
+    let mut survey: Option<Survey> = None;
+    let found = |finding| {
+        // The window is closed: there is nobody left to tell.
+        let _ = find.send(finding);
+        wake();
+    };
+    let window = Window { desk, tell, wake };
+    while let Some(task) = next(desk, &mut survey) {
+        pool.install(|| match task {
+            Task::Errors(question) => {
+                block_on(errors::answer(&mut bench, &question, &window));
+            }
+            Task::Pixel(question) => {
+                let magnified = block_on(magnify::answer(&mut bench, &question));
+                let magnified = magnified.map_err(|e| e.to_string());
+                found(Finding::Magnified(question.id, magnified));
+            }
+            Task::Cost(question) => {
+                for (side, renderer) in question.slots() {
+                    let cost = block_on(cost::answer(&mut bench, &question, renderer));
+                    let cost = cost.map_err(|e| e.to_string());
+                    found(Finding::Cost(question.id, side, cost));
+                }
+            }
+            Task::BeginSurvey(question) => survey = Some(Survey::new(question)),
+            Task::GoOnWithSurvey => {
+                if let Some(survey) = &mut survey {
+                    let surveyed = block_on(survey.step(&mut bench));
+                    found(Finding::Surveyed(survey.id(), surveyed));
+                }
+            }
         });
     }
 }
 
-/// Waits for a question; none when the thread is to end.
-fn next(desk: &Desk) -> Option<Asked> {
-    let mut held = lock(desk);
+/// Who asks for errors.
+struct Window<'a> {
+    desk: &'a Desk,
+    tell: &'a Sender<Answer>,
+    wake: &'a (dyn Fn() + Sync),
+}
+
+impl Asker for Window<'_> {
+    fn tell(&self, answer: Answer) {
+        // As above.
+        let _ = self.tell.send(answer);
+        (self.wake)();
+    }
+
+    async fn is_outdated(&self) -> bool {
+        let held = lock(&self.desk.asked);
+        held.is_over || held.errors.is_some()
+    }
+}
+
+/// Waits for something to be done; none when the thread is to end.
+fn next(desk: &Desk, survey: &mut Option<Survey>) -> Option<Task> {
+    let mut held = lock(&desk.asked);
     loop {
-        if held.1 {
+        let asked = &mut *held;
+        if asked.is_over {
             return None;
         }
-        if let Some(asked) = held.0.take() {
-            return Some(asked);
+        let is_wanted = |survey: &Survey| asked.surveyed == Some(survey.id()) && !survey.is_done();
+        *survey = survey.take().filter(is_wanted);
+        let goes_on = survey.as_ref().map(|_| Task::GoOnWithSurvey);
+        let task = (asked.pixel.take().map(Task::Pixel))
+            .or_else(|| asked.errors.take().map(Task::Errors))
+            .or_else(|| asked.cost.take().map(Task::Cost))
+            .or_else(|| asked.survey.take().map(Task::BeginSurvey))
+            .or(goes_on);
+        if task.is_some() {
+            return task;
         }
-        held = (desk.changed.wait(held)).unwrap_or_else(PoisonError::into_inner);
+        held = desk
+            .changed
+            .wait(held)
+            .unwrap_or_else(PoisonError::into_inner);
     }
 }

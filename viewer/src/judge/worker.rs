@@ -17,7 +17,7 @@ use cutaway::compare::Comparison;
 use cutaway::experiment::Renderer;
 use cutaway::gpu::{layers_from_words, words_from_layers};
 use cutaway::load::Assets;
-use cutaway::{Document, Error, Layers, Result, Session};
+use cutaway::{Document, Error, Layers, Result};
 use image::RgbaImage;
 use js_sys::{Array, Function, Promise, Uint8Array};
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,8 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-use super::{Answer, Asker, Known, Question, answer};
+use super::bench::Bench;
+use super::{Answer, Asker, Finding, Known, Question, Subject, cost, errors, magnify, survey};
 use crate::shown::Shown;
 use crate::slot::Side;
 use crate::state::State;
@@ -39,6 +40,7 @@ const SCRIPT: &str = "./judge.js";
 #[derive(Serialize, Deserialize)]
 struct Asked {
     id: u64,
+    revision: u64,
     size_px: [u32; 2],
     renderers: [Option<String>; 2],
     wants_errors: bool,
@@ -115,7 +117,8 @@ impl Judge {
         let document = state.as_seen().map_err(|e| e.to_string())?;
         let asked = Asked {
             id: question.id,
-            size_px: question.size_px,
+            revision: question.subject.revision,
+            size_px: question.subject.size_px,
             renderers: question.renderers.map(|r| r.map(|r| r.to_string())),
             wants_errors: question.wants_errors,
         };
@@ -142,6 +145,23 @@ impl Judge {
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
         self.answers.take().into_iter()
     }
+
+    /// What else was found since: nothing, for a page asks for errors alone.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
+        std::iter::empty()
+    }
+
+    /// Not offered on a page.
+    pub fn magnify(&self, _: magnify::Question) {}
+
+    /// Not offered on a page.
+    pub fn cost(&self, _: cost::Question) {}
+
+    /// Not offered on a page.
+    pub fn survey(&self, _: survey::Question) {}
+
+    /// Not offered on a page.
+    pub fn cancel_survey(&self) {}
 }
 
 impl Drop for Judge {
@@ -177,12 +197,11 @@ fn read_answer(message: &JsValue) -> Option<Answer> {
 
 /// A question that has come to the worker, and the scene that it is about.
 struct Received {
-    question: Question,
+    asked: Asked,
     scene: Document,
 }
 
 /// What the worker keeps.
-#[derive(Default)]
 struct Desk {
     newest: RefCell<Option<Received>>,
     /// What it works with; taken while it does.
@@ -192,7 +211,7 @@ struct Desk {
 
 /// What is kept from one question to the next.
 struct Tools {
-    session: Option<Session>,
+    bench: Bench,
     assets: Assets,
     /// The scene of the last question, by the text of its document.
     shown: Option<(String, Shown)>,
@@ -225,41 +244,40 @@ fn read_question(message: &JsValue, files: &PageFiles) -> Option<Received> {
         let bytes: Uint8Array = file.get(1).dyn_into().ok()?;
         files.insert(file.get(0).as_string()?, bytes.to_vec());
     }
-    let renderer = |name: Option<String>| name.and_then(|name| name.parse::<Renderer>().ok());
     Some(Received {
-        question: Question {
-            id: asked.id,
-            size_px: asked.size_px,
-            renderers: asked.renderers.map(renderer),
-            wants_errors: asked.wants_errors,
-        },
+        asked,
         scene: Document::parse(PathBuf::from(text(2)?), &text(1)?).ok()?,
     })
 }
 
 /// Answers questions until there is none.
 async fn work(desk: Rc<Desk>, mut tools: Tools) {
-    while let Some(Received { question, scene }) = desk.newest.take() {
-        let page = Page {
-            id: question.id,
-            desk: &desk,
-        };
-        let Tools {
-            session,
-            assets,
-            shown,
-        } = &mut tools;
-        match open(scene, assets, shown) {
+    while let Some(Received { asked, scene }) = desk.newest.take() {
+        let page = Page { desk: &desk };
+        match open(scene, &mut tools.assets, &mut tools.shown) {
             Ok(shown) => {
-                let scene = (&*shown.at, &shown.scene.camera);
-                answer(session, None, scene, &question, &page).await;
+                let renderer = |name: Option<String>| name?.parse::<Renderer>().ok();
+                let question = Question {
+                    id: asked.id,
+                    subject: Subject {
+                        revision: asked.revision,
+                        at: shown.at.clone(),
+                        camera: shown.scene.camera,
+                        size_px: asked.size_px,
+                    },
+                    renderers: asked.renderers.map(renderer),
+                    wants_errors: asked.wants_errors,
+                };
+                errors::answer(&mut tools.bench, &question, &page).await;
             }
-            Err(error) => {
-                let failed = || Known::Failed(error.to_string());
-                Side::BOTH
-                    .into_iter()
-                    .for_each(|side| page.tell(side, 1, failed()));
-            }
+            Err(error) => Side::BOTH.into_iter().for_each(|side| {
+                page.tell(Answer {
+                    id: asked.id,
+                    side,
+                    divisor: 1,
+                    what: Known::Failed(error.to_string()),
+                });
+            }),
         }
     }
     *desk.tools.borrow_mut() = Some(tools);
@@ -292,7 +310,7 @@ impl Desk {
     fn new() -> Self {
         let files = Arc::new(PageFiles::default());
         let tools = Tools {
-            session: None,
+            bench: Bench::new(None),
             assets: Assets::from_files(files.clone()),
             shown: None,
         };
@@ -304,15 +322,14 @@ impl Desk {
     }
 }
 
-/// The page that asked the present question.
+/// The page that asks.
 struct Page<'a> {
-    id: u64,
     desk: &'a Desk,
 }
 
 impl Asker for Page<'_> {
-    fn tell(&self, side: Side, divisor: u32, what: Known) {
-        let (what, bytes) = match what {
+    fn tell(&self, answer: Answer) {
+        let (what, bytes) = match answer.what {
             Known::Layers(layers) => {
                 let words = words_from_layers(&layers);
                 let bytes = bytemuck::cast_slice(&words).to_vec();
@@ -328,9 +345,9 @@ impl Asker for Page<'_> {
             Known::Failed(why) => (What::Failed(why), Vec::new()),
         };
         let told = Told {
-            id: self.id,
-            is_b: side == Side::B,
-            divisor,
+            id: answer.id,
+            is_b: answer.side == Side::B,
+            divisor: answer.divisor,
             what,
         };
         let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();

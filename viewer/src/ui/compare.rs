@@ -2,7 +2,7 @@
 
 use cutaway::experiment::Renderer;
 use cutaway::strategies::{AUTO, Strategy};
-use eframe::egui::{ComboBox, ScrollArea, Slider, Ui};
+use eframe::egui::{Button, ComboBox, ScrollArea, Slider, Ui};
 
 use super::judged::Judged;
 use crate::action::Action;
@@ -15,11 +15,13 @@ pub(super) fn show(
     ui: &mut Ui,
     state: &State,
     (screen, judged): (&Screen, &Judged),
+    windows: (&mut bool, &mut bool),
     actions: &mut Vec<Action>,
 ) {
     ScrollArea::horizontal().show(ui, |ui| controls(ui, state, actions));
-    ScrollArea::horizontal().id_salt("counts").show(ui, |ui| {
-        ui.horizontal(|ui| {
+    ui.horizontal(|ui| {
+        measurements(ui, state, windows);
+        ScrollArea::horizontal().id_salt("counts").show(ui, |ui| {
             for side in state.layout().sides() {
                 ui.label(judged.sentence(*side, state, screen));
                 ui.separator();
@@ -72,6 +74,24 @@ fn controls(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
             }
         }
     });
+}
+
+/// What can be measured: error and time of all methods, and the cost of the frames of the slots.
+fn measurements(ui: &mut Ui, state: &State, (asks_survey, shows_cost): (&mut bool, &mut bool)) {
+    // Times and lists need what a page does not offer.
+    if cfg!(target_arch = "wasm32") {
+        return;
+    }
+    let button = Button::new("Measure all here");
+    let help = "Error and time of every method that draws this scene, in this view";
+    let is_clicked = ui
+        .add_enabled(state.shown().is_some(), button)
+        .on_hover_text(help)
+        .clicked();
+    *asks_survey |= is_clicked;
+    ui.toggle_value(shows_cost, "Cost")
+        .on_hover_text("What the passes of a frame take, and the bytes that they hold");
+    ui.separator();
 }
 
 /// Who draws a slot.

@@ -1,14 +1,11 @@
 //! What the judge has answered: marks of what is wrong, counts, pictures of slots that are drawn on the CPU.
 
-use std::sync::Arc;
-
 use cutaway::compare::Comparison;
-use cutaway::experiment::{Renderer, SceneAtTime};
-use cutaway::scene::Camera;
+use cutaway::experiment::Renderer;
 use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
-use crate::judge::{Answer, Judge, Known, Question};
+use crate::judge::{Answer, Finding, Judge, Known, Question, Subject};
 use crate::screen::{PLAIN, Screen};
 use crate::slot::Side;
 use crate::state::State;
@@ -41,8 +38,8 @@ pub(super) struct Judged {
     /// Number of the last question, and what it was about.
     asked: u64,
     about: Option<About>,
-    /// The scene of the last question, as its camera sees it.
-    scene: Option<(Arc<SceneAtTime>, Camera)>,
+    /// The picture that the last question was about.
+    subject: Option<Subject>,
     errors: [Errors; 2],
     /// Of which question the pictures are that slots have from here, and how coarse they are.
     pictures: [(u64, u32); 2],
@@ -77,19 +74,34 @@ impl Judged {
             return;
         }
         self.about = Some(about);
-        self.scene = Some((shown.at.clone(), shown.scene.camera));
         self.asked += 1;
-        let wake = ctx.clone();
-        let adapter = &screen.gpu().report().name;
-        let judge = (self.judge)
-            .get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()));
-        let question = Question {
-            id: self.asked,
+        let id = self.asked;
+        let subject = Subject {
+            revision: state.revision(),
+            at: shown.at.clone(),
+            camera: shown.scene.camera,
             size_px,
+        };
+        self.subject = Some(subject.clone());
+        let question = Question {
+            id,
+            subject,
             renderers,
             wants_errors,
         };
-        judge.ask(state, question);
+        self.judge(ctx, screen).ask(state, question);
+    }
+
+    /// The judge, started by the first question.
+    pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
+        let wake = ctx.clone();
+        let adapter = &screen.gpu().report().name;
+        (self.judge).get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()))
+    }
+
+    /// What was found since, beside errors.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        self.judge.iter().flat_map(Judge::findings).collect()
     }
 
     /// Takes in what was answered since; whether a picture has come.
@@ -109,8 +121,8 @@ impl Judged {
                 Known::Layers(layers) if id == self.asked => {
                     self.pictures[side.index()] = (id, divisor);
                     let by = self.about.and_then(|about| about.renderers[side.index()]);
-                    if let (Some(by), Some((at, camera))) = (by, &self.scene) {
-                        let put = screen.put(side, by, (at, camera), &layers, wants_difference);
+                    if let (Some(by), Some(subject)) = (by, &self.subject) {
+                        let put = screen.put(side, by, subject, &layers, wants_difference);
                         if let Err(error) = put {
                             screen.refuse(side, error.to_string());
                         }

@@ -30,6 +30,7 @@ pub(super) struct Asks {
 }
 
 impl Asks {
+    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn open() -> Self {
         Self {
             what_for: For::Open,

@@ -2,18 +2,21 @@
 //! it.
 
 mod compare;
+mod cost;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
 mod errands;
 mod frames;
 mod judged;
 mod keys;
+mod magnifier;
 mod menu;
 #[cfg(target_arch = "wasm32")]
 mod page;
 mod pointing;
 mod properties;
 mod scene;
+mod survey;
 mod time;
 mod toasts;
 mod value;
@@ -21,24 +24,32 @@ mod viewport;
 
 use cutaway::Result;
 use cutaway::compare::Comparison;
-use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+use cutaway::strategies::Method;
+use eframe::egui::{CentralPanel, Context, Frame, Panel, Ui};
 use egui_wgpu::RenderState;
 
 use crate::action::Action;
+use crate::judge::Finding;
+use crate::judge::cost::Cost;
+use crate::judge::magnify::Magnified;
+use crate::judge::survey::Found;
 use crate::pace::Pace;
 use crate::pick::Picked;
 use crate::screen::Screen;
 use crate::slot::Side;
 use crate::state::State;
 use crate::watch::Watch;
+use cost::Costs;
 #[cfg(not(target_arch = "wasm32"))]
 use desktop::Outside;
 use frames::Last;
 use judged::Judged;
+use magnifier::Magnifier;
 use menu::Asks;
 #[cfg(target_arch = "wasm32")]
 use page::Outside;
 use pointing::Pointing;
+use survey::Chart;
 use toasts::Toasts;
 use viewport::Held;
 
@@ -58,6 +69,9 @@ pub struct Viewer {
     flickers: bool,
     plays: bool,
     pointing: Pointing,
+    magnifier: Magnifier,
+    chart: Chart,
+    costs: Costs,
     /// The files of the scene, and when they were last looked at.
     watch: (Watch, f64),
     outside: Outside,
@@ -86,6 +100,9 @@ impl Viewer {
             flickers: false,
             plays: false,
             pointing: Pointing::default(),
+            magnifier: Magnifier::default(),
+            chart: Chart::default(),
+            costs: Costs::default(),
             watch: (Watch::default(), 0.0),
             outside: Outside::default(),
             shows_keys: false,
@@ -119,10 +136,29 @@ impl Viewer {
         self.pointing.under_pointer()
     }
 
+    /// The pixel that was clicked, magnified, once it is known.
+    pub fn magnified(&self) -> Option<&Magnified> {
+        self.magnifier.magnified()
+    }
+
+    /// What was found of the methods that have been measured so far.
+    pub fn surveyed(&self) -> &[(Method, Found)] {
+        self.chart.entries()
+    }
+
+    /// What a frame of a slot costs, where that is shown, once it is known.
+    pub fn cost(&self, side: Side) -> Option<&Cost> {
+        self.costs.cost(side)
+    }
+
     /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported.
     pub fn is_busy(&self) -> bool {
+        let is_judging = self.judged.is_busy()
+            || self.magnifier.is_busy()
+            || self.chart.is_busy()
+            || self.costs.is_busy();
         let is_outside = self.outside.is_busy();
-        self.is_drawing() || self.judged.is_busy() || self.screen.is_picking() || is_outside
+        self.is_drawing() || is_judging || self.screen.is_picking() || is_outside
     }
 
     /// Carries out an action, as a button would have it done.
@@ -139,7 +175,9 @@ impl Viewer {
         Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
         // Of one height, whatever it says: the picture does not change its size with the counts.
         Panel::bottom("compare").exact_size(84.0).show(ui, |ui| {
-            compare::show(ui, &self.state, (&self.screen, &self.judged), &mut actions);
+            let windows = (&mut self.chart.is_asked, &mut self.costs.is_open);
+            let pictures = (&self.screen, &self.judged);
+            compare::show(ui, &self.state, pictures, windows, &mut actions);
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
@@ -166,12 +204,17 @@ impl Viewer {
                 let rect = ui.available_rect_before_wrap();
                 self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
                 self.judged.take_in(&ctx, &self.state, &mut self.screen);
+                self.take_findings(&ctx);
                 self.draw(&ctx);
                 let pictures = (&self.screen, &self.judged);
                 let pointer = (&mut self.held, self.flickers);
                 let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
                 self.point(&ctx, at);
             });
+        self.ask_the_judge(&ctx);
+        self.magnifier(&ctx);
+        self.chart(&ctx, &mut actions);
+        self.costs(&ctx);
         if !actions.is_empty() {
             ctx.request_repaint();
         }
@@ -186,6 +229,24 @@ impl Viewer {
         self.toasts.show(&ctx);
         if self.changed.0 != self.state.revision() {
             ctx.request_repaint();
+        }
+    }
+
+    /// Asks the judge what open windows want to know.
+    fn ask_the_judge(&mut self, ctx: &Context) {
+        self.magnify(ctx);
+        self.survey(ctx);
+        self.ask_costs(ctx);
+    }
+
+    /// Takes in what the judge has found beside errors.
+    fn take_findings(&mut self, ctx: &Context) {
+        for finding in self.judged.findings() {
+            match finding {
+                Finding::Magnified(id, magnified) => self.magnifier.take_in(ctx, id, magnified),
+                Finding::Surveyed(id, surveyed) => self.chart.take_in(id, surveyed),
+                Finding::Cost(id, side, cost) => self.costs.take_in(id, side, cost),
+            }
         }
     }
 }

@@ -1,4 +1,5 @@
-//! What the pointer picks: a pixel is asked for when the picture rests, and what it shows is told when it has come. Two clicks measure.
+//! What the pointer picks: a pixel is asked for when the picture rests, and what it shows is told when it has come. Two clicks measure, and a click
+//! while errors are shown opens the magnifier.
 
 use cutaway::scene::View;
 use eframe::egui::Context;
@@ -67,6 +68,9 @@ impl Viewer {
         let at = at.filter(|at| self.screen.refusal(at.side).is_none());
         if let Some(click) = at.filter(|at| at.is_click) {
             self.pointing.waiting = Some(click);
+            if self.state.shows_errors() && cfg!(not(target_arch = "wasm32")) {
+                self.magnifier.open(click);
+            }
         }
         let waiting = self.pointing.waiting;
         let Some(pointed) = waiting.or(at) else {

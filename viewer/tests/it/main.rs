@@ -4,6 +4,7 @@
 
 mod command;
 mod common;
+mod compare;
 mod flow;
 mod pointer;
 mod refusals;

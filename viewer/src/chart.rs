@@ -1,0 +1,124 @@
+//! Places in a chart of error against time: both axes are logarithms, and errors have a place for none.
+
+/// Where methods with no wrong pixel are: below one wrong pixel, by less than a power of ten.
+pub const NONE_WRONG: f64 = -0.5;
+
+/// Where a time is.
+pub fn place_of_time(time_ms: f64) -> f64 {
+    // Nothing that runs takes less than a nanosecond.
+    time_ms.max(1e-6).log10()
+}
+
+/// Where a count of wrong pixels is.
+pub fn place_of_wrong(wrong_px: usize) -> f64 {
+    match wrong_px {
+        0 => NONE_WRONG,
+        count => (count as f64).log10(),
+    }
+}
+
+/// What stands at a place of the axis of times, in milliseconds.
+pub fn time_label(place: f64) -> String {
+    number(place)
+}
+
+/// What stands at a place of the axis of errors, in pixels.
+pub fn wrong_label(place: f64) -> String {
+    let is_none = (place - NONE_WRONG).abs() < 1e-9;
+    match place < 0.0 {
+        true if is_none => "0".to_owned(),
+        true => String::new(),
+        false => number(place),
+    }
+}
+
+/// One, two or five times a power of ten; nothing between these.
+fn number(place: f64) -> String {
+    let power = (place + 1e-6).floor();
+    let times = 10f64.powf(place - power);
+    let labelled = [1.0, 2.0, 5.0].into_iter();
+    let labelled = labelled.filter(|label| (label - times).abs() < 1e-4);
+    // Digits are those of a decimal number, which a product of two floats need not have.
+    let shown = labelled.map(|label| format!("{label}e{power}").parse::<f64>());
+    shown.flatten().map(|number| number.to_string()).collect()
+}
+
+/// The lines between two places: a place and how far it is to the next of its kind, at powers of ten and at two to nine times them.
+pub fn lines(from: f64, to: f64) -> Vec<(f64, f64)> {
+    let powers = from.floor() as i32..=to.ceil() as i32;
+    let around = |power: i32| {
+        (1..10).map(move |times| {
+            let place = f64::from(power) + f64::from(times).log10();
+            let to_next = match times {
+                1 => 1.0,
+                2 | 5 => 0.3,
+                _ => 0.1,
+            };
+            (place, to_next)
+        })
+    };
+    let all = powers.flat_map(around);
+    all.filter(|(place, _)| (from..=to).contains(place))
+        .collect()
+}
+
+/// The places next to some, below the least and above the greatest, that have a label.
+pub fn labels_around(least: f64, greatest: f64) -> [f64; 2] {
+    let all = lines(least - 1.0, greatest + 1.0).into_iter();
+    let labelled = all.filter_map(|(place, to_next)| (to_next > 0.2).then_some(place));
+    let (below, above): (Vec<f64>, Vec<f64>) = labelled.partition(|place| *place <= least);
+    let above = above.into_iter().find(|place| *place >= greatest);
+    [
+        below.last().copied().unwrap_or(least),
+        above.unwrap_or(greatest),
+    ]
+}
+
+/// The lines of the axis of errors: none between no wrong pixel and one.
+pub fn lines_of_wrong(from: f64, to: f64) -> Vec<(f64, f64)> {
+    let none = (from..=to).contains(&NONE_WRONG);
+    let none = none.then_some((NONE_WRONG, 1.0));
+    none.into_iter().chain(lines(from.max(0.0), to)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_error_has_a_place_below_one() {
+        let places = [0, 1, 2, 10, 1000].map(place_of_wrong);
+        assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
+        assert_eq!(wrong_label(places[0]), "0");
+        assert_eq!(wrong_label(places[1]), "1");
+        assert_eq!(wrong_label(places[4]), "1000");
+        assert_eq!(wrong_label(places[2]), "2");
+        assert_eq!(wrong_label(place_of_wrong(3)), "", "between two labels");
+        assert_eq!(wrong_label(-1.0), "", "there is no tenth of a pixel");
+    }
+
+    #[test]
+    fn times_are_told_at_one_two_and_five_times_a_power_of_ten() {
+        assert_eq!(place_of_time(100.0), 2.0);
+        assert!(place_of_time(0.0).is_finite(), "a clock that stood still");
+        assert_eq!([-1.0, 0.0, 2.0].map(time_label), ["0.1", "1", "100"]);
+        let fives = [0.05, 5.0, 500.0].map(|ms| time_label(place_of_time(ms)));
+        assert_eq!(fives, ["0.05", "5", "500"]);
+    }
+
+    #[test]
+    fn lines_are_those_of_logarithmic_paper() {
+        let all = lines(-1.0, 1.0);
+        assert_eq!(all.len(), 19, "{all:?}");
+        assert!(all.is_sorted_by(|a, b| a.0 < b.0), "{all:?}");
+        let thick = all.iter().filter(|(_, step)| *step == 1.0).count();
+        assert_eq!(thick, 3, "a tenth, one and ten");
+        let around = labels_around(place_of_time(430.0), place_of_time(1010.0));
+        assert_eq!(around.map(time_label), ["200", "2000"]);
+        let alone = labels_around(place_of_time(100.0), place_of_time(100.0));
+        assert_eq!(alone.map(time_label), ["100", "200"]);
+        let wrong = lines_of_wrong(-1.0, 1.0);
+        assert_eq!(wrong[0].0, NONE_WRONG);
+        assert_eq!(wrong[1].0, 0.0, "nothing between none and one");
+    }
+}
