@@ -94,8 +94,8 @@ pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
-pub use regions::{Block, Face, Wedge};
-pub(crate) use regions::{in_common, next_axis};
+pub(crate) use regions::in_common;
+pub use regions::{Block, Face, Wedge, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
 pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;
