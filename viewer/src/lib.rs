@@ -21,16 +21,20 @@ pub mod history;
 pub mod judge;
 pub mod notice;
 pub mod pace;
+pub mod parts;
 pub mod pick;
 pub mod readback;
+pub mod regions;
 pub mod screen;
 pub mod shown;
 pub mod slot;
 pub mod state;
+pub mod styles;
 pub mod ui;
 pub mod watch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
+pub mod world_view;
 
 pub use action::Action;
 pub use state::State;

@@ -18,8 +18,10 @@ use crate::command::{self, Picture};
 use crate::cuts::{self, CutEntry, PlaneMove};
 use crate::history::History;
 use crate::notice::Notice;
+use crate::parts;
 use crate::shown::Shown;
 use crate::slot::{Layout, Painter, Side};
+use crate::styles;
 
 /// What the window shows.
 #[derive(Debug)]
@@ -215,7 +217,10 @@ impl State {
             Action::Redo => self.redo(),
             Action::Set { path, value } => {
                 let gesture = Some(path.clone());
-                self.edit(gesture, |document| document.set(&path, value))
+                self.edit(gesture, |document| {
+                    styles::make_room(document, &path)?;
+                    document.set(&path, value)
+                })
             }
             Action::Change(changes) => self.edit(None, |document| {
                 changes
@@ -225,6 +230,12 @@ impl State {
                         None => document.remove(&path),
                     })
             }),
+            Action::TakeBack(path) => {
+                self.edit(None, |document| styles::take_back(document, &path))
+            }
+            Action::ShowPart(index, is_shown) => {
+                self.edit(None, |document| parts::show(document, index, is_shown))
+            }
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
             Action::Remove(index) => {
@@ -233,6 +244,7 @@ impl State {
                 Ok(())
             }
             Action::MovePlane(by) => self.move_plane(by),
+            Action::MoveRegion(by) => self.move_region(by),
             Action::CutThrough(point, normal) => self.cut_through(point, normal),
             Action::FaceEye => match &self.shown {
                 Some(shown) => {

@@ -10,6 +10,7 @@ use glam::DVec3;
 use crate::action::Selection;
 use crate::camera::{self, CameraMove};
 use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
+use crate::regions::{self, RegionMove};
 use crate::shown::Shown;
 
 impl State {
@@ -140,11 +141,24 @@ impl State {
         };
         let bounds = self.bounds();
         let gesture = match by {
-            PlaneMove::Along(_) | PlaneMove::Turn(_) => Some(format!("plane {index}")),
+            PlaneMove::Along(_) | PlaneMove::To(_) | PlaneMove::Turn(_) | PlaneMove::Tilt(..) => {
+                Some(format!("plane {index}"))
+            }
             _ => None,
         };
         self.edit(gesture, |document| {
             cuts::move_plane(document, index, by, &bounds)
+        })
+    }
+
+    pub(super) fn move_region(&mut self, by: RegionMove) -> Result<()> {
+        let Selection::Cut(index) = self.selection else {
+            let help = "select a cut with a box or a wedge, or add one";
+            return Err(Error::input("the region", "no cut is selected", help));
+        };
+        let bounds = self.bounds();
+        self.edit(Some(format!("region {index}")), |document| {
+            regions::move_region(document, index, by, &bounds)
         })
     }
 

@@ -4,12 +4,14 @@
 mod compare;
 mod errands;
 mod frames;
+mod handles;
 mod judged;
 mod keys;
 mod menu;
 mod pointing;
 mod properties;
 mod scene;
+mod style;
 mod time;
 mod toasts;
 mod value;

@@ -1,10 +1,11 @@
 //! The left panel: parts and cuts of the document, and cuts to be added.
 
 use cutaway::document::{Node, Value};
-use eframe::egui::{Button, ScrollArea, Ui};
+use eframe::egui::{Button, Checkbox, ScrollArea, Ui};
 
 use crate::action::{Action, Selection};
 use crate::cuts::NewCut;
+use crate::parts;
 use crate::state::State;
 
 /// Cuts that the panel adds.
@@ -81,34 +82,47 @@ pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
 }
 
 fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
-    let root = state.document().root();
-    let entries = root.get("part").map_or(&[] as &[_], Node::items);
+    let entries = parts::parts(state.document());
     if entries.is_empty() {
         ui.weak("Drop a mesh or a scene into the window.");
     }
+    let shown = state
+        .shown()
+        .map_or(&[] as &[_], |shown| &shown.scene.parts);
+    let is_entry = |name: &str| entries.iter().any(|entry| entry.name == name);
+    let solids: Vec<&str> = (shown.iter().map(|part| part.name.as_str()))
+        .filter(|name| !is_entry(name))
+        .collect();
     for (index, entry) in entries.iter().enumerate() {
-        let name = entry.name().map(str::to_owned).or_else(|| entry.model());
-        let name = name.unwrap_or_else(|| index.to_string());
+        let name = &entry.name;
         let is_selected = state.selection() == Selection::Part(index);
         ui.horizontal(|ui| {
-            if ui.selectable_label(is_selected, &name).clicked() {
+            let mut is_shown = entry.is_enabled;
+            let eye = ui.add(Checkbox::without_text(&mut is_shown));
+            let eye = eye.accessible_name(format!("Show {name}"));
+            let help = "Whether it is there; the scene is as if it had no such part";
+            if eye.on_hover_text(help).changed() {
+                actions.push(Action::ShowPart(index, is_shown));
+            }
+            if ui.selectable_label(is_selected, name).clicked() {
                 actions.push(Action::Select(Selection::Part(index)));
             }
             if let Selection::Cut(cut) = state.selection() {
-                spared(ui, state, cut, &name, actions);
+                let glob = match solids.iter().any(|solid| parts::is_of(solid, name)) {
+                    true => format!("{name}/*"),
+                    false => name.clone(),
+                };
+                spared(ui, state, cut, &glob, actions);
             }
         });
     }
-    if let Some(shown) = state
-        .shown()
-        .filter(|s| s.scene.parts.len() > entries.len())
-    {
-        ui.collapsing(format!("{} solids", shown.scene.parts.len()), |ui| {
-            for part in &shown.scene.parts {
+    if !solids.is_empty() {
+        ui.collapsing(format!("{} solids", solids.len()), |ui| {
+            for solid in solids {
                 ui.horizontal(|ui| {
-                    ui.label(&part.name);
+                    ui.label(solid);
                     if let Selection::Cut(cut) = state.selection() {
-                        spared(ui, state, cut, &part.name, actions);
+                        spared(ui, state, cut, solid, actions);
                     }
                 });
             }

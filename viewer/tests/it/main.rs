@@ -5,6 +5,8 @@
 mod command;
 mod common;
 mod flow;
+mod handles;
+mod parts;
 mod pointer;
 mod refusals;
 mod state;
