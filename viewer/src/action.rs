@@ -78,6 +78,14 @@ pub enum Action {
     Wipe(f32),
     /// Whether errors are shown over the slots.
     ShowErrors(bool),
+    /// Puts a key of what is selected at the moment that is shown.
+    AddKey,
+    /// Puts keys of what is selected at the beginning and two seconds later, where nothing moves yet.
+    Animate,
+    /// Moves a key of a row to another time in seconds.
+    MoveKey([usize; 2], f64),
+    /// Takes a key of a row away.
+    RemoveKey([usize; 2]),
     /// Shows a moment.
     Seek(f64),
 }

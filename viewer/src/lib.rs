@@ -30,6 +30,7 @@ pub mod shown;
 pub mod slot;
 pub mod state;
 pub mod styles;
+pub mod timeline;
 pub mod ui;
 pub mod watch;
 #[cfg(not(target_arch = "wasm32"))]

@@ -7,6 +7,7 @@
 
 mod edits;
 mod intake;
+mod keys;
 
 use cutaway::load::Assets;
 use cutaway::scene::{Bounds, Fit};
@@ -22,11 +23,14 @@ use crate::parts;
 use crate::shown::Shown;
 use crate::slot::{Layout, Painter, Side};
 use crate::styles;
+use crate::timeline;
 
 /// What the window shows.
 #[derive(Debug)]
 pub struct State {
     document: Document,
+    /// At the moment that is shown, where keys move something.
+    posed: Option<Document>,
     /// As it was read or saved.
     saved: Document,
     history: History,
@@ -58,6 +62,7 @@ impl State {
         let mut state = Self {
             saved: read.flatten().unwrap_or_else(|| document.clone()),
             document,
+            posed: None,
             history: History::default(),
             assets,
             shown,
@@ -71,12 +76,18 @@ impl State {
             notices: Vec::new(),
         };
         state.take_settings()?;
+        state.pose();
         Ok(state)
     }
 
     /// The document.
     pub fn document(&self) -> &Document {
         &self.document
+    }
+
+    /// The document with what keys move where it is at the moment that is shown.
+    pub fn posed(&self) -> &Document {
+        self.posed.as_ref().unwrap_or(&self.document)
     }
 
     /// Whether it says something else than its file.
@@ -219,16 +230,14 @@ impl State {
                 let gesture = Some(path.clone());
                 self.edit(gesture, |document| {
                     styles::make_room(document, &path)?;
-                    document.set(&path, value)
+                    document.set(&path, value.clone())
                 })
             }
             Action::Change(changes) => self.edit(None, |document| {
-                changes
-                    .into_iter()
-                    .try_for_each(|(path, value)| match value {
-                        Some(value) => document.set(&path, value),
-                        None => document.remove(&path),
-                    })
+                changes.iter().try_for_each(|(path, value)| match value {
+                    Some(value) => document.set(path, value.clone()),
+                    None => document.remove(path),
+                })
             }),
             Action::TakeBack(path) => {
                 self.edit(None, |document| styles::take_back(document, &path))
@@ -239,7 +248,11 @@ impl State {
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
             Action::Remove(index) => {
-                self.edit(None, |document| document.remove(&format!("cut.{index}")))?;
+                let path = format!("cut.{index}");
+                self.change(None, |document| {
+                    timeline::remove_below(document, &path)?;
+                    document.remove(&path)
+                })?;
                 self.selection = Selection::Scene;
                 Ok(())
             }
@@ -285,14 +298,14 @@ impl State {
                 self.shows_errors = shows;
                 Ok(())
             }
-            Action::Seek(time_s) => {
-                if let Some(shown) = &mut self.shown {
-                    shown.seek(time_s)?;
-                    self.time_s = Some(time_s);
-                    self.revision += 1;
-                }
-                Ok(())
+            Action::AddKey => self.add_key(),
+            Action::Animate => self.animate(),
+            Action::MoveKey(key, to_s) => {
+                let gesture = Some(format!("key {key:?}"));
+                self.change(gesture, |document| timeline::move_key(document, key, to_s))
             }
+            Action::RemoveKey(key) => self.remove_key(key),
+            Action::Seek(time_s) => self.seek(time_s),
         }
     }
 

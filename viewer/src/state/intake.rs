@@ -64,10 +64,10 @@ impl State {
         let name = name.replace(['.', '='], "_");
         let file = path.to_string_lossy().into_owned();
         self.edit(None, |document| {
-            document.set(&format!("relief.{name}.image"), Value::from(file))?;
+            document.set(&format!("relief.{name}.image"), Value::from(file.clone()))?;
             let surface = format!("cut.{index}.surfaces.0");
             document.get(&surface)?;
-            document.set(&format!("{surface}.relief"), name)
+            document.set(&format!("{surface}.relief"), name.clone())
         })
     }
 

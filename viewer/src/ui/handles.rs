@@ -20,7 +20,7 @@ pub(super) fn gizmo(state: &State, shown: &Shown, view: &WorldView) -> Gizmo {
         return Gizmo::default();
     };
     let up = shown.scene.camera.up;
-    Gizmo::of(state.document(), index, (&state.bounds(), up), view)
+    Gizmo::of(state.posed(), index, (&state.bounds(), up), view)
 }
 
 /// Where a point of the window is in a picture.

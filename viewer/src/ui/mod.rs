@@ -36,6 +36,7 @@ use frames::Last;
 use judged::Judged;
 use menu::Asks;
 use pointing::Pointing;
+use time::Strip;
 use toasts::Toasts;
 use viewport::Held;
 
@@ -54,6 +55,7 @@ pub struct Viewer {
     held: Held,
     flickers: bool,
     plays: bool,
+    strip: Strip,
     pointing: Pointing,
     /// The files of the scene, and when they were last looked at.
     watch: (Watch, f64),
@@ -84,6 +86,7 @@ impl Viewer {
             held: Held::default(),
             flickers: false,
             plays: false,
+            strip: Strip::default(),
             pointing: Pointing::default(),
             watch: (Watch::default(), 0.0),
             export: None,
@@ -148,8 +151,11 @@ impl Viewer {
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
-            Panel::bottom("time").show(ui, |ui| {
-                time::show(ui, &self.state, &mut self.plays, &mut actions);
+            // Of a size of its own, or the picture would change its size with what the keys say.
+            let height = time::height(&self.state);
+            Panel::bottom("time").exact_size(height).show(ui, |ui| {
+                let strip = (&mut self.plays, &mut self.strip);
+                time::show(ui, &self.state, strip, &mut actions);
             });
         }
         Panel::left("scene").default_size(220.0).show(ui, |ui| {

@@ -31,11 +31,34 @@ const RELIEFS: [(&str, &[(&str, f64)]); 6] = [
 
 /// Shows the panel.
 pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
-    ScrollArea::vertical().show(ui, |ui| match state.selection() {
-        Selection::Scene => scene(ui, state, actions),
-        Selection::Cut(index) => cut(ui, state, index, actions),
-        Selection::Part(index) => part(ui, state, index, actions),
+    ScrollArea::vertical().show(ui, |ui| {
+        match state.selection() {
+            Selection::Scene => scene(ui, state, actions),
+            Selection::Cut(index) => cut(ui, state, index, actions),
+            Selection::Part(index) => part(ui, state, index, actions),
+        }
+        animate(ui, state, actions);
     });
+}
+
+/// A button that lets a scene without time begin to move.
+fn animate(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    if state.shown().is_none_or(|shown| shown.timeline.moves()) {
+        return;
+    }
+    ui.separator();
+    let help = match state.selection() {
+        Selection::Scene => {
+            "Keys of the eye at 0 s and at 2 s: go to a time, look elsewhere, and add a key"
+        }
+        Selection::Cut(_) => "Keys of where the cut is at 0 s and at 2 s: go to a time and move it",
+        Selection::Part(_) => {
+            "Keys of where the part is at 0 s and at 2 s: go to a time and move it"
+        }
+    };
+    if ui.button("Animate").on_hover_text(help).clicked() {
+        actions.push(Action::Animate);
+    }
 }
 
 fn scene(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
@@ -118,7 +141,7 @@ fn cut(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
 
 fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     let bounds = state.bounds();
-    let Ok((normal, origin)) = cuts::plane(state.document(), index, &bounds) else {
+    let Ok((normal, origin)) = cuts::plane(state.posed(), index, &bounds) else {
         ui.weak("This surface is changed by its numbers in the scene file.");
         return;
     };

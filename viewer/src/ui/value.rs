@@ -33,11 +33,7 @@ pub(super) fn cells(
     let Some(entry) = PATHS.iter().find(|entry| entry.path == pattern) else {
         return;
     };
-    let held = state
-        .document()
-        .get(path)
-        .ok()
-        .map(|node| node.value.clone());
+    let held = state.posed().get(path).ok().map(|node| node.value.clone());
     let value = held.unwrap_or(usual);
     ui.label(label).on_hover_text(entry.help);
     let name = format!("{label} of {path}");

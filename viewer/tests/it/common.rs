@@ -100,7 +100,7 @@ pub(crate) fn gizmo(harness: &Harness<'_, Viewer>) -> Gizmo {
     let size = [rect.width(), rect.height()].map(|s| s.round() as u32);
     let up = shown.scene.camera.up;
     let view = WorldView::of(shown, size);
-    Gizmo::of(state.document(), index, (&state.bounds(), up), &view)
+    Gizmo::of(state.posed(), index, (&state.bounds(), up), &view)
 }
 
 /// Drags from a point of the window.

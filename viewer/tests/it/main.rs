@@ -10,3 +10,4 @@ mod parts;
 mod pointer;
 mod refusals;
 mod state;
+mod timeline;
