@@ -86,6 +86,8 @@ pub enum Action {
     MoveKey([usize; 2], f64),
     /// Takes a key of a row away.
     RemoveKey([usize; 2]),
+    /// Whether the open edges of meshes are shown over the picture.
+    ShowOpenEdges(bool),
     /// Shows a moment.
     Seek(f64),
 }

@@ -18,12 +18,15 @@ pub mod export;
 pub mod files;
 pub mod gizmo;
 pub mod history;
+pub mod inspect;
 pub mod judge;
 pub mod notice;
 pub mod pace;
 pub mod parts;
 pub mod pick;
 pub mod readback;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod recent;
 pub mod regions;
 pub mod screen;
 pub mod shown;

@@ -9,6 +9,8 @@ mod edits;
 mod intake;
 mod keys;
 
+use std::path::PathBuf;
+
 use cutaway::load::Assets;
 use cutaway::scene::{Bounds, Fit};
 use cutaway::{Document, Result};
@@ -44,7 +46,10 @@ pub struct State {
     layout: Layout,
     wipe: f32,
     shows_errors: bool,
+    shows_open_edges: bool,
     notices: Vec<Notice>,
+    /// Files that were opened or saved.
+    opened: Vec<PathBuf>,
 }
 
 impl State {
@@ -73,8 +78,11 @@ impl State {
             layout: Layout::Single,
             wipe: 0.5,
             shows_errors: false,
+            shows_open_edges: false,
             notices: Vec::new(),
+            opened: Vec::new(),
         };
+        state.opened = intake::files_of(&state.document);
         state.take_settings()?;
         state.pose();
         Ok(state)
@@ -135,6 +143,11 @@ impl State {
         self.shows_errors
     }
 
+    /// Whether the open edges of meshes are shown over the picture.
+    pub fn shows_open_edges(&self) -> bool {
+        self.shows_open_edges
+    }
+
     /// The moment that is shown; `None` for the scene at rest.
     pub fn time_s(&self) -> Option<f64> {
         self.time_s
@@ -143,6 +156,11 @@ impl State {
     /// What is to be told since the last time.
     pub fn notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
+    }
+
+    /// Files that were opened or saved since the last time.
+    pub fn take_opened(&mut self) -> Vec<PathBuf> {
+        std::mem::take(&mut self.opened)
     }
 
     /// Something to be told.
@@ -305,6 +323,10 @@ impl State {
                 self.change(gesture, |document| timeline::move_key(document, key, to_s))
             }
             Action::RemoveKey(key) => self.remove_key(key),
+            Action::ShowOpenEdges(shows) => {
+                self.shows_open_edges = shows;
+                Ok(())
+            }
             Action::Seek(time_s) => self.seek(time_s),
         }
     }

@@ -1,7 +1,10 @@
 //! All of the window: panels around the picture. Panels read the [`State`] and say what is to be done; nothing but [`Viewer::show`] does
 //! it.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod closing;
 mod compare;
+mod defects;
 mod errands;
 mod frames;
 mod handles;
@@ -26,12 +29,16 @@ use egui_wgpu::RenderState;
 
 use crate::action::Action;
 use crate::export::Export;
+use crate::inspect::Inspector;
 use crate::pace::Pace;
 use crate::pick::Picked;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::recent::Recent;
 use crate::screen::Screen;
 use crate::slot::Side;
 use crate::state::State;
 use crate::watch::Watch;
+use defects::Badges;
 use frames::Last;
 use judged::Judged;
 use menu::Asks;
@@ -64,6 +71,12 @@ pub struct Viewer {
     program: Option<PathBuf>,
     shows_keys: bool,
     asks: Option<Asks>,
+    inspector: Inspector,
+    badges: Badges,
+    #[cfg(not(target_arch = "wasm32"))]
+    closing: closing::Closing,
+    #[cfg(not(target_arch = "wasm32"))]
+    recent: Option<Recent>,
     size_px: [u32; 2],
 }
 
@@ -93,6 +106,12 @@ impl Viewer {
             program: None,
             shows_keys: false,
             asks: None,
+            inspector: Inspector::default(),
+            badges: Badges::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            closing: closing::Closing::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            recent: None,
             size_px: [16, 16],
         })
     }
@@ -122,10 +141,12 @@ impl Viewer {
         self.pointing.under_pointer()
     }
 
-    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported.
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported, a mesh
+    /// that is inspected.
     pub fn is_busy(&self) -> bool {
         let is_exporting = self.export.is_some();
-        self.is_drawing() || self.judged.is_busy() || self.screen.is_picking() || is_exporting
+        let is_asked = self.judged.is_busy() || self.screen.is_picking();
+        self.is_drawing() || is_asked || is_exporting || self.inspector.is_busy()
     }
 
     /// Lets another program export, for one that is no `cutaway` itself.
@@ -143,6 +164,7 @@ impl Viewer {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
         self.run_errands(&ctx, &mut actions);
+        self.inspect(&ctx);
         self.keys(&ctx, &mut actions);
         Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
         // Of one height, whatever it says: the picture does not change its size with the counts.
@@ -159,7 +181,7 @@ impl Viewer {
             });
         }
         Panel::left("scene").default_size(220.0).show(ui, |ui| {
-            scene::show(ui, &self.state, &mut actions);
+            scene::show(ui, &self.state, &self.badges, &mut actions);
         });
         Panel::right("properties")
             // As wide as what it can hold: the picture does not change its size with the selection.
@@ -176,7 +198,7 @@ impl Viewer {
             self.size_px = viewport::size_px(rect, self.state.layout(), ctx.pixels_per_point());
             self.judged.take_in(&ctx, &self.state, &mut self.screen);
             self.draw(&ctx);
-            let pictures = (&self.screen, &self.judged);
+            let pictures = (&self.screen, &self.judged, &self.inspector);
             let pointer = (&mut self.held, self.flickers);
             let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
             self.point(&ctx, at);
@@ -191,7 +213,11 @@ impl Viewer {
         notices
             .into_iter()
             .for_each(|notice| self.toasts.add(&ctx, notice));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.remember(&ctx);
         self.dialogs(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.guard_changes(&ctx);
         self.toasts.show(&ctx);
         if self.changed.0 != self.state.revision() {
             ctx.request_repaint();

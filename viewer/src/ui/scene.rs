@@ -3,6 +3,7 @@
 use cutaway::document::{Node, Value};
 use eframe::egui::{Button, Checkbox, ScrollArea, Ui};
 
+use super::defects::Badges;
 use crate::action::{Action, Selection};
 use crate::cuts::NewCut;
 use crate::parts;
@@ -43,7 +44,7 @@ const NEW: [(&str, &str, NewCut); 6] = [
 ];
 
 /// Shows the panel.
-pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+pub(super) fn show(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>) {
     ScrollArea::vertical().show(ui, |ui| {
         ui.heading("Cuts");
         ui.horizontal_wrapped(|ui| {
@@ -77,11 +78,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         }
         ui.separator();
         ui.heading("Parts");
-        parts(ui, state, actions);
+        parts(ui, state, badges, actions);
     });
 }
 
-fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>) {
     let entries = parts::parts(state.document());
     if entries.is_empty() {
         ui.weak("Drop a mesh or a scene into the window.");
@@ -107,6 +108,12 @@ fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
             if ui.selectable_label(is_selected, name).clicked() {
                 actions.push(Action::Select(Selection::Part(index)));
             }
+            let counts = badges.of(index);
+            if let Some(badge) = counts.badge() {
+                let color = ui.visuals().warn_fg_color;
+                ui.colored_label(color, badge)
+                    .on_hover_text(counts.details());
+            }
             if let Selection::Cut(cut) = state.selection() {
                 let glob = match solids.iter().any(|solid| parts::is_of(solid, name)) {
                     true => format!("{name}/*"),
@@ -115,6 +122,17 @@ fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
                 spared(ui, state, cut, &glob, actions);
             }
         });
+    }
+    if badges.has_open() || state.shows_open_edges() {
+        let mut shows = state.shows_open_edges();
+        let help = "Edges with an odd number of faces, over the picture: all of them, also where a cut has taken them away or something hides them";
+        if ui
+            .checkbox(&mut shows, "Open edges")
+            .on_hover_text(help)
+            .changed()
+        {
+            actions.push(Action::ShowOpenEdges(shows));
+        }
     }
     if !solids.is_empty() {
         ui.collapsing(format!("{} solids", solids.len()), |ui| {

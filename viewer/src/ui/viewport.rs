@@ -6,11 +6,13 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
+use super::defects;
 use super::handles;
 use super::judged::Judged;
 use crate::action::Action;
 use crate::camera::CameraMove;
 use crate::gizmo::{Gizmo, Hold};
+use crate::inspect::Inspector;
 use crate::screen::Screen;
 use crate::slot::{Layout, Side};
 use crate::state::State;
@@ -61,7 +63,7 @@ pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     state: &State,
-    (screen, judged): (&Screen, &Judged),
+    (screen, judged, inspector): (&Screen, &Judged, &Inspector),
     (held, flickers): (&mut Held, bool),
     actions: &mut Vec<Action>,
 ) -> Option<Pointed> {
@@ -165,6 +167,10 @@ pub(super) fn show(
             .and_then(|at| Some(gizmo.at(handles::in_picture(own, at))?.grip)),
     };
     for place in &pictures {
+        if state.shows_open_edges() {
+            let painter = painter.with_clip_rect(*place);
+            defects::paint(&painter, *place, (shown, inspector), &view);
+        }
         handles::paint(&painter.with_clip_rect(*place), *place, &gizmo, lit);
     }
     pointer(

@@ -107,3 +107,33 @@ fn numbers_of_a_style_are_changed_and_taken_back() {
     let after = harness.state().state().document();
     assert_eq!(after.root().get("style"), before.root().get("style"));
 }
+
+#[test]
+fn a_part_with_holes_has_a_badge_and_its_open_edges_are_drawn() {
+    let text = format!(
+        "{}defects = [{{ kind = \"holes\", amount = \"5%\", seed = 1 }}]\n",
+        TWO.split("\n[[cut]]").next().unwrap()
+    );
+    let mut harness = viewer(open(&text));
+    harness.get_by_label_contains("open: ");
+    assert_eq!(
+        harness.query_all_by_label_contains("open: ").count(),
+        1,
+        "the block is sound"
+    );
+    let lines = |harness: &Harness<'_, Viewer>| {
+        let color = eframe::egui::Color32::from_rgb(255, 0, 170);
+        let is_edge = |shape: &eframe::egui::Shape| matches!(shape, eframe::egui::Shape::LineSegment { stroke, .. } if stroke.color == color);
+        let shapes = harness.output().shapes.iter();
+        shapes.filter(|clipped| is_edge(&clipped.shape)).count()
+    };
+    assert_eq!(lines(&harness), 0);
+    harness
+        .get_by_role_and_label(Role::CheckBox, "Open edges")
+        .click();
+    settle(&mut harness);
+    let scene = &harness.state().state().shown().unwrap().scene;
+    let open: usize = scene.parts.iter().map(|p| p.mesh.open_edges().len()).sum();
+    assert!(open > 0, "holes have edges");
+    assert_eq!(lines(&harness), open);
+}
