@@ -69,6 +69,9 @@ fn parts_come_and_go_and_one_has_to_stay() {
     assert_eq!(names(0.5), ["block"]);
     assert_eq!(names(1.0), ["ball", "block"]);
 
+    let of: Vec<Vec<&str>> = [0, 1, 2].map(|i| timeline.names_of(i).collect()).into();
+    assert_eq!(of, [vec!["ball"], vec!["block"], vec![]], "hidden or not");
+
     let none = format!("{OTHER}enabled = false\n{ONE}")
         .replace("shape = \"cube\"\n", "shape = \"cube\"\nenabled = false\n");
     let refused = folder.load(&none).unwrap_err().to_string();

@@ -1,7 +1,7 @@
 //! The handles of the selected cut in the picture: lines that show it, and what of it is dragged.
 //!
-//! All of it is geometry in pixels, found from the view; painting and pointers are the window's. A handle goes along a [rail](rail) in
-//! space. What is held remembers where its value began and how far the pointer took it, so that a value that snaps or ends goes on from
+//! All of it is geometry in pixels, found from the view; painting and pointers are the window's. A handle goes along a rail in space.
+//! What is held remembers where its value began and how far the pointer took it, so that a value that snaps or ends goes on from
 //! where the pointer is, and none is rounded on the way.
 //!
 //! Cannot: spin a plane in itself. Only surfaces in the paper's own form say how they lie in their plane, and those have no handles.
@@ -50,6 +50,19 @@ pub enum Grip {
         /// Whether it is the one where the wedge ends.
         is_end: bool,
     },
+}
+
+impl Grip {
+    /// What a hand does with it, in a line.
+    pub fn help(self) -> String {
+        let (does, step) = match self {
+            Self::Along => ("drag: move the plane along its normal", "1 %"),
+            Self::Tilt(_) => ("drag: tilt the plane", "5 degrees"),
+            Self::Face { .. } => ("drag: move this face of the box", "1 %"),
+            Self::Angle { .. } => ("drag: turn this face of the wedge", "5 degrees"),
+        };
+        format!("{does}; Ctrl: in steps of {step}; Shift: finely")
+    }
 }
 
 /// How far along its rail a handle is, as a value.

@@ -1,4 +1,5 @@
-//! The parts of a document: what lists show of them, and whether they are there.
+//! The parts of a document: what lists show of them, and whether they are there. One is several solids where its file holds several:
+//! [`Timeline::names_of`](cutaway::document::Timeline::names_of) has their names.
 
 use cutaway::document::{Node, Value};
 use cutaway::{Document, Result};
@@ -26,12 +27,6 @@ pub fn parts(document: &Document) -> Vec<PartEntry> {
 pub fn name(index: usize, entry: &Node) -> String {
     let name = entry.name().map(str::to_owned).or_else(|| entry.model());
     name.unwrap_or_else(|| index.to_string())
-}
-
-/// Whether a part of a scene comes from the entry of a name: solids of a file are called after it.
-pub fn is_of(part: &str, entry: &str) -> bool {
-    let below = part.strip_prefix(entry);
-    below.is_some_and(|below| below.is_empty() || below.starts_with('/'))
 }
 
 /// Shows a part or hides it. One that is shown is as it was before it was hidden.
@@ -80,11 +75,5 @@ mod tests {
         let mut document = Document::parse("s.toml", keyed).expect("a scene");
         show(&mut document, 0, true).expect("a part");
         assert!(document.get("part.0.enabled").is_ok(), "{document}");
-    }
-
-    #[test]
-    fn solids_of_a_file_are_of_its_part() {
-        assert!(is_of("gears", "gears") && is_of("gears/2", "gears"));
-        assert!(!is_of("gears2", "gears") && !is_of("gear", "gears"));
     }
 }

@@ -1,8 +1,8 @@
 //! The keys of a document as rows of a time line, and changes of them.
 //!
 //! A row has one target, a time for each key and a value for each. What keys move is in the document twice: as a number at rest, which
-//! the target is, and in the keys. The [pose](pose) of a document has the numbers of a moment in the place of those at rest; what a hand changes of
-//! these goes [into the keys](keep) of that moment.
+//! the target is, and in the keys. The [pose] of a document has the numbers of a moment in the place of those at rest; what a hand changes
+//! of these goes [into the keys](keep) of that moment.
 //!
 //! Cannot: key what a document says in percent: a key moves numbers. What is keyed here is written in units first.
 

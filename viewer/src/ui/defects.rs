@@ -1,5 +1,8 @@
 //! What is wrong with meshes, in the list of parts and over the picture.
 
+use std::collections::BTreeMap;
+
+use cutaway::scene::Part;
 use eframe::egui::{Color32, Context, Painter, Rect, Shape, Stroke, vec2};
 
 use super::Viewer;
@@ -45,13 +48,14 @@ impl Viewer {
         let of = (shown.scene.parts.as_slice(), revision);
         let is_new = self.inspector.go_on(of, move || wakes.request_repaint());
         if is_new || self.badges.revision != Some(revision) {
-            let counts = parts::parts(self.state.document())
-                .into_iter()
-                .map(|entry| {
-                    let own = shown.scene.parts.iter();
-                    let own = own.filter(|part| parts::is_of(&part.name, &entry.name));
-                    Counts::of(own.filter_map(|part| self.inspector.of(&part.mesh)))
-                });
+            let parts = shown.scene.parts.iter();
+            let by_name: BTreeMap<&str, &Part> = parts.map(|p| (p.name.as_str(), p)).collect();
+            let entries = 0..parts::parts(self.state.document()).len();
+            let counts = entries.map(|entry| {
+                let own = shown.timeline.names_of(entry);
+                let own = own.filter_map(|name| by_name.get(name));
+                Counts::of(own.filter_map(|part| self.inspector.of(&part.mesh)))
+            });
             self.badges = Badges {
                 revision: Some(revision),
                 counts: counts.collect(),

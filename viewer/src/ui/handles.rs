@@ -1,6 +1,6 @@
 //! The handles of the selected cut, painted over the picture; which one is under the pointer or held is bright.
 
-use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use glam::DVec2;
 
 use crate::action::Selection;
@@ -29,7 +29,7 @@ pub(super) fn in_picture(picture: Rect, at: Pos2) -> DVec2 {
     DVec2::new(f64::from(at.x), f64::from(at.y))
 }
 
-/// Paints them over a picture.
+/// Paints them over a picture, with what the one does that is lit.
 pub(super) fn paint(painter: &Painter, picture: Rect, gizmo: &Gizmo, lit: Option<Grip>) {
     let at = |p: &DVec2| picture.min + vec2(p.x as f32, p.y as f32);
     for line in &gizmo.outlines {
@@ -53,5 +53,13 @@ pub(super) fn paint(painter: &Painter, picture: Rect, gizmo: &Gizmo, lit: Option
         if let Some(knob) = handle.knob.as_ref().map(at) {
             painter.circle(knob, width + 2.0, color, Stroke::new(1.5, RIM));
         }
+    }
+    if let Some(grip) = lit {
+        let at = picture.left_bottom() + vec2(8.0, -8.0);
+        let font = FontId::proportional(13.0);
+        let galley = painter.layout_no_wrap(grip.help(), font, Color32::WHITE);
+        let own = Align2::LEFT_BOTTOM.anchor_size(at, galley.size());
+        painter.rect_filled(own.expand(4.0), 3.0, Color32::from_black_alpha(140));
+        painter.galley(own.min, galley, Color32::WHITE);
     }
 }

@@ -85,11 +85,11 @@ fn part(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     let Some(entry) = entries.and_then(|parts| parts.items().get(index)) else {
         return;
     };
-    let name = parts::name(index, entry);
-    let shown = state
-        .shown()
-        .map_or(&[] as &[_], |shown| &shown.scene.parts);
-    let part = shown.iter().find(|part| parts::is_of(&part.name, &name));
+    ui.label(parts::name(index, entry));
+    let part = state.shown().and_then(|shown| {
+        let first = shown.timeline.names_of(index).next()?;
+        shown.scene.parts.iter().find(|part| part.name == first)
+    });
     let colors = part.map(|part| [part.material.color, part.material.cap_color()]);
     Grid::new("numbers of the part")
         .num_columns(2)

@@ -1,5 +1,7 @@
 //! The left panel: parts and cuts of the document, and cuts to be added.
 
+use std::collections::BTreeSet;
+
 use cutaway::document::{Node, Value};
 use eframe::egui::{Button, Checkbox, ScrollArea, Ui};
 
@@ -90,10 +92,9 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     let shown = state
         .shown()
         .map_or(&[] as &[_], |shown| &shown.scene.parts);
-    let is_entry = |name: &str| entries.iter().any(|entry| entry.name == name);
-    let solids: Vec<&str> = (shown.iter().map(|part| part.name.as_str()))
-        .filter(|name| !is_entry(name))
-        .collect();
+    let own: BTreeSet<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let names = shown.iter().map(|part| part.name.as_str());
+    let solids: Vec<&str> = names.filter(|name| !own.contains(name)).collect();
     for (index, entry) in entries.iter().enumerate() {
         let name = &entry.name;
         let is_selected = state.selection() == Selection::Part(index);
@@ -115,17 +116,15 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
                     .on_hover_text(counts.details());
             }
             if let Selection::Cut(cut) = state.selection() {
-                let glob = match solids.iter().any(|solid| parts::is_of(solid, name)) {
-                    true => format!("{name}/*"),
-                    false => name.clone(),
-                };
-                spared(ui, state, cut, &glob, actions);
+                let timeline = state.shown().map(|shown| &shown.timeline);
+                let all = timeline.into_iter().flat_map(|t| t.names_of(index));
+                spared(ui, state, (cut, name), &all.collect::<Vec<_>>(), actions);
             }
         });
     }
     if badges.has_open() || state.shows_open_edges() {
         let mut shows = state.shows_open_edges();
-        let help = "Edges with an odd number of faces, over the picture: all of them, also where a cut has taken them away or something hides them";
+        let help = "Edges with an odd number of faces: all of them, also those that a cut removes or a part hides";
         if ui
             .checkbox(&mut shows, "Open edges")
             .on_hover_text(help)
@@ -140,7 +139,7 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
                 ui.horizontal(|ui| {
                     ui.label(solid);
                     if let Selection::Cut(cut) = state.selection() {
-                        spared(ui, state, cut, solid, actions);
+                        spared(ui, state, (cut, solid), &[solid], actions);
                     }
                 });
             }
@@ -148,8 +147,14 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     }
 }
 
-/// Whether the selected cut spares a part.
-fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<Action>) {
+/// Whether the selected cut spares what is called so, all of the parts that it is.
+fn spared(
+    ui: &mut Ui,
+    state: &State,
+    (cut, called): (usize, &str),
+    parts: &[&str],
+    actions: &mut Vec<Action>,
+) {
     let path = format!("cut.{cut}.except");
     let held = state.document().get(&path).ok();
     let mut globs: Vec<String> = held
@@ -158,17 +163,18 @@ fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<
         .filter_map(Node::text)
         .map(str::to_owned)
         .collect();
-    let is_spared = globs.iter().any(|glob| glob == part);
+    let is_listed = |part: &&str| globs.iter().any(|glob| glob == part);
+    let is_spared = !parts.is_empty() && parts.iter().all(is_listed);
     let button = Button::selectable(is_spared, "spare").small();
     let help = "Whether the selected cut leaves this part whole";
     let button = ui.add(button).on_hover_text(help);
     if button
-        .accessible_name(format!("Spare {part} from this cut"))
+        .accessible_name(format!("Spare {called} from this cut"))
         .clicked()
     {
-        match is_spared {
-            true => globs.retain(|glob| glob != part),
-            false => globs.push(part.to_owned()),
+        globs.retain(|glob| !parts.contains(&glob.as_str()));
+        if !is_spared {
+            globs.extend(parts.iter().map(|part| (*part).to_owned()));
         }
         actions.push(match globs.is_empty() {
             true => Action::Change(vec![(path, None)]),

@@ -17,7 +17,7 @@ const ROW: f32 = 16.0;
 const MOST_ROWS: usize = 5;
 
 /// Width of what is left of the line of time, in points.
-const GUTTER: f32 = 210.0;
+const GUTTER: f32 = 310.0;
 
 /// Width of what is right of it.
 const BEHIND: f32 = 110.0;

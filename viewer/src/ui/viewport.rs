@@ -260,11 +260,12 @@ fn pointer(
     };
     let handle = |at: Pos2| gizmo.at(handles::in_picture(own, at));
     if response.drag_started() {
+        let is_primary = response.dragged_by(PointerButton::Primary);
         let at = response
             .interact_pointer_pos()
             .map(|at| at - response.drag_delta());
         *held = match at {
-            Some(at) if handle(at).is_some() => {
+            Some(at) if is_primary && handle(at).is_some() => {
                 let hold = handle(at).map(|handle| Box::new(handle.hold()));
                 hold.map_or(Held::Eye, Held::Handle)
             }
