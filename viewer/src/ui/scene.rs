@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use cutaway::document::{Node, Value};
-use eframe::egui::{Button, Checkbox, ScrollArea, Ui};
+use eframe::egui::{Button, Checkbox, Label, RichText, ScrollArea, Ui};
 
 use super::defects::Badges;
 use crate::action::{Action, Selection};
@@ -98,7 +98,8 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
     for (index, entry) in entries.iter().enumerate() {
         let name = &entry.name;
         let is_selected = state.selection() == Selection::Part(index);
-        ui.horizontal(|ui| {
+        // In lines that are broken: a wider panel would make another picture.
+        ui.horizontal_wrapped(|ui| {
             let mut is_shown = entry.is_enabled;
             let eye = ui.add(Checkbox::without_text(&mut is_shown));
             let eye = eye.accessible_name(format!("Show {name}"));
@@ -112,8 +113,8 @@ fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>)
             let counts = badges.of(index);
             if let Some(badge) = counts.badge() {
                 let color = ui.visuals().warn_fg_color;
-                ui.colored_label(color, badge)
-                    .on_hover_text(counts.details());
+                let label = Label::new(RichText::new(badge).color(color)).extend();
+                ui.add(label).on_hover_text(counts.details());
             }
             if let Selection::Cut(cut) = state.selection() {
                 let timeline = state.shown().map(|shown| &shown.timeline);
