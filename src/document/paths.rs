@@ -214,6 +214,7 @@ pub const PATHS: &[Path] = &[
     moved("camera.near_cap", Flag, "", "false", "whether a cap shows where the near plane cuts a solid"),
 
     fixed("part.*.name", Text, "", "\"crank\"", "what paths and globs call it"),
+    moved("part.*.enabled", Flag, "", "true", "whether it is there: without it the scene is as if it had no such part"),
     fixed("part.*.mesh", File, "", "\"crank.obj\"", "a mesh, or numbered frames: \"walk_%04d.ply\""),
     fixed("part.*.shape", Text, "", "\"crank?throws=3\"", "a built-in shape; or a table of its name and its numbers"),
     fixed("part.*.split", Flag, "", "true", "whether connected bodies are parts of their own: NAME/1, NAME/2, ..."),

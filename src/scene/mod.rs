@@ -18,6 +18,7 @@ mod contacts;
 mod cut;
 mod cutaway;
 mod cutter;
+mod decimals;
 mod doubled;
 mod doubts;
 mod exact_sum;
@@ -73,6 +74,7 @@ pub use cutaway::{
 };
 pub use cutter::Cutter;
 pub(crate) use cutter::too_far;
+pub use decimals::to_decimals;
 pub(crate) use doubled::doubled_faces;
 pub use doubts::{Remark, doubts};
 pub(crate) use doubts::{empty_picture, misses};
@@ -89,13 +91,13 @@ pub use offset_map::{OffsetMap, Wrap};
 pub use outline::Outline;
 pub(crate) use part::who_wins;
 pub use part::{Part, Role};
-pub use plane_spec::{Amount, PlaneSpec, to_decimals};
+pub use plane_spec::{Amount, PlaneSpec};
 pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
-pub use regions::{Block, Face, Wedge};
-pub(crate) use regions::{in_common, next_axis};
+pub(crate) use regions::in_common;
+pub use regions::{Block, Face, Wedge, next_axis};
 pub use settled::{FlatSurface, Settled, Side};
 pub use smooth::{DEFAULT_CREASE_DEG, Faces, ShadingMesh};
 pub use style::Style;

@@ -14,6 +14,7 @@ use std::fmt;
 
 use glam::DVec3;
 
+use super::decimals::to_decimals;
 use super::range::LARGEST;
 use super::{Bounds, ClipSurface, Up};
 use crate::error::{Error, Result};
@@ -265,20 +266,6 @@ impl fmt::Display for Amount {
             Self::Units(v) => write!(f, "{v}"),
             Self::Percent(p) => write!(f, "{p}%"),
         }
-    }
-}
-
-/// A number with so many decimals, of which there may be less than none, and never -0.
-pub fn to_decimals(value: f64, decimals: i32) -> f64 {
-    let unit = 10.0_f64.powi(decimals.abs());
-    let rounded = match decimals >= 0 {
-        true => (value * unit).round() / unit,
-        false => (value / unit).round() * unit,
-    };
-    if rounded.is_finite() {
-        rounded + 0.0
-    } else {
-        value
     }
 }
 

@@ -133,7 +133,7 @@ impl Wedge {
 }
 
 /// The axis after the one nearest to `along`, made perpendicular: y for x, z for y, x for z. Where angles begin.
-pub(crate) fn next_axis(along: DVec3) -> DVec3 {
+pub fn next_axis(along: DVec3) -> DVec3 {
     let nearest = (0..3)
         .rev()
         .max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));

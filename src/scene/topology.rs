@@ -185,6 +185,13 @@ impl Topology {
     }
 }
 
+impl Mesh {
+    /// Edges with an odd number of uses, by their vertices: where the solid is open. Indices must be in range ([`Mesh::defect`]).
+    pub fn open_edges(&self) -> Vec<[u32; 2]> {
+        Edges::of(&self.triangles).open().collect()
+    }
+}
+
 impl From<Bounds> for Extent {
     fn from(bounds: Bounds) -> Self {
         if bounds.is_empty() {

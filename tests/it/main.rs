@@ -23,6 +23,7 @@ mod files;
 mod framing;
 mod hard_cases;
 mod height_filter;
+mod hidden_parts;
 mod hostile_meshes;
 mod hostile_scenes;
 mod interference;

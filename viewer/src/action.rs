@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use crate::camera::CameraMove;
 use crate::cuts::{NewCut, PlaneMove};
+use crate::regions::RegionMove;
 use crate::slot::{Layout, Painter, Side};
 
 /// What the panels are about.
@@ -43,6 +44,10 @@ pub enum Action {
     },
     /// Sets several values, or takes them out, after which what is usual holds, in one step.
     Change(Vec<(String, Option<Value>)>),
+    /// Takes a change of the style back, by its path: what the style itself has holds again.
+    TakeBack(String),
+    /// Shows a part of the document, or hides it.
+    ShowPart(usize, bool),
     /// Adds a cut and selects it.
     Add(NewCut),
     /// Adds a copy of a cut behind the others.
@@ -51,6 +56,8 @@ pub enum Action {
     Remove(usize),
     /// Moves the plane of the selected cut.
     MovePlane(PlaneMove),
+    /// Moves a face of a box or of a wedge of the selected cut.
+    MoveRegion(RegionMove),
     /// Puts the plane of the selected cut, or a new one, through a point: the normal points to what stays.
     CutThrough(DVec3, DVec3),
     /// Turns the plane of the selected cut to the eye.
@@ -71,6 +78,16 @@ pub enum Action {
     Wipe(f32),
     /// Whether errors are shown over the slots.
     ShowErrors(bool),
+    /// Puts a key of what is selected at the moment that is shown.
+    AddKey,
+    /// Puts keys of what is selected at the beginning and two seconds later, where nothing moves yet.
+    Animate,
+    /// Moves a key of a row to another time in seconds.
+    MoveKey([usize; 2], f64),
+    /// Takes a key of a row away.
+    RemoveKey([usize; 2]),
+    /// Whether the open edges of meshes are shown over the picture.
+    ShowOpenEdges(bool),
     /// Shows a moment.
     Seek(f64),
 }

@@ -10,6 +10,8 @@ use cutaway::scene::{Camera, Projection, Viewpoint, to_decimals};
 use cutaway::{Document, Result};
 use glam::{DVec2, DVec3};
 
+use crate::timeline;
+
 /// Straight up and down are left out: there the picture would spin.
 const STEEPEST_DEG: f64 = 89.9;
 
@@ -196,6 +198,12 @@ pub fn write(camera: &Camera, document: &mut Document) -> Result<()> {
         let path = format!("camera.{key}");
         match value {
             Some(value) => document.set(&path, value)?,
+            // What keys move has to be in the document.
+            None if timeline::is_target(document, &path) => match key {
+                "zoom" => document.set(&path, camera.zoom)?,
+                "pan" => document.set(&path, camera.pan.to_array().to_vec())?,
+                _ => {}
+            },
             None => document.remove(&path)?,
         }
     }

@@ -144,6 +144,8 @@ fn facing(axis: DVec3, forward: DVec3) -> String {
 pub enum PlaneMove {
     /// Along its normal, in world units.
     Along(f64),
+    /// Along its normal, to a distance from the origin of the world, in world units.
+    To(f64),
     /// Along its normal, in shares of the model.
     Step(f64),
     /// Across an axis, through where it is; once more keeps the other side.
@@ -154,6 +156,8 @@ pub enum PlaneMove {
     Turn(DVec3),
     /// Through a point, of a normal.
     Through(DVec3, DVec3),
+    /// The same by a hand that holds it.
+    Tilt(DVec3, DVec3),
 }
 
 /// A surface of a cut, and the words that it is in.
@@ -245,6 +249,7 @@ pub fn move_plane(
     document.remove(&flip)?;
     let moved = match by {
         PlaneMove::Along(distance) => spec.moved(distance, bounds),
+        PlaneMove::To(distance) => spec.moved(distance - was.1.dot(was.0), bounds),
         PlaneMove::Step(share) => {
             let extent = (bounds.max - bounds.min).dot(was.0.abs());
             spec.moved(share * extent, bounds)
@@ -259,7 +264,7 @@ pub fn move_plane(
         }
         PlaneMove::Flip => spec.flipped(),
         PlaneMove::Turn(normal) => spec.turned(normal, bounds)?,
-        PlaneMove::Through(point, normal) => {
+        PlaneMove::Through(point, normal) | PlaneMove::Tilt(point, normal) => {
             PlaneSpec::through(point, normal)?.turned(normal, bounds)?
         }
     };

@@ -7,7 +7,9 @@
 
 mod edits;
 mod intake;
+mod keys;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use cutaway::load::Assets;
@@ -21,13 +23,18 @@ use crate::cuts::{self, CutEntry, PlaneMove};
 use crate::files::Store;
 use crate::history::History;
 use crate::notice::Notice;
+use crate::parts;
 use crate::shown::Shown;
 use crate::slot::{Layout, Painter, Side};
+use crate::styles;
+use crate::timeline;
 
 /// What the window shows.
 #[derive(Debug)]
 pub struct State {
     document: Document,
+    /// At the moment that is shown, where keys move something.
+    posed: Option<Document>,
     /// As it was read or saved.
     saved: Document,
     history: History,
@@ -42,7 +49,10 @@ pub struct State {
     layout: Layout,
     wipe: f32,
     shows_errors: bool,
+    shows_open_edges: bool,
     notices: Vec<Notice>,
+    /// Files that were opened or saved.
+    opened: Vec<PathBuf>,
 }
 
 impl State {
@@ -74,6 +84,7 @@ impl State {
         let mut state = Self {
             saved: read.flatten().unwrap_or_else(|| document.clone()),
             document,
+            posed: None,
             history: History::default(),
             assets,
             store,
@@ -85,9 +96,13 @@ impl State {
             layout: Layout::Single,
             wipe: 0.5,
             shows_errors: false,
+            shows_open_edges: false,
             notices: Vec::new(),
+            opened: Vec::new(),
         };
+        state.opened = intake::files_of(&state.document);
         state.take_settings()?;
+        state.pose();
         Ok(state)
     }
 
@@ -99,6 +114,11 @@ impl State {
     /// Where its files are.
     pub fn store(&self) -> &Arc<dyn Store> {
         &self.store
+    }
+
+    /// The document with what keys move where it is at the moment that is shown.
+    pub fn posed(&self) -> &Document {
+        self.posed.as_ref().unwrap_or(&self.document)
     }
 
     /// Whether it says something else than its file.
@@ -146,6 +166,11 @@ impl State {
         self.shows_errors
     }
 
+    /// Whether the open edges of meshes are shown over the picture.
+    pub fn shows_open_edges(&self) -> bool {
+        self.shows_open_edges
+    }
+
     /// The moment that is shown; `None` for the scene at rest.
     pub fn time_s(&self) -> Option<f64> {
         self.time_s
@@ -154,6 +179,11 @@ impl State {
     /// What is to be told since the last time.
     pub fn notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
+    }
+
+    /// Files that were opened or saved since the last time.
+    pub fn take_opened(&mut self) -> Vec<PathBuf> {
+        std::mem::take(&mut self.opened)
     }
 
     /// Something to be told.
@@ -239,24 +269,36 @@ impl State {
             Action::Redo => self.redo(),
             Action::Set { path, value } => {
                 let gesture = Some(path.clone());
-                self.edit(gesture, |document| document.set(&path, value))
+                self.edit(gesture, |document| {
+                    styles::make_room(document, &path)?;
+                    document.set(&path, value.clone())
+                })
             }
             Action::Change(changes) => self.edit(None, |document| {
-                changes
-                    .into_iter()
-                    .try_for_each(|(path, value)| match value {
-                        Some(value) => document.set(&path, value),
-                        None => document.remove(&path),
-                    })
+                changes.iter().try_for_each(|(path, value)| match value {
+                    Some(value) => document.set(path, value.clone()),
+                    None => document.remove(path),
+                })
             }),
+            Action::TakeBack(path) => {
+                self.edit(None, |document| styles::take_back(document, &path))
+            }
+            Action::ShowPart(index, is_shown) => {
+                self.edit(None, |document| parts::show(document, index, is_shown))
+            }
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
             Action::Remove(index) => {
-                self.edit(None, |document| document.remove(&format!("cut.{index}")))?;
+                let path = format!("cut.{index}");
+                self.change(None, |document| {
+                    timeline::remove_below(document, &path)?;
+                    document.remove(&path)
+                })?;
                 self.selection = Selection::Scene;
                 Ok(())
             }
             Action::MovePlane(by) => self.move_plane(by),
+            Action::MoveRegion(by) => self.move_region(by),
             Action::CutThrough(point, normal) => self.cut_through(point, normal),
             Action::FaceEye => match &self.shown {
                 Some(shown) => {
@@ -297,14 +339,18 @@ impl State {
                 self.shows_errors = shows;
                 Ok(())
             }
-            Action::Seek(time_s) => {
-                if let Some(shown) = &mut self.shown {
-                    shown.seek(time_s)?;
-                    self.time_s = Some(time_s);
-                    self.revision += 1;
-                }
+            Action::AddKey => self.add_key(),
+            Action::Animate => self.animate(),
+            Action::MoveKey(key, to_s) => {
+                let gesture = Some(format!("key {key:?}"));
+                self.change(gesture, |document| timeline::move_key(document, key, to_s))
+            }
+            Action::RemoveKey(key) => self.remove_key(key),
+            Action::ShowOpenEdges(shows) => {
+                self.shows_open_edges = shows;
                 Ok(())
             }
+            Action::Seek(time_s) => self.seek(time_s),
         }
     }
 

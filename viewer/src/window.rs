@@ -8,6 +8,7 @@ use eframe::egui::{Ui, ViewportBuilder};
 use egui_wgpu::{WgpuConfiguration, WgpuSetup, wgpu};
 
 use crate::device::on_our_device;
+use crate::recent::Recent;
 use crate::state::State;
 use crate::ui::Viewer;
 
@@ -33,7 +34,10 @@ pub fn open(opened: Opened) -> Result<()> {
         Box::new(move |made| {
             let host = made.wgpu_render_state.as_ref();
             let host = host.ok_or("egui draws without wgpu")?;
-            let viewer = Viewer::on(host, state)?;
+            let mut viewer = Viewer::on(host, state)?;
+            if let Some(file) = Recent::usual_file() {
+                viewer.remember_in(Recent::read(file));
+            }
             // Scripts wait for it.
             println!("ready: {}", viewer.screen().gpu().report().name);
             Ok(Box::new(App(viewer)))

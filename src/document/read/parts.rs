@@ -15,7 +15,7 @@ use crate::scene::{Bounds, Fill, Outwards, Part, Role, range};
 /// Keys of a part.
 pub(super) static KEYS: Keys = Keys::below("part.*");
 
-/// The parts at a time, with who says which role each has.
+/// The parts at a time, with who says which role each has. One that is not enabled is read, and left out.
 pub(in crate::document) fn all(
     root: &Table<'_>,
     stock: &Stock,
@@ -25,12 +25,21 @@ pub(in crate::document) fn all(
     let roles = roles::read(root)?;
     let mut all = Vec::new();
     for (entry, held) in root.tables("part")?.iter().zip(&stock.parts) {
-        let given = entry.open_table()?.get("role").is_some();
-        for mut part in read(entry, held, time_s, outwards)? {
+        let table = entry.open_table()?;
+        let given = table.get("role").is_some();
+        let parts = read(entry, held, time_s, outwards)?;
+        if !table.get("enabled").map_or(Ok(true), |e| e.flag())? {
+            continue;
+        }
+        for mut part in parts {
             let (role, by) = roles.of(&part, given, stock.sights.as_ref());
             part.role = role;
             all.push((part, by));
         }
+    }
+    if all.is_empty() {
+        let help = "let one of them be enabled: a scene without a part shows nothing";
+        return Err(root.entry.fault("no part is enabled", help));
     }
     Ok(all)
 }

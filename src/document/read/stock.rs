@@ -69,7 +69,7 @@ impl PartSource {
     }
 
     /// The names of all parts that the entry has at any time.
-    pub(super) fn names(&self) -> impl Iterator<Item = &String> {
+    pub(in crate::document) fn names(&self) -> impl Iterator<Item = &String> {
         self.names.values()
     }
 

@@ -176,6 +176,12 @@ impl Timeline {
             .chain(self.stock.files.iter().map(PathBuf::as_path))
     }
 
+    /// Names of the parts that an entry of `part` has at any time, by the number of the entry: one for each solid of a file.
+    pub fn names_of(&self, entry: usize) -> impl Iterator<Item = &str> {
+        let source = self.stock.parts.get(entry).into_iter();
+        source.flat_map(PartSource::names).map(String::as_str)
+    }
+
     /// Whether anything moves.
     pub fn moves(&self) -> bool {
         self.duration_s().is_some()

@@ -1,6 +1,6 @@
 //! Changes of the document, and what they make of the scene.
 
-use cutaway::document::{Node, cut, section};
+use cutaway::document::{Key, Node, Timeline, cut, section};
 use cutaway::scene::{PlaneSpec, Viewpoint};
 use cutaway::{Document, Error, Result};
 
@@ -10,11 +10,37 @@ use glam::DVec3;
 use crate::action::Selection;
 use crate::camera::{self, CameraMove};
 use crate::cuts::{self, CutEntry, CutKind, NewCut, PlaneMove};
+use crate::regions::{self, RegionMove};
 use crate::shown::Shown;
+use crate::timeline;
 
 impl State {
-    /// Changes the document by something that may fail, in which case nothing changes.
+    /// Changes the document, as far as keys move it at the moment that is shown, by something that may fail, in which case nothing
+    /// changes.
     pub(super) fn edit(
+        &mut self,
+        gesture: Option<String>,
+        change: impl Fn(&mut Document) -> Result<()>,
+    ) -> Result<()> {
+        let Some((posed, time_s)) = self.posed.as_ref().zip(self.time_s) else {
+            return self.change(gesture, change);
+        };
+        let mut tried = posed.clone();
+        change(&mut tried)?;
+        let timeline = self.shown.as_ref().map(|shown| &shown.timeline);
+        let keys = timeline.into_iter().flat_map(Timeline::keys);
+        let is_touched = |key: &&Key| tried.get(&key.target).ok() != posed.get(&key.target).ok();
+        let touched: Vec<Key> = keys.filter(is_touched).cloned().collect();
+        let rest = self.document.clone();
+        self.change(gesture, |document| {
+            timeline::pose(document, &touched, time_s)?;
+            change(document)?;
+            timeline::keep(document, &rest, &touched, time_s)
+        })
+    }
+
+    /// Changes the document as it is at rest, by something that may fail, in which case nothing changes.
+    pub(super) fn change(
         &mut self,
         gesture: Option<String>,
         change: impl FnOnce(&mut Document) -> Result<()>,
@@ -42,14 +68,24 @@ impl State {
         }
         (self.document, self.shown) = (document, shown);
         self.revision += 1;
+        self.pose();
         Ok(())
     }
 
     /// A document seen from where the eye is now.
     pub(super) fn seen_from_here(&self, mut document: Document) -> Result<Document> {
         if let Some(camera) = self.document.root().get("camera").cloned() {
+            let before = document.clone();
             document.remove("camera")?;
             document.set_node("camera", camera)?;
+            // What keys move has to be there, and is theirs.
+            for track in timeline::tracks(&before) {
+                if document.get(&track.target).is_err()
+                    && let Ok(held) = before.get(&track.target)
+                {
+                    document.set(&track.target, held.value.clone())?;
+                }
+            }
         }
         Ok(document)
     }
@@ -123,10 +159,11 @@ impl State {
         let count = self.cuts().len();
         let names: Vec<String> = self.cuts().into_iter().map(|c| c.name).collect();
         self.edit(None, |document| {
-            document.push("cut", Node::new(copy.value))?;
+            document.push("cut", Node::new(copy.value.clone()))?;
             let name = &names[index];
             let mut numbered = (2..).map(|n| format!("{name}_{n}"));
-            let free = numbered.find(|n| !names.contains(n)).unwrap_or_default();
+            let free = numbered.find(|n| !names.contains(n));
+            let free = free.unwrap_or_default();
             document.set(&format!("cut.{count}.name"), free)
         })?;
         self.selection = Selection::Cut(count);
@@ -140,11 +177,24 @@ impl State {
         };
         let bounds = self.bounds();
         let gesture = match by {
-            PlaneMove::Along(_) | PlaneMove::Turn(_) => Some(format!("plane {index}")),
+            PlaneMove::Along(_) | PlaneMove::To(_) | PlaneMove::Turn(_) | PlaneMove::Tilt(..) => {
+                Some(format!("plane {index}"))
+            }
             _ => None,
         };
         self.edit(gesture, |document| {
             cuts::move_plane(document, index, by, &bounds)
+        })
+    }
+
+    pub(super) fn move_region(&mut self, by: RegionMove) -> Result<()> {
+        let Selection::Cut(index) = self.selection else {
+            let help = "select a cut with a box or a wedge, or add one";
+            return Err(Error::input("the region", "no cut is selected", help));
+        };
+        let bounds = self.bounds();
+        self.edit(Some(format!("region {index}")), |document| {
+            regions::move_region(document, index, by, &bounds)
         })
     }
 

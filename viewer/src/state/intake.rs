@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cutaway::document::{Value, part};
+use cutaway::document::{Node, Value, part};
 use cutaway::load::Assets;
 use cutaway::{Document, Error, Result};
 
@@ -10,6 +10,16 @@ use super::State;
 use crate::action::Selection;
 use crate::files;
 use crate::notice::Notice;
+
+/// The files that a document is made of at its top: itself, or the meshes of one that has no file.
+pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
+    if !document.path().as_os_str().is_empty() {
+        return vec![document.path().to_owned()];
+    }
+    let parts = document.root().get("part").map_or(&[] as &[_], Node::items);
+    let meshes = parts.iter().filter_map(|part| part.get("mesh")?.text());
+    meshes.map(PathBuf::from).collect()
+}
 
 impl State {
     /// Takes files in.
@@ -23,12 +33,15 @@ impl State {
                     opened.revision = self.revision + 1;
                     opened.layout = self.layout;
                     opened.notices.append(&mut self.notices);
+                    opened.opened.append(&mut self.opened);
                     *self = opened;
                 }
                 files::Kind::Model => self.take_model(path)?,
                 files::Kind::Image => self.take_image(path)?,
             }
             self.tell(Notice::done(format!("opened {}", path.display())));
+            let is_file = files::kind(path)? != files::Kind::Image && path.is_file();
+            self.opened.extend(is_file.then(|| path.clone()));
         }
         Ok(())
     }
@@ -59,10 +72,10 @@ impl State {
         let name = name.replace(['.', '='], "_");
         let file = path.to_string_lossy().into_owned();
         self.edit(None, |document| {
-            document.set(&format!("relief.{name}.image"), Value::from(file))?;
+            document.set(&format!("relief.{name}.image"), Value::from(file.clone()))?;
             let surface = format!("cut.{index}.surfaces.0");
             document.get(&surface)?;
-            document.set(&format!("{surface}.relief"), name)
+            document.set(&format!("{surface}.relief"), name.clone())
         })
     }
 
@@ -100,6 +113,11 @@ impl State {
         Ok(())
     }
 
+    /// Whether something was changed that no file has. Where the eye is is no loss.
+    pub fn has_unsaved_changes(&self) -> bool {
+        self.is_changed() && self.is_changed_beside_the_eye().unwrap_or(true)
+    }
+
     /// Whether the document says something else than its file, wherever the eye is.
     fn is_changed_beside_the_eye(&self) -> Result<bool> {
         let mut both = [self.document.clone(), self.saved.clone()];
@@ -119,6 +137,7 @@ impl State {
         self.saved = self.document.clone();
         self.history.clear();
         self.tell(Notice::done(format!("saved {}", path.display())));
+        self.opened.push(path.to_owned());
         Ok(())
     }
 }

@@ -140,6 +140,8 @@ impl Viewer {
         if ui.button("Open ...").clicked() {
             self.ask_for_files(&ui.ctx().clone());
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        self.recent_menu(ui, actions);
         if ui.button("Save scene ...").clicked() {
             self.ask_for_save();
         }
@@ -158,7 +160,7 @@ impl Viewer {
         }
     }
 
-    fn ask_for_save(&mut self) {
+    pub(super) fn ask_for_save(&mut self) {
         let path = self.state.document().path();
         let typed = match path.as_os_str().is_empty() {
             true => "scene.toml".to_owned(),

@@ -1,12 +1,16 @@
 //! All of the window: panels around the picture. Panels read the [`State`] and say what is to be done; nothing but [`Viewer::show`] does
 //! it.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod closing;
 mod compare;
 mod cost;
+mod defects;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
 mod errands;
 mod frames;
+mod handles;
 mod judged;
 mod keys;
 mod magnifier;
@@ -16,6 +20,7 @@ mod page;
 mod pointing;
 mod properties;
 mod scene;
+mod style;
 mod survey;
 mod time;
 mod toasts;
@@ -29,17 +34,21 @@ use eframe::egui::{CentralPanel, Context, Frame, Panel, Ui};
 use egui_wgpu::RenderState;
 
 use crate::action::Action;
+use crate::inspect::Inspector;
 use crate::judge::Finding;
 use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
 use crate::pace::Pace;
 use crate::pick::Picked;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::recent::Recent;
 use crate::screen::Screen;
 use crate::slot::Side;
 use crate::state::State;
 use crate::watch::Watch;
 use cost::Costs;
+use defects::Badges;
 #[cfg(not(target_arch = "wasm32"))]
 use desktop::Outside;
 use frames::Last;
@@ -50,6 +59,7 @@ use menu::Asks;
 use page::Outside;
 use pointing::Pointing;
 use survey::Chart;
+use time::Strip;
 use toasts::Toasts;
 use viewport::Held;
 
@@ -68,6 +78,7 @@ pub struct Viewer {
     held: Held,
     flickers: bool,
     plays: bool,
+    strip: Strip,
     pointing: Pointing,
     magnifier: Magnifier,
     chart: Chart,
@@ -77,6 +88,12 @@ pub struct Viewer {
     outside: Outside,
     shows_keys: bool,
     asks: Option<Asks>,
+    inspector: Inspector,
+    badges: Badges,
+    #[cfg(not(target_arch = "wasm32"))]
+    closing: closing::Closing,
+    #[cfg(not(target_arch = "wasm32"))]
+    recent: Option<Recent>,
     size_px: [u32; 2],
 }
 
@@ -99,6 +116,7 @@ impl Viewer {
             held: Held::default(),
             flickers: false,
             plays: false,
+            strip: Strip::default(),
             pointing: Pointing::default(),
             magnifier: Magnifier::default(),
             chart: Chart::default(),
@@ -107,6 +125,12 @@ impl Viewer {
             outside: Outside::default(),
             shows_keys: false,
             asks: None,
+            inspector: Inspector::default(),
+            badges: Badges::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            closing: closing::Closing::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            recent: None,
             size_px: [16, 16],
         })
     }
@@ -151,14 +175,16 @@ impl Viewer {
         self.costs.cost(side)
     }
 
-    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported.
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported, a mesh
+    /// that is inspected.
     pub fn is_busy(&self) -> bool {
         let is_judging = self.judged.is_busy()
             || self.magnifier.is_busy()
             || self.chart.is_busy()
             || self.costs.is_busy();
         let is_outside = self.outside.is_busy();
-        self.is_drawing() || is_judging || self.screen.is_picking() || is_outside
+        let is_asked = is_judging || self.screen.is_picking() || self.inspector.is_busy();
+        self.is_drawing() || is_asked || is_outside
     }
 
     /// Carries out an action, as a button would have it done.
@@ -171,6 +197,7 @@ impl Viewer {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
         self.run_errands(&ctx, &mut actions);
+        self.inspect(&ctx);
         self.keys(&ctx, &mut actions);
         Panel::top("menu").show(ui, |ui| self.menu(ui, &mut actions));
         // Of one height, whatever it says: the picture does not change its size with the counts.
@@ -181,12 +208,15 @@ impl Viewer {
             ui.label(self.pointing.sentence());
         });
         if self.state.shown().is_some_and(|s| s.timeline.moves()) {
-            Panel::bottom("time").show(ui, |ui| {
-                time::show(ui, &self.state, &mut self.plays, &mut actions);
+            // Of a size of its own, or the picture would change its size with what the keys say.
+            let height = time::height(&self.state);
+            Panel::bottom("time").exact_size(height).show(ui, |ui| {
+                let strip = (&mut self.plays, &mut self.strip);
+                time::show(ui, &self.state, strip, &mut actions);
             });
         }
         Panel::left("scene").default_size(220.0).show(ui, |ui| {
-            scene::show(ui, &self.state, &mut actions);
+            scene::show(ui, &self.state, &self.badges, &mut actions);
         });
         Panel::right("properties")
             // As wide as what it can hold: the picture does not change its size with the selection.
@@ -206,7 +236,7 @@ impl Viewer {
                 self.judged.take_in(&ctx, &self.state, &mut self.screen);
                 self.take_findings(&ctx);
                 self.draw(&ctx);
-                let pictures = (&self.screen, &self.judged);
+                let pictures = (&self.screen, &self.judged, &self.inspector);
                 let pointer = (&mut self.held, self.flickers);
                 let at = viewport::show(ui, rect, &self.state, pictures, pointer, &mut actions);
                 self.point(&ctx, at);
@@ -225,7 +255,11 @@ impl Viewer {
         notices
             .into_iter()
             .for_each(|notice| self.toasts.add(&ctx, notice));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.remember(&ctx);
         self.dialogs(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.guard_changes(&ctx);
         self.toasts.show(&ctx);
         if self.changed.0 != self.state.revision() {
             ctx.request_repaint();

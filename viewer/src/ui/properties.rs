@@ -1,12 +1,15 @@
 //! The right panel: the numbers of what is selected.
 
-use cutaway::document::{Node, Value, named_style, style_names};
+use cutaway::document::Value;
 use eframe::egui::{ComboBox, Grid, ScrollArea, Slider, Ui};
 
+use super::style;
 use super::value::{control, text_edited};
 use crate::action::{Action, Selection};
 use crate::cuts::{self, CutKind, PlaneMove};
+use crate::parts;
 use crate::state::State;
+use crate::styles;
 
 /// Kinds of reliefs, and the keys that each has of its own with what holds without them.
 const RELIEFS: [(&str, &[(&str, f64)]); 6] = [
@@ -28,35 +31,39 @@ const RELIEFS: [(&str, &[(&str, f64)]); 6] = [
 
 /// Shows the panel.
 pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
-    ScrollArea::vertical().show(ui, |ui| match state.selection() {
-        Selection::Scene => scene(ui, state, actions),
-        Selection::Cut(index) => cut(ui, state, index, actions),
-        Selection::Part(index) => part(ui, state, index, actions),
+    ScrollArea::vertical().show(ui, |ui| {
+        match state.selection() {
+            Selection::Scene => scene(ui, state, actions),
+            Selection::Cut(index) => cut(ui, state, index, actions),
+            Selection::Part(index) => part(ui, state, index, actions),
+        }
+        animate(ui, state, actions);
     });
+}
+
+/// A button that lets a scene without time begin to move.
+fn animate(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    if state.shown().is_none_or(|shown| shown.timeline.moves()) {
+        return;
+    }
+    ui.separator();
+    let help = match state.selection() {
+        Selection::Scene => {
+            "Keys of the eye at 0 s and at 2 s: go to a time, look elsewhere, and add a key"
+        }
+        Selection::Cut(_) => "Keys of where the cut is at 0 s and at 2 s: go to a time and move it",
+        Selection::Part(_) => {
+            "Keys of where the part is at 0 s and at 2 s: go to a time and move it"
+        }
+    };
+    if ui.button("Animate").on_hover_text(help).clicked() {
+        actions.push(Action::Animate);
+    }
 }
 
 fn scene(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     ui.heading("Scene");
-    let held = state.document().root().get("style").cloned();
-    let named = held.as_ref().and_then(|style| match &style.value {
-        Value::Text(name) => Some(name.to_string()),
-        _ => style.get("base").and_then(Node::text).map(str::to_owned),
-    });
-    let named = named.unwrap_or_else(|| crate::shown::USUAL_STYLE.to_owned());
-    ComboBox::new("style", "Style")
-        .selected_text(&named)
-        .show_ui(ui, |ui| {
-            for name in style_names() {
-                if ui.selectable_label(name == named, name).clicked() && named_style(name).is_ok() {
-                    let is_table = matches!(held.as_ref().map(|h| &h.value), Some(Value::Table(_)));
-                    let path = if is_table { "style.base" } else { "style" }.to_owned();
-                    actions.push(Action::Set {
-                        path,
-                        value: name.into(),
-                    });
-                }
-            }
-        });
+    style::show(ui, state, actions);
     if let Some(shown) = state.shown() {
         let faces: usize = shown
             .scene
@@ -74,12 +81,16 @@ fn scene(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
 
 fn part(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     ui.heading("Part");
-    let material = state.shown().and_then(|shown| shown.scene.parts.get(index));
-    let colors = material.map(|part| [part.material.color, part.material.cap_color()]);
-    let hex = |color: glam::Vec3| {
-        let [r, g, b] = color.to_array().map(byte);
-        Value::from(format!("#{r:02x}{g:02x}{b:02x}"))
+    let entries = state.document().root().get("part");
+    let Some(entry) = entries.and_then(|parts| parts.items().get(index)) else {
+        return;
     };
+    ui.label(parts::name(index, entry));
+    let part = state.shown().and_then(|shown| {
+        let first = shown.timeline.names_of(index).next()?;
+        shown.scene.parts.iter().find(|part| part.name == first)
+    });
+    let colors = part.map(|part| [part.material.color, part.material.cap_color()]);
     Grid::new("numbers of the part")
         .num_columns(2)
         .show(ui, |ui| {
@@ -88,19 +99,14 @@ fn part(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
                 control(ui, state, (&path, &pattern), (label, usual), actions);
             };
             if let Some([color, cap]) = colors {
-                of("material.color", "Colour", hex(color));
-                of("material.cap_color", "Colour of caps", hex(cap));
+                of("material.color", "Colour", styles::color(color));
+                of("material.cap_color", "Colour of caps", styles::color(cap));
             }
             of("material.hatch", "Hatch", "general".into());
             of("priority", "Priority", 0_i64.into());
             of("role", "Role", "exterior".into());
             of("fill", "Fill", "even-odd".into());
         });
-}
-
-/// A channel as documents have it.
-fn byte(srgb: f32) -> u8 {
-    (srgb.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
 fn cut(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
@@ -135,7 +141,7 @@ fn cut(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
 
 fn plane(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
     let bounds = state.bounds();
-    let Ok((normal, origin)) = cuts::plane(state.document(), index, &bounds) else {
+    let Ok((normal, origin)) = cuts::plane(state.posed(), index, &bounds) else {
         ui.weak("This surface is changed by its numbers in the scene file.");
         return;
     };

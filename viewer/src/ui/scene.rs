@@ -1,10 +1,14 @@
 //! The left panel: parts and cuts of the document, and cuts to be added.
 
-use cutaway::document::{Node, Value};
-use eframe::egui::{Button, ScrollArea, Ui};
+use std::collections::BTreeSet;
 
+use cutaway::document::{Node, Value};
+use eframe::egui::{Button, Checkbox, Label, RichText, ScrollArea, Ui};
+
+use super::defects::Badges;
 use crate::action::{Action, Selection};
 use crate::cuts::NewCut;
+use crate::parts;
 use crate::state::State;
 
 /// Cuts that the panel adds.
@@ -42,7 +46,7 @@ const NEW: [(&str, &str, NewCut); 6] = [
 ];
 
 /// Shows the panel.
-pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+pub(super) fn show(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>) {
     ScrollArea::vertical().show(ui, |ui| {
         ui.heading("Cuts");
         ui.horizontal_wrapped(|ui| {
@@ -76,39 +80,67 @@ pub(super) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         }
         ui.separator();
         ui.heading("Parts");
-        parts(ui, state, actions);
+        parts(ui, state, badges, actions);
     });
 }
 
-fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
-    let root = state.document().root();
-    let entries = root.get("part").map_or(&[] as &[_], Node::items);
+fn parts(ui: &mut Ui, state: &State, badges: &Badges, actions: &mut Vec<Action>) {
+    let entries = parts::parts(state.document());
     if entries.is_empty() {
         ui.weak("Drop a mesh or a scene into the window.");
     }
+    let shown = state
+        .shown()
+        .map_or(&[] as &[_], |shown| &shown.scene.parts);
+    let own: BTreeSet<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let names = shown.iter().map(|part| part.name.as_str());
+    let solids: Vec<&str> = names.filter(|name| !own.contains(name)).collect();
     for (index, entry) in entries.iter().enumerate() {
-        let name = entry.name().map(str::to_owned).or_else(|| entry.model());
-        let name = name.unwrap_or_else(|| index.to_string());
+        let name = &entry.name;
         let is_selected = state.selection() == Selection::Part(index);
-        ui.horizontal(|ui| {
-            if ui.selectable_label(is_selected, &name).clicked() {
+        // In lines that are broken: a wider panel would make another picture.
+        ui.horizontal_wrapped(|ui| {
+            let mut is_shown = entry.is_enabled;
+            let eye = ui.add(Checkbox::without_text(&mut is_shown));
+            let eye = eye.accessible_name(format!("Show {name}"));
+            let help = "Whether it is there; the scene is as if it had no such part";
+            if eye.on_hover_text(help).changed() {
+                actions.push(Action::ShowPart(index, is_shown));
+            }
+            if ui.selectable_label(is_selected, name).clicked() {
                 actions.push(Action::Select(Selection::Part(index)));
             }
+            let counts = badges.of(index);
+            if let Some(badge) = counts.badge() {
+                let color = ui.visuals().warn_fg_color;
+                let label = Label::new(RichText::new(badge).color(color)).extend();
+                ui.add(label).on_hover_text(counts.details());
+            }
             if let Selection::Cut(cut) = state.selection() {
-                spared(ui, state, cut, &name, actions);
+                let timeline = state.shown().map(|shown| &shown.timeline);
+                let all = timeline.into_iter().flat_map(|t| t.names_of(index));
+                spared(ui, state, (cut, name), &all.collect::<Vec<_>>(), actions);
             }
         });
     }
-    if let Some(shown) = state
-        .shown()
-        .filter(|s| s.scene.parts.len() > entries.len())
-    {
-        ui.collapsing(format!("{} solids", shown.scene.parts.len()), |ui| {
-            for part in &shown.scene.parts {
+    if badges.has_open() || state.shows_open_edges() {
+        let mut shows = state.shows_open_edges();
+        let help = "Edges with an odd number of faces: all of them, also those that a cut removes or a part hides";
+        if ui
+            .checkbox(&mut shows, "Open edges")
+            .on_hover_text(help)
+            .changed()
+        {
+            actions.push(Action::ShowOpenEdges(shows));
+        }
+    }
+    if !solids.is_empty() {
+        ui.collapsing(format!("{} solids", solids.len()), |ui| {
+            for solid in solids {
                 ui.horizontal(|ui| {
-                    ui.label(&part.name);
+                    ui.label(solid);
                     if let Selection::Cut(cut) = state.selection() {
-                        spared(ui, state, cut, &part.name, actions);
+                        spared(ui, state, (cut, solid), &[solid], actions);
                     }
                 });
             }
@@ -116,8 +148,14 @@ fn parts(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     }
 }
 
-/// Whether the selected cut spares a part.
-fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<Action>) {
+/// Whether the selected cut spares what is called so, all of the parts that it is.
+fn spared(
+    ui: &mut Ui,
+    state: &State,
+    (cut, called): (usize, &str),
+    parts: &[&str],
+    actions: &mut Vec<Action>,
+) {
     let path = format!("cut.{cut}.except");
     let held = state.document().get(&path).ok();
     let mut globs: Vec<String> = held
@@ -126,17 +164,18 @@ fn spared(ui: &mut Ui, state: &State, cut: usize, part: &str, actions: &mut Vec<
         .filter_map(Node::text)
         .map(str::to_owned)
         .collect();
-    let is_spared = globs.iter().any(|glob| glob == part);
+    let is_listed = |part: &&str| globs.iter().any(|glob| glob == part);
+    let is_spared = !parts.is_empty() && parts.iter().all(is_listed);
     let button = Button::selectable(is_spared, "spare").small();
     let help = "Whether the selected cut leaves this part whole";
     let button = ui.add(button).on_hover_text(help);
     if button
-        .accessible_name(format!("Spare {part} from this cut"))
+        .accessible_name(format!("Spare {called} from this cut"))
         .clicked()
     {
-        match is_spared {
-            true => globs.retain(|glob| glob != part),
-            false => globs.push(part.to_owned()),
+        globs.retain(|glob| !parts.contains(&glob.as_str()));
+        if !is_spared {
+            globs.extend(parts.iter().map(|part| (*part).to_owned()));
         }
         actions.push(match globs.is_empty() {
             true => Action::Change(vec![(path, None)]),

@@ -18,14 +18,22 @@ pub(super) fn control(
     (label, usual): (&str, Value),
     actions: &mut Vec<Action>,
 ) {
+    cells(ui, state, (path, pattern), (label, usual), actions);
+    ui.end_row();
+}
+
+/// The label and the control of [`control`], in a row that goes on.
+pub(super) fn cells(
+    ui: &mut Ui,
+    state: &State,
+    (path, pattern): (&str, &str),
+    (label, usual): (&str, Value),
+    actions: &mut Vec<Action>,
+) {
     let Some(entry) = PATHS.iter().find(|entry| entry.path == pattern) else {
         return;
     };
-    let held = state
-        .document()
-        .get(path)
-        .ok()
-        .map(|node| node.value.clone());
+    let held = state.posed().get(path).ok().map(|node| node.value.clone());
     let value = held.unwrap_or(usual);
     ui.label(label).on_hover_text(entry.help);
     let name = format!("{label} of {path}");
@@ -34,7 +42,6 @@ pub(super) fn control(
         let path = path.to_owned();
         actions.push(Action::Set { path, value });
     }
-    ui.end_row();
 }
 
 /// The control of a value alone: what it is changed to, if it is.

@@ -1,21 +1,22 @@
-//! The picture: slots side by side or one over the other, with marks of what is wrong, the line of the wipe and the plane that is dragged.
+//! The picture: slots side by side or one over the other, with marks of what is wrong, the line of the wipe and the handles of a cut.
 
-use cutaway::scene::View;
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, FontId, Painter, PointerButton, Pos2, Rect, Response, Sense,
+    Align2, Color32, CursorIcon, FontId, Painter, PointerButton, Pos2, Rect, Response, Sense,
     Stroke, TextureId, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec2;
 
+use super::defects;
+use super::handles;
 use super::judged::Judged;
-use crate::action::{Action, Selection};
+use crate::action::Action;
 use crate::camera::CameraMove;
-use crate::cuts::{self, PlaneMove};
-use crate::gizmo::Gizmo;
+use crate::gizmo::{Gizmo, Hold};
+use crate::inspect::Inspector;
 use crate::screen::Screen;
-use crate::shown::Shown;
 use crate::slot::{Layout, Side};
 use crate::state::State;
+use crate::world_view::WorldView;
 
 /// Degrees of an orbit for a point of a drag.
 const DEGREES_PER_POINT: f64 = 0.4;
@@ -27,15 +28,15 @@ const ZOOM_PER_POINT: f64 = 0.003;
 const NEAR_LINE: f32 = 8.0;
 
 /// What is held by the pointer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub(super) enum Held {
     /// Nothing, or the eye.
     #[default]
     Eye,
     /// The line of the wipe.
     Line,
-    /// The arrow of the plane.
-    Arrow,
+    /// A handle of the selected cut.
+    Handle(Box<Hold>),
 }
 
 /// Where the pointer is in the picture of a slot.
@@ -62,7 +63,7 @@ pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     state: &State,
-    (screen, judged): (&Screen, &Judged),
+    (screen, judged, inspector): (&Screen, &Judged, &Inspector),
     (held, flickers): (&mut Held, bool),
     actions: &mut Vec<Action>,
 ) -> Option<Pointed> {
@@ -158,18 +159,25 @@ pub(super) fn show(
     });
     let own = own.copied().unwrap_or(pictures[0]);
     let size = [own.width(), own.height()].map(|s| (s.round() as u32).max(16));
-    let view = shown.view(size);
-    let gizmo = gizmo(state, shown, &view);
-    if let Some(gizmo) = &gizmo {
-        for place in &pictures {
-            paint_gizmo(&painter, *place, gizmo);
+    let view = WorldView::of(shown, size);
+    let gizmo = handles::gizmo(state, shown, &view);
+    let lit = match held {
+        Held::Handle(hold) => Some(hold.grip()),
+        _ => (response.hover_pos().filter(|_| !response.dragged()))
+            .and_then(|at| Some(gizmo.at(handles::in_picture(own, at))?.grip)),
+    };
+    for place in &pictures {
+        if state.shows_open_edges() {
+            let painter = painter.with_clip_rect(*place);
+            defects::paint(&painter, *place, (shown, inspector), &view);
         }
+        handles::paint(&painter.with_clip_rect(*place), *place, &gizmo, lit);
     }
     pointer(
         &response,
         (rect, own),
         state,
-        (held, gizmo.as_ref()),
+        (held, &gizmo, &view),
         actions,
     );
     let at = response.hover_pos().filter(|_| !response.dragged())?;
@@ -240,61 +248,38 @@ fn image(painter: &Painter, (whole, part): (Rect, Rect), id: TextureId, tint: Co
     painter.image(id, part, uv, tint);
 }
 
-/// The plane of the selected cut, in points of a picture.
-fn gizmo(state: &State, shown: &Shown, view: &View) -> Option<Gizmo> {
-    let Selection::Cut(index) = state.selection() else {
-        return None;
-    };
-    let bounds = state.bounds();
-    let plane = cuts::plane(state.document(), index, &bounds).ok()?;
-    let prepared = &shown.at.model.prepared;
-    let to_scene = |p| (p - prepared.centre_in_world) * prepared.scale;
-    Gizmo::of(plane, &bounds, view, to_scene)
-}
-
-fn paint_gizmo(painter: &Painter, rect: Rect, gizmo: &Gizmo) {
-    let at = |p: DVec2| rect.min + vec2(p.x as f32, p.y as f32);
-    let color = Color32::from_rgb(230, 120, 30);
-    let mut outline: Vec<Pos2> = gizmo.outline.iter().map(|p| at(*p)).collect();
-    outline.extend(outline.first().copied());
-    painter.add(egui::Shape::line(outline, Stroke::new(1.5, color)));
-    let [from, to] = gizmo.arrow.map(at);
-    painter.arrow(from, to - from, Stroke::new(3.0, color));
-}
-
 fn pointer(
     response: &Response,
     (rect, own): (Rect, Rect),
     state: &State,
-    (held, gizmo): (&mut Held, Option<&Gizmo>),
+    (held, gizmo, view): (&mut Held, &Gizmo, &WorldView),
     actions: &mut Vec<Action>,
 ) {
-    let in_picture =
-        |at: Pos2| DVec2::new(f64::from(at.x - own.left()), f64::from(at.y - own.top()));
     let at_line = |at: Pos2| {
         state.layout() == Layout::Wipe && (at.x - line(rect, state.wipe())).abs() <= NEAR_LINE
     };
-    let at_arrow = |at: Pos2| gizmo.is_some_and(|g| g.is_at(in_picture(at)));
-    let under = |at: Pos2| {
-        if at_arrow(at) {
-            Held::Arrow
-        } else if at_line(at) {
-            Held::Line
-        } else {
-            Held::Eye
-        }
-    };
+    let handle = |at: Pos2| gizmo.at(handles::in_picture(own, at));
     if response.drag_started() {
+        let is_primary = response.dragged_by(PointerButton::Primary);
         let at = response
             .interact_pointer_pos()
             .map(|at| at - response.drag_delta());
-        *held = at.map_or(Held::Eye, under);
+        *held = match at {
+            Some(at) if is_primary && handle(at).is_some() => {
+                let hold = handle(at).map(|handle| Box::new(handle.hold()));
+                hold.map_or(Held::Eye, Held::Handle)
+            }
+            Some(at) if at_line(at) => Held::Line,
+            _ => Held::Eye,
+        };
     }
     if let Some(at) = response.hover_pos().filter(|_| !response.dragged()) {
-        let cursor = match under(at) {
-            Held::Arrow => CursorIcon::Grab,
-            Held::Line => CursorIcon::ResizeHorizontal,
-            Held::Eye => CursorIcon::Default,
+        let cursor = if handle(at).is_some() {
+            CursorIcon::Grab
+        } else if at_line(at) {
+            CursorIcon::ResizeHorizontal
+        } else {
+            CursorIcon::Default
         };
         response.ctx.set_cursor_icon(cursor);
     }
@@ -302,22 +287,20 @@ fn pointer(
     if by != Vec2::ZERO {
         let points = DVec2::new(f64::from(by.x), f64::from(by.y));
         let in_heights = DVec2::new(points.x, -points.y) / f64::from(own.height());
-        let shift = response.ctx.input(|input| input.modifiers.shift);
+        let modifiers = response.ctx.input(|input| input.modifiers);
         let pans = response.dragged_by(PointerButton::Middle)
             || response.dragged_by(PointerButton::Secondary)
-            || shift && *held == Held::Eye;
-        match (*held, gizmo) {
-            (Held::Line, _) => {
+            || modifiers.shift;
+        match held {
+            Held::Line => {
                 let x = response.interact_pointer_pos().map_or(0.0, |at| at.x);
                 actions.push(Action::Wipe((x - rect.left()) / rect.width()));
             }
-            (Held::Arrow, Some(gizmo)) => {
-                let fine = if shift { 0.1 } else { 1.0 };
-                let distance = gizmo.dragged(points) * fine;
-                actions.push(Action::MovePlane(PlaneMove::Along(distance)));
+            Held::Handle(hold) => {
+                actions.push(hold.drag(points, view, modifiers.shift, modifiers.command));
             }
-            _ if pans => actions.push(Action::MoveCamera(CameraMove::Pan(in_heights))),
-            _ => {
+            Held::Eye if pans => actions.push(Action::MoveCamera(CameraMove::Pan(in_heights))),
+            Held::Eye => {
                 let degrees = DVec2::new(points.x, -points.y) * DEGREES_PER_POINT;
                 actions.push(Action::MoveCamera(CameraMove::Orbit(degrees)));
             }

@@ -76,11 +76,11 @@ fn it_makes_the_picture_that_is_seen() {
         ),
     ] {
         let mut harness = viewer(state(TORUS));
-        let before = common::picture(&harness, Side::A);
+        let before = common::pixels(&harness, Side::A);
         for action in actions {
             act(&mut harness, action);
         }
-        let seen = common::picture(&harness, Side::A);
+        let seen = common::pixels(&harness, Side::A);
         assert_ne!(before, seen, "{what} changes the picture");
         let command = harness
             .state()

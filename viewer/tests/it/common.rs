@@ -6,12 +6,16 @@ use std::time::Duration;
 use cutaway::Document;
 use cutaway::document::part;
 use cutaway::load::Assets;
+use cutaway_viewer::action::Selection;
 use cutaway_viewer::device::on_our_device;
+use cutaway_viewer::gizmo::Gizmo;
 use cutaway_viewer::slot::Side;
 use cutaway_viewer::ui::Viewer;
+use cutaway_viewer::world_view::WorldView;
 use cutaway_viewer::{Action, State};
-use eframe::egui::Vec2;
+use eframe::egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, wgpu};
 use image::RgbaImage;
 
@@ -77,12 +81,43 @@ pub(crate) fn settle(harness: &mut Harness<'_, Viewer>) {
 }
 
 /// The pixels of a slot.
-pub(crate) fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
+pub(crate) fn pixels(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
     pollster::block_on(harness.state().screen().read(side).unwrap()).unwrap()
 }
 
 /// Carries out an action and waits for what it shows.
 pub(crate) fn act(harness: &mut Harness<'_, Viewer>, action: Action) {
     harness.state_mut().apply(action);
+    settle(harness);
+}
+
+/// Where the picture is, in points.
+pub(crate) fn picture(harness: &Harness<'_, Viewer>) -> Rect {
+    harness.get_by_label("Picture").rect()
+}
+
+/// The handles of the selected cut, in points of the picture.
+pub(crate) fn gizmo(harness: &Harness<'_, Viewer>) -> Gizmo {
+    let rect = picture(harness);
+    let state = harness.state().state();
+    let Selection::Cut(index) = state.selection() else {
+        return Gizmo::default();
+    };
+    let shown = state.shown().unwrap();
+    let size = [rect.width(), rect.height()].map(|s| s.round() as u32);
+    let up = shown.scene.camera.up;
+    let view = WorldView::of(shown, size);
+    Gizmo::of(state.posed(), index, (&state.bounds(), up), &view)
+}
+
+/// Drags from a point of the window.
+pub(crate) fn drag(harness: &mut Harness<'_, Viewer>, from: Pos2, by: Vec2) {
+    harness.drag_at(from);
+    harness.step();
+    harness.hover_at(from + by * 0.5);
+    harness.step();
+    harness.hover_at(from + by);
+    harness.step();
+    harness.drop_at(from + by);
     settle(harness);
 }

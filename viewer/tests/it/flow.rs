@@ -30,7 +30,7 @@ fn choose(harness: &mut Harness<'_, Viewer>, combo: &str, choice: &str) {
 }
 
 fn picture(harness: &Harness<'_, Viewer>, side: Side) -> RgbaImage {
-    common::picture(harness, side)
+    common::pixels(harness, side)
 }
 
 /// How many pixels differ.

@@ -2,10 +2,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod closing;
 mod command;
 mod common;
 mod compare;
 mod flow;
+mod handles;
+mod parts;
 mod pointer;
 mod refusals;
 mod state;
+mod timeline;

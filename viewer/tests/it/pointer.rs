@@ -4,18 +4,13 @@ use cutaway::layers::Kind;
 use cutaway_viewer::Action;
 use cutaway_viewer::action::Selection;
 use cutaway_viewer::cuts::{NewCut, PlaneMove, plane};
-use cutaway_viewer::gizmo::Gizmo;
+use cutaway_viewer::gizmo::Grip;
 use cutaway_viewer::ui::Viewer;
 use eframe::egui::{Pos2, Vec2, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-use super::common::{Scratch, TORUS, act, settle, state, viewer};
-
-/// Where the picture is, in points.
-fn picture(harness: &Harness<'_, Viewer>) -> eframe::egui::Rect {
-    harness.get_by_label("Picture").rect()
-}
+use super::common::{Scratch, TORUS, act, drag, gizmo, picture, settle, state, viewer};
 
 fn hover(harness: &mut Harness<'_, Viewer>, at: Pos2) {
     harness.hover_at(at);
@@ -94,16 +89,6 @@ fn a_drag_of_the_arrow_moves_the_plane_and_one_beside_it_the_eye() {
     act(&mut harness, Action::Add(NewCut::Plane(2)));
     act(&mut harness, Action::MovePlane(PlaneMove::Across(0)));
     let rect = picture(&harness);
-    let drag = |harness: &mut Harness<'_, Viewer>, from: Pos2, by: Vec2| {
-        harness.drag_at(from);
-        harness.step();
-        harness.hover_at(from + by * 0.5);
-        harness.step();
-        harness.hover_at(from + by);
-        harness.step();
-        harness.drop_at(from + by);
-        settle(harness);
-    };
     let before = harness.state().state().document().clone();
     // Beside the model nothing but the eye is held.
     drag(
@@ -115,18 +100,10 @@ fn a_drag_of_the_arrow_moves_the_plane_and_one_beside_it_the_eye() {
     assert_eq!(before.get("cut").unwrap(), turned.get("cut").unwrap());
     assert_ne!(before.root().get("camera"), turned.root().get("camera"));
 
-    let (plane_before, gizmo) = {
-        let state = harness.state().state();
-        let (shown, bounds) = (state.shown().unwrap(), state.bounds());
-        let view = shown.view([rect.width().round() as u32, rect.height().round() as u32]);
-        let prepared = &shown.at.model.prepared;
-        let to_scene = |p| (p - prepared.centre_in_world) * prepared.scale;
-        let plane = plane(state.document(), 0, &bounds).unwrap();
-        (plane, Gizmo::of(plane, &bounds, &view, to_scene).unwrap())
-    };
-    let [from, to] = gizmo
-        .arrow
-        .map(|p| rect.min + Vec2::new(p.x as f32, p.y as f32));
+    let bounds = harness.state().state().bounds();
+    let plane_before = plane(&turned, 0, &bounds).unwrap();
+    let arrow = gizmo(&harness).handle(Grip::Along).unwrap().line.clone();
+    let [from, to] = [arrow[0], arrow[1]].map(|p| rect.min + Vec2::new(p.x as f32, p.y as f32));
     drag(&mut harness, from + (to - from) * 0.6, (to - from) * 0.5);
     let dragged = harness.state().state().document().clone();
     assert_eq!(turned.root().get("camera"), dragged.root().get("camera"));

@@ -1,0 +1,284 @@
+//! What is wrong with the meshes of a scene: found once for each mesh, beside the window.
+//!
+//! One mesh at a time is inspected, on a thread that leaves a core to the window; in a browser, which gives none, at once. What is known
+//! stays as long as something holds the mesh. Cost: that of [`Topology::new`], some seconds for some million faces.
+//!
+//! Cannot: see where a mesh is open that a clip or a deformer has bent; its edges are where it rests.
+
+use std::collections::BTreeMap;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::{Arc, Weak};
+
+use cutaway::scene::{Mesh, Part, Topology};
+use glam::DVec3;
+
+/// What was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Findings {
+    /// The ends of edges with an odd number of faces, in the space of the mesh.
+    pub open: Vec<[DVec3; 2]>,
+    /// Edges with more than two faces.
+    pub non_manifold: usize,
+    /// Edges whose two faces disagree about the outside.
+    pub inconsistent: usize,
+    /// Faces that lie on another.
+    pub coincident: usize,
+    /// Closed meshes with a negative volume.
+    pub inside_out: usize,
+}
+
+impl Findings {
+    /// Of a mesh.
+    pub fn of(mesh: &Mesh) -> Self {
+        let facts = Topology::new(mesh);
+        let at = |index: u32| mesh.positions[index as usize];
+        let open = mesh.open_edges().into_iter().map(|ends| ends.map(at));
+        Self {
+            open: open.collect(),
+            non_manifold: facts.non_manifold_edges,
+            inconsistent: facts.inconsistent_edges,
+            coincident: facts.coincident_faces,
+            inside_out: usize::from(facts.closed && facts.volume < 0.0),
+        }
+    }
+}
+
+/// The findings of the meshes of a part, summed up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    open: usize,
+    non_manifold: usize,
+    inconsistent: usize,
+    coincident: usize,
+    inside_out: usize,
+}
+
+impl Counts {
+    /// Of several meshes.
+    pub fn of<'a>(all: impl IntoIterator<Item = &'a Findings>) -> Self {
+        let mut sum = Self::default();
+        for findings in all {
+            sum.open += findings.open.len();
+            sum.non_manifold += findings.non_manifold;
+            sum.inconsistent += findings.inconsistent;
+            sum.coincident += findings.coincident;
+            sum.inside_out += findings.inside_out;
+        }
+        sum
+    }
+
+    /// Whether a hole is among them.
+    pub fn is_open(&self) -> bool {
+        self.open > 0
+    }
+
+    /// The gravest in some words; none of a mesh that is sound.
+    pub fn badge(&self) -> Option<String> {
+        let edges = |count: usize| match count {
+            1 => "1 edge".to_owned(),
+            _ => format!("{count} edges"),
+        };
+        if self.open > 0 {
+            Some(format!("open: {}", edges(self.open)))
+        } else if self.inside_out > 0 {
+            Some("inside out".to_owned())
+        } else if self.coincident > 0 {
+            Some(format!("doubled: {} faces", self.coincident))
+        } else if self.inconsistent > 0 {
+            Some(format!("inconsistent: {}", edges(self.inconsistent)))
+        } else if self.non_manifold > 0 {
+            Some(format!("non-manifold: {}", edges(self.non_manifold)))
+        } else {
+            None
+        }
+    }
+
+    /// All of them with what follows from each, in lines.
+    pub fn details(&self) -> String {
+        let lines = [
+            (
+                self.open,
+                "edges with an odd number of faces: caps can be wrong along rays through the holes",
+            ),
+            (
+                self.inside_out,
+                "closed meshes that are inside out: their volume is negative",
+            ),
+            (
+                self.coincident,
+                "faces that lie on another: two of them cancel, and the solid has no inside there",
+            ),
+            (
+                self.inconsistent,
+                "edges whose faces disagree about the outside: shading is wrong there, caps are not",
+            ),
+            (self.non_manifold, "edges with more than two faces"),
+        ];
+        let told = lines.iter().filter(|(count, _)| *count > 0);
+        let told: Vec<String> = told
+            .map(|(count, what)| format!("{count} {what}"))
+            .collect();
+        told.join("\n")
+    }
+}
+
+/// A mesh that was inspected, which is gone when nothing holds it any more.
+type Known = (Weak<Mesh>, Findings);
+
+/// What is known of meshes, and the one that is inspected now.
+#[derive(Debug, Default)]
+pub struct Inspector {
+    /// By the address of the mesh, which stays its own as long as it is held here.
+    known: BTreeMap<usize, Known>,
+    under_way: Option<(Arc<Mesh>, Receiver<Findings>)>,
+    /// For which revision nothing is left to be inspected.
+    done: Option<u64>,
+}
+
+impl Inspector {
+    /// Takes in what was found, and goes on with the next mesh of a scene; `wake` is called when there is something to be taken in.
+    /// Says whether something new is known.
+    pub fn go_on(
+        &mut self,
+        (parts, revision): (&[Part], u64),
+        wake: impl Fn() + Send + 'static,
+    ) -> bool {
+        let has_ended = self.take_in();
+        if self.under_way.is_some() || self.done == Some(revision) && !has_ended {
+            return has_ended;
+        }
+        self.known.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        let next = parts.iter().find(|part| self.of(&part.mesh).is_none());
+        match next {
+            Some(part) => {
+                let (tell, answers) = channel();
+                let mesh = part.mesh.clone();
+                self.under_way = Some((mesh.clone(), answers));
+                beside(move || {
+                    // The window is closed where there is nobody to be told.
+                    let _ = tell.send(Findings::of(&mesh));
+                    wake();
+                });
+            }
+            None => self.done = Some(revision),
+        }
+        has_ended
+    }
+
+    /// Whether a mesh is being inspected.
+    pub fn is_busy(&self) -> bool {
+        self.under_way.is_some()
+    }
+
+    /// What was found in a mesh, if it is known.
+    pub fn of(&self, mesh: &Arc<Mesh>) -> Option<&Findings> {
+        self.known.get(&address(mesh)).map(|(_, findings)| findings)
+    }
+
+    fn take_in(&mut self) -> bool {
+        let Some((mesh, answers)) = &self.under_way else {
+            return false;
+        };
+        let findings = match answers.try_recv() {
+            Ok(findings) => findings,
+            Err(TryRecvError::Empty) => return false,
+            // What failed is not tried again.
+            Err(TryRecvError::Disconnected) => Findings::default(),
+        };
+        let known = (Arc::downgrade(mesh), findings);
+        self.known.insert(address(mesh), known);
+        self.under_way = None;
+        true
+    }
+}
+
+fn address(mesh: &Arc<Mesh>) -> usize {
+    Arc::as_ptr(mesh).addr()
+}
+
+/// Does something beside the window.
+#[cfg(not(target_arch = "wasm32"))]
+fn beside(work: impl FnOnce() + Send + 'static) {
+    std::thread::spawn(move || {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
+        match pool.build() {
+            Ok(pool) => pool.install(work),
+            Err(_) => work(),
+        }
+    });
+}
+
+#[cfg(target_arch = "wasm32")]
+fn beside(work: impl FnOnce() + Send + 'static) {
+    work();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cutaway::generate::shapes::shape;
+
+    fn mesh() -> Mesh {
+        Mesh::clone(&shape("cube").expect("a cube")[0].mesh)
+    }
+
+    #[test]
+    fn holes_and_doubled_faces_are_found_and_sound_meshes_have_no_badge() {
+        let sound = Findings::of(&mesh());
+        assert_eq!(Counts::of([&sound]).badge(), None);
+        assert_eq!(Counts::of([&sound]).details(), "");
+
+        let mut open = mesh();
+        open.triangles.pop();
+        let found = Findings::of(&open);
+        assert_eq!(found.open.len(), 3, "around the face that is missing");
+        let counts = Counts::of([&found, &sound, &found]);
+        assert_eq!(counts.badge().as_deref(), Some("open: 6 edges"));
+        assert!(
+            counts.details().contains("wrong along rays"),
+            "{}",
+            counts.details()
+        );
+
+        let mut turned = mesh();
+        turned.triangles.iter_mut().for_each(|t| t.reverse());
+        let counts = Counts::of([&Findings::of(&turned)]);
+        assert_eq!(counts.badge().as_deref(), Some("inside out"));
+
+        let mut doubled = mesh();
+        let face = doubled.triangles[0];
+        doubled
+            .triangles
+            .extend([face, [face[0], face[2], face[1]]]);
+        let counts = Counts::of([&Findings::of(&doubled)]);
+        assert!(
+            counts.badge().is_some_and(|b| b.starts_with("doubled")),
+            "{counts:?}"
+        );
+    }
+
+    #[test]
+    fn each_mesh_is_inspected_once() {
+        let parts = shape("gears").expect("gears");
+        let mut inspector = Inspector::default();
+        let mut ended = 0;
+        let wait = |inspector: &mut Inspector, revision, ended: &mut usize| {
+            for _ in 0..20_000 {
+                *ended += usize::from(inspector.go_on((&parts, revision), || {}));
+                if !inspector.is_busy() {
+                    return;
+                }
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            panic!("it never ends");
+        };
+        wait(&mut inspector, 1, &mut ended);
+        let meshes: std::collections::BTreeSet<_> =
+            parts.iter().map(|p| address(&p.mesh)).collect();
+        assert_eq!(ended, meshes.len(), "one by one");
+        assert!(parts.iter().all(|p| inspector.of(&p.mesh).is_some()));
+        wait(&mut inspector, 2, &mut ended);
+        assert_eq!(ended, meshes.len(), "nothing is new");
+    }
+}

@@ -1,0 +1,131 @@
+//! A window that is closed with changes that no file has asks first, and files that were opened last.
+
+use std::path::PathBuf;
+
+use eframe::egui::{Align2, Context, Ui, Vec2, ViewportCommand, Window};
+
+use super::Viewer;
+use crate::action::Action;
+use crate::recent::Recent;
+use cutaway::{Error, Result};
+
+/// How far a window is from being closed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Closing {
+    /// Nobody closes it.
+    #[default]
+    Stays,
+    /// It is asked what becomes of the changes.
+    Asks,
+    /// It is closed when the scene is saved under the name that is asked for.
+    Saves,
+    /// Whatever is not saved may go.
+    Agreed,
+}
+
+impl Viewer {
+    /// Keeps the list of files that were opened last in a text.
+    pub fn remember_in(&mut self, recent: Recent) {
+        self.recent = Some(recent);
+    }
+
+    /// Asks before changes are lost.
+    pub(super) fn guard_changes(&mut self, ctx: &Context) {
+        let is_closed = ctx.input(|input| input.viewport().close_requested());
+        let must_ask = is_closed && self.closing != Closing::Agreed;
+        if must_ask && self.state.has_unsaved_changes() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.closing = Closing::Asks;
+        }
+        match self.closing {
+            Closing::Asks => self.ask_before_closing(ctx),
+            Closing::Saves if !self.state.has_unsaved_changes() => self.close(ctx),
+            // The name was not given after all.
+            Closing::Saves if self.asks.is_none() => self.closing = Closing::Stays,
+            _ => {}
+        }
+    }
+
+    fn ask_before_closing(&mut self, ctx: &Context) {
+        let window = Window::new("Unsaved changes").collapsible(false);
+        let window = window
+            .resizable(false)
+            .anchor(Align2::CENTER_CENTER, Vec2::ZERO);
+        window.show(ctx, |ui| {
+            ui.label("The scene was changed and is not saved.");
+            ui.horizontal(|ui| {
+                if ui.button("Save").clicked() {
+                    self.save_and_close(ctx);
+                }
+                if ui.button("Discard").clicked() {
+                    self.close(ctx);
+                }
+                if ui.button("Cancel").clicked() {
+                    self.closing = Closing::Stays;
+                }
+            });
+        });
+    }
+
+    fn save_and_close(&mut self, ctx: &Context) {
+        let path = self.state.document().path().to_owned();
+        if path.as_os_str().is_empty() {
+            self.closing = Closing::Saves;
+            self.ask_for_save();
+            return;
+        }
+        self.state.apply(Action::Save(path));
+        match self.state.has_unsaved_changes() {
+            // What refused it is told.
+            true => self.closing = Closing::Stays,
+            false => self.close(ctx),
+        }
+    }
+
+    fn close(&mut self, ctx: &Context) {
+        self.closing = Closing::Agreed;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    /// Puts what was opened or saved into the list.
+    pub(super) fn remember(&mut self, ctx: &Context) {
+        let Some(recent) = &mut self.recent else {
+            return;
+        };
+        let opened = self.state.take_opened();
+        let added: Result<()> = opened.iter().try_for_each(|path| recent.add(path));
+        if let Err(error) = added {
+            self.toasts.add(ctx, error.into());
+        }
+    }
+
+    /// The files that were opened last, as a menu.
+    pub(super) fn recent_menu(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let paths: Vec<PathBuf> = match &self.recent {
+            Some(recent) => recent.paths().to_vec(),
+            None => return,
+        };
+        ui.menu_button("Recent", |ui| {
+            if paths.is_empty() {
+                ui.weak("no file yet");
+            }
+            for path in paths {
+                if ui.button(path.display().to_string()).clicked() {
+                    match path.exists() {
+                        true => actions.push(Action::Take(vec![path])),
+                        false => self.forget(&ui.ctx().clone(), &path),
+                    }
+                }
+            }
+        });
+    }
+
+    fn forget(&mut self, ctx: &Context, path: &std::path::Path) {
+        let help = "it is taken off the list of recent files";
+        let error = Error::file(path, "it is not there any more", help);
+        self.toasts.add(ctx, error.into());
+        if let Some(Err(error)) = self.recent.as_mut().map(|recent| recent.forget(path)) {
+            self.toasts.add(ctx, error.into());
+        }
+    }
+}
