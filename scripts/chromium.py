@@ -12,7 +12,7 @@ import time
 OPTIONS = [
     "--headless=new", "--no-sandbox", "--disable-gpu-sandbox", "--hide-scrollbars", "--no-first-run",
     "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--use-vulkan=swiftshader",
-    "--enable-unsafe-swiftshader", "--remote-debugging-pipe",
+    "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--enable-gpu", "--remote-debugging-pipe",
 ]
 
 

@@ -27,8 +27,12 @@ pub(super) fn show(
                 ui.separator();
             }
             if let Some(took_ms) = screen.took_ms() {
-                let adapter = &screen.gpu().report().name;
-                ui.weak(format!("{took_ms:.0} ms for the last frame on {adapter}"));
+                // Browsers keep the name to themselves.
+                let on = match screen.gpu().report().name.as_str() {
+                    "" => String::new(),
+                    name => format!(" on {name}"),
+                };
+                ui.weak(format!("{took_ms:.0} ms for the last frame{on}"));
             }
         });
     });

@@ -23,7 +23,7 @@ use web_sys::HtmlCanvasElement;
 use crate::action::Action;
 use crate::device::on_our_device;
 use crate::link;
-use crate::slot::Side;
+use crate::slot::{Painter, Side};
 use crate::state::State;
 use crate::ui::Viewer;
 use files::PageFiles;
@@ -127,6 +127,31 @@ impl Cutaway {
         scene.and_then(|scene| link::fragment(&scene)).map_err(text)
     }
 
+    /// Chooses who draws slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
+    pub fn choose(&self, is_b: bool, name: &str) -> Result<(), JsValue> {
+        let painter: Painter = name.parse().map_err(text)?;
+        self.apply(Action::Choose(side(is_b), painter));
+        Ok(())
+    }
+
+    /// Compares the slots with the exact reference, or not.
+    pub fn show_errors(&self, shows: bool) {
+        self.apply(Action::ShowErrors(shows));
+    }
+
+    /// What is wrong in slot A or B at the whole resolution, as JSON, once it is known.
+    pub fn errors(&self, is_b: bool) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        let (errors, _) = viewer.errors(side(is_b)).filter(|(_, at)| *at == 1)?;
+        serde_json::to_string(errors).ok()
+    }
+
+    /// Why slot A or B shows nothing, where it does not.
+    pub fn refusal(&self, is_b: bool) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        viewer.screen().refusal(side(is_b)).map(str::to_owned)
+    }
+
     /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for.
     pub fn is_busy(&self) -> bool {
         self.viewer.borrow().is_busy()
@@ -139,8 +164,7 @@ impl Cutaway {
 
     /// The pixels of slot A or B: RGBA8, rows from the top.
     pub fn picture(&self, is_b: bool) -> Promise {
-        let side = if is_b { Side::B } else { Side::A };
-        let read = self.viewer.borrow().screen().read(side);
+        let read = self.viewer.borrow().screen().read(side(is_b));
         future_to_promise(async move {
             let read = read.ok_or("the slot has no picture")?;
             let image = read.await.map_err(text)?;
@@ -152,6 +176,10 @@ impl Cutaway {
         self.viewer.borrow_mut().apply(action);
         self.ctx.request_repaint();
     }
+}
+
+fn side(is_b: bool) -> Side {
+    if is_b { Side::B } else { Side::A }
 }
 
 fn text(error: cutaway::Error) -> JsValue {
