@@ -1,11 +1,11 @@
-# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`. All install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`, `make web`, `make check-web`. All install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: demo gallery test setup
+.PHONY: check-web demo gallery test setup web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
@@ -15,6 +15,15 @@ demo: setup
 gallery: setup
 	$(CARGO) build --release --quiet
 	scripts/gallery.sh target/release/cutaway
+
+# The viewer as a page: static files in target/page, for any static host. The first time it builds for some 10 minutes.
+web:
+	CARGO="$(CARGO)" scripts/web.sh
+
+# The page in a real browser, its pictures against those of the command.
+check-web: setup web
+	$(CARGO) build --release --quiet
+	scripts/check-web.sh
 
 # In order of cost, so that the cheap complaints come first.
 test: setup

@@ -28,6 +28,8 @@ if rustup target add wasm32-unknown-unknown 2>/dev/null; then
     for features in "" io; do
         $cargo check --quiet --lib --no-default-features --features "$features" --target wasm32-unknown-unknown
     done
+    echo "the viewer for a browser"
+    $cargo clippy --quiet --lib --package cutaway-viewer --target wasm32-unknown-unknown -- -D warnings
 else
     echo "NOT CHECKED: whether the library compiles for a browser (rustup has no target wasm32-unknown-unknown here)" >&2
 fi

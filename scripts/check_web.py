@@ -91,17 +91,17 @@ def drawn(scene, strategy, size_px):
         file.write(scene)
     size = "{},{}".format(*size_px)
     image = os.path.join(out, "native.png")
-    command = [program, "render", path, "--strategy", strategy, "--resolution", size, "--quiet", "-o", image]
+    command = [program, "render", path, "--strategy", strategy, "--resolution", size, "--supersample", "1", "--quiet", "-o", image]
     subprocess.run(command, check=True)
     return subprocess.run(["convert", image, "-depth", "8", "rgba:-"], check=True, capture_output=True).stdout
 
 
 def differing(a, b):
-    """How many pixels differ, and how many by more than 16 levels."""
+    """How many pixels differ, and how many by more than one level and more than 16 levels."""
     if len(a) != len(b):
-        return len(a), len(a)
+        return [len(a)] * 3
     most = [max(abs(x - y) for x, y in zip(a[i:i + 4], b[i:i + 4])) for i in range(0, len(a), 4) if a[i:i + 4] != b[i:i + 4]]
-    return len(most), sum(m > 16 for m in most)
+    return [sum(m > least for m in most) for least in (0, 1, 16)]
 
 
 def choose(page, side, name):
@@ -139,16 +139,17 @@ def use(address):
         for side, name in slots:
             choose(page, side, name)
         settle(page)
+        # Both drivers find the same layers; the style rounds its light by one level here and there.
         for side, name in slots:
             expect(page.run(f"cutaway.refusal({'true' if side == 'B' else 'false'})") is None, f"{name} draws it")
-            count, much = differing(pixels(page, side), drawn(after, name, (width, height)))
-            expect(count == 0, f"{name}: {count} px differ from the command's, {much} by more than 16 levels")
+            count, more, _ = differing(pixels(page, side), drawn(after, name, (width, height)))
+            expect(more == 0, f"{name}: {count} px differ from the command's by one level, {more} by more")
+        count, _, _ = differing(pixels(page, "A"), drawn(before, "raycast+mask@compute", (width, height)))
+        expect(count > 1000, f"control: {count} px differ from the picture before the drag")
         choose(page, "B", "raycast+mask")
         settle(page)
-        count, much = differing(pixels(page, "B"), drawn(after, "raycast+mask", (width, height)))
-        expect(much <= 200, f"raycast+mask: {count} px differ from the command's, {much} by more than 16 levels")
-        count, _ = differing(pixels(page, "A"), drawn(before, "raycast+mask@compute", (width, height)))
-        expect(count > 1000, f"control: {count} px differ from the picture before the drag")
+        count, _, much = differing(pixels(page, "B"), drawn(after, "raycast+mask", (width, height)))
+        expect(much <= 200, f"raycast+mask: {count} px differ from the command's, {much} by more than 16 levels: another rasteriser")
         choose(page, "B", "grid:16+vds:64")
         page.run("cutaway.show_errors(true)")
         page.wait("cutaway.errors(false) && cutaway.errors(true) && !cutaway.is_busy()", 300, "the errors")
@@ -157,8 +158,8 @@ def use(address):
         expect(b["decided_wrong_px"] > 0, f"and {b['decided_wrong_px']} px of grid:16+vds:64")
         choose(page, "A", "exact")
         settle(page)
-        count, much = differing(pixels(page, "A"), drawn(after, "exact", (width, height)))
-        expect(much <= 20, f"exact: {count} px differ from the command's, {much} by more than 16 levels")
+        count, more, _ = differing(pixels(page, "A"), drawn(after, "exact", (width, height)))
+        expect(more == 0, f"exact: {count} px differ from the command's by one level, {more} by more")
         why = page.run("(() => { try { return cutaway.fragment() } catch (why) { return String(why) } })()")
         expect("hollow.stl" in why, "there is no link to a scene with files, and it says so")
         page.screenshot(os.path.join(out, "page.png"))
