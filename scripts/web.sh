@@ -24,7 +24,7 @@ fi
 
 $cargo rustc --quiet --package cutaway-viewer --lib --crate-type cdylib --profile web --target wasm32-unknown-unknown
 mkdir -p "$out"
-"$tools/bin/wasm-bindgen" --target web --out-dir "$out" "$target/wasm32-unknown-unknown/web/cutaway_viewer.wasm"
+"$tools/bin/wasm-bindgen" --target web --remove-name-section --out-dir "$out" "$target/wasm32-unknown-unknown/web/cutaway_viewer.wasm"
 program=$out/cutaway_viewer_bg.wasm
 if command -v wasm-opt >/dev/null; then
     wasm-opt -Os --all-features -o "$program.small" "$program"

@@ -44,6 +44,9 @@ pub(super) struct ViewArgs {
     means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
+    /// Say at the end what the frames of the window cost the CPU
+    #[arg(long, help_heading = "Measuring")]
+    profile: bool,
 }
 
 /// What a window begins with.
@@ -55,6 +58,8 @@ pub struct Opened {
     pub assets: Assets,
     /// Part of the name of the adapter that is wanted.
     pub adapter: Option<String>,
+    /// Whether what frames cost is said at the end.
+    pub profile: bool,
 }
 
 /// Opens a window and stays until it is closed.
@@ -73,6 +78,7 @@ fn open(args: &ViewArgs) -> Result<Opened> {
     if args.scene.inputs.is_empty() {
         return Ok(Opened {
             adapter,
+            profile: args.profile,
             ..Opened::default()
         });
     }
@@ -90,6 +96,7 @@ fn open(args: &ViewArgs) -> Result<Opened> {
         document,
         assets,
         adapter,
+        profile: args.profile,
     })
 }
 

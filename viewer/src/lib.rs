@@ -14,12 +14,12 @@ pub mod chart;
 pub mod command;
 pub mod cuts;
 pub mod device;
-pub mod difference;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod disk;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod export;
 pub mod files;
+pub mod full_screen;
 pub mod gizmo;
 pub mod history;
 pub mod inspect;
@@ -29,6 +29,7 @@ pub mod notice;
 pub mod pace;
 pub mod parts;
 pub mod pick;
+pub mod profile;
 pub mod readback;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod recent;

@@ -4,9 +4,13 @@
 //! A slot that is drawn on the CPU gets its layers from the [judge](crate::judge), and is shaded here. Two slots by one method are one picture. What a frame
 //! took is told by the queue when it is done; until then no other is drawn, so that a slow device has no frames in store.
 //!
+//! While nothing moves, [samples](Sample) of a picture follow it, and smooth its edges when all are there.
+//!
 //! Cannot: show a picture of more pixels than a texture of the device holds.
 
+mod difference;
 mod picture;
+mod samples;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,6 +19,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use cutaway::experiment::{Renderer, Stopwatch};
 use cutaway::gpu::{ClockSet, Gpu, Pick};
 use cutaway::layers::Layer;
+use cutaway::scene::View;
 use cutaway::session::Encoded;
 use cutaway::strategies::Method;
 use cutaway::{Layers, Result, Session};
@@ -22,12 +27,15 @@ use eframe::egui::{TextureId, TextureOptions};
 use egui_wgpu::{RenderState, wgpu};
 use image::RgbaImage;
 
-use crate::difference::Difference;
 use crate::judge::Subject;
+use crate::pace::Detail;
 use crate::readback;
 use crate::shown::Shown;
 use crate::slot::Side;
-use picture::{FORMAT, Picture};
+use difference::Difference;
+use picture::Picture;
+pub use samples::Sample;
+use samples::Samples;
 
 /// A frame that the device has not done yet.
 struct UnderWay {
@@ -44,7 +52,9 @@ pub struct Screen {
     /// Who drew them.
     painted_by: [Option<Renderer>; 2],
     difference: Difference,
-    difference_picture: Option<Picture>,
+    samples: Samples,
+    /// What was last drawn of a method is of this view.
+    view: Option<View>,
     under_way: Option<UnderWay>,
     /// A pixel that was asked for.
     pick: Option<([u32; 2], Pick)>,
@@ -70,8 +80,9 @@ impl Screen {
             host: host.clone(),
             pictures: BTreeMap::new(),
             painted_by: [None; 2],
-            difference: Difference::new(&host.device, FORMAT),
-            difference_picture: None,
+            difference: Difference::new(&host.device),
+            samples: Samples::new(&host.device),
+            view: None,
             under_way: None,
             pick: None,
             refusals: [None, None],
@@ -113,7 +124,7 @@ impl Screen {
 
     /// How far apart the pictures of the slots are.
     pub fn difference(&self) -> Option<TextureId> {
-        self.difference_picture.as_ref().map(|p| p.id)
+        self.difference.id()
     }
 
     /// Takes in what the device has done: the divisor and the time of a frame that ended, and whether a frame is to be drawn again, because
@@ -141,7 +152,12 @@ impl Screen {
         self.under_way.is_some()
     }
 
-    /// Draws slots that methods draw, in pictures that are so much coarser than the window.
+    /// The view of what was last drawn by methods: that of a picture, or of a sample of one.
+    pub fn view(&self) -> Option<&View> {
+        self.view.as_ref()
+    }
+
+    /// Draws slots that methods draw, as coarsely as a detail says; of a sample that is the last, all are put together.
     ///
     /// # Errors
     ///
@@ -151,11 +167,17 @@ impl Screen {
         shown: &Shown,
         renderers: [Option<Renderer>; 2],
         size_px: [u32; 2],
-        divisor: u32,
+        detail: Detail,
         wants_difference: bool,
     ) -> Result<()> {
+        let divisor = detail.divisor();
         let size_px = size_px.map(|s| (s / divisor).max(1));
-        let view = shown.view(size_px);
+        let sample = detail.sample();
+        let view = match sample {
+            None => shown.view(size_px),
+            Some(sample) => sample.of(&shown.view(size_px)),
+        };
+        self.view = Some(view);
         let mut encoder =
             (self.host.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.passes = 0;
@@ -169,7 +191,7 @@ impl Screen {
                 if is_new {
                     self.refusals[side.index()] = None;
                     if let Some(old) = self.pictures.remove(&side) {
-                        self.free(old);
+                        old.free(&self.host);
                     }
                 }
                 continue;
@@ -184,11 +206,20 @@ impl Screen {
                 continue;
             }
             drawn = drawn.or(Some((method, side)));
+            if let Some(sample) = sample {
+                (self.samples).make_room(&self.host, side, size_px, sample.count());
+            }
             let Some(picture) = self.pictures.get(&side) else {
                 continue;
             };
-            let target = picture.target();
-            clear(&mut encoder, &picture.view);
+            let target = match sample {
+                None => Some(picture.target()),
+                Some(sample) => self.samples.target(side, sample.index),
+            };
+            let Some(target) = target else {
+                continue;
+            };
+            clear(&mut encoder, target.color);
             let encoded =
                 (self.session).encode(&mut encoder, &shown.at.model, &view, method, &target);
             let encoded = encoded.inspect_err(|_| {
@@ -205,6 +236,9 @@ impl Screen {
                 Encoded::Refused(refusal) => {
                     self.refusals[side.index()] = Some(refusal.reason);
                 }
+            }
+            if sample.is_some_and(Sample::is_last) {
+                (self.samples).resolve(&self.host, &mut encoder, side, &picture.view);
             }
         }
         if wants_difference {
@@ -297,13 +331,8 @@ impl Screen {
         }
         let made = Picture::new(&self.host, size_px);
         if let Some(old) = self.pictures.insert(side, made) {
-            self.free(old);
+            old.free(&self.host);
         }
-    }
-
-    fn free(&self, picture: Picture) {
-        self.host.renderer.write().free_texture(&picture.id);
-        picture.texture.destroy();
     }
 
     fn copy(&self, encoder: &mut wgpu::CommandEncoder, from: Side, to: Side) {
@@ -317,29 +346,8 @@ impl Screen {
     }
 
     fn subtract(&mut self, encoder: &mut wgpu::CommandEncoder, size_px: [u32; 2]) {
-        if Side::BOTH
-            .iter()
-            .any(|side| !self.pictures.contains_key(side))
-        {
-            // One is still to come.
-            if let Some(old) = self.difference_picture.take() {
-                self.free(old);
-            }
-            return;
-        }
-        let fits = |picture: &Picture| picture.size_px() == size_px;
-        if !self.difference_picture.as_ref().is_some_and(fits) {
-            let made = Picture::new(&self.host, size_px);
-            if let Some(old) = self.difference_picture.replace(made) {
-                self.free(old);
-            }
-        }
-        let sides = Side::BOTH.map(|side| self.pictures.get(&side));
-        if let ([Some(a), Some(b)], Some(onto)) = (sides, &self.difference_picture) {
-            let (device, onto) = (&self.host.device, &onto.view);
-            self.difference
-                .encode(device, encoder, [&a.view, &b.view], onto);
-        }
+        let pictures = Side::BOTH.map(|side| self.pictures.get(&side));
+        (self.difference).encode(&self.host, encoder, pictures, size_px);
     }
 
     fn submit(&mut self, encoder: wgpu::CommandEncoder, divisor: u32) {

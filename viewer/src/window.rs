@@ -35,6 +35,9 @@ pub fn open(opened: Opened) -> Result<()> {
             let host = made.wgpu_render_state.as_ref();
             let host = host.ok_or("egui draws without wgpu")?;
             let mut viewer = Viewer::on(host, state)?;
+            if opened.profile {
+                viewer.begin_profile();
+            }
             if let Some(file) = Recent::usual_file() {
                 viewer.remember_in(Recent::read(file));
             }
@@ -47,7 +50,8 @@ pub fn open(opened: Opened) -> Result<()> {
         Error::input(
             "view",
             format!("no window can be opened: {e}"),
-            "it needs a display ($DISPLAY or $WAYLAND_DISPLAY) and a graphics adapter; `cutaway render` needs no display",
+            "it needs a display ($DISPLAY or $WAYLAND_DISPLAY) and a graphics adapter, for which a software driver will do (the package \
+             mesa-vulkan-drivers of Debian, Ubuntu and Fedora); `cutaway render` needs no display",
         )
     })
 }
@@ -75,6 +79,12 @@ fn on_adapter(options: &mut WgpuConfiguration, wanted: String) {
 struct App(Viewer);
 
 impl eframe::App for App {
+    fn on_exit(&mut self) {
+        if let Some(profile) = self.0.profile() {
+            print!("{profile}");
+        }
+    }
+
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.0.show(ui);
     }

@@ -52,6 +52,12 @@ impl Picture {
         }
     }
 
+    /// Gives back what it holds on the device.
+    pub(super) fn free(self, host: &RenderState) {
+        host.renderer.write().free_texture(&self.id);
+        self.texture.destroy();
+    }
+
     pub(super) fn size_px(&self) -> [u32; 2] {
         [self.texture.width(), self.texture.height()]
     }

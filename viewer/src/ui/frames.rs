@@ -3,12 +3,15 @@
 use std::time::Duration;
 
 use cutaway::Result;
-use cutaway::experiment::Renderer;
+use cutaway::experiment::{Renderer, Stopwatch};
 use eframe::egui::Context;
 
 use super::Viewer;
-use crate::pace::REST;
-use crate::slot::Layout;
+use crate::pace::{Detail, REST};
+use crate::slot::{Layout, Side};
+
+/// Samples along each side of a pixel where a document says nothing of it, as pictures have them.
+const USUAL_SAMPLES: u32 = 2;
 
 /// What was last drawn.
 #[derive(Clone, Copy, PartialEq)]
@@ -17,16 +20,41 @@ pub(super) struct Last {
     is_settled: bool,
     size_px: [u32; 2],
     pub(super) renderers: [Option<Renderer>; 2],
-    divisor: u32,
+    detail: Detail,
 }
 
 impl Viewer {
     /// Whether a whole picture of what the state is now is still to come.
     pub(super) fn is_drawing(&self) -> bool {
-        let last = self.last.map(|l| (l.revision, l.is_settled, l.divisor));
-        let whole = Some((self.state.revision(), true, 1));
-        let is_drawn = self.state.shown().is_none() || last == whole;
-        !is_drawn || self.screen.is_busy()
+        let Some(last) = self.last else {
+            return self.state.shown().is_some();
+        };
+        let is_of_now = (last.revision, last.is_settled) == (self.state.revision(), true);
+        let is_whole = is_of_now && last.detail.divisor() == 1;
+        let is_under_way = self.screen.is_busy() && last.detail.sample().is_none();
+        self.state.shown().is_some() && (!is_whole || is_under_way)
+    }
+
+    /// Whether samples of that picture are still to come.
+    pub(super) fn is_refining(&self) -> bool {
+        let last = self.last.filter(|_| self.state.shown().is_some());
+        let per_side = self.samples_per_side();
+        let is_open = |last: Last| Detail::next(Some(last.detail), 1, false, per_side).is_some();
+        last.is_some_and(is_open) || self.screen.is_busy()
+    }
+
+    /// How many samples of a pixel follow at rest along each of its sides: as many as the document asks for.
+    fn samples_per_side(&self) -> u32 {
+        let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
+        let drawn = self.last.map_or([None; 2], |last| last.renderers);
+        let is_drawn = |side: Side| {
+            let method = drawn[side.index()].and_then(|renderer| renderer.method());
+            method.is_some() && self.screen.refusal(side).is_none()
+        };
+        match self.is_smooth && Side::BOTH.into_iter().any(is_drawn) {
+            true => asked.unwrap_or(USUAL_SAMPLES),
+            false => 1,
+        }
     }
 
     /// Draws what has changed, as finely as there is time for.
@@ -52,7 +80,9 @@ impl Viewer {
         let rested = now - self.changed.1;
         let is_moving = self.last.is_some() && rested < REST.as_secs_f64();
         if !is_moving && self.settled != Some(revision) {
+            let watch = Stopwatch::start();
             self.state.settle();
+            self.cost.scene_ms += watch.ms();
             self.settled = Some(revision);
         }
         let Some(shown) = self.state.shown() else {
@@ -74,24 +104,27 @@ impl Viewer {
             is_settled,
             size_px: self.size_px,
             renderers,
-            divisor,
+            detail: Detail::WHOLE,
         };
-        // A picture as fine or finer of the same is good enough.
-        let is_drawn = self.last.is_some_and(|last| {
-            last == Last {
-                divisor: last.divisor,
-                ..next
-            } && last.divisor <= divisor
-        });
-        if !is_drawn && !self.screen.is_busy() {
+        let is_same = |last: &Last| {
+            Last {
+                detail: Detail::WHOLE,
+                ..*last
+            } == next
+        };
+        let same = self.last.filter(is_same).map(|last| last.detail);
+        let detail = Detail::next(same, divisor, is_moving, self.samples_per_side());
+        if let Some(detail) = detail.filter(|_| !self.screen.is_busy()) {
             let wants_difference = self.state.layout() == Layout::Difference;
+            let watch = Stopwatch::start();
             let drawn = self
                 .screen
-                .draw(shown, renderers, self.size_px, divisor, wants_difference);
-            self.last = Some(next);
+                .draw(shown, renderers, self.size_px, detail, wants_difference);
+            self.cost.picture_ms = Some(watch.ms());
+            self.last = Some(Last { detail, ..next });
             drawn?;
         }
-        if self.screen.is_busy() || !is_drawn {
+        if self.screen.is_busy() || detail.is_some() {
             ctx.request_repaint_after(Duration::from_millis(5));
         } else if !is_settled {
             ctx.request_repaint_after(REST);

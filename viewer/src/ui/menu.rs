@@ -106,6 +106,7 @@ impl Viewer {
                 if ui.button("Show all").clicked() {
                     actions.push(Action::MoveCamera(CameraMove::Home));
                 }
+                ui.checkbox(&mut self.is_smooth, "Smooth edges at rest");
                 if ui.button("Perspective or parallel").clicked() {
                     actions.push(self.other_projection());
                 }

@@ -29,6 +29,7 @@ mod viewport;
 
 use cutaway::Result;
 use cutaway::compare::Comparison;
+use cutaway::experiment::Stopwatch;
 use cutaway::strategies::Method;
 use eframe::egui::{CentralPanel, Context, Frame, Panel, Ui};
 use egui_wgpu::RenderState;
@@ -41,6 +42,7 @@ use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
 use crate::pace::Pace;
 use crate::pick::Picked;
+use crate::profile::{FrameCost, Profile};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::recent::Recent;
 use crate::screen::Screen;
@@ -95,6 +97,11 @@ pub struct Viewer {
     #[cfg(not(target_arch = "wasm32"))]
     recent: Option<Recent>,
     size_px: [u32; 2],
+    /// Whether edges are smoothed while nothing moves.
+    is_smooth: bool,
+    /// What frames cost, where that is asked for, and the present one.
+    profile: Option<Profile>,
+    cost: FrameCost,
 }
 
 impl Viewer {
@@ -132,6 +139,9 @@ impl Viewer {
             #[cfg(not(target_arch = "wasm32"))]
             recent: None,
             size_px: [16, 16],
+            is_smooth: true,
+            profile: None,
+            cost: FrameCost::default(),
         })
     }
 
@@ -184,7 +194,7 @@ impl Viewer {
             || self.costs.is_busy();
         let is_outside = self.outside.is_busy();
         let is_asked = is_judging || self.screen.is_picking() || self.inspector.is_busy();
-        self.is_drawing() || is_asked || is_outside
+        self.is_drawing() || self.is_refining() || is_asked || is_outside
     }
 
     /// Carries out an action, as a button would have it done.
@@ -192,8 +202,33 @@ impl Viewer {
         self.state.apply(action);
     }
 
+    /// Smooths edges while nothing moves, or does not.
+    pub fn smooth(&mut self, is_smooth: bool) {
+        self.is_smooth = is_smooth;
+    }
+
+    /// Begins to keep what frames cost.
+    pub fn begin_profile(&mut self) {
+        self.profile = Some(Profile::default());
+    }
+
+    /// What frames have cost since.
+    pub fn profile(&self) -> Option<&Profile> {
+        self.profile.as_ref()
+    }
+
     /// All of the window.
     pub fn show(&mut self, ui: &mut Ui) {
+        let watch = Stopwatch::start();
+        self.cost = FrameCost::default();
+        self.show_all(ui);
+        self.cost.whole_ms = watch.ms();
+        if let Some(profile) = &mut self.profile {
+            profile.add(self.cost);
+        }
+    }
+
+    fn show_all(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
         self.run_errands(&ctx, &mut actions);
@@ -248,9 +283,11 @@ impl Viewer {
         if !actions.is_empty() {
             ctx.request_repaint();
         }
+        let watch = Stopwatch::start();
         for action in actions {
             self.state.apply(action);
         }
+        self.cost.scene_ms += watch.ms();
         let notices = self.state.notices();
         notices
             .into_iter()

@@ -86,7 +86,7 @@ impl Viewer {
         let renderers = self.last.map(|last| last.renderers);
         let renderer = renderers.and_then(|r| r[pointed.side.index()]);
         let method = renderer.and_then(|renderer| renderer.method());
-        let (Some(method), Some(shown)) = (method, self.state.shown()) else {
+        let (Some(method), Some(view)) = (method, self.screen.view()) else {
             // What is drawn on the CPU has no layers here.
             (self.pointing.asked, self.pointing.under_pointer) = (None, None);
             return;
@@ -94,7 +94,7 @@ impl Viewer {
         self.pointing.asked = Some(Asked {
             revision,
             pointed,
-            view: shown.view(self.size_px),
+            view: *view,
         });
         if let Err(error) = self.screen.pick(method, pointed.at_px) {
             self.toasts.add(ctx, error.into());

@@ -56,7 +56,9 @@ pub(crate) fn state(model: &str) -> State {
 
 /// A viewer of a state, which has drawn it.
 pub(crate) fn viewer(state: State) -> Harness<'static, Viewer> {
-    let viewer = Viewer::on(&host(), state).unwrap();
+    let mut viewer = Viewer::on(&host(), state).unwrap();
+    // One sample a pixel, where a test does not ask for more.
+    viewer.smooth(false);
     let show = |ui: &mut eframe::egui::Ui, viewer: &mut Viewer| viewer.show(ui);
     let builder = Harness::builder().with_size(Vec2::new(1100.0, 640.0));
     let mut harness = builder.build_ui_state(show, viewer);

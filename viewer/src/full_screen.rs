@@ -1,19 +1,23 @@
-//! How far apart the colours of two pictures are: a pass over both, four times as bright as it is, so that a difference of 1 in 64 is seen.
+//! A pass over a whole picture that reads others: its shader has the entry points `vertex` and `fragment`.
 
-use eframe::wgpu;
+use cutaway::gpu::wgpu;
 
 /// The pass.
-pub struct Difference {
+pub struct FullScreen {
     pipeline: wgpu::RenderPipeline,
-    sampler: wgpu::Sampler,
 }
 
-impl Difference {
-    /// For pictures of a format.
-    pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
-        let module = device.create_shader_module(wgpu::include_wgsl!("../shaders/difference.wgsl"));
+impl FullScreen {
+    /// Of a shader, onto pictures of a format.
+    pub fn new(
+        device: &wgpu::Device,
+        shader: wgpu::ShaderModuleDescriptor<'_>,
+        format: wgpu::TextureFormat,
+    ) -> Self {
+        let label = shader.label;
+        let module = device.create_shader_module(shader);
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("difference"),
+            label,
             layout: None,
             vertex: wgpu::VertexState {
                 module: &module,
@@ -33,36 +37,28 @@ impl Difference {
             multiview_mask: None,
             cache: None,
         });
-        Self {
-            pipeline,
-            sampler: device.create_sampler(&wgpu::SamplerDescriptor::default()),
-        }
+        Self { pipeline }
     }
 
-    /// Draws the difference of two pictures onto a third.
-    pub fn encode(
+    /// Draws what the shader makes of some resources, which it binds in group 0 from 0 on.
+    pub fn encode<'a>(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
-        [a, b]: [&wgpu::TextureView; 2],
+        resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
         onto: &wgpu::TextureView,
     ) {
-        let resources = [
-            wgpu::BindingResource::TextureView(a),
-            wgpu::BindingResource::TextureView(b),
-            wgpu::BindingResource::Sampler(&self.sampler),
-        ];
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
             .zip(resources)
             .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("difference"),
+            label: None,
             layout: &self.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("difference"),
+            label: None,
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: onto,
                 depth_slice: None,
