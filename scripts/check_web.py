@@ -116,6 +116,8 @@ def use(address):
         seconds = page.wait("globalThis.cutaway", 120, "the start")
         print(f"started after {seconds:.1f} s")
         expect("[[part]]" not in page.run("cutaway.scene()"), "it begins empty")
+        # One sample a pixel, as it is compared.
+        page.run("cutaway.smooth(false)")
         page.drop([model], 500, 300)
         page.wait("cutaway.scene().includes('hollow.stl')", 60, "the model that was dropped")
         settle(page)
@@ -172,17 +174,24 @@ def follow_link(address):
     page = Page(address, SIZE_PX)
     try:
         page.wait("globalThis.cutaway", 120, "the start")
-        scene = '[[part]]\nshape = "torus?segments=48&sides=24"\n\n[[cut]]\nsurfaces = [{ section = "-z=40%" }]\n'
+        page.run("cutaway.smooth(false)")
+        # A style without rounding of its own, by the rasteriser that is the same everywhere.
+        scene = 'style = "lit"\n\n[[part]]\nshape = "torus?segments=48&sides=24"\n\n[[cut]]\nsurfaces = [{ section = "-z=40%" }]\n'
         page.run(f"cutaway.take('scene.toml', new TextEncoder().encode({json.dumps(scene)}))")
         page.wait("cutaway.scene().includes('torus')", 60, "the scene")
+        choose(page, "A", "raycast+mask@compute")
         settle(page)
         fragment, seen = page.run("cutaway.fragment()"), pixels(page, "A")
+        size_px = page.run("Array.from(cutaway.size_px())")
+        count, _, _ = differing(seen, drawn(page.run("cutaway.scene()"), "raycast+mask@compute", size_px))
+        expect(count == 0, f"raycast+mask@compute in the style lit: {count} px differ from the command's")
         print(f"the link has {len(fragment)} characters")
     finally:
         page.close()
     page = Page(f"{address}#{fragment}", SIZE_PX)
     try:
         page.wait("globalThis.cutaway", 120, "the start by a link")
+        page.run("cutaway.smooth(false)")
         settle(page)
         expect(differing(pixels(page, "A"), seen)[0] == 0, "a link shows the same picture, bit for bit")
     finally:

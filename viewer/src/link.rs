@@ -34,9 +34,14 @@ pub fn fragment(document: &Document) -> Result<String> {
             "save the scene and pass it on together with its files",
         ));
     }
+    let text = document.to_string();
+    if text.len() as u64 > MOST_BYTES {
+        let what = format!("the scene has more than {MOST_BYTES} bytes of text");
+        return Err(Error::input("the link", what, "save the scene instead"));
+    }
     let packed = || {
         let mut packed = DeflateEncoder::new(Vec::new(), Compression::best());
-        packed.write_all(document.to_string().as_bytes())?;
+        packed.write_all(text.as_bytes())?;
         packed.finish()
     };
     let packed = packed().map_err(|e: std::io::Error| unreadable(&e.to_string()))?;
@@ -56,8 +61,11 @@ pub fn document(fragment: &str) -> Result<Option<Document>> {
     let packed = URL_SAFE_NO_PAD.decode(packed);
     let packed = packed.map_err(|e| unreadable(&e.to_string()))?;
     let mut text = String::new();
-    let mut unpacked = DeflateDecoder::new(&*packed).take(MOST_BYTES);
+    let mut unpacked = DeflateDecoder::new(&*packed).take(MOST_BYTES + 1);
     (unpacked.read_to_string(&mut text)).map_err(|e| unreadable(&e.to_string()))?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(unreadable("it is too long"));
+    }
     Document::parse("", &text).map(Some)
 }
 
@@ -94,6 +102,9 @@ mod tests {
         let whole = fragment(&scene).expect("a fragment");
         assert!(document(&whole[..whole.len() - 9]).is_err(), "cut short");
         assert!(document("scene=%%%").is_err(), "another alphabet");
+        let long = format!("{SCENE}# {}\n", "x".repeat(MOST_BYTES as usize));
+        let long = Document::parse("", &long).expect("a scene");
+        assert!(fragment(&long).is_err(), "too long");
         let files = "[[part]]\nmesh = \"bracket.stl\"\n";
         let files = Document::parse("", files).expect("a scene");
         let refused = fragment(&files).expect_err("a file").to_string();

@@ -229,7 +229,7 @@ impl Screen {
             match encoded {
                 Encoded::Drawn { passes } => {
                     self.passes += passes;
-                    if divisor == 1 {
+                    if detail == Detail::WHOLE {
                         self.clocks[side.index()] = self.session.clocks(method).ok();
                     }
                 }

@@ -201,12 +201,24 @@ impl State {
         (self.shown.as_ref()).map_or(Bounds::EMPTY, |shown| shown.scene.bounds())
     }
 
-    /// The document of what is seen: with the eye where it is, at the moment that is shown, by who draws the first slot.
+    /// The document of what is seen: with the eye where it is, at the moment that is shown, by who draws the first slot. Keys do not move that
+    /// eye any more.
     ///
     /// # Errors
     ///
     /// A document that cannot be changed.
     pub fn as_seen(&self) -> Result<Document> {
+        let mut document = self.as_moving()?;
+        timeline::remove_below(&mut document, "camera")?;
+        Ok(document)
+    }
+
+    /// As [`State::as_seen`], with all keys.
+    ///
+    /// # Errors
+    ///
+    /// A document that cannot be changed.
+    pub fn as_moving(&self) -> Result<Document> {
         let mut document = self.document.clone();
         if let Some(shown) = &self.shown {
             camera::write(&shown.scene.camera, &mut document)?;

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{DedicatedWorkerGlobalScope, MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
 use super::bench::Bench;
 use super::{Answer, Asker, Finding, Known, Question, Subject, cost, errors, magnify, survey};
@@ -68,46 +68,66 @@ pub struct Judge {
     answers: Rc<RefCell<Vec<Answer>>>,
     /// So many files it has been given.
     given: Cell<usize>,
-    /// What takes in its messages.
+    /// The number of the last question.
+    asked: Rc<Cell<u64>>,
+    /// What takes in its messages, and that it has failed.
     _on_message: Closure<dyn FnMut(MessageEvent)>,
+    _on_error: Closure<dyn FnMut(Event)>,
+}
+
+/// What is told where the worker fails.
+const LOST: &str = "the worker that compares has failed: reload the page";
+
+/// That a question is not answered.
+fn failed(id: u64, why: &str) -> [Answer; 2] {
+    Side::BOTH.map(|side| Answer {
+        id,
+        side,
+        divisor: 1,
+        what: Known::Failed(why.to_owned()),
+    })
 }
 
 impl Judge {
     /// Starts the worker, on the adapter that the browser gives; `wake` is called whenever there is an answer.
     pub fn start(_adapter: &str, wake: impl Fn() + 'static) -> Self {
         let answers = Rc::new(RefCell::new(Vec::new()));
-        let told = answers.clone();
+        let (told, wake) = (answers.clone(), Rc::new(wake));
+        let woken = wake.clone();
         let on_message = Closure::new(move |event: MessageEvent| {
             if let Some(answer) = read_answer(&event.data()) {
                 told.borrow_mut().push(answer);
-                wake();
+                woken();
             }
         });
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
         let worker = Worker::new_with_options(SCRIPT, &options).ok();
+        let asked = Rc::new(Cell::new(0));
+        let (told, id) = (answers.clone(), asked.clone());
+        let on_error = Closure::new(move |_: Event| {
+            told.borrow_mut().extend(failed(id.get(), LOST));
+            wake();
+        });
         if let Some(worker) = &worker {
             worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+            worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
         }
         Self {
             worker,
             answers,
+            asked,
             given: Cell::new(0),
             _on_message: on_message,
+            _on_error: on_error,
         }
     }
 
     /// Asks about what is seen; what was asked before is not answered any more.
     pub fn ask(&self, state: &State, question: Question) {
+        self.asked.set(question.id);
         if let Err(why) = self.try_ask(state, &question) {
-            let sides = Side::BOTH.into_iter();
-            let asked = sides.filter(|side| question.renderers[side.index()].is_some());
-            self.answers.borrow_mut().extend(asked.map(|side| Answer {
-                id: question.id,
-                side,
-                divisor: 1,
-                what: Known::Failed(why.clone()),
-            }));
+            self.answers.borrow_mut().extend(failed(question.id, &why));
         }
     }
 
@@ -207,6 +227,8 @@ struct Desk {
     /// What it works with; taken while it does.
     tools: RefCell<Option<Tools>>,
     files: Arc<PageFiles>,
+    /// Whether files have come since they were last looked at.
+    has_further: Cell<bool>,
 }
 
 /// What is kept from one question to the next.
@@ -225,7 +247,7 @@ thread_local! {
 #[wasm_bindgen]
 pub fn judge(message: &JsValue) {
     let desk = DESK.with(Rc::clone);
-    let Some(received) = read_question(message, &desk.files) else {
+    let Some(received) = read_question(message, &desk) else {
         return;
     };
     *desk.newest.borrow_mut() = Some(received);
@@ -235,14 +257,17 @@ pub fn judge(message: &JsValue) {
     }
 }
 
-fn read_question(message: &JsValue, files: &PageFiles) -> Option<Received> {
+fn read_question(message: &JsValue, desk: &Desk) -> Option<Received> {
     let message: &Array = message.dyn_ref()?;
     let text = |index| message.get(index).as_string();
     let asked: Asked = serde_json::from_str(&text(0)?).ok()?;
-    for file in message.get(3).dyn_into::<Array>().ok()?.iter() {
+    let further = message.get(3).dyn_into::<Array>().ok()?;
+    desk.has_further
+        .set(desk.has_further.get() || further.length() > 0);
+    for file in further.iter() {
         let file: Array = file.dyn_into().ok()?;
         let bytes: Uint8Array = file.get(1).dyn_into().ok()?;
-        files.insert(file.get(0).as_string()?, bytes.to_vec());
+        desk.files.insert(file.get(0).as_string()?, bytes.to_vec());
     }
     Some(Received {
         asked,
@@ -254,6 +279,11 @@ fn read_question(message: &JsValue, files: &PageFiles) -> Option<Received> {
 async fn work(desk: Rc<Desk>, mut tools: Tools) {
     while let Some(Received { asked, scene }) = desk.newest.take() {
         let page = Page { desk: &desk };
+        if desk.has_further.take() {
+            // One of them may be of a name that was read before.
+            tools.assets = Assets::from_files(desk.files.clone());
+            tools.shown = None;
+        }
         match open(scene, &mut tools.assets, &mut tools.shown) {
             Ok(shown) => {
                 let renderer = |name: Option<String>| name?.parse::<Renderer>().ok();
@@ -270,14 +300,9 @@ async fn work(desk: Rc<Desk>, mut tools: Tools) {
                 };
                 errors::answer(&mut tools.bench, &question, &page).await;
             }
-            Err(error) => Side::BOTH.into_iter().for_each(|side| {
-                page.tell(Answer {
-                    id: asked.id,
-                    side,
-                    divisor: 1,
-                    what: Known::Failed(error.to_string()),
-                });
-            }),
+            Err(error) => failed(asked.id, &error.to_string())
+                .into_iter()
+                .for_each(|answer| page.tell(answer)),
         }
     }
     *desk.tools.borrow_mut() = Some(tools);
@@ -318,6 +343,7 @@ impl Desk {
             newest: RefCell::default(),
             tools: RefCell::new(Some(tools)),
             files,
+            has_further: Cell::new(false),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The samples of a picture: frames with the pixel centres elsewhere in their pixels, drawn one after the other while nothing moves, and put
 //! together when all are there.
 //!
-//! Costs as many frames as there are samples, and 4 bytes a pixel for each.
+//! Costs as many frames as there are samples, and 4 bytes a pixel for each until they are put together.
 
 use std::collections::BTreeMap;
 
@@ -100,15 +100,15 @@ impl Samples {
         })
     }
 
-    /// Puts the samples of a slot together.
+    /// Puts the samples of a slot together, and gives back their room.
     pub(super) fn resolve(
-        &self,
+        &mut self,
         host: &RenderState,
         encoder: &mut wgpu::CommandEncoder,
         side: Side,
         onto: &wgpu::TextureView,
     ) {
-        if let Some(stack) = self.of_slots.get(&side) {
+        if let Some(stack) = self.of_slots.remove(&side) {
             let samples = [wgpu::BindingResource::TextureView(&stack.all)];
             self.resolve.encode(&host.device, encoder, samples, onto);
         }

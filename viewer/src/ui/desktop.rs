@@ -75,7 +75,11 @@ impl Viewer {
         };
         let program = self.outside.program.clone().map_or_else(own, Ok)?;
         let moves = self.state.shown().is_some_and(|s| s.timeline.moves());
-        let document = self.state.as_seen()?;
+        let is_picture = path.extension().is_some_and(|ending| ending == "png");
+        let document = match is_picture {
+            true => self.state.as_seen()?,
+            false => self.state.as_moving()?,
+        };
         Export::begin(&program, &document, self.size_px, moves, path)
     }
 

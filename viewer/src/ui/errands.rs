@@ -13,7 +13,10 @@ const LOOKED_AT_EVERY_S: f64 = 1.0;
 impl Viewer {
     pub(super) fn run_errands(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         self.look_outside(ctx, actions);
-        self.look_at_files(ctx, actions);
+        // Files of a page are in its memory: nobody else writes them.
+        if cfg!(not(target_arch = "wasm32")) {
+            self.look_at_files(ctx, actions);
+        }
         self.play(ctx, actions);
     }
 

@@ -13,6 +13,9 @@ use crate::slot::{Layout, Side};
 /// Samples along each side of a pixel where a document says nothing of it, as pictures have them.
 const USUAL_SAMPLES: u32 = 2;
 
+/// Most of them: as many layers of a picture are kept until all are there.
+const MOST_SAMPLES: u32 = 3;
+
 /// What was last drawn.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Last {
@@ -47,12 +50,14 @@ impl Viewer {
     fn samples_per_side(&self) -> u32 {
         let asked = (self.state.shown()).and_then(|s| s.timeline.settings().supersample);
         let drawn = self.last.map_or([None; 2], |last| last.renderers);
-        let is_drawn = |side: Side| {
-            let method = drawn[side.index()].and_then(|renderer| renderer.method());
-            method.is_some() && self.screen.refusal(side).is_none()
-        };
-        match self.is_smooth && Side::BOTH.into_iter().any(is_drawn) {
-            true => asked.unwrap_or(USUAL_SAMPLES),
+        let is_refused = |side: Side| self.screen.refusal(side).is_some();
+        let seen = || drawn.iter().flatten();
+        // What is compared has one sample a pixel everywhere: the reference has, and a difference is of pixels, not of means.
+        let is_compared = self.state.layout() == Layout::Difference
+            || seen().any(|renderer| renderer.method().is_none());
+        let is_idle = seen().next().is_none() || Side::BOTH.into_iter().all(is_refused);
+        match self.is_smooth && !is_compared && !is_idle {
+            true => asked.unwrap_or(USUAL_SAMPLES).min(MOST_SAMPLES),
             false => 1,
         }
     }

@@ -19,6 +19,7 @@ use crate::files::{self, Kind};
 use crate::link;
 use crate::notice::Notice;
 use crate::slot::Side;
+use crate::state::State;
 use crate::web::files::{PageFiles, download};
 
 /// What is on its way to the window.
@@ -87,6 +88,18 @@ async fn read_chosen(chosen: Vec<File>) -> Come {
     Come::Files(paths)
 }
 
+/// What is done with files that have come: those that the scene has by name already are read again, others are taken in.
+fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
+    let shown = state.shown();
+    let known: Vec<&Path> = shown.map_or(Vec::new(), |s| s.timeline.files().collect());
+    let (again, new): (Vec<PathBuf>, Vec<PathBuf>) = paths
+        .into_iter()
+        .partition(|path| known.contains(&path.as_path()));
+    let reload = (!again.is_empty()).then_some(Action::Reload);
+    let take = (!new.is_empty()).then(|| Action::Take(taken(new)));
+    reload.into_iter().chain(take).collect()
+}
+
 /// Hands a picture to the user.
 fn download_png(path: &Path, image: Result<RgbaImage>) -> Notice {
     let written = image.and_then(|image| {
@@ -125,7 +138,7 @@ impl Viewer {
         }
         for come in self.outside.come.take() {
             match come {
-                Come::Files(paths) => actions.push(Action::Take(taken(paths))),
+                Come::Files(paths) => actions.extend(actions_of(paths, &self.state)),
                 Come::Told(notice) => self.toasts.add(ctx, notice),
             }
         }

@@ -15,7 +15,7 @@ use crate::files::Store;
 
 type File = (PathBuf, Arc<[u8]>);
 
-/// Files in memory, the newest last; of two with one name the newer counts.
+/// Files in memory, in order of their coming; of two with one name only the newer has its bytes.
 #[derive(Debug, Default)]
 pub struct PageFiles(Mutex<Vec<File>>);
 
@@ -28,7 +28,13 @@ impl PageFiles {
 
     /// Puts a file in.
     pub fn insert(&self, path: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) {
-        self.lock().push((path.into(), bytes.into()));
+        let path = path.into();
+        let mut files = self.lock();
+        files
+            .iter_mut()
+            .filter(|(name, _)| *name == path)
+            .for_each(|(_, old)| *old = Arc::default());
+        files.push((path, bytes.into()));
     }
 
     /// Those that were put in after the first so many.

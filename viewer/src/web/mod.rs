@@ -134,6 +134,12 @@ impl Cutaway {
         Ok(())
     }
 
+    /// Smooths edges while nothing moves, or does not.
+    pub fn smooth(&self, is_smooth: bool) {
+        self.viewer.borrow_mut().smooth(is_smooth);
+        self.ctx.request_repaint();
+    }
+
     /// Compares the slots with the exact reference, or not.
     pub fn show_errors(&self, shows: bool) {
         self.apply(Action::ShowErrors(shows));
