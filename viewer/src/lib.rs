@@ -33,6 +33,7 @@ pub mod readback;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod recent;
 pub mod regions;
+pub mod removal;
 pub mod screen;
 pub mod shown;
 pub mod slot;

@@ -24,6 +24,7 @@ use crate::files::Store;
 use crate::history::History;
 use crate::notice::Notice;
 use crate::parts;
+use crate::removal;
 use crate::shown::Shown;
 use crate::slot::{Layout, Painter, Side};
 use crate::styles;
@@ -277,7 +278,7 @@ impl State {
             Action::Change(changes) => self.edit(None, |document| {
                 changes.iter().try_for_each(|(path, value)| match value {
                     Some(value) => document.set(path, value.clone()),
-                    None => document.remove(path),
+                    None => removal::take_out(document, path),
                 })
             }),
             Action::TakeBack(path) => {
@@ -292,7 +293,7 @@ impl State {
                 let path = format!("cut.{index}");
                 self.change(None, |document| {
                     timeline::remove_below(document, &path)?;
-                    document.remove(&path)
+                    removal::take_out(document, &path)
                 })?;
                 self.selection = Selection::Scene;
                 Ok(())

@@ -10,6 +10,7 @@ mod flow;
 mod handles;
 mod parts;
 mod pointer;
+mod random;
 mod refusals;
 mod state;
 mod timeline;
