@@ -8,6 +8,7 @@ mod common;
 mod compare;
 mod flow;
 mod handles;
+mod opening;
 mod parts;
 mod pointer;
 mod random;
