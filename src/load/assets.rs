@@ -17,8 +17,8 @@ use crate::error::Result;
 use crate::generate::shapes::shape;
 use crate::scene::{OffsetMap, Part, Texture, TextureKind};
 
-/// Meshes, shapes, height maps and textures by name.
-#[derive(Debug)]
+/// Meshes, shapes, height maps and textures by name. A clone shares them.
+#[derive(Clone, Debug)]
 pub struct Assets {
     store: Arc<dyn Files>,
     meshes: BTreeMap<PathBuf, Loaded>,

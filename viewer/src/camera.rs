@@ -37,8 +37,11 @@ pub enum CameraMove {
     Parallel(bool),
 }
 
-/// Moves a camera.
+/// Moves a camera. A move by no finite number leaves it where it is.
 pub fn move_camera(camera: &mut Camera, by: CameraMove) {
+    if !is_finite(by) {
+        return;
+    }
     match by {
         CameraMove::Orbit(degrees) => {
             let [azimuth, elevation] = angles(camera);
@@ -53,7 +56,9 @@ pub fn move_camera(camera: &mut Camera, by: CameraMove) {
             let pan = about - (about - camera.pan) * factor;
             camera.pan = pan.clamp(-FARTHEST_PAN, FARTHEST_PAN);
         }
-        CameraMove::Stand(to) => turn(camera, to),
+        CameraMove::Stand([azimuth, elevation]) => {
+            turn(camera, [azimuth, elevation.clamp(-90.0, 90.0)]);
+        }
         CameraMove::Home => {
             (camera.zoom, camera.pan) = (1.0, DVec2::ZERO);
             if let Viewpoint::Explicit { .. } = camera.viewpoint {
@@ -68,6 +73,16 @@ pub fn move_camera(camera: &mut Camera, by: CameraMove) {
             camera.projection = Projection::Orthographic { height: None };
         }
         CameraMove::Parallel(false) => camera.projection = Camera::default().projection,
+    }
+}
+
+/// Whether a move leads anywhere.
+fn is_finite(by: CameraMove) -> bool {
+    match by {
+        CameraMove::Orbit(by) | CameraMove::Pan(by) => by.is_finite(),
+        CameraMove::Zoom { factor, about } => factor.is_finite() && about.is_finite(),
+        CameraMove::Stand(to) => to.iter().all(|angle| angle.is_finite()),
+        CameraMove::Home | CameraMove::Parallel(_) => true,
     }
 }
 
@@ -227,6 +242,35 @@ mod tests {
             if (2e-3..5e2).contains(&camera.zoom) {
                 assert!((content(&camera) - before).length() < 1e-12, "{factor}");
             }
+        }
+    }
+
+    #[test]
+    fn a_move_to_no_number_leaves_the_eye_where_it_is() {
+        let none = DVec2::new(0.0, f64::NAN);
+        let about = DVec2::ZERO;
+        for by in [
+            CameraMove::Orbit(none),
+            CameraMove::Orbit(DVec2::new(f64::INFINITY, 0.0)),
+            CameraMove::Pan(none),
+            CameraMove::Zoom {
+                factor: f64::NAN,
+                about,
+            },
+            CameraMove::Stand([f64::NAN, 0.0]),
+        ] {
+            let mut camera = Camera::default();
+            move_camera(&mut camera, by);
+            assert_eq!(camera, Camera::default(), "{by:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_seen_from_beyond_straight_above() {
+        for (to, expected) in [([0.0, 200.0], 90.0), ([0.0, -1e300], -90.0)] {
+            let mut camera = Camera::default();
+            move_camera(&mut camera, CameraMove::Stand(to));
+            assert_eq!(angles(&camera), [0.0, expected]);
         }
     }
 

@@ -3,6 +3,8 @@
 //! A document is small, and knows its text: a step back is the document before it, whole. Changes by one gesture, such as a slider that
 //! is held, are one step. Where the eye is is no step: who takes back a cut wants to see what becomes of it.
 
+use std::sync::Arc;
+
 use cutaway::Document;
 
 /// So many steps are kept.
@@ -12,10 +14,10 @@ const MOST_STEPS: usize = 200;
 pub type Gesture = String;
 
 /// Documents before and after the present one.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct History {
-    past: Vec<Document>,
-    future: Vec<Document>,
+    past: Vec<Arc<Document>>,
+    future: Vec<Arc<Document>>,
     gesture: Option<Gesture>,
 }
 
@@ -28,7 +30,7 @@ impl History {
             return;
         }
         self.future.clear();
-        self.past.push(before.clone());
+        self.past.push(Arc::new(before.clone()));
         if self.past.len() > MOST_STEPS {
             self.past.remove(0);
         }
@@ -40,18 +42,18 @@ impl History {
     }
 
     /// The document before this one.
-    pub fn undo(&mut self, present: &Document) -> Option<Document> {
+    pub fn undo(&mut self, present: &Document) -> Option<Arc<Document>> {
         self.gesture = None;
         let before = self.past.pop()?;
-        self.future.push(present.clone());
+        self.future.push(Arc::new(present.clone()));
         Some(before)
     }
 
     /// The document that was taken back.
-    pub fn redo(&mut self, present: &Document) -> Option<Document> {
+    pub fn redo(&mut self, present: &Document) -> Option<Arc<Document>> {
         self.gesture = None;
         let after = self.future.pop()?;
-        self.past.push(present.clone());
+        self.past.push(Arc::new(present.clone()));
         Some(after)
     }
 

@@ -12,6 +12,8 @@ use std::sync::{Arc, Weak};
 use cutaway::scene::{Mesh, Part, Topology};
 use glam::DVec3;
 
+use crate::beside::beside;
+
 /// What was found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Findings {
@@ -194,24 +196,6 @@ impl Inspector {
 
 fn address(mesh: &Arc<Mesh>) -> usize {
     Arc::as_ptr(mesh).addr()
-}
-
-/// Does something beside the window.
-#[cfg(not(target_arch = "wasm32"))]
-fn beside(work: impl FnOnce() + Send + 'static) {
-    std::thread::spawn(move || {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
-        match pool.build() {
-            Ok(pool) => pool.install(work),
-            Err(_) => work(),
-        }
-    });
-}
-
-#[cfg(target_arch = "wasm32")]
-fn beside(work: impl FnOnce() + Send + 'static) {
-    work();
 }
 
 #[cfg(test)]

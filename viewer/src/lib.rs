@@ -3,12 +3,14 @@
 //! ```text
 //! pointer, keys, files -> ui -> Action -> State (document, history, scene) -> Screen (pictures by the session, on egui's device)
 //!                                                                          -> Judge (exact, on a thread with a device of its own)
+//!                               Opening (files, on a thread with a copy of the state)
 //! ```
 //!
 //! [`State`] knows of no window, [`gizmo`] and [`camera`] are geometry, [`ui`] paints and asks. The document is what a scene file holds:
 //! undo, save and the command that makes a picture are taken from it.
 
 pub mod action;
+mod beside;
 pub mod camera;
 pub mod chart;
 pub mod command;
@@ -26,6 +28,7 @@ pub mod inspect;
 pub mod judge;
 pub mod link;
 pub mod notice;
+pub mod opening;
 pub mod pace;
 pub mod parts;
 pub mod pick;
@@ -34,6 +37,7 @@ pub mod readback;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod recent;
 pub mod regions;
+pub mod removal;
 pub mod screen;
 pub mod shown;
 pub mod slot;

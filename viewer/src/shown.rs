@@ -14,11 +14,11 @@ use cutaway::{Document, Result, Scene};
 /// The style of documents that name none, as pictures have it.
 pub const USUAL_STYLE: &str = "technical";
 
-/// A scene at a moment.
-#[derive(Debug)]
+/// A scene at a moment. A clone shares what is large.
+#[derive(Clone, Debug)]
 pub struct Shown {
     /// The scene over time.
-    pub timeline: Timeline,
+    pub timeline: Arc<Timeline>,
     /// The scene at the moment, with the camera that is looked through.
     pub scene: Scene,
     /// The same, prepared.
@@ -59,7 +59,7 @@ impl Shown {
             None => SceneAtTime::new(&scene),
         };
         Ok(Some(Self {
-            timeline,
+            timeline: Arc::new(timeline),
             scene,
             at: Arc::new(at),
         }))

@@ -5,6 +5,7 @@
 //!
 //! Cost of an action that changes the scene: the tree of the document, and what [`Shown::open`] costs.
 
+mod ahead;
 mod edits;
 mod intake;
 mod keys;
@@ -24,13 +25,16 @@ use crate::files::Store;
 use crate::history::History;
 use crate::notice::Notice;
 use crate::parts;
+use crate::removal;
 use crate::shown::Shown;
 use crate::slot::{Layout, Painter, Side};
 use crate::styles;
 use crate::timeline;
+use ahead::Ahead;
+pub use ahead::Moment;
 
-/// What the window shows.
-#[derive(Debug)]
+/// What the window shows. A clone shares what is large.
+#[derive(Clone, Debug)]
 pub struct State {
     document: Document,
     /// At the moment that is shown, where keys move something.
@@ -43,6 +47,10 @@ pub struct State {
     shown: Option<Shown>,
     /// Counts changes of what is seen.
     revision: u64,
+    /// Counts actions.
+    acted: u64,
+    /// What was read and prepared elsewhere for the action that is carried out.
+    ahead: Option<Ahead>,
     time_s: Option<f64>,
     selection: Selection,
     slots: [Painter; 2],
@@ -71,13 +79,19 @@ impl State {
     /// # Errors
     ///
     /// As of [`State::open`].
-    pub fn open_from(
+    pub fn open_from(store: Arc<dyn Store>, document: Document, assets: Assets) -> Result<Self> {
+        Self::open_like(store, document, assets, None)
+    }
+
+    /// The same; what it has in common with another scene is not prepared again.
+    fn open_like(
         store: Arc<dyn Store>,
         mut document: Document,
         mut assets: Assets,
+        alike: Option<&Shown>,
     ) -> Result<Self> {
         document.guess_up(&mut assets)?;
-        let shown = Shown::open(&document, &mut assets, None, None)?;
+        let shown = Shown::open(&document, &mut assets, None, alike)?;
         // What options have made of a scene file is a change of it.
         let is_file = !document.path().as_os_str().is_empty();
         let read = is_file.then(|| Document::read_from(document.path(), &*store).ok());
@@ -90,6 +104,8 @@ impl State {
             store,
             shown,
             revision: 0,
+            acted: 0,
+            ahead: None,
             time_s: None,
             selection: Selection::Scene,
             slots: [Painter::Auto; 2],
@@ -267,6 +283,8 @@ impl State {
 
     /// Carries an action out; what refuses it is told.
     pub fn apply(&mut self, action: Action) {
+        // To let go changes nothing by itself.
+        self.acted += u64::from(action != Action::Release);
         if let Err(error) = self.carry_out(action) {
             self.tell(error);
         }
@@ -289,7 +307,7 @@ impl State {
             Action::Change(changes) => self.edit(None, |document| {
                 changes.iter().try_for_each(|(path, value)| match value {
                     Some(value) => document.set(path, value.clone()),
-                    None => document.remove(path),
+                    None => removal::take_out(document, path),
                 })
             }),
             Action::TakeBack(path) => {
@@ -304,7 +322,7 @@ impl State {
                 let path = format!("cut.{index}");
                 self.change(None, |document| {
                     timeline::remove_below(document, &path)?;
-                    document.remove(&path)
+                    removal::take_out(document, &path)
                 })?;
                 self.selection = Selection::Scene;
                 Ok(())

@@ -12,6 +12,8 @@ use cutaway::scene::style::{
 use cutaway::{Document, Result};
 use glam::Vec3;
 
+use crate::removal;
+
 /// What a style has under the paths of a document, such as `style.strokes.cut`. Of one colour for all parts and the lightness of their
 /// hues only what holds is there.
 pub fn values(style: &Style) -> Vec<(&'static str, Value)> {
@@ -129,25 +131,15 @@ pub fn make_room(document: &mut Document, path: &str) -> Result<()> {
 ///
 /// A document that cannot be changed.
 pub fn take_back(document: &mut Document, path: &str) -> Result<()> {
-    document.remove(path)?;
-    let entries = |node: &Node| match &node.value {
-        Value::Table(entries) => Some(entries.len()),
-        _ => None,
-    };
-    if let Some((group, _)) = path.rsplit_once('.').filter(|(group, _)| *group != "style")
-        && document.get(group).ok().and_then(entries) == Some(0)
-    {
-        document.remove(group)?;
-    }
+    removal::take_out(document, path)?;
     let Some(style) = document.root().get("style").cloned() else {
         return Ok(());
     };
-    match (style.get("base"), entries(&style)) {
-        (Some(base), Some(1)) => {
+    match (style.get("base"), &style.value) {
+        (Some(base), Value::Table(entries)) if entries.len() == 1 => {
             document.remove("style")?;
             document.set("style", base.value.clone())
         }
-        (None, Some(0)) => document.remove("style"),
         _ => Ok(()),
     }
 }

@@ -1,6 +1,6 @@
 //! Changes of the document, and what they make of the scene.
 
-use cutaway::document::{Key, Node, Timeline, cut, section};
+use cutaway::document::{Key, Node, cut, section};
 use cutaway::scene::{PlaneSpec, Viewpoint};
 use cutaway::{Document, Error, Result};
 
@@ -28,7 +28,7 @@ impl State {
         let mut tried = posed.clone();
         change(&mut tried)?;
         let timeline = self.shown.as_ref().map(|shown| &shown.timeline);
-        let keys = timeline.into_iter().flat_map(Timeline::keys);
+        let keys = timeline.into_iter().flat_map(|timeline| timeline.keys());
         let is_touched = |key: &&Key| tried.get(&key.target).ok() != posed.get(&key.target).ok();
         let touched: Vec<Key> = keys.filter(is_touched).cloned().collect();
         let rest = self.document.clone();
@@ -59,7 +59,9 @@ impl State {
     /// Goes to another document; it is prepared anew, or after the present scene.
     pub(super) fn show(&mut self, document: Document, is_new: bool) -> Result<()> {
         let last = self.shown.as_ref().filter(|_| !is_new);
-        let mut shown = Shown::open(&document, &mut self.assets, self.time_s, last)?;
+        let ahead = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());
+        let alike = last.or(ahead);
+        let mut shown = Shown::open(&document, &mut self.assets, self.time_s, alike)?;
         // Angles that are to be found are found once: a cut that is turned does not turn the eye.
         if let (Some(shown), Some(last)) = (&mut shown, last)
             && document.root().get("camera") == self.document.root().get("camera")
@@ -67,6 +69,9 @@ impl State {
             shown.scene.camera = last.scene.camera;
         }
         (self.document, self.shown) = (document, shown);
+        // What does not move has no moment.
+        let moves = (self.shown.as_ref()).is_some_and(|shown| shown.timeline.moves());
+        self.time_s = self.time_s.filter(|_| moves);
         self.revision += 1;
         self.pose();
         Ok(())
@@ -105,7 +110,7 @@ impl State {
         let Some(before) = self.history.undo(&self.document) else {
             return Ok(());
         };
-        self.go_to(before.clone()).inspect_err(|_| {
+        self.go_to(Document::clone(&before)).inspect_err(|_| {
             // What cannot be gone to stays where it is in the history.
             let _ = self.history.redo(&before);
         })
@@ -115,7 +120,7 @@ impl State {
         let Some(after) = self.history.redo(&self.document) else {
             return Ok(());
         };
-        self.go_to(after.clone()).inspect_err(|_| {
+        self.go_to(Document::clone(&after)).inspect_err(|_| {
             let _ = self.history.undo(&after);
         })
     }

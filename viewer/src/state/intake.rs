@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use cutaway::document::{Node, Value, part};
-use cutaway::load::Assets;
 use cutaway::{Document, Error, Result};
 
 use super::State;
@@ -28,8 +27,11 @@ impl State {
             match files::kind(path)? {
                 files::Kind::Scene => {
                     let document = Document::read_from(path, &*self.store)?;
-                    let assets = Assets::from_files(self.store.clone());
-                    let mut opened = Self::open_from(self.store.clone(), document, assets)?;
+                    let (store, assets) = (self.store.clone(), self.fresh_assets());
+                    let alike = self.ahead.as_ref().and_then(|ahead| ahead.shown.as_ref());
+                    let mut opened = Self::open_like(store, document, assets, alike)?;
+                    opened.acted = self.acted;
+                    opened.ahead = self.ahead.take();
                     opened.revision = self.revision + 1;
                     opened.layout = self.layout;
                     opened.notices.append(&mut self.notices);
@@ -98,7 +100,7 @@ impl State {
             }
             document = self.seen_from_here(written.clone())?;
         }
-        let fresh = Assets::from_files(self.store.clone());
+        let fresh = self.fresh_assets();
         let assets = std::mem::replace(&mut self.assets, fresh);
         if let Err(error) = self.show(document, true) {
             // What was read before is still good.

@@ -133,6 +133,7 @@ impl Viewer {
             let is_changed = self.state.is_changed();
             let mark = if is_changed { " (changed)" } else { "" };
             ui.weak(format!("{name}{mark}"));
+            self.opening(ui);
             self.exporting(ui);
         });
     }
@@ -222,7 +223,7 @@ impl Viewer {
         if let Some(Asks { typed, what_for }) = self.asks.take().filter(|_| is_meant) {
             let path = Path::new(typed.trim()).to_owned();
             match what_for {
-                For::Open => self.state.apply(Action::Take(vec![path])),
+                For::Open => self.apply(Action::Take(vec![path])),
                 For::Save => self.state.apply(Action::Save(path)),
                 For::Export => self.begin_export(ctx, &path),
             }

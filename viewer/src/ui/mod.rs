@@ -15,6 +15,7 @@ mod judged;
 mod keys;
 mod magnifier;
 mod menu;
+mod opening;
 #[cfg(target_arch = "wasm32")]
 mod page;
 mod pointing;
@@ -40,6 +41,7 @@ use crate::judge::Finding;
 use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
+use crate::opening::Opening;
 use crate::pace::Pace;
 use crate::pick::Picked;
 use crate::profile::{FrameCost, Profile};
@@ -68,6 +70,7 @@ use viewport::Held;
 /// The window.
 pub struct Viewer {
     state: State,
+    opening: Opening,
     screen: Screen,
     judged: Judged,
     toasts: Toasts,
@@ -113,6 +116,7 @@ impl Viewer {
     pub fn on(host: &RenderState, state: State) -> Result<Self> {
         Ok(Self {
             state,
+            opening: Opening::default(),
             screen: Screen::on(host)?,
             judged: Judged::default(),
             toasts: Toasts::default(),
@@ -185,21 +189,24 @@ impl Viewer {
         self.costs.cost(side)
     }
 
-    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is exported, a mesh
-    /// that is inspected.
+    /// Whether something is still to come: a frame, an answer of the judge, a pixel that was asked for, a file that is opened or
+    /// exported, a mesh that is inspected.
     pub fn is_busy(&self) -> bool {
         let is_judging = self.judged.is_busy()
             || self.magnifier.is_busy()
             || self.chart.is_busy()
             || self.costs.is_busy();
-        let is_outside = self.outside.is_busy();
+        let is_outside = self.outside.is_busy() || self.opening.is_busy();
         let is_asked = is_judging || self.screen.is_picking() || self.inspector.is_busy();
         self.is_drawing() || self.is_refining() || is_asked || is_outside
     }
 
     /// Carries out an action, as a button would have it done.
     pub fn apply(&mut self, action: Action) {
-        self.state.apply(action);
+        match Opening::is_for(&action) {
+            true => self.opening.ask(action),
+            false => self.state.apply(action),
+        }
     }
 
     /// Smooths edges while nothing moves, or does not.
@@ -285,16 +292,17 @@ impl Viewer {
         }
         let watch = Stopwatch::start();
         for action in actions {
-            self.state.apply(action);
+            self.apply(action);
         }
         self.cost.scene_ms += watch.ms();
+        self.dialogs(&ctx);
+        self.open_files(&ctx);
         let notices = self.state.notices();
         notices
             .into_iter()
             .for_each(|notice| self.toasts.add(&ctx, notice));
         #[cfg(not(target_arch = "wasm32"))]
         self.remember(&ctx);
-        self.dialogs(&ctx);
         #[cfg(not(target_arch = "wasm32"))]
         self.guard_changes(&ctx);
         self.toasts.show(&ctx);

@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::common::{self, Scratch, TORUS, act, state, viewer};
 
 /// Runs a command by the shell, with its picture in a folder; the picture.
-fn run(command: &str, scratch: &Scratch) -> image::RgbaImage {
+pub(super) fn run(command: &str, scratch: &Scratch) -> image::RgbaImage {
     let program = env!("CARGO_BIN_EXE_cutaway-viewer");
     let line = command.replacen("cutaway", program, 1);
     let folder = scratch.path("");

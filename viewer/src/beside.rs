@@ -1,0 +1,24 @@
+//! Work beside the window: on a thread that leaves a core to the window; in a browser, which gives none, at once.
+//!
+//! Cost: a thread and a pool for each piece of work, some 0.1 ms.
+//!
+//! Cannot: be ended before it is done.
+
+/// Does something beside the window.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn beside(work: impl FnOnce() + Send + 'static) {
+    std::thread::spawn(move || {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
+        match pool.build() {
+            Ok(pool) => pool.install(work),
+            Err(_) => work(),
+        }
+    });
+}
+
+/// Does something at once.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn beside(work: impl FnOnce() + Send + 'static) {
+    work();
+}

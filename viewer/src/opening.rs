@@ -1,0 +1,113 @@
+//! Files that are opened beside the window, on a copy of the state, which the state [takes over](State::take_over) when it is done. One
+//! action at a time is carried out; others wait.
+//!
+//! Cost for the window: a copy of the state, and at the end nothing, or a change of the document where something else was done meanwhile.
+//!
+//! Cannot: end the reading of a file; of what is cancelled the result is dropped. On a page, which has no threads, nothing is opened so.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+
+use cutaway::Error;
+
+use crate::action::Action;
+use crate::beside::beside;
+use crate::state::{Moment, State};
+
+/// What is opened and what waits for that.
+#[derive(Debug, Default)]
+pub struct Opening {
+    waits: VecDeque<Action>,
+    under_way: Option<UnderWay>,
+}
+
+#[derive(Debug)]
+struct UnderWay {
+    action: Action,
+    since: Moment,
+    done: Receiver<Box<State>>,
+}
+
+impl Opening {
+    /// Whether an action is to be carried out beside the window.
+    pub fn is_for(action: &Action) -> bool {
+        cfg!(not(target_arch = "wasm32")) && matches!(action, Action::Take(_) | Action::Reload)
+    }
+
+    /// Has an action carried out.
+    pub fn ask(&mut self, action: Action) {
+        // Files that are read again once are up to date.
+        if action != Action::Reload || !self.waits.contains(&action) {
+            self.waits.push_back(action);
+        }
+    }
+
+    /// Whether something is under way or waits.
+    pub fn is_busy(&self) -> bool {
+        self.under_way.is_some() || !self.waits.is_empty()
+    }
+
+    /// What is under way, in words.
+    pub fn what(&self) -> Option<String> {
+        let name = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            name.display().to_string()
+        };
+        match &self.under_way.as_ref()?.action {
+            Action::Take(paths) => {
+                let names: Vec<String> = paths.iter().map(name).collect();
+                Some(format!("opening {}", names.join(", ")))
+            }
+            _ => Some("reading all files again".to_owned()),
+        }
+    }
+
+    /// Drops what is under way, and goes on with what waits.
+    pub fn cancel(&mut self) {
+        self.under_way = None;
+    }
+
+    /// Takes over what is done, and begins what waits; `wake` is called when there is something to be taken over. Whether the state is
+    /// another one, which is settled.
+    pub fn go_on(&mut self, state: &mut State, wake: impl FnOnce() + Send + 'static) -> bool {
+        let is_another = self.take_over(state);
+        if self.under_way.is_none()
+            && let Some(action) = self.waits.pop_front()
+        {
+            let (tell, done) = channel();
+            let (mut copy, own) = (Box::new(state.copy()), action.clone());
+            beside(move || {
+                copy.apply(own);
+                copy.settle();
+                // It was cancelled where nobody waits for it.
+                let _ = tell.send(copy);
+                wake();
+            });
+            self.under_way = Some(UnderWay {
+                action,
+                since: state.moment(),
+                done,
+            });
+        }
+        is_another
+    }
+
+    fn take_over(&mut self, state: &mut State) -> bool {
+        let Some(under_way) = self.under_way.take() else {
+            return false;
+        };
+        match under_way.done.try_recv() {
+            Ok(copy) => state.take_over(under_way.since, under_way.action, *copy),
+            Err(TryRecvError::Empty) => {
+                self.under_way = Some(under_way);
+                false
+            }
+            Err(TryRecvError::Disconnected) => {
+                let help = "it is a fault of this program: please report it with the file";
+                state.tell(Error::input("the file", "it could not be opened", help));
+                false
+            }
+        }
+    }
+}
