@@ -436,7 +436,7 @@ fn command_and_link_draw_what_is_seen() {
             let seen = drawn(&mut session, &mut state);
             changed += usize::from(apart(&seen, &empty) > 0);
             let command = state.command(SIZE_PX).unwrap();
-            let made = run(&command, &Scratch::new());
+            let made = run(&format!("{command} --supersample 1"), &Scratch::new());
             assert_eq!(apart(&made, &seen), 0, "{command}");
             let fragment = link::fragment(&state.as_seen().unwrap()).unwrap();
             let document = link::document(&fragment).unwrap().unwrap();
