@@ -3,7 +3,7 @@
 //! A fragment stays with the browser: no server sees the scene. It holds what the document says, and no file that it names; of a scene with
 //! files the one who follows the link needs them as well, so that there is no link to it.
 //!
-//! A scene of some cuts takes 200 to 600 characters. Cannot: hold more than [`MOST_BYTES`] of text.
+//! A scene of some cuts takes 200 to 600 characters. Cannot: hold more than a megabyte of text.
 
 use std::io::{Read, Write};
 
