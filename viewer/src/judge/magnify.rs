@@ -1,4 +1,4 @@
-//! A pixel and what is around it, as each slot and the reference show it, with the list of all that its ray crosses.
+//! A pixel and what is around it, as each slot and the reference show it with one sample a pixel, with the list of all that its ray crosses.
 //!
 //! Cost: a frame of each slot where it was not the last one, read back whole; the reference at the whole resolution where it is not kept;
 //! one projection of the meshes for the list.

@@ -5,7 +5,8 @@
 //! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
 //! answer comes while a hand still moves; a newer question ends the one before it between two steps.
 //!
-//! The reference at the whole resolution is kept, 40 bytes a pixel, for the next question about the same picture.
+//! The reference that was evaluated last is kept, 40 bytes a pixel: a click after the errors are known does not evaluate it again, a new question
+//! about errors does.
 //!
 //! Cannot: end in the middle of a step; answer on a page what is not about errors.
 
