@@ -11,8 +11,8 @@ use crate::slot::Side;
 /// By how much coarser the answers are that come one after the other.
 const DIVISORS: [u32; 3] = [4, 2, 1];
 
-/// Answers a question step by step, until it is outdated.
-pub(super) async fn answer(bench: &mut Bench, question: &Question, asker: &impl Asker) {
+/// Answers a question step by step, until it is outdated; whether it came to its end.
+pub(super) async fn answer(bench: &mut Bench, question: &Question, asker: &impl Asker) -> bool {
     let id = question.id;
     for divisor in DIVISORS {
         let subject = Subject {
@@ -24,7 +24,7 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question, asker: &impl 
                 continue;
             };
             if asker.is_outdated().await {
-                return;
+                return false;
             }
             let say = |what| {
                 asker.tell(Answer {
@@ -40,6 +40,7 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question, asker: &impl 
             }
         }
     }
+    true
 }
 
 /// Says what is to be known of a slot at a resolution.

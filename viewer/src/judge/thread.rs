@@ -139,7 +139,12 @@ fn work(
     while let Some(task) = next(desk, &mut survey) {
         pool.install(|| match task {
             Task::Errors(question) => {
-                block_on(errors::answer(&mut bench, &question, &window));
+                let is_done = block_on(errors::answer(&mut bench, &question, &window));
+                let mut held = lock(&desk.asked);
+                if !is_done && held.errors.is_none() {
+                    // It gave way to a pixel, and begins again after it.
+                    held.errors = Some(question);
+                }
             }
             Task::Pixel(question) => {
                 let magnified = block_on(magnify::answer(&mut bench, &question));
@@ -180,7 +185,7 @@ impl Asker for Window<'_> {
 
     async fn is_outdated(&self) -> bool {
         let held = lock(&self.desk.asked);
-        held.is_over || held.errors.is_some()
+        held.is_over || held.errors.is_some() || held.pixel.is_some()
     }
 }
 

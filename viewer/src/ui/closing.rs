@@ -1,4 +1,4 @@
-//! A window that is closed with changes that no file has asks first, and files that were opened last.
+//! Changes that no file has: who closes the window or opens another scene is asked first. And files that were opened last.
 
 use std::path::PathBuf;
 
@@ -6,10 +6,11 @@ use eframe::egui::{Align2, Context, Ui, Vec2, ViewportCommand, Window};
 
 use super::Viewer;
 use crate::action::Action;
+use crate::files::{self, Kind};
 use crate::recent::Recent;
 use cutaway::{Error, Result};
 
-/// How far a window is from being closed.
+/// How far a window is from being closed, or a scene from being left for another.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Closing {
     /// Nobody closes it.
@@ -29,13 +30,24 @@ impl Viewer {
         self.recent = Some(recent);
     }
 
+    /// Carries an action out, unless it opens another scene in the place of one with changes: that is asked about first.
+    pub(super) fn apply_or_ask(&mut self, action: Action) {
+        let is_scene = |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
+        let leaves = matches!(&action, Action::Take(paths) if paths.iter().any(is_scene));
+        if leaves && self.state.has_unsaved_changes() {
+            (self.closing, self.leaves_for) = (Closing::Asks, Some(action));
+        } else {
+            self.apply(action);
+        }
+    }
+
     /// Asks before changes are lost.
     pub(super) fn guard_changes(&mut self, ctx: &Context) {
         let is_closed = ctx.input(|input| input.viewport().close_requested());
         let must_ask = is_closed && self.closing != Closing::Agreed;
         if must_ask && self.state.has_unsaved_changes() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.closing = Closing::Asks;
+            (self.closing, self.leaves_for) = (Closing::Asks, None);
         }
         match self.closing {
             Closing::Asks => self.ask_before_closing(ctx),
@@ -83,6 +95,11 @@ impl Viewer {
     }
 
     fn close(&mut self, ctx: &Context) {
+        if let Some(action) = self.leaves_for.take() {
+            self.closing = Closing::Stays;
+            self.apply(action);
+            return;
+        }
         self.closing = Closing::Agreed;
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }

@@ -223,6 +223,9 @@ impl Viewer {
         if let Some(Asks { typed, what_for }) = self.asks.take().filter(|_| is_meant) {
             let path = Path::new(typed.trim()).to_owned();
             match what_for {
+                #[cfg(not(target_arch = "wasm32"))]
+                For::Open => self.apply_or_ask(Action::Take(vec![path])),
+                #[cfg(target_arch = "wasm32")]
                 For::Open => self.apply(Action::Take(vec![path])),
                 For::Save => self.state.apply(Action::Save(path)),
                 For::Export => self.begin_export(ctx, &path),

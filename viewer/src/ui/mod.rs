@@ -97,6 +97,9 @@ pub struct Viewer {
     badges: Badges,
     #[cfg(not(target_arch = "wasm32"))]
     closing: closing::Closing,
+    /// What is done when the changes are saved or discarded; nothing where the window is closed.
+    #[cfg(not(target_arch = "wasm32"))]
+    leaves_for: Option<Action>,
     #[cfg(not(target_arch = "wasm32"))]
     recent: Option<Recent>,
     size_px: [u32; 2],
@@ -140,6 +143,8 @@ impl Viewer {
             badges: Badges::default(),
             #[cfg(not(target_arch = "wasm32"))]
             closing: closing::Closing::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            leaves_for: None,
             #[cfg(not(target_arch = "wasm32"))]
             recent: None,
             size_px: [16, 16],
@@ -292,6 +297,9 @@ impl Viewer {
         }
         let watch = Stopwatch::start();
         for action in actions {
+            #[cfg(not(target_arch = "wasm32"))]
+            self.apply_or_ask(action);
+            #[cfg(target_arch = "wasm32")]
             self.apply(action);
         }
         self.cost.scene_ms += watch.ms();

@@ -153,3 +153,27 @@ fn recent_files_are_opened_and_dropped_when_they_are_gone() {
     harness.get_by_label_contains("it is not there any more");
     assert_eq!(written(), lines(&[&first]));
 }
+
+#[test]
+fn another_scene_is_opened_when_changes_are_discarded() {
+    let scratch = Scratch::new();
+    let path = scratch.path("other.toml");
+    fs::write(&path, "[[part]]\nshape = \"cube\"\n").unwrap();
+    let mut harness = viewer(state(TORUS));
+    act(&mut harness, Action::Add(NewCut::Plane(2)));
+    let mut open = |answer: &str| {
+        click(&mut harness, "File");
+        click(&mut harness, "Open ...");
+        let field = harness.get_by_role_and_label(Role::TextInput, "File name");
+        field.focus();
+        harness.step();
+        let field = harness.get_by_role_and_label(Role::TextInput, "File name");
+        field.type_text(path.to_str().unwrap());
+        harness.step();
+        click(&mut harness, "Open");
+        click(&mut harness, answer);
+        harness.state().state().document().to_string()
+    };
+    assert!(open("Cancel").contains("torus"), "it was left all the same");
+    assert!(open("Discard").contains("cube"), "it was not opened");
+}
