@@ -4,6 +4,7 @@ use cutaway::scene::{Bounds, ClipSurface, Up};
 use glam::DVec3;
 
 use super::rail::Rail;
+use super::region::edges_of;
 use super::{Gizmo, Grip, Handle, Scale};
 use crate::world_view::WorldView;
 
@@ -97,18 +98,12 @@ fn extent(bounds: &Bounds, along: DVec3) -> [f64; 2] {
 
 /// Corners of the section of a box by a plane, in order around it.
 fn section_of(bounds: &Bounds, normal: DVec3, origin: DVec3) -> Vec<DVec3> {
-    let corners = bounds.corners();
     let height = |p: DVec3| (p - origin).dot(normal);
     let mut found: Vec<DVec3> = Vec::new();
-    for a in 0..8 {
-        for b in a + 1..8 {
-            let [p, q] = [corners[a], corners[b]];
-            // An edge of the box goes along one axis.
-            let is_edge = (p - q).to_array().iter().filter(|d| d.abs() > 0.0).count() == 1;
-            let [hp, hq] = [height(p), height(q)];
-            if is_edge && (hp < 0.0) != (hq < 0.0) {
-                found.push(p + (q - p) * (hp / (hp - hq)));
-            }
+    for [p, q] in edges_of(bounds) {
+        let [hp, hq] = [height(p), height(q)];
+        if (hp < 0.0) != (hq < 0.0) {
+            found.push(p + (q - p) * (hp / (hp - hq)));
         }
     }
     let centre = found.iter().sum::<DVec3>() / found.len().max(1) as f64;

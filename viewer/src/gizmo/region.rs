@@ -147,7 +147,7 @@ pub(super) fn add_wedge(
 }
 
 /// The edges of a box.
-fn edges_of(bounds: &Bounds) -> Vec<[DVec3; 2]> {
+pub(super) fn edges_of(bounds: &Bounds) -> Vec<[DVec3; 2]> {
     let corners = bounds.corners();
     let mut edges = Vec::with_capacity(12);
     for a in 0..8 {

@@ -34,6 +34,7 @@ use cutaway::scene::{Camera, View};
 use image::RgbaImage;
 
 use crate::slot::Side;
+use crate::state::State;
 use cost::Cost;
 use magnify::Magnified;
 use survey::Surveyed;
@@ -57,6 +58,17 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// The picture that a state shows, where it shows one.
+    pub fn of(state: &State, size_px: [u32; 2]) -> Option<Self> {
+        let shown = state.shown()?;
+        Some(Self {
+            revision: state.revision(),
+            at: shown.at.clone(),
+            camera: shown.scene.camera,
+            size_px,
+        })
+    }
+
     /// Its view at the whole resolution.
     pub fn view(&self) -> View {
         let prepared = &self.at.model.prepared;

@@ -3,13 +3,13 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
-use std::thread;
 
 use pollster::block_on;
 
 use super::bench::Bench;
 use super::survey::{self, Survey};
 use super::{Answer, Asker, Finding, Question, cost, errors, magnify};
+use crate::beside::beside;
 use crate::state::State;
 
 /// The newest questions.
@@ -55,7 +55,7 @@ impl Judge {
         let (tell, answers) = channel();
         let (find, findings) = channel();
         let (own, adapter) = (desk.clone(), adapter.to_owned());
-        thread::spawn(move || work(&own, adapter, (&tell, &find), &wake));
+        beside(move || work(&own, adapter, (&tell, &find), &wake));
         Self {
             desk,
             answers,
@@ -123,11 +123,6 @@ fn work(
     (tell, find): (&Sender<Answer>, &Sender<Finding>),
     wake: &(dyn Fn() + Sync),
 ) {
-    let cores = thread::available_parallelism().map_or(1, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1));
-    let Ok(pool) = pool.build() else {
-        return;
-    };
     let mut bench = Bench::new(Some(adapter));
     let mut survey: Option<Survey> = None;
     let found = |finding| {
@@ -137,7 +132,7 @@ fn work(
     };
     let window = Window { desk, tell, wake };
     while let Some(task) = next(desk, &mut survey) {
-        pool.install(|| match task {
+        match task {
             Task::Errors(question) => {
                 let is_done = block_on(errors::answer(&mut bench, &question, &window));
                 let mut held = lock(&desk.asked);
@@ -165,7 +160,7 @@ fn work(
                     found(Finding::Surveyed(survey.id(), surveyed));
                 }
             }
-        });
+        }
     }
 }
 

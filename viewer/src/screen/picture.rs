@@ -7,6 +7,19 @@ use egui_wgpu::{RenderState, wgpu};
 /// As egui wants textures of others: sRGB values as they are.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
+/// An attachment of [`FORMAT`] as sessions want it: covered by the frame.
+pub(super) fn covered(color: &wgpu::TextureView) -> Target<'_> {
+    Target {
+        color,
+        color_format: FORMAT,
+        depth: None,
+        sample_count: 1,
+        origin_px: [0, 0],
+        background: true,
+        caps_only: false,
+    }
+}
+
 /// A texture that egui shows.
 pub(super) struct Picture {
     pub(super) id: TextureId,
@@ -41,15 +54,7 @@ impl Picture {
 
     /// As sessions want it: covered by the frame.
     pub(super) fn target(&self) -> Target<'_> {
-        Target {
-            color: &self.view,
-            color_format: FORMAT,
-            depth: None,
-            sample_count: 1,
-            origin_px: [0, 0],
-            background: true,
-            caps_only: false,
-        }
+        covered(&self.view)
     }
 
     /// Gives back what it holds on the device.

@@ -9,7 +9,7 @@ use cutaway::gpu::{Target, wgpu};
 use cutaway::scene::View;
 use egui_wgpu::RenderState;
 
-use super::picture::FORMAT;
+use super::picture::{FORMAT, covered};
 use crate::full_screen::FullScreen;
 use crate::slot::Side;
 
@@ -88,16 +88,8 @@ impl Samples {
 
     /// Where a sample of a slot is drawn.
     pub(super) fn target(&self, side: Side, index: u32) -> Option<Target<'_>> {
-        let color = self.of_slots.get(&side)?.layers.get(index as usize)?;
-        Some(Target {
-            color,
-            color_format: FORMAT,
-            depth: None,
-            sample_count: 1,
-            origin_px: [0, 0],
-            background: true,
-            caps_only: false,
-        })
+        let layers = &self.of_slots.get(&side)?.layers;
+        layers.get(index as usize).map(covered)
     }
 
     /// Puts the samples of a slot together, and gives back their room.

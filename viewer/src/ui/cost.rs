@@ -71,7 +71,8 @@ impl Viewer {
             self.costs.about = None;
             return;
         }
-        let (Some(shown), Some(last)) = (self.state.shown(), self.last) else {
+        let subject = Subject::of(&self.state, self.size_px);
+        let (Some(subject), Some(last)) = (subject, self.last) else {
             return;
         };
         if self.is_drawing() {
@@ -89,12 +90,7 @@ impl Viewer {
         self.costs.asked += 1;
         let question = Question {
             id: self.costs.asked,
-            subject: Subject {
-                revision: self.state.revision(),
-                at: shown.at.clone(),
-                camera: shown.scene.camera,
-                size_px: self.size_px,
-            },
+            subject,
             renderers: last.renderers,
         };
         self.judged.judge(ctx, &self.screen).cost(question);

@@ -54,9 +54,6 @@ impl Judged {
         screen: &Screen,
         (size_px, renderers, is_settled): ([u32; 2], [Option<Renderer>; 2], bool),
     ) {
-        let Some(shown) = state.shown() else {
-            return;
-        };
         let wants_errors = state.shows_errors();
         let is_on_cpu = |r: &Renderer| r.method().is_none();
         let paints = renderers.iter().flatten().any(is_on_cpu);
@@ -73,15 +70,12 @@ impl Judged {
         if !is_needed || self.about == Some(about) {
             return;
         }
+        let Some(subject) = Subject::of(state, size_px) else {
+            return;
+        };
         self.about = Some(about);
         self.asked += 1;
         let id = self.asked;
-        let subject = Subject {
-            revision: state.revision(),
-            at: shown.at.clone(),
-            camera: shown.scene.camera,
-            size_px,
-        };
         self.subject = Some(subject.clone());
         let question = Question {
             id,

@@ -101,7 +101,8 @@ impl Viewer {
             return;
         };
         let is_within = at_px[0] < self.size_px[0] && at_px[1] < self.size_px[1];
-        let Some(shown) = self.state.shown().filter(|_| is_within) else {
+        let subject = Subject::of(&self.state, self.size_px);
+        let Some(subject) = subject.filter(|_| is_within) else {
             self.magnifier.close();
             return;
         };
@@ -121,12 +122,7 @@ impl Viewer {
         self.magnifier.asked += 1;
         let question = Question {
             id: self.magnifier.asked,
-            subject: Subject {
-                revision: self.state.revision(),
-                at: shown.at.clone(),
-                camera: shown.scene.camera,
-                size_px: self.size_px,
-            },
+            subject,
             renderers: last.renderers,
             at_px,
         };

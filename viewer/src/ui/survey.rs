@@ -80,7 +80,7 @@ impl Viewer {
             return;
         }
         self.chart.is_asked = false;
-        let Some(shown) = self.state.shown() else {
+        let Some(subject) = Subject::of(&self.state, self.size_px) else {
             return;
         };
         self.chart.is_open = true;
@@ -95,12 +95,7 @@ impl Viewer {
         });
         let question = Question {
             id: self.chart.asked,
-            subject: Subject {
-                revision: self.state.revision(),
-                at: shown.at.clone(),
-                camera: shown.scene.camera,
-                size_px: self.size_px,
-            },
+            subject,
         };
         self.judged.judge(ctx, &self.screen).survey(question);
     }
