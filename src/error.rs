@@ -47,7 +47,7 @@ pub enum Error {
     Shader {
         /// Path of the shader in the tree.
         name: String,
-        /// The report of naga or naga_oil.
+        /// The report, with file and line where there is one.
         what: String,
     },
     /// A plan that breaks its own rules: a fault of this crate, never of its input.

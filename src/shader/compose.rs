@@ -4,16 +4,14 @@
 //! has a file for each inside test. A [`Shader`] says which file fills each open module that it needs; so what differs between
 //! two shaders is one file, and a pass over the mesh is written once for all inside tests and both rasterisers.
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga_oil::compose::{
-    ComposableModuleDescriptor, Composer, ComposerError, NagaModuleDescriptor, ShaderLanguage,
-};
 
+use super::file::File;
+use super::join::join;
 use super::reflect::{ShaderBinding, bindings};
 use super::tree::{LIBRARY, NATIVE, SHADERS, source};
 use crate::{Error, Result};
@@ -105,13 +103,23 @@ pub fn compose(shader: &Shader) -> Result<Arc<Composed>> {
 /// What naga finds out about a composed shader; its report where that is unsound. What core WebGPU lacks is let pass: composing has
 /// held that.
 pub fn validate(module: &naga::Module) -> Result<ModuleInfo, String> {
-    validate_as(module, true)
+    let validated = validator(true).validate(module);
+    validated.map_err(|e| chain(e.as_inner()))
 }
 
-fn validate_as(module: &naga::Module, is_native: bool) -> Result<ModuleInfo, String> {
-    let mut validator = Validator::new(ValidationFlags::all(), capabilities(is_native));
-    let validated = validator.validate(module);
-    validated.map_err(|e| e.into_inner().to_string())
+fn validator(is_native: bool) -> Validator {
+    Validator::new(ValidationFlags::all(), capabilities(is_native))
+}
+
+/// An error with all that it comes from.
+fn chain(error: &dyn std::error::Error) -> String {
+    let mut what = error.to_string();
+    let mut from = error.source();
+    while let Some(cause) = from {
+        what = format!("{what}: {cause}");
+        from = cause.source();
+    }
+    what
 }
 
 /// As [`compose`], of a text that is not in the tree: tests wrap library functions in small shaders this way.
@@ -124,74 +132,42 @@ pub fn compose_text_with(name: &str, text: &str, with: &[&str]) -> Result<naga::
     compose_source(name, text, with).map(|(module, ..)| module)
 }
 
-thread_local! {
-    /// To make one takes as long as to compose a shader. It validates nothing: the whole is validated once, when it is there.
-    static COMPOSER: RefCell<Composer> = RefCell::new(Composer::non_validating());
-}
-
 /// The module of a text, what naga finds out about it, and whether it needs atomics of 64 bits.
 fn compose_source(
     name: &str,
     text: &str,
     with: &[&str],
 ) -> Result<(naga::Module, ModuleInfo, bool)> {
-    let (module, is_native) = COMPOSER.with_borrow_mut(|composer| {
-        // Another shader may have filled open modules by other files.
-        composer.module_sets.clear();
-        composer.module_index.clear();
-        compose_by(composer, name, text, with)
-    })?;
-    let info = validate_as(&module, is_native).map_err(|what| Error::Shader {
+    let fault = |what: String| Error::Shader {
         name: name.to_owned(),
         what,
-    })?;
-    Ok((module, info, is_native))
-}
-
-fn compose_by(
-    composer: &mut Composer,
-    name: &str,
-    text: &str,
-    with: &[&str],
-) -> Result<(naga::Module, bool)> {
+    };
+    let shader = File::read(name, text);
     let mut files = Vec::new();
     let mut idle: BTreeSet<&str> = with.iter().copied().collect();
-    let gathered = gather(text, with, &mut files, &mut idle);
-    let is_native = (files.iter()).any(|(path, _)| NATIVE.iter().any(|(listed, _)| listed == path));
-    let report = |composer: &Composer, e: ComposerError| Error::Shader {
-        name: name.to_owned(),
-        what: e.emit_to_string(composer),
-    };
-    gathered.map_err(|what| Error::Shader {
-        name: name.to_owned(),
-        what,
-    })?;
+    gather(&shader, with, &mut files, &mut idle).map_err(fault)?;
     if let Some(file) = idle.first() {
-        return Err(Error::Shader {
-            name: name.to_owned(),
-            what: format!("it has no open module that {file} could fill"),
-        });
+        return Err(fault(format!(
+            "it has no open module that {file} could fill"
+        )));
     }
-    for (path, source) in files {
-        let descriptor = ComposableModuleDescriptor {
-            source,
-            file_path: path,
-            language: ShaderLanguage::Wgsl,
-            ..ComposableModuleDescriptor::default()
-        };
-        if let Err(e) = composer.add_composable_module(descriptor) {
-            return Err(report(composer, e));
-        }
-    }
-    let descriptor = NagaModuleDescriptor {
-        source: text,
-        file_path: name,
-        ..NagaModuleDescriptor::default()
-    };
-    match composer.make_naga_module(descriptor) {
-        Ok(module) => Ok((module, is_native)),
-        Err(e) => Err(report(composer, e)),
-    }
+    let is_native = (files.iter()).any(|f| NATIVE.iter().any(|(listed, _)| *listed == f.path));
+    let joined = join(&shader, &files).map_err(fault)?;
+    let whole = &joined.text;
+    let module = naga::front::wgsl::parse_str(whole).map_err(|e| {
+        let details = e.labels().map(|(_, label)| label).chain(e.notes());
+        let said: Vec<&str> = [e.message()]
+            .into_iter()
+            .chain(details.filter(|d| !d.is_empty()))
+            .collect();
+        let line = e.location(whole).map(|l| l.line_number);
+        fault(joined.complaint(line, &said.join(": ")))
+    })?;
+    let info = validator(is_native).validate(&module).map_err(|e| {
+        let line = e.location(whole).map(|l| l.line_number);
+        fault(joined.complaint(line, &chain(e.as_inner())))
+    })?;
+    Ok((module, info, is_native))
 }
 
 /// What naga allows.
@@ -210,10 +186,11 @@ fn capabilities(native: bool) -> Capabilities {
 pub fn compositions() -> Vec<Shader> {
     let mut all = Vec::new();
     for (path, text) in SHADERS {
+        let file = File::read(path, text);
         let mut open = vec![Shader::from(*path)];
         let mut ways = Vec::new();
         while let Some(shader) = open.pop() {
-            match first_open(text, &shader.with, &mut BTreeSet::new()) {
+            match first_open(&file, &shader.with, &mut BTreeSet::new()) {
                 Some(files) => open.extend(files.into_iter().map(|f| shader.clone().with(f))),
                 None => ways.push(shader),
             }
@@ -261,67 +238,54 @@ fn with_all_pairs(ways: &[Shader]) -> Vec<Shader> {
     chosen
 }
 
-type File = (&'static str, &'static str);
-
 /// The files of the library by the module that they define.
-static MODULES: LazyLock<BTreeMap<&str, Vec<File>>> = LazyLock::new(|| {
-    let mut modules = BTreeMap::<&str, Vec<File>>::new();
-    for file in LIBRARY {
-        let mut names = (file.1.lines()).filter_map(|l| l.strip_prefix("#define_import_path "));
-        if let Some(module) = names.next() {
-            modules.entry(module.trim()).or_default().push(*file);
+static MODULES: LazyLock<BTreeMap<&str, Vec<File<'static>>>> = LazyLock::new(|| {
+    let mut modules = BTreeMap::<&str, Vec<File<'static>>>::new();
+    for (path, text) in LIBRARY {
+        let file = File::read(path, text);
+        if let Some(module) = file.module {
+            modules.entry(module).or_default().push(file);
         }
     }
     modules
 });
 
 /// The files of the library that define a module.
-fn files_of(module: &str) -> &'static [File] {
+fn files_of(module: &str) -> &'static [File<'static>] {
     MODULES.get(module).map_or(&[], Vec::as_slice)
 }
 
-/// The modules that a text imports: `cutaway::NAME` of each import.
-fn imports(text: &str) -> impl Iterator<Item = &str> {
-    text.lines().filter_map(|line| {
-        let path = line.strip_prefix("#import ")?;
-        let end = path
-            .match_indices("::")
-            .nth(1)
-            .map_or(path.len(), |(at, _)| at);
-        Some(path[..end].trim())
-    })
-}
-
-/// The files that a text needs, each after those it needs itself.
+/// The files that a file needs, each after those it needs itself.
 fn gather<'a>(
-    text: &str,
+    file: &File<'_>,
     with: &[&'a str],
-    files: &mut Vec<File>,
+    files: &mut Vec<&'static File<'static>>,
     idle: &mut BTreeSet<&'a str>,
 ) -> Result<(), String> {
-    for module in imports(text) {
+    for module in file.modules() {
         let candidates = files_of(module);
         let chosen = with
             .iter()
-            .find_map(|w| candidates.iter().find(|(path, _)| path == w));
+            .find_map(|w| candidates.iter().find(|file| file.path == *w));
         let file = match (chosen, candidates) {
             (Some(file), _) => {
-                idle.remove(file.0);
-                *file
+                idle.remove(file.path);
+                file
             }
-            (None, [only]) => *only,
+            (None, [only]) => only,
             (None, []) => return Err(format!("there is no module {module}")),
             (None, several) => {
-                let paths: Vec<&str> = several.iter().map(|(path, _)| *path).collect();
+                let paths: Vec<&str> = several.iter().map(|file| file.path).collect();
                 return Err(format!(
                     "{module} is open: fill it with one of {}",
                     paths.join(", ")
                 ));
             }
         };
-        if !files.contains(&file) {
-            gather(file.1, with, files, idle)?;
-            if !files.contains(&file) {
+        let is_there = |files: &[&File<'_>]| files.iter().any(|f| f.path == file.path);
+        if !is_there(files) {
+            gather(file, with, files, idle)?;
+            if !is_there(files) {
                 files.push(file);
             }
         }
@@ -331,20 +295,20 @@ fn gather<'a>(
 
 /// The files that could fill the first open module that nothing fills yet.
 fn first_open(
-    text: &'static str,
+    file: &File<'static>,
     with: &[&'static str],
     seen: &mut BTreeSet<&'static str>,
 ) -> Option<Vec<&'static str>> {
-    for module in imports(text) {
+    for module in file.modules() {
         let candidates = files_of(module);
-        let chosen = candidates.iter().find(|(path, _)| with.contains(path));
+        let chosen = candidates.iter().find(|file| with.contains(&file.path));
         let file = match (chosen, candidates) {
             (Some(file), _) => file,
             (None, [only]) => only,
-            (None, several) => return Some(several.iter().map(|(path, _)| *path).collect()),
+            (None, several) => return Some(several.iter().map(|file| file.path).collect()),
         };
-        if seen.insert(file.0)
-            && let Some(files) = first_open(file.1, with, seen)
+        if seen.insert(file.path)
+            && let Some(files) = first_open(file, with, seen)
         {
             return Some(files);
         }

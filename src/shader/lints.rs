@@ -8,8 +8,9 @@ use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
 
 use super::compose::validate;
+use super::join::undecorated;
 use super::loops::unbounded_loops;
-use super::reflect::{BindingKind, bindings, undecorated};
+use super::reflect::{BindingKind, bindings};
 use crate::{Error, Result};
 
 /// A rule that shaders keep.
@@ -53,7 +54,7 @@ pub fn lint(module: &Module) -> Result<Vec<Finding>> {
     let mut found = Vec::new();
     for (handle, function) in module.functions.iter() {
         let name = undecorated(function.name.as_deref().unwrap_or_default());
-        in_function(module, function, &info[handle], &name, &mut found);
+        in_function(module, function, &info[handle], name, &mut found);
     }
     for (index, entry) in module.entry_points.iter().enumerate() {
         let info = info.get_entry_point(index);

@@ -1,9 +1,11 @@
 //! The WGSL tree as data: which files there are, what they compose to, what they bind.
 //!
-//! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. naga_oil composes, naga
-//! validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
+//! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. They are joined to one text,
+//! which naga parses, validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
 
 mod compose;
+mod file;
+mod join;
 mod lints;
 mod loops;
 mod reflect;

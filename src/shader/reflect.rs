@@ -1,5 +1,6 @@
 //! What a composed module binds and how its structs are laid out, as naga sees it.
 
+use super::join::undecorated;
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
@@ -24,7 +25,7 @@ pub enum BindingKind {
 /// One `@group @binding` variable that an entry point uses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShaderBinding {
-    /// Name of the variable, without naga_oil's decoration.
+    /// Name of the variable, without that of its module.
     pub name: String,
     pub group: u32,
     pub binding: u32,
@@ -67,7 +68,7 @@ pub fn bindings(module: &Module, info: &ModuleInfo) -> Vec<ShaderBinding> {
                 };
                 stages[stage] |= used;
             }
-            let name = undecorated(variable.name.as_deref().unwrap_or_default());
+            let name = undecorated(variable.name.as_deref().unwrap_or_default()).to_owned();
             let binding = ShaderBinding {
                 name,
                 group: at.group,
@@ -108,9 +109,4 @@ pub fn struct_layout(module: &Module, name: &str) -> Option<StructLayout> {
         }
         _ => None,
     })
-}
-
-/// The name that the author gave: naga_oil appends its module to every imported one.
-pub(super) fn undecorated(name: &str) -> String {
-    name.split("X_naga_oil_").next().unwrap_or(name).to_owned()
 }

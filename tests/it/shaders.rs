@@ -61,7 +61,7 @@ fn composed() -> Vec<(&'static str, Arc<Composed>)> {
 }
 
 fn undecorated(name: &str) -> &str {
-    name.split("X_naga_oil_").next().unwrap_or(name)
+    name.split("__").next().unwrap_or(name)
 }
 
 #[test]
@@ -484,6 +484,8 @@ fn constants_have_one_value_on_both_sides() {
         ("ALL_BORDERS", (1 << pack::BORDERS_OF_DOMAIN) - 1),
         ("OUTSIDE", 1 << 31),
         ("MIRROR", Wrap::Mirror.code()),
+        // `gpu/viewport.rs` has it too.
+        ("VIEWPORT_PX", 8192),
         // How the shaders look for something: known to them alone.
         ("SHORT", 8),
         ("FIRST_LEVEL", 3),
@@ -660,6 +662,56 @@ fn every_import_is_used() {
     let planted =
         "#import a::b::{used, idle}\n#import a::lonely\n// idle and lonely\nfn f() { used(); }";
     assert_eq!(unused_imports(planted), ["idle", "lonely"], "planted");
+}
+
+/// What a text has in its code that names are told apart by, or that is not read as a comment.
+fn unreadable(text: &str) -> Vec<&str> {
+    let code = text.lines().map(|l| l.split("//").next().unwrap_or(l));
+    code.filter(|l| l.contains("__") || l.contains("/*"))
+        .collect()
+}
+
+#[test]
+fn files_have_what_is_read_of_them() {
+    for (path, text) in shader::FILES.iter().copied().flatten() {
+        assert_eq!(unreadable(text), Vec::<&str>::new(), "{path}");
+    }
+    let planted = "fn a__b() {}\nfn c() {} // d__e\n/* f */";
+    assert_eq!(unreadable(planted), ["fn a__b() {}", "/* f */"], "planted");
+}
+
+/// Functions of the library that no shader comes to, by their file.
+fn idle_functions(library: &[(&'static str, &'static str)]) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    for (_, composed) in composed() {
+        let functions = composed.module.functions.iter();
+        used.extend(functions.filter_map(|(_, f)| f.name.clone()));
+    }
+    let mut idle = Vec::new();
+    for (path, text) in library {
+        let module = text
+            .lines()
+            .find_map(|l| l.strip_prefix("#define_import_path "));
+        let module = module.unwrap_or_default().replace("::", "_");
+        for line in text.lines() {
+            if let Some((name, _)) = line.strip_prefix("fn ").and_then(|l| l.split_once('('))
+                && !used.contains(&format!("{name}__{module}"))
+            {
+                idle.push(format!("{path}: {name}"));
+            }
+        }
+    }
+    idle
+}
+
+#[test]
+fn every_function_of_the_library_is_in_a_shader() {
+    assert_eq!(idle_functions(shader::LIBRARY), Vec::<String>::new());
+    let planted = "#define_import_path cutaway::frame\nfn no_one_asks() -> u32 {";
+    assert_eq!(
+        idle_functions(&[("planted", planted)]),
+        ["planted: no_one_asks"]
+    );
 }
 
 /// Rules that a planted text breaks.
