@@ -160,6 +160,11 @@ def use(address):
         a, b = (json.loads(page.run(f"cutaway.errors({which})")) for which in ("false", "true"))
         expect(a["decided_wrong_px"] == 0, "the worker finds no pixel of raycast+mask@compute wrong")
         expect(b["decided_wrong_px"] > 0, f"and {b['decided_wrong_px']} px of grid:16+vds:64")
+        page.click(left + width / 4, top + height / 2)
+        page.wait("cutaway.crossings() && !cutaway.is_busy()", 60, "a magnified pixel")
+        crossings = json.loads(page.run("cutaway.crossings()"))
+        expect(sum(c["is_seen"] for c in crossings) == 1, f"its ray crosses {len(crossings)} surfaces, of which one is seen")
+        page.screenshot(os.path.join(out, "magnified.png"))
         choose(page, "A", "exact")
         settle(page)
         count, more, _ = differing(pixels(page, "A"), drawn(after, "exact", (width, height)))
@@ -210,8 +215,38 @@ def without_webgpu(address):
         page.close()
 
 
+def lose_device(address):
+    """Changes are asked about before the page is left, and a device that the browser takes away leaves the scene in the address."""
+    page = Page(address, SIZE_PX)
+    try:
+        keeps = "const asked = GPUAdapter.prototype.requestDevice; GPUAdapter.prototype.requestDevice = async function (...all) { return globalThis.device = await asked.apply(this, all); };"
+        page.call("Page.addScriptToEvaluateOnNewDocument", {"source": keeps})
+        page.call("Page.navigate", {"url": address})
+        page.wait("!!globalThis.cutaway && !!globalThis.device", 120, "the start")
+        asks = "!dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+        scene = '[[part]]\nshape = "cube"\n'
+        page.run(f"cutaway.take('scene.toml', new TextEncoder().encode({json.dumps(scene)}))")
+        page.wait("cutaway.scene().includes('cube')", 60, "the scene")
+        settle(page)
+        expect(not page.run(asks), "a page without changes is left at once")
+        page.click(36, 60)
+        page.wait("cutaway.scene().includes('section')", 30, "the plane of the button")
+        settle(page)
+        expect(page.run(asks), "one with changes is asked about")
+        page.run("device.destroy()")
+        page.wait("document.getElementById('sentence')?.textContent.includes('Reload the page: the link')", 60, "the sentence")
+        page.screenshot(os.path.join(out, "lost.png"))
+        expect(not page.run(asks), "without a device the page is left at once")
+        page.call("Page.reload")
+        page.wait("!!globalThis.cutaway?.scene().includes('section')", 120, "the scene of the address")
+        expect(True, "a lost device leaves the scene in the address")
+    finally:
+        page.close()
+
+
 os.makedirs(out, exist_ok=True)
 address = serve()
 without_webgpu(address)
 follow_link(address)
+lose_device(address)
 use(address)

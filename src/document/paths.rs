@@ -291,6 +291,7 @@ pub const PATHS: &[Path] = &[
     fixed("cut.*.surfaces.*.section", Text, "", "\"z=50%\"", "a plane whose normal points to the side that stays"),
     moved("cut.*.surfaces.*.normal", Numbers(3), "", "[0, 0, 1]", "the normal of a plane, in the place of a section"),
     moved("cut.*.surfaces.*.origin", Numbers(3), "units", "[0, 0, 0]", "a point of it"),
+    moved("cut.*.surfaces.*.spin_deg", REAL, "degrees", "30", "so far a plane is turned in itself, and its relief with it: U towards V"),
     moved("cut.*.surfaces.*.u", Numbers(3), "units", "[1, 0, 0]", "the paper's own form: U"),
     moved("cut.*.surfaces.*.v", Numbers(3), "units", "[0, 1, 0]", "V; the side of U x V stays"),
     moved("cut.*.surfaces.*.scale", Numbers(3), "", "[4, 4, 0.1]", "repeats along U and V, and height"),

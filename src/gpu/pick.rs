@@ -31,13 +31,19 @@ impl Pick {
     }
 }
 
-/// The layers of a program's frame, on their way back.
+/// The layers of a program's frame or its picture, on their way back.
 #[derive(Debug)]
 pub(crate) struct Arriving(Arrival);
 
 impl Arriving {
-    /// Of a copy that is made by commands of the same encoder.
-    pub(super) fn new(encoder: &wgpu::CommandEncoder, staging: wgpu::Buffer) -> Self {
+    /// Of a buffer, which is copied behind what is encoded.
+    pub(super) fn new(
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        buffer: &wgpu::Buffer,
+    ) -> Self {
+        let staging = gpu.staging(buffer.size());
+        encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
         Self(Arrival::new(encoder, staging))
     }
 
@@ -46,8 +52,17 @@ impl Arriving {
     /// # Errors
     ///
     /// A device that is lost.
-    pub(crate) async fn pixels(self, gpu: &Gpu) -> Result<Vec<Layer>> {
+    pub(crate) async fn layers(self, gpu: &Gpu) -> Result<Vec<Layer>> {
         let words = self.0.awaited(&gpu.device, &gpu.report().name).await?;
         Ok(layers_from_words(&words))
+    }
+
+    /// RGBA8 of the pixels, in the same way.
+    ///
+    /// # Errors
+    ///
+    /// A device that is lost.
+    pub(crate) async fn picture(self, gpu: &Gpu) -> Result<Vec<u8>> {
+        self.0.awaited(&gpu.device, &gpu.report().name).await
     }
 }

@@ -270,22 +270,26 @@ impl Program {
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<Arriving> {
-        let layers = self.layers_buffer()?;
-        let staging = gpu.staging(layers.size());
-        encoder.copy_buffer_to_buffer(layers, 0, &staging, 0, layers.size());
-        Ok(Arriving::new(encoder, staging))
+        Ok(Arriving::new(gpu, encoder, self.layers_buffer()?))
+    }
+
+    /// Copies the picture behind what is encoded.
+    pub(crate) fn send_picture(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<Arriving> {
+        Ok(Arriving::new(gpu, encoder, self.picture_buffer()?))
     }
 
     /// What puts the picture into the attachments of a host.
     pub(crate) fn compositor(&self, gpu: &Gpu, target: &Destination<'_>) -> Result<Compositor> {
-        let plan = self.plan();
-        let none = || Error::Plan("the plan makes no picture".to_owned());
         let table = |name: &str| {
             let fault = || Error::Plan(format!("the plan has no {name}"));
             self.buffer_named(name).ok_or_else(fault)
         };
         let frame = Composed {
-            picture: self.buffer(plan.picture.ok_or_else(none)?)?,
+            picture: self.picture_buffer()?,
             layers: self.layers_buffer()?,
             parts: table("parts")?,
         };
@@ -343,11 +347,7 @@ impl Program {
 
     /// The picture of the last frame: RGBA8, rows from the top.
     pub fn picture(&self, gpu: &Gpu) -> Result<Vec<u8>> {
-        let id = self
-            .plan()
-            .picture
-            .ok_or_else(|| Error::Plan("the plan makes no picture".to_owned()))?;
-        gpu.read::<u8>(self.buffer(id)?)
+        gpu.read::<u8>(self.picture_buffer()?)
     }
 
     /// The words of a buffer, by name: for tests.
@@ -357,6 +357,11 @@ impl Program {
             .resource_named(name)
             .ok_or_else(|| Error::Plan(format!("there is no resource `{name}`")))?;
         gpu.read::<u32>(self.buffer(id)?)
+    }
+
+    fn picture_buffer(&self) -> Result<&wgpu::Buffer> {
+        let none = || Error::Plan("the plan makes no picture".to_owned());
+        self.buffer(self.plan().picture.ok_or_else(none)?)
     }
 
     fn layers_buffer(&self) -> Result<&wgpu::Buffer> {

@@ -158,6 +158,17 @@ impl ClipSurface {
         }
     }
 
+    /// The same surface turned in itself by an angle in radians, `U` towards `V`, about its origin.
+    #[must_use]
+    pub(crate) fn spun(&self, angle: f64) -> Self {
+        let SurfaceFrame { u_hat, v_hat, .. } = self.frame();
+        let (sine, cosine) = angle.sin_cos();
+        let mut spun = self.clone();
+        spun.u = (u_hat * cosine + v_hat * sine) * self.u.length();
+        spun.v = (v_hat * cosine - u_hat * sine) * self.v.length();
+        spun
+    }
+
     /// The same surface keeping the other side: `N` and the heights change sign together, the map stays where it is.
     #[must_use]
     pub fn flipped(&self) -> Self {
@@ -172,6 +183,20 @@ impl ClipSurface {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_spun_surface_has_turned_heights() {
+        let mut surface = ClipSurface::plane(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, -2.0));
+        surface.u *= 3.0;
+        let before = surface.frame();
+        let after = surface.spun(90_f64.to_radians()).frame();
+        let near = |a: DVec3, b: DVec3| (a - b).length() < 1e-12;
+        assert!(near(after.u_hat, before.v_hat) && near(after.v_hat, -before.u_hat));
+        assert!(near(after.normal, before.normal));
+        let spun = surface.spun(0.7);
+        assert!((spun.u.length() - surface.u.length()).abs() < 1e-12);
+        assert!(!near(spun.u, surface.u) && spun.defect().is_none());
+    }
 
     const WRAPS: [Wrap; 3] = [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp];
 

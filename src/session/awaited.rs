@@ -1,7 +1,7 @@
-//! Layers of a frame where nothing may be waited for, such as on a page of a browser: the frame is encoded as for a host, and its layers are
+//! Layers and pictures where nothing may be waited for, such as on a page of a browser: a frame is encoded as for a host, and what it made is
 //! awaited.
 //!
-//! Costs what [`Session::draw`] and [`Session::layers`] cost together, less one wait. Takes no times.
+//! Costs what [`Session::draw`], [`Session::layers`] and [`Session::picture`] cost together, less the waits between them. Takes no times.
 
 use super::bands::Band;
 use super::encode::Encoded;
@@ -28,7 +28,58 @@ impl Session {
         view: &View,
         method: impl Into<Method>,
     ) -> Result<Result<Layers, Refusal>> {
-        let method = method.into();
+        let drawn = self.awaited(model, view, method.into(), false).await?;
+        Ok(drawn.map(|(layers, _)| layers))
+    }
+
+    /// As [`Session::layers_async`], with the picture: RGBA8, rows from the top.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub async fn frame_async(
+        &mut self,
+        model: &Model,
+        view: &View,
+        method: impl Into<Method>,
+    ) -> Result<Result<(Layers, Vec<u8>), Refusal>> {
+        self.awaited(model, view, method.into(), true).await
+    }
+
+    /// As [`Session::shade`], awaited.
+    ///
+    /// # Errors
+    ///
+    /// Layers that are too large for the device, and one that is lost.
+    pub async fn shade_async(
+        &self,
+        model: &Model,
+        view: &View,
+        layers: &Layers,
+    ) -> Result<Vec<u8>> {
+        let sent = self.in_bands(model, view, layers, |session, band, view, layers| {
+            let gpu = &session.gpu;
+            let mut encoder = gpu.device().create_command_encoder(&Default::default());
+            let program = session.finished(&mut encoder, model, view, layers)?;
+            let sent = program.send_picture(gpu, &mut encoder)?;
+            gpu.queue().submit([encoder.finish()]);
+            Ok((*band, sent))
+        })?;
+        let mut picture = Vec::new();
+        for (band, sent) in sent {
+            let drawn = sent.picture(&self.gpu).await?;
+            picture.extend(band.own(&drawn, layers.size_px[0] as usize * 4));
+        }
+        Ok(picture)
+    }
+
+    async fn awaited(
+        &mut self,
+        model: &Model,
+        view: &View,
+        method: Method,
+        has_picture: bool,
+    ) -> Result<Result<(Layers, Vec<u8>), Refusal>> {
         let mut tries = 1;
         loop {
             let descriptor = Default::default();
@@ -38,28 +89,42 @@ impl Session {
             {
                 return Ok(Err(refusal));
             }
-            let layers = self.send_layers(encoder, method).await?;
+            let drawn = self.send(encoder, method, has_picture).await?;
             let overflows = self.poll()?;
             let is_mended = overflows.iter().any(|(by, o)| *by == method && o.is_mended);
             if !is_mended || tries == MOST_TRIES {
-                return Ok(Ok(layers));
+                return Ok(Ok(drawn));
             }
             tries += 1;
         }
     }
 
-    /// Submits a frame, with its layers on their way back.
-    async fn send_layers(&self, mut encoder: CommandEncoder, method: Method) -> Result<Layers> {
+    /// Submits a frame, with its layers and its picture on their way back.
+    async fn send(
+        &self,
+        mut encoder: CommandEncoder,
+        method: Method,
+        has_picture: bool,
+    ) -> Result<(Layers, Vec<u8>)> {
         let slot = self.slot(method)?;
-        let send = |band: &Band| band.program.send_layers(&self.gpu, &mut encoder);
+        let gpu = &self.gpu;
+        let send = |band: &Band| {
+            let layers = band.program.send_layers(gpu, &mut encoder)?;
+            let picture = has_picture.then(|| band.program.send_picture(gpu, &mut encoder));
+            Ok((layers, picture.transpose()?))
+        };
         let sent = slot.bands.iter().map(send).collect::<Result<Vec<_>>>()?;
-        self.gpu.queue().submit([encoder.finish()]);
+        gpu.queue().submit([encoder.finish()]);
         let size_px = slot.size_px;
-        let mut pixels = Vec::with_capacity(size_px.map(|s| s as usize).iter().product());
-        for (band, arriving) in slot.bands.iter().zip(sent) {
-            let drawn = arriving.pixels(&self.gpu).await?;
-            pixels.extend(band.rows.own(&drawn, size_px[0] as usize));
+        let in_a_row = size_px[0] as usize;
+        let (mut pixels, mut picture) = (Vec::new(), Vec::new());
+        for (band, (layers, pictured)) in slot.bands.iter().zip(sent) {
+            pixels.extend(band.rows.own(&layers.layers(gpu).await?, in_a_row));
+            if let Some(pictured) = pictured {
+                let drawn = pictured.picture(gpu).await?;
+                picture.extend(band.rows.own(&drawn, in_a_row * 4));
+            }
         }
-        Ok(Layers { size_px, pixels })
+        Ok((Layers { size_px, pixels }, picture))
     }
 }

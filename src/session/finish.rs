@@ -65,11 +65,7 @@ impl Session {
         self.gpu.scoped(|| {
             self.in_bands(model, view, layers, |session, band, view, layers| {
                 let gpu = &session.gpu;
-                let words = words_from_layers(layers);
-                let plan = effects::finish_of(model, view, &words);
-                let mut program = Program::default();
-                program.load(gpu, plan.map_err(|r| Error::Plan(r.reason))?)?;
-                program.encode_due(gpu, encoder)?;
+                let program = session.finished(encoder, model, view, layers)?;
                 let rows = (band.drawn(), (band.first, band.count));
                 let mut compositor = program.compositor(gpu, &target)?;
                 compositor.encode(gpu, encoder, &target, rows, width, scale);
@@ -77,6 +73,21 @@ impl Session {
             })
         })?;
         Ok(())
+    }
+
+    /// What makes a picture of layers, encoded.
+    pub(super) fn finished(
+        &self,
+        encoder: &mut CommandEncoder,
+        model: &Model,
+        view: &View,
+        layers: &Layers,
+    ) -> Result<Program> {
+        let plan = effects::finish_of(model, view, &words_from_layers(layers));
+        let mut program = Program::default();
+        program.load(&self.gpu, plan.map_err(|r| Error::Plan(r.reason))?)?;
+        program.encode_due(&self.gpu, encoder)?;
+        Ok(program)
     }
 
     /// What the style of a scene draws over layers, pixel by pixel, so that a picture can be checked.
@@ -113,7 +124,7 @@ impl Session {
     }
 
     /// Does something to bands of layers, as few as fit the device.
-    fn in_bands<T>(
+    pub(super) fn in_bands<T>(
         &self,
         model: &Model,
         view: &View,

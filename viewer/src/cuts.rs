@@ -156,6 +156,8 @@ pub enum PlaneMove {
     Turn(DVec3),
     /// Through a point, of a normal.
     Through(DVec3, DVec3),
+    /// In itself, to an angle in degrees.
+    Spin(f64),
     /// The same by a hand that holds it.
     Tilt(DVec3, DVec3),
 }
@@ -218,6 +220,20 @@ pub fn plane(document: &Document, cut: usize, bounds: &Bounds) -> Result<(DVec3,
     Ok((if is_flipped { -normal } else { normal }, origin))
 }
 
+/// The direction that the first surface of a cut is spun about, as its words have it, and by how many degrees it is; none of one
+/// without a relief, in which nothing would change.
+pub fn spin(document: &Document, cut: usize, bounds: &Bounds) -> Option<(DVec3, f64)> {
+    let surface = Surface::find(document, cut, 0).ok()?;
+    let node = document.get(&surface.path).ok()?;
+    node.get("relief")?;
+    let degrees = match node.get("spin_deg").map(|n| &n.value) {
+        Some(Value::Number(degrees)) => degrees.value,
+        _ => 0.0,
+    };
+    let (normal, _) = surface.plane(bounds).ok()?;
+    Some((normal, degrees))
+}
+
 /// Whether a surface keeps the other side than its plane says.
 fn is_flipped(document: &Document, surface: &str) -> bool {
     let flip = document.get(&format!("{surface}.flip"));
@@ -237,6 +253,9 @@ pub fn move_plane(
 ) -> Result<()> {
     let was = plane(document, cut, bounds)?;
     let Surface { path, words } = Surface::find(document, cut, 0)?;
+    if let PlaneMove::Spin(degrees) = by {
+        return document.set(&format!("{path}.spin_deg"), degrees);
+    }
     let mut spec = match &words {
         Words::Section(spec) => spec.clone(),
         Words::Vectors { normal, origin } => PlaneSpec::through(*origin, *normal)?,
@@ -264,6 +283,7 @@ pub fn move_plane(
         }
         PlaneMove::Flip => spec.flipped(),
         PlaneMove::Turn(normal) => spec.turned(normal, bounds)?,
+        PlaneMove::Spin(_) => spec,
         PlaneMove::Through(point, normal) | PlaneMove::Tilt(point, normal) => {
             PlaneSpec::through(point, normal)?.turned(normal, bounds)?
         }

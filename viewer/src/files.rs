@@ -27,7 +27,7 @@ pub enum Kind {
 }
 
 /// Endings of names of meshes.
-const MODELS: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
+const MODELS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
 /// Endings of names of images.
 const IMAGES: [&str; 11] = [
@@ -56,7 +56,7 @@ pub fn kind(path: &Path) -> Result<Kind> {
         Err(Error::file(
             path,
             "it is no scene, no mesh and no image by its name",
-            "open .toml, .obj, .stl, .ply, .glb, .gltf, or an image such as .png",
+            "open .toml, .obj, .stl, .ply, .glb, .gltf, .3mf, or an image such as .png",
         ))
     }
 }

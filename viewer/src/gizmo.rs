@@ -4,7 +4,7 @@
 //! What is held remembers where its value began and how far the pointer took it, so that a value that snaps or ends goes on from
 //! where the pointer is, and none is rounded on the way.
 //!
-//! Cannot: spin a plane in itself. Only surfaces in the paper's own form say how they lie in their plane, and those have no handles.
+//! Cannot: drag a surface in the paper's own form, which is changed by its numbers.
 
 mod plane;
 mod rail;
@@ -34,6 +34,8 @@ pub enum Grip {
     Along,
     /// The arc that tilts a plane about an axis of its frame: 0 is U, 1 is V.
     Tilt(usize),
+    /// The arc that turns a plane with a relief in itself.
+    Spin,
     /// The knob of a face of a box.
     Face {
         /// Which of the [regions](regions::regions) of the cut.
@@ -58,6 +60,7 @@ impl Grip {
         let (does, step) = match self {
             Self::Along => ("drag: move the plane along its normal", "1 %"),
             Self::Tilt(_) => ("drag: tilt the plane", "5 degrees"),
+            Self::Spin => ("drag: turn the relief in its plane", "5 degrees"),
             Self::Face { .. } => ("drag: move this face of the box", "1 %"),
             Self::Angle { .. } => ("drag: turn this face of the wedge", "5 degrees"),
         };
@@ -193,6 +196,7 @@ impl Hold {
                 is_end,
                 to_deg: value,
             }),
+            (Grip::Spin, _) => Action::MovePlane(PlaneMove::Spin(value)),
             (Grip::Along | Grip::Tilt(_), _) => Action::MovePlane(PlaneMove::To(value)),
         }
     }
@@ -221,6 +225,9 @@ impl Gizmo {
         }
         if let Ok(plane) = cuts::plane(document, cut, bounds) {
             plane::add(&mut gizmo, plane, (bounds, up), view);
+            if let Some(spin) = cuts::spin(document, cut, bounds) {
+                plane::add_spin(&mut gizmo, plane, spin, (bounds, up), view);
+            }
         }
         let regions = regions::regions(document, cut, bounds);
         for (index, region) in regions.iter().enumerate() {
@@ -334,6 +341,10 @@ mod tests {
             (
                 "surfaces = [{ section = \"-x=50%\" }]",
                 vec![Grip::Along, Grip::Tilt(0), Grip::Tilt(1)],
+            ),
+            (
+                "surfaces = [{ section = \"-x=50%\", relief = \"r\", spin_deg = 30, flip = true }]",
+                vec![Grip::Spin],
             ),
             (
                 "box = { min = [\"50%\", 0, 0], max = [0.9, 1, 1] }",

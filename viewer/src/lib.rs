@@ -36,6 +36,8 @@ pub mod profile;
 pub mod readback;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod recent;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod recovery;
 pub mod regions;
 pub mod removal;
 pub mod screen;

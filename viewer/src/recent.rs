@@ -1,9 +1,14 @@
 //! Files that were opened last, in a small text of the user: a line for each, the newest first.
 //!
-//! It is read again before it is written, for another window may have written it.
+//! It is read again before it is written, for another window may have written it, and is there whole or not at all. Two windows that
+//! write at once take turns by a lock on a file beside it, for which one waits 0.1 s at most.
+//!
+//! Cannot: keep a name with a line break in it, nor, on other systems than Unix, one that is no Unicode.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
+use std::time::Duration;
+use std::{env, fs, thread};
 
 use cutaway::{Error, Result};
 
@@ -11,6 +16,10 @@ use crate::disk;
 
 /// So many are kept.
 const MOST: usize = 8;
+
+/// How often the lock is asked for, and how long after each time.
+const TRIES: usize = 20;
+const BETWEEN_TRIES: Duration = Duration::from_millis(5);
 
 /// The files that were opened last.
 #[derive(Clone, Debug)]
@@ -67,29 +76,61 @@ impl Recent {
     }
 
     fn change(&mut self, change: impl FnOnce(&mut Vec<PathBuf>)) -> Result<()> {
-        let mut paths = lines_of(&self.file);
-        change(&mut paths);
-        self.paths = paths;
-        let lines = self
-            .paths
-            .iter()
-            .map(|path| format!("{}\n", path.display()));
-        let text: String = lines.collect();
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder).map_err(|e| {
                 let help = "make the folder, or set $XDG_STATE_HOME to one that can be written";
                 Error::file(folder, format!("cannot be made: {e}"), help)
             })?;
         }
-        disk::write_whole(&self.file, text.as_bytes())
+        let _lock = locked(&self.file.with_extension("lock"));
+        let mut paths = lines_of(&self.file);
+        change(&mut paths);
+        self.paths = paths;
+        let bytes: Vec<u8> = self.paths.iter().flat_map(|path| line_of(path)).collect();
+        disk::write_whole(&self.file, &bytes)
+    }
+}
+
+/// A lock that other windows respect, as long as it is held; without it the list is written all the same.
+fn locked(file: &Path) -> Option<fs::File> {
+    let file = fs::File::create(file).ok()?;
+    for _ in 0..TRIES {
+        if file.try_lock().is_ok() {
+            return Some(file);
+        }
+        thread::sleep(BETWEEN_TRIES);
+    }
+    None
+}
+
+/// A line of the text; nothing for a name that is two lines.
+fn line_of(path: &Path) -> Vec<u8> {
+    #[cfg(unix)]
+    let name = std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()).to_vec();
+    #[cfg(not(unix))]
+    let name = path.to_string_lossy().into_owned().into_bytes();
+    match name.contains(&b'\n') {
+        true => Vec::new(),
+        false => [name, b"\n".to_vec()].concat(),
     }
 }
 
 /// The files that a text names.
 fn lines_of(file: &Path) -> Vec<PathBuf> {
-    let text = fs::read_to_string(file).unwrap_or_default();
-    let lines = text.lines().filter(|line| !line.trim().is_empty());
-    lines.map(PathBuf::from).take(MOST).collect()
+    let text = fs::read(file).unwrap_or_default();
+    let lines = text.split(|byte| *byte == b'\n');
+    let lines = lines.map(|line| line.strip_suffix(b"\r").unwrap_or(line));
+    let named = lines.filter(|line| !line.trim_ascii().is_empty());
+    named.filter_map(path_of).take(MOST).collect()
+}
+
+/// The file that a line names.
+fn path_of(line: &[u8]) -> Option<PathBuf> {
+    #[cfg(unix)]
+    let name: Option<&OsStr> = Some(std::os::unix::ffi::OsStrExt::from_bytes(line));
+    #[cfg(not(unix))]
+    let name = std::str::from_utf8(line).ok().map(OsStr::new);
+    name.map(PathBuf::from)
 }
 
 #[cfg(test)]
@@ -124,5 +165,36 @@ mod tests {
         }
         assert_eq!(names(&recent).len(), MOST);
         assert_eq!(names(&recent)[0], "19.stl");
+    }
+    #[test]
+    fn windows_that_write_at_once_lose_none() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("recent");
+        thread::scope(|scope| {
+            for window in 0..4 {
+                let mut recent = Recent::read(&file);
+                scope.spawn(move || {
+                    for number in 0..2 {
+                        let path = format!("/a/{window}-{number}.stl");
+                        recent.add(Path::new(&path)).expect("written");
+                    }
+                });
+            }
+        });
+        assert_eq!(Recent::read(&file).paths().len(), MOST);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_that_is_no_unicode_is_found_again() {
+        use std::os::unix::ffi::OsStrExt;
+
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("recent");
+        let name = Path::new(OsStr::from_bytes(b"/a/caf\xe9 .stl"));
+        let mut recent = Recent::read(&file);
+        recent.add(name).expect("written");
+        recent.add(Path::new("/a/two\nlines.stl")).expect("written");
+        assert_eq!(Recent::read(&file).paths(), [name]);
     }
 }

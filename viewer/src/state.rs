@@ -45,8 +45,10 @@ pub struct State {
     assets: Assets,
     store: Arc<dyn Store>,
     shown: Option<Shown>,
-    /// Counts changes of what is seen.
-    revision: u64,
+    /// Counts changes of the scene and of the eye.
+    scene_revision: u64,
+    /// Counts changes of who draws the slots and how they are seen.
+    slots_revision: u64,
     /// Counts actions.
     acted: u64,
     /// What was read and prepared elsewhere for the action that is carried out.
@@ -103,7 +105,8 @@ impl State {
             assets,
             store,
             shown,
-            revision: 0,
+            scene_revision: 0,
+            slots_revision: 0,
             acted: 0,
             ahead: None,
             time_s: None,
@@ -149,7 +152,12 @@ impl State {
 
     /// Another number whenever something else is to be drawn.
     pub fn revision(&self) -> u64 {
-        self.revision
+        self.scene_revision + self.slots_revision
+    }
+
+    /// Another number whenever solids, cuts or the eye may be others.
+    pub fn scene_revision(&self) -> u64 {
+        self.scene_revision
     }
 
     /// Whether there is a step to be taken back, and one to be done again.
@@ -319,11 +327,7 @@ impl State {
             Action::Add(new) => self.add(new),
             Action::Duplicate(index) => self.duplicate(index),
             Action::Remove(index) => {
-                let path = format!("cut.{index}");
-                self.change(None, |document| {
-                    timeline::remove_below(document, &path)?;
-                    removal::take_out(document, &path)
-                })?;
+                self.change(None, |document| timeline::take_out_cut(document, index))?;
                 self.selection = Selection::Scene;
                 Ok(())
             }
@@ -348,17 +352,17 @@ impl State {
             Action::MoveCamera(by) => self.move_camera(by),
             Action::Choose(side, painter) => {
                 self.slots[side.index()] = painter;
-                self.revision += 1;
+                self.slots_revision += 1;
                 Ok(())
             }
             Action::Swap => {
                 self.slots.swap(0, 1);
-                self.revision += 1;
+                self.slots_revision += 1;
                 Ok(())
             }
             Action::Arrange(layout) => {
                 self.layout = layout;
-                self.revision += 1;
+                self.slots_revision += 1;
                 Ok(())
             }
             Action::Wipe(at) => {
@@ -382,18 +386,5 @@ impl State {
             }
             Action::Seek(time_s) => self.seek(time_s),
         }
-    }
-
-    /// Takes over what a document asks for beside its scene.
-    fn take_settings(&mut self) -> Result<()> {
-        let Some(shown) = &self.shown else {
-            return Ok(());
-        };
-        let settings = shown.timeline.settings();
-        if let Some(name) = &settings.strategy {
-            self.slots[Side::A.index()] = name.parse()?;
-        }
-        self.time_s = settings.time_s;
-        Ok(())
     }
 }

@@ -4,13 +4,17 @@
 //! the target is, and in the keys. The [pose] of a document has the numbers of a moment in the place of those at rest; what a hand changes
 //! of these goes [into the keys](keep) of that moment.
 //!
-//! Cannot: key what a document says in percent: a key moves numbers. What is keyed here is written in units first.
+//! Cannot: key what a document says in percent: a key moves numbers. What is keyed here is written in units first. Nor key an entry of a
+//! list whose name and number are both names of others.
 
+mod address;
 mod chosen;
 
 use cutaway::document::{Key, Node, Number, Value};
 use cutaway::{Document, Error, Result};
 
+use address::by_number;
+pub use address::{path_of, take_out_cut};
 pub use chosen::{prepare, targets};
 
 /// Times are rounded to so many decimals of a second, and keys stay as far apart.
@@ -214,22 +218,6 @@ fn filled(held: &Value, numbers: &mut impl Iterator<Item = f64>) -> Value {
         },
         other => other.clone(),
     }
-}
-
-/// A path whose entry of a list goes by its number, however the document names it.
-fn by_number(document: &Document, path: &str) -> String {
-    let Some((list, rest)) = path.split_once('.') else {
-        return path.to_owned();
-    };
-    let entries = document.root().get(list).map_or(&[] as &[_], Node::items);
-    for (index, entry) in entries.iter().enumerate() {
-        let name = entry.name().map(str::to_owned).or_else(|| entry.model());
-        let below = name.and_then(|name| rest.strip_prefix(&name).map(str::to_owned));
-        if let Some(below) = below.filter(|b| b.is_empty() || b.starts_with('.')) {
-            return format!("{list}.{index}{below}");
-        }
-    }
-    path.to_owned()
 }
 
 fn number(node: &Node) -> Option<f64> {

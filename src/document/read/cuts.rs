@@ -25,10 +25,19 @@ use crate::scene::{
 /// Keys of a cut.
 pub(super) static KEYS: Keys = Keys::below("cut.*");
 const FULL: &[&str] = &["origin", "u", "v", "scale", "relief", "wrap", "flip"];
-const SECTION: &[&str] = &["section", "relief", "amplitude", "period", "wrap", "flip"];
+const SECTION: &[&str] = &[
+    "section",
+    "spin_deg",
+    "relief",
+    "amplitude",
+    "period",
+    "wrap",
+    "flip",
+];
 const NORMAL: &[&str] = &[
     "normal",
     "origin",
+    "spin_deg",
     "relief",
     "amplitude",
     "period",
@@ -223,7 +232,8 @@ pub(super) fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSu
         let section = table.need("section", "\"z=50%\"")?;
         let spec = PlaneSpec::parse(section.text()?);
         let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
-        on_plane(surface.map_err(|e| section.place(e))?, &table, context)?
+        let plane = spun(surface.map_err(|e| section.place(e))?, &table)?;
+        on_plane(plane, &table, context)?
     } else if open.get("normal").is_some() {
         let table = entry.table(NORMAL)?;
         let normal = table.need("normal", "[0, 0, 1]")?;
@@ -233,7 +243,8 @@ pub(super) fn surface(entry: &Entry<'_>, context: &Context<'_>) -> Result<ClipSu
         };
         let spec = PlaneSpec::through(point, DVec3::from(normal.vector()?));
         let surface = spec.and_then(|s| s.surface(&context.bounds, context.up));
-        on_plane(surface.map_err(|e| normal.place(e))?, &table, context)?
+        let plane = spun(surface.map_err(|e| normal.place(e))?, &table)?;
+        on_plane(plane, &table, context)?
     } else {
         in_full(&entry.table(FULL)?, context)?
     };
@@ -265,6 +276,14 @@ fn in_full(table: &Table<'_>, context: &Context<'_>) -> Result<ClipSurface> {
         relief: map_of(table, context)?,
         wrap: wrap_of(table)?,
     })
+}
+
+/// A plane turned in itself as its table says.
+fn spun(plane: ClipSurface, table: &Table<'_>) -> Result<ClipSurface> {
+    let Some(entry) = table.get("spin_deg") else {
+        return Ok(plane);
+    };
+    Ok(plane.spun(entry.number()?.to_radians()))
 }
 
 /// A plane with the relief of its table, if it has one.

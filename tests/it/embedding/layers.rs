@@ -37,12 +37,24 @@ fn awaited_layers_are_those_that_are_waited_for() {
             let drawn = waits.draw(&model, &view, method).expect("a frame");
             assert_eq!(drawn.outcome, Outcome::Complete, "{name}");
             assert_eq!(waits.bands(method).expect("a frame") > 1, bands, "{name}");
-            waits.layers(method).expect("layers")
+            (
+                waits.layers(method).expect("layers"),
+                waits.picture(method).expect("a picture"),
+            )
         };
         let mut session = asked();
         let awaited = pollster::block_on(session.layers_async(&model, &view, method));
         let awaited = awaited.expect("a device").expect("layers");
-        assert!(awaited == expected, "{name}: other layers");
+        assert!(awaited == expected.0, "{name}: other layers");
+        let awaited = pollster::block_on(asked().frame_async(&model, &view, method));
+        let awaited = awaited.expect("a device").expect("a frame");
+        assert!(awaited == expected, "{name}: another frame");
+        let shaded = pollster::block_on(session.shade_async(&model, &view, &awaited.0));
+        let shaded = shaded.expect("a device");
+        assert!(
+            shaded == session.shade(&model, &view, &awaited.0).expect("a picture"),
+            "{name}: another picture"
+        );
     }
     let refused = pollster::block_on(host.session().layers_async(&model, &view, method("planar")));
     assert!(refused.expect("a device").is_err(), "a relief is no plane");

@@ -1,7 +1,8 @@
-//! The handles of a plane: an arrow along its normal, and two arcs that tilt it about the axes of its frame.
+//! The handles of a plane: an arrow along its normal, two arcs that tilt it about the axes of its frame, and, where it has a relief, a
+//! third that turns it in itself.
 
 use cutaway::scene::{Bounds, ClipSurface, Up};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::rail::Rail;
 use super::region::edges_of;
@@ -26,12 +27,7 @@ pub(super) fn add(
 ) {
     let corners = section_of(bounds, normal, origin);
     gizmo.add_outline(&corners, true, view);
-    // A point of the plane that is far from the model is no handle for it.
-    let is_within = origin.cmpge(bounds.min).all() && origin.cmple(bounds.max).all();
-    let pivot = match corners.is_empty() || is_within {
-        true => origin,
-        false => corners.iter().sum::<DVec3>() / corners.len() as f64,
-    };
+    let pivot = pivot_of(&corners, origin, bounds);
     let reach = bounds.size().length() * REACH_SHARE;
     let [least, most] = extent(bounds, normal);
     let along = Rail::Line {
@@ -85,6 +81,49 @@ pub(super) fn add(
             Some(0.0),
             view,
         );
+    }
+}
+
+/// Adds the arc that turns a plane in itself about a direction, from where it is turned to in degrees.
+pub(super) fn add_spin(
+    gizmo: &mut Gizmo,
+    (normal, origin): (DVec3, DVec3),
+    (axis, start): (DVec3, f64),
+    (bounds, up): (&Bounds, Up),
+    view: &WorldView,
+) {
+    let pivot = pivot_of(&section_of(bounds, normal, origin), origin, bounds);
+    let level = ClipSurface::upright(pivot, axis, up).frame().u_hat;
+    let arm = DQuat::from_axis_angle(axis, start.to_radians()) * level;
+    gizmo.add(
+        Handle {
+            grip: Grip::Spin,
+            rail: Rail::Circle {
+                centre: pivot,
+                axis,
+                arm: arm * bounds.size().length() * REACH_SHARE,
+            },
+            scale: Scale {
+                start,
+                unit: 1_f64.to_degrees(),
+                snap: [0.0, 5.0],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
+            },
+            normal,
+            ..Handle::default()
+        },
+        ([-HALF_ARC, HALF_ARC], ARC_LINES),
+        Some(0.0),
+        view,
+    );
+}
+
+/// The point of a plane that its handles are about: a point of it that is far from the model is none for them.
+fn pivot_of(corners: &[DVec3], origin: DVec3, bounds: &Bounds) -> DVec3 {
+    let is_within = origin.cmpge(bounds.min).all() && origin.cmple(bounds.max).all();
+    match corners.is_empty() || is_within {
+        true => origin,
+        false => corners.iter().sum::<DVec3>() / corners.len() as f64,
     }
 }
 

@@ -11,7 +11,7 @@ use cutaway::strategies::Method;
 use cutaway::{Error, Outcome};
 
 use super::Subject;
-use super::bench::Bench;
+use super::context::JudgeContext;
 use crate::slot::Side;
 
 /// How often a frame is run for its times.
@@ -75,7 +75,11 @@ impl Cost {
 }
 
 /// Answers a question for a slot.
-pub(super) async fn answer(bench: &mut Bench, question: &Question, by: Renderer) -> Result<Cost> {
+pub(super) async fn answer(
+    context: &mut JudgeContext,
+    question: &Question,
+    by: Renderer,
+) -> Result<Cost> {
     let subject = &question.subject;
     let Renderer::Method(method) = by else {
         return Err(Error::input(
@@ -84,7 +88,7 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question, by: Renderer)
             "choose a method for the slot",
         ));
     };
-    let session = bench.session().await?;
+    let session = context.session().await?;
     let drawn = session.draw(&subject.at.model, &subject.view(), method)?;
     if let Outcome::Refused(refusal) = drawn.outcome {
         return Err(Error::Limit(refusal.reason));

@@ -3,15 +3,17 @@
 //! Cost: a frame of each slot where it was not the last one, read back whole; the reference at the whole resolution where it is not kept;
 //! one projection of the meshes for the list.
 
+use std::borrow::Cow;
+
+use cutaway::Result;
 use cutaway::exact::{Crossed, Trace, trace};
 use cutaway::experiment::{Evaluator, Renderer};
 use cutaway::layers::{Kind, Layer, NEAR_PLANE};
 use cutaway::scene::Prepared;
-use cutaway::{Outcome, Result};
 use image::RgbaImage;
 
 use super::Subject;
-use super::bench::{Bench, picture};
+use super::context::{JudgeContext, picture};
 use crate::slot::Side;
 
 /// Width and height of a neighbourhood, in pixels; its middle is the pixel that is asked about.
@@ -58,13 +60,14 @@ pub struct Neighbourhood {
 
 /// A crossing of the ray.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Serialize, serde::Deserialize))]
 pub struct DepthRow {
     /// Distance from the eye along the viewing direction, in units of the model.
     pub depth: f64,
     /// The part, the cut or the cutter.
     pub what: String,
     /// Where the ray goes by it.
-    pub way: &'static str,
+    pub way: Cow<'static, str>,
     /// What is left of some part begins or ends there.
     pub is_kept: bool,
     /// It is what the reference sees.
@@ -72,10 +75,10 @@ pub struct DepthRow {
 }
 
 /// Answers a question.
-pub(super) async fn answer(bench: &mut Bench, question: &Question) -> Result<Magnified> {
+pub(super) async fn answer(context: &mut JudgeContext, question: &Question) -> Result<Magnified> {
     let (subject, [x, y]) = (&question.subject, question.at_px);
     let (truth, view) = (subject.at.truth()?, subject.view());
-    let exact = bench.exact(subject)?;
+    let exact = context.exact(subject)?;
     let mut neighbourhoods = Vec::new();
     for side in Side::BOTH {
         let Some(renderer) = question.renderers[side.index()] else {
@@ -83,7 +86,7 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question) -> Result<Mag
         };
         let seen = match renderer {
             Renderer::Cpu(Evaluator::Exact) => None,
-            renderer => Some(shown_by(bench, subject, renderer, question.at_px).await?),
+            renderer => Some(shown_by(context, subject, renderer, question.at_px).await?),
         };
         let (picture, says) = match seen {
             None => continue,
@@ -97,7 +100,7 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question) -> Result<Mag
             says,
         });
     }
-    let whole = bench.exact_picture(subject).await?;
+    let whole = context.exact_picture(subject).await?;
     neighbourhoods.push(Neighbourhood {
         side: None,
         name: Renderer::EXACT.to_string(),
@@ -114,23 +117,25 @@ pub(super) async fn answer(bench: &mut Bench, question: &Question) -> Result<Mag
 
 /// What is around a pixel in the picture by a renderer, and what the pixel shows; or why the renderer draws nothing.
 async fn shown_by(
-    bench: &mut Bench,
+    context: &mut JudgeContext,
     subject: &Subject,
     renderer: Renderer,
     at_px @ [x, y]: [u32; 2],
 ) -> Result<Result<(RgbaImage, Layer), String>> {
     let (model, view) = (&subject.at.model, subject.view());
-    let (rgba, layers) = match renderer {
+    let (layers, rgba) = match renderer {
         Renderer::Method(method) => {
-            let session = bench.session().await?;
-            if let Outcome::Refused(refusal) = session.draw(model, &view, method)?.outcome {
-                return Ok(Err(refusal.reason));
+            let session = context.session().await?;
+            match session.frame_async(model, &view, method).await? {
+                Ok(frame) => frame,
+                Err(refusal) => return Ok(Err(refusal.reason)),
             }
-            (session.picture(method)?, session.layers(method)?)
         }
         Renderer::Cpu(evaluator) => {
             let layers = evaluator.evaluate(subject.at.truth()?, &view).layers;
-            (bench.session().await?.shade(model, &view, &layers)?, layers)
+            let session = context.session().await?;
+            let shaded = session.shade_async(model, &view, &layers).await?;
+            (layers, shaded)
         }
     };
     let whole = picture(view.size_px, rgba);
@@ -163,7 +168,7 @@ fn depths(trace: &Trace, prepared: &Prepared) -> Vec<DepthRow> {
         DepthRow {
             depth: crossing.depth / prepared.scale,
             what,
-            way: ways[usize::from(!crossing.enters)],
+            way: ways[usize::from(!crossing.enters)].into(),
             is_kept: !crossing.bounds.is_empty(),
             is_seen: crossing.is_seen,
         }
@@ -250,6 +255,6 @@ mod tests {
         let of_cut = |r: &DepthRow| r.what.contains("of cut corner");
         assert!(rows.iter().any(of_cut), "{rows:?}");
         let own = part_name(0, &prepared);
-        assert_eq!((first.what.as_str(), first.way), (own.as_str(), "enters"));
+        assert_eq!((first.what.as_str(), &*first.way), (own.as_str(), "enters"));
     }
 }

@@ -5,20 +5,22 @@
 //! frame, a [survey] of all methods. The errors are found at a quarter of the resolution, then at half, then whole, so that the first
 //! answer comes while a hand still moves; a newer question ends the one before it between two steps.
 //!
-//! The reference that was evaluated last is kept, 40 bytes a pixel: a click after the errors are known does not evaluate it again, a new question
-//! about errors does.
+//! The reference of the present scene is kept at each of these resolutions, 53 bytes a pixel of the picture: a click after the errors are
+//! known does not evaluate it again, nor does another method.
 //!
-//! Cannot: end in the middle of a step; answer on a page what is not about errors.
+//! Cannot: end in the middle of a step; tell costs and times on a page, whose clocks are coarse.
 
 #![cfg_attr(
     target_arch = "wasm32",
-    allow(dead_code, reason = "a page asks for errors alone")
+    allow(dead_code, reason = "a page asks for no times")
 )]
 
-mod bench;
+mod context;
 pub mod cost;
 mod errors;
 pub mod magnify;
+#[cfg(target_arch = "wasm32")]
+mod message;
 pub mod survey;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
@@ -62,7 +64,7 @@ impl Subject {
     pub fn of(state: &State, size_px: [u32; 2]) -> Option<Self> {
         let shown = state.shown()?;
         Some(Self {
-            revision: state.revision(),
+            revision: state.scene_revision(),
             at: shown.at.clone(),
             camera: shown.scene.camera,
             size_px,
@@ -107,12 +109,12 @@ pub struct Answer {
     /// By how much coarser than the picture it is.
     pub divisor: u32,
     /// What is known.
-    pub what: Known,
+    pub what: Content,
 }
 
 /// What is known of a slot.
 #[derive(Debug)]
-pub enum Known {
+pub enum Content {
     /// The layers of one that is found on the CPU.
     Layers(Layers),
     /// What is wrong where in one that is not.
@@ -126,6 +128,16 @@ pub enum Known {
     Failed(String),
 }
 
+/// That nothing is known of either slot, and why.
+fn failed(id: u64, why: &str) -> [Answer; 2] {
+    Side::BOTH.map(|side| Answer {
+        id,
+        side,
+        divisor: 1,
+        what: Content::Failed(why.to_owned()),
+    })
+}
+
 /// What else was found.
 #[derive(Debug)]
 pub enum Finding {
@@ -137,11 +149,11 @@ pub enum Finding {
     Surveyed(u64, Surveyed),
 }
 
-/// Where answers go, and whether anybody still waits for them.
-trait Asker {
-    /// Tells a part of the answer.
-    fn tell(&self, answer: Answer);
+/// Where answers go.
+trait AnswerSink {
+    /// Sends a part of the answer.
+    fn send(&self, answer: Answer);
 
-    /// Whether nobody waits for the present answer any more; looked at between two steps.
-    async fn is_outdated(&self) -> bool;
+    /// Whether a newer question has come, so that the rest of this answer is of no use; looked at between two steps.
+    async fn is_superseded(&self) -> bool;
 }

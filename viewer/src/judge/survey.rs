@@ -15,7 +15,7 @@ use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use cutaway::{Exact, Outcome, Result, Session};
 
 use super::Subject;
-use super::bench::Bench;
+use super::context::JudgeContext;
 
 /// How many frames are measured of a method, at most.
 const MOST_FRAMES: usize = 7;
@@ -99,28 +99,40 @@ impl Survey {
         self.done == self.methods.len()
     }
 
-    /// Takes the next method.
-    pub(super) async fn step(&mut self, bench: &mut Bench) -> Surveyed {
+    /// Takes the next method, of which there is one.
+    pub(super) fn begin_step(&mut self) -> Method {
         let method = self.methods[self.done];
-        let found = self.try_step(bench, method).await;
         self.done += 1;
+        method
+    }
+
+    /// What was found of a method.
+    pub(super) fn surveyed(&self, method: Method, found: Found) -> Surveyed {
         Surveyed {
             total: self.methods.len(),
             method,
-            found: found.unwrap_or_else(|error| Found::Refused(error.to_string())),
+            found,
         }
     }
 
-    async fn try_step(&mut self, bench: &mut Bench, method: Method) -> Result<Found> {
+    /// Measures a method.
+    pub(super) async fn step(
+        &mut self,
+        context: &mut JudgeContext,
+        method: Method,
+    ) -> Result<Found> {
         let subject = &self.question.subject;
         let exact = match &self.exact {
             Some(exact) => exact.clone(),
-            None => self.exact.insert(bench.exact(subject)?).clone(),
+            None => self.exact.insert(context.exact(subject)?).clone(),
         };
-        let session = bench.session().await?;
-        let measured = measure(session, subject, &exact, method);
-        session.forget();
-        measured
+        let measured = context.retried(async |context| {
+            let session = context.session().await?;
+            let measured = measure(session, subject, &exact, method);
+            session.forget();
+            measured
+        });
+        measured.await
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! page    [question, scene, path, further files] -> worker
-//! worker  [answer, bytes]                        -> page
+//! worker  [reply, bytes]                         -> page
 //! ```
 //!
 //! The worker opens the document by itself, and keeps files and what it has prepared from one question to the next.
@@ -12,101 +12,77 @@ use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use bytemuck::pod_collect_to_vec;
-use cutaway::compare::Comparison;
-use cutaway::experiment::Renderer;
-use cutaway::gpu::{layers_from_words, words_from_layers};
 use cutaway::load::Assets;
-use cutaway::{Document, Error, Layers, Result};
-use image::RgbaImage;
+use cutaway::{Document, Error, Result};
 use js_sys::{Array, Function, Promise, Uint8Array};
-use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-use super::bench::Bench;
-use super::{Answer, Asker, Finding, Known, Question, Subject, cost, errors, magnify, survey};
+use super::context::JudgeContext;
+use super::message::{About, QuestionMessage, Reply};
+use super::{Answer, AnswerSink, Finding, Question, Subject, cost, errors, magnify, survey};
 use crate::shown::Shown;
-use crate::slot::Side;
 use crate::state::State;
 use crate::web::files::PageFiles;
 
 /// The script that starts this program as a worker.
 const SCRIPT: &str = "./judge.js";
 
-/// A question, as a message has it.
-#[derive(Serialize, Deserialize)]
-struct Asked {
-    id: u64,
-    revision: u64,
-    size_px: [u32; 2],
-    renderers: [Option<String>; 2],
-    wants_errors: bool,
-}
-
-/// An answer, as a message has it beside its bytes.
-#[derive(Serialize, Deserialize)]
-struct Told {
-    id: u64,
-    is_b: bool,
-    divisor: u32,
-    what: What,
-}
-
-#[derive(Serialize, Deserialize)]
-enum What {
-    Layers([u32; 2]),
-    Errors([u32; 2], Box<Comparison>),
-    Failed(String),
-}
-
 /// The worker, as the page sees it.
 pub struct Judge {
     worker: Option<Worker>,
-    answers: Rc<RefCell<Vec<Answer>>>,
+    replies: Rc<RefCell<Replies>>,
     /// So many files it has been given.
     given: Cell<usize>,
-    /// The number of the last question.
-    asked: Rc<Cell<u64>>,
+    /// The last question of each kind.
+    asked: Rc<RefCell<[Option<QuestionMessage>; 2]>>,
     /// What takes in its messages, and that it has failed.
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(Event)>,
 }
 
+/// What has come from the worker and is still to be taken.
+#[derive(Default)]
+struct Replies {
+    answers: Vec<Answer>,
+    findings: Vec<Finding>,
+}
+
+impl Replies {
+    fn add(&mut self, reply: Reply) {
+        match reply {
+            Reply::Answer(answer) => self.answers.push(answer),
+            Reply::Finding(finding) => self.findings.push(finding),
+        }
+    }
+}
+
 /// What is told where the worker fails.
 const LOST: &str = "the worker that compares has failed: reload the page";
-
-/// That a question is not answered.
-fn failed(id: u64, why: &str) -> [Answer; 2] {
-    Side::BOTH.map(|side| Answer {
-        id,
-        side,
-        divisor: 1,
-        what: Known::Failed(why.to_owned()),
-    })
-}
 
 impl Judge {
     /// Starts the worker, on the adapter that the browser gives; `wake` is called whenever there is an answer.
     pub fn start(_adapter: &str, wake: impl Fn() + 'static) -> Self {
-        let answers = Rc::new(RefCell::new(Vec::new()));
-        let (told, wake) = (answers.clone(), Rc::new(wake));
+        let replies = Rc::new(RefCell::new(Replies::default()));
+        let (own, wake) = (replies.clone(), Rc::new(wake));
         let woken = wake.clone();
         let on_message = Closure::new(move |event: MessageEvent| {
-            if let Some(answer) = read_answer(&event.data()) {
-                told.borrow_mut().push(answer);
+            if let Some(reply) = Reply::from_message(&event.data()) {
+                own.borrow_mut().add(reply);
                 woken();
             }
         });
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
         let worker = Worker::new_with_options(SCRIPT, &options).ok();
-        let asked = Rc::new(Cell::new(0));
-        let (told, id) = (answers.clone(), asked.clone());
+        let asked = Rc::new(RefCell::new([const { None::<QuestionMessage> }; 2]));
+        let (own, questions) = (replies.clone(), asked.clone());
         let on_error = Closure::new(move |_: Event| {
-            told.borrow_mut().extend(failed(id.get(), LOST));
+            let lost = questions.borrow();
+            let unanswered = lost.iter().flatten().flat_map(|q| q.unanswered(LOST));
+            unanswered.for_each(|reply| own.borrow_mut().add(reply));
             wake();
         });
         if let Some(worker) = &worker {
@@ -115,7 +91,7 @@ impl Judge {
         }
         Self {
             worker,
-            answers,
+            replies,
             asked,
             given: Cell::new(0),
             _on_message: on_message,
@@ -125,24 +101,45 @@ impl Judge {
 
     /// Asks about what is seen; what was asked before is not answered any more.
     pub fn ask(&self, state: &State, question: Question) {
-        self.asked.set(question.id);
-        if let Err(why) = self.try_ask(state, &question) {
-            self.answers.borrow_mut().extend(failed(question.id, &why));
-        }
+        let wants_errors = question.wants_errors;
+        self.send(
+            state,
+            QuestionMessage::new(
+                question.id,
+                &question.subject,
+                question.renderers,
+                About::Slots { wants_errors },
+            ),
+        );
     }
 
-    fn try_ask(&self, state: &State, question: &Question) -> Result<(), String> {
+    /// Asks about a pixel; the one that was asked about before is not answered any more.
+    pub fn magnify(&self, state: &State, question: magnify::Question) {
+        self.send(
+            state,
+            QuestionMessage::new(
+                question.id,
+                &question.subject,
+                question.renderers,
+                About::Pixel(question.at_px),
+            ),
+        );
+    }
+
+    fn send(&self, state: &State, question: QuestionMessage) {
+        if let Err(why) = self.try_send(state, &question) {
+            let mut replies = self.replies.borrow_mut();
+            (question.unanswered(&why).into_iter()).for_each(|reply| replies.add(reply));
+        }
+        let kind = question.about.kind();
+        self.asked.borrow_mut()[kind] = Some(question);
+    }
+
+    fn try_send(&self, state: &State, question: &QuestionMessage) -> Result<(), String> {
         let worker = self.worker.as_ref();
         let worker = worker.ok_or("the browser started no worker to judge by")?;
         let document = state.as_seen().map_err(|e| e.to_string())?;
-        let asked = Asked {
-            id: question.id,
-            revision: question.subject.revision,
-            size_px: question.subject.size_px,
-            renderers: question.renderers.map(|r| r.map(|r| r.to_string())),
-            wants_errors: question.wants_errors,
-        };
-        let asked = serde_json::to_string(&asked).map_err(|e| e.to_string())?;
+        let asked = serde_json::to_string(question).map_err(|e| e.to_string())?;
         let path = document.path().to_string_lossy().into_owned();
         let further = Array::new();
         let mut given = self.given.get();
@@ -163,21 +160,18 @@ impl Judge {
 
     /// What was answered since.
     pub fn answers(&self) -> impl Iterator<Item = Answer> + '_ {
-        self.answers.take().into_iter()
+        std::mem::take(&mut self.replies.borrow_mut().answers).into_iter()
     }
 
-    /// What else was found since: nothing, for a page asks for errors alone.
+    /// What else was found since.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + '_ {
-        std::iter::empty()
+        std::mem::take(&mut self.replies.borrow_mut().findings).into_iter()
     }
 
-    /// Not offered on a page.
-    pub fn magnify(&self, _: magnify::Question) {}
-
-    /// Not offered on a page.
+    /// Not offered on a page, whose clocks are coarse.
     pub fn cost(&self, _: cost::Question) {}
 
-    /// Not offered on a page.
+    /// Not offered on a page, whose clocks are coarse.
     pub fn survey(&self, _: survey::Question) {}
 
     /// Not offered on a page.
@@ -192,82 +186,64 @@ impl Drop for Judge {
     }
 }
 
-fn read_answer(message: &JsValue) -> Option<Answer> {
-    let message: &Array = message.dyn_ref()?;
-    let told: Told = serde_json::from_str(&message.get(0).as_string()?).ok()?;
-    let bytes = message.get(1).dyn_into::<Uint8Array>().ok()?.to_vec();
-    let what = match told.what {
-        What::Layers(size_px) => Known::Layers(Layers {
-            size_px,
-            pixels: layers_from_words(&pod_collect_to_vec::<u8, u32>(&bytes)),
-        }),
-        What::Errors([width, height], comparison) => Known::Errors {
-            marks: RgbaImage::from_raw(width, height, bytes)?,
-            comparison: *comparison,
-        },
-        What::Failed(why) => Known::Failed(why),
-    };
-    Some(Answer {
-        id: told.id,
-        side: if told.is_b { Side::B } else { Side::A },
-        divisor: told.divisor,
-        what,
-    })
-}
-
 /// A question that has come to the worker, and the scene that it is about.
 struct Received {
-    asked: Asked,
+    asked: QuestionMessage,
     scene: Document,
 }
 
 /// What the worker keeps.
-struct Desk {
-    newest: RefCell<Option<Received>>,
+struct Mailbox {
+    /// The newest question of each kind that is still to be answered.
+    pending: RefCell<[Option<Received>; 2]>,
     /// What it works with; taken while it does.
-    tools: RefCell<Option<Tools>>,
+    state: RefCell<Option<WorkerState>>,
     files: Arc<PageFiles>,
     /// Whether files have come since they were last looked at.
     has_further: Cell<bool>,
 }
 
 /// What is kept from one question to the next.
-struct Tools {
-    bench: Bench,
+struct WorkerState {
+    context: JudgeContext,
     assets: Assets,
     /// The scene of the last question, by the text of its document.
     shown: Option<(String, Shown)>,
 }
 
 thread_local! {
-    static DESK: Rc<Desk> = Rc::new(Desk::new());
+    static MAILBOX: Rc<Mailbox> = Rc::new(Mailbox::new());
 }
 
 /// Takes in a message of the page; called by the script of the worker.
 #[wasm_bindgen]
 pub fn judge(message: &JsValue) {
-    let desk = DESK.with(Rc::clone);
-    let Some(received) = read_question(message, &desk) else {
+    let mailbox = MAILBOX.with(Rc::clone);
+    let Some(received) = read_question(message, &mailbox) else {
         return;
     };
-    *desk.newest.borrow_mut() = Some(received);
-    // Without tools it is at work, and finds the question when it looks.
-    if let Some(tools) = desk.tools.take() {
-        spawn_local(work(desk, tools));
+    let kind = received.asked.about.kind();
+    mailbox.pending.borrow_mut()[kind] = Some(received);
+    // Without a state it is at work, and finds the question when it looks.
+    if let Some(state) = mailbox.state.take() {
+        spawn_local(work(mailbox, state));
     }
 }
 
-fn read_question(message: &JsValue, desk: &Desk) -> Option<Received> {
+fn read_question(message: &JsValue, mailbox: &Mailbox) -> Option<Received> {
     let message: &Array = message.dyn_ref()?;
     let text = |index| message.get(index).as_string();
-    let asked: Asked = serde_json::from_str(&text(0)?).ok()?;
+    let asked: QuestionMessage = serde_json::from_str(&text(0)?).ok()?;
     let further = message.get(3).dyn_into::<Array>().ok()?;
-    desk.has_further
-        .set(desk.has_further.get() || further.length() > 0);
+    mailbox
+        .has_further
+        .set(mailbox.has_further.get() || further.length() > 0);
     for file in further.iter() {
         let file: Array = file.dyn_into().ok()?;
         let bytes: Uint8Array = file.get(1).dyn_into().ok()?;
-        desk.files.insert(file.get(0).as_string()?, bytes.to_vec());
+        mailbox
+            .files
+            .insert(file.get(0).as_string()?, bytes.to_vec());
     }
     Some(Received {
         asked,
@@ -275,42 +251,76 @@ fn read_question(message: &JsValue, desk: &Desk) -> Option<Received> {
     })
 }
 
-/// Answers questions until there is none.
-async fn work(desk: Rc<Desk>, mut tools: Tools) {
-    while let Some(Received { asked, scene }) = desk.newest.take() {
-        let page = Page { desk: &desk };
-        if desk.has_further.take() {
+/// Answers questions until there is none, a pixel before slots.
+async fn work(mailbox: Rc<Mailbox>, mut state: WorkerState) {
+    loop {
+        let received = mailbox
+            .pending
+            .borrow_mut()
+            .iter_mut()
+            .find_map(Option::take);
+        let Some(received) = received else {
+            break;
+        };
+        let page = PageSink { mailbox: &mailbox };
+        if mailbox.has_further.take() {
             // One of them may be of a name that was read before.
-            tools.assets = Assets::from_files(desk.files.clone());
-            tools.shown = None;
+            state.assets = Assets::from_files(mailbox.files.clone());
+            state.shown = None;
         }
-        match open(scene, &mut tools.assets, &mut tools.shown) {
-            Ok(shown) => {
-                let renderer = |name: Option<String>| name?.parse::<Renderer>().ok();
-                let question = Question {
-                    id: asked.id,
-                    subject: Subject {
-                        revision: asked.revision,
-                        at: shown.at.clone(),
-                        camera: shown.scene.camera,
-                        size_px: asked.size_px,
-                    },
-                    renderers: asked.renderers.map(renderer),
-                    wants_errors: asked.wants_errors,
-                };
-                errors::answer(&mut tools.bench, &question, &page).await;
+        let asked = &received.asked;
+        let shown = match open(&received.scene, &mut state.assets, &mut state.shown) {
+            Ok(shown) => shown,
+            Err(error) => {
+                let unanswered = asked.unanswered(&error.to_string());
+                unanswered.into_iter().for_each(post);
+                continue;
             }
-            Err(error) => failed(asked.id, &error.to_string())
-                .into_iter()
-                .for_each(|answer| page.tell(answer)),
+        };
+        let (id, renderers) = (asked.id, asked.renderers());
+        let subject = Subject {
+            revision: asked.revision,
+            at: shown.at.clone(),
+            camera: shown.scene.camera,
+            size_px: asked.size_px,
+        };
+        match asked.about {
+            About::Slots { wants_errors } => {
+                let question = Question {
+                    id,
+                    subject,
+                    renderers,
+                    wants_errors,
+                };
+                let is_done = errors::answer(&mut state.context, &question, &page).await;
+                let kind = asked.about.kind();
+                let mut pending = mailbox.pending.borrow_mut();
+                if !is_done && pending[kind].is_none() {
+                    // It gave way to a pixel, and begins again after it.
+                    pending[kind] = Some(received);
+                }
+            }
+            About::Pixel(at_px) => {
+                let question = magnify::Question {
+                    id,
+                    subject,
+                    renderers,
+                    at_px,
+                };
+                let answer =
+                    async |context: &mut JudgeContext| magnify::answer(context, &question).await;
+                let magnified = state.context.retried(answer).await;
+                let magnified = magnified.map_err(|e| e.to_string());
+                post(Reply::Finding(Finding::Magnified(id, magnified)));
+            }
         }
     }
-    *desk.tools.borrow_mut() = Some(tools);
+    *mailbox.state.borrow_mut() = Some(state);
 }
 
 /// The scene of a document, prepared after the last where that was another.
 fn open<'a>(
-    document: Document,
+    document: &Document,
     assets: &mut Assets,
     shown: &'a mut Option<(String, Shown)>,
 ) -> Result<&'a Shown> {
@@ -320,7 +330,7 @@ fn open<'a>(
         last => {
             let last = last.as_ref().map(|(_, shown)| shown);
             let time_s = document.timeline(assets)?.settings().time_s;
-            let opened = Shown::open(&document, assets, time_s, last)?;
+            let opened = Shown::open(document, assets, time_s, last)?;
             let none = || Error::input("the scene", "it has no parts", "add one");
             let mut opened = opened.ok_or_else(none)?;
             opened.settle()?;
@@ -331,60 +341,43 @@ fn open<'a>(
     Ok(shown)
 }
 
-impl Desk {
+impl Mailbox {
     fn new() -> Self {
         let files = Arc::new(PageFiles::default());
-        let tools = Tools {
-            bench: Bench::new(None),
+        let state = WorkerState {
+            context: JudgeContext::new(None),
             assets: Assets::from_files(files.clone()),
             shown: None,
         };
         Self {
-            newest: RefCell::default(),
-            tools: RefCell::new(Some(tools)),
+            pending: RefCell::default(),
+            state: RefCell::new(Some(state)),
             files,
             has_further: Cell::new(false),
         }
     }
 }
 
-/// The page that asks.
-struct Page<'a> {
-    desk: &'a Desk,
+/// Sends answers to the page.
+struct PageSink<'a> {
+    mailbox: &'a Mailbox,
 }
 
-impl Asker for Page<'_> {
-    fn tell(&self, answer: Answer) {
-        let (what, bytes) = match answer.what {
-            Known::Layers(layers) => {
-                let words = words_from_layers(&layers);
-                let bytes = bytemuck::cast_slice(&words).to_vec();
-                (What::Layers(layers.size_px), bytes)
-            }
-            Known::Errors { marks, comparison } => {
-                let size_px = [marks.width(), marks.height()];
-                (
-                    What::Errors(size_px, Box::new(comparison)),
-                    marks.into_raw(),
-                )
-            }
-            Known::Failed(why) => (What::Failed(why), Vec::new()),
-        };
-        let told = Told {
-            id: answer.id,
-            is_b: answer.side == Side::B,
-            divisor: answer.divisor,
-            what,
-        };
-        let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
-        if let Ok(told) = serde_json::to_string(&told) {
-            let message = Array::of2(&told.into(), &Uint8Array::from(&*bytes));
-            // A page that is closed has nobody left to tell.
-            let _ = worker.post_message(&message);
-        }
+/// Sends a reply to the page.
+fn post(reply: Reply) {
+    let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
+    if let Some(message) = reply.into_message() {
+        // A page that is closed has nobody left to tell.
+        let _ = worker.post_message(&message);
+    }
+}
+
+impl AnswerSink for PageSink<'_> {
+    fn send(&self, answer: Answer) {
+        post(Reply::Answer(answer));
     }
 
-    async fn is_outdated(&self) -> bool {
+    async fn is_superseded(&self) -> bool {
         // Messages come in between two tasks of the worker: this one ends here and goes on in the next.
         let next_task = Promise::new(&mut |resolve: Function, _| {
             let worker: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
@@ -395,6 +388,6 @@ impl Asker for Page<'_> {
         });
         // It never fails.
         let _ = JsFuture::from(next_task).await;
-        self.desk.newest.borrow().is_some()
+        self.mailbox.pending.borrow().iter().any(Option::is_some)
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct Ahead {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Moment {
     acted: u64,
-    revision: u64,
+    scene_revision: u64,
 }
 
 impl State {
@@ -31,7 +31,7 @@ impl State {
     pub fn moment(&self) -> Moment {
         Moment {
             acted: self.acted,
-            revision: self.revision,
+            scene_revision: self.scene_revision,
         }
     }
 
@@ -54,7 +54,7 @@ impl State {
             *self = copy;
             return true;
         }
-        if copy.revision == since.revision {
+        if copy.scene_revision == since.scene_revision {
             // It was refused.
             self.notices.append(&mut copy.notices);
             return false;

@@ -72,7 +72,7 @@ impl State {
         // What does not move has no moment.
         let moves = (self.shown.as_ref()).is_some_and(|shown| shown.timeline.moves());
         self.time_s = self.time_s.filter(|_| moves);
-        self.revision += 1;
+        self.scene_revision += 1;
         self.pose();
         Ok(())
     }
@@ -220,7 +220,7 @@ impl State {
         camera::round(&mut moved);
         camera::write(&moved, &mut self.document)?;
         shown.scene.camera = moved;
-        self.revision += 1;
+        self.scene_revision += 1;
         let opens_to_the_eye =
             |cut: &CutEntry| matches!(cut.kind, CutKind::Cutout | CutKind::Breakaway);
         if self.cuts().iter().any(opens_to_the_eye) {

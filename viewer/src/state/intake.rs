@@ -9,6 +9,7 @@ use super::State;
 use crate::action::Selection;
 use crate::files;
 use crate::notice::Notice;
+use crate::slot::Side;
 
 /// The files that a document is made of at its top: itself, or the meshes of one that has no file.
 pub(super) fn files_of(document: &Document) -> Vec<PathBuf> {
@@ -32,7 +33,8 @@ impl State {
                     let mut opened = Self::open_like(store, document, assets, alike)?;
                     opened.acted = self.acted;
                     opened.ahead = self.ahead.take();
-                    opened.revision = self.revision + 1;
+                    opened.scene_revision = self.scene_revision + 1;
+                    opened.slots_revision = self.slots_revision;
                     opened.layout = self.layout;
                     opened.notices.append(&mut self.notices);
                     opened.opened.append(&mut self.opened);
@@ -140,6 +142,19 @@ impl State {
         self.history.clear();
         self.tell(Notice::done(format!("saved {}", path.display())));
         self.opened.push(path.to_owned());
+        Ok(())
+    }
+
+    /// Takes over what a document asks for beside its scene.
+    pub(super) fn take_settings(&mut self) -> Result<()> {
+        let Some(shown) = &self.shown else {
+            return Ok(());
+        };
+        let settings = shown.timeline.settings();
+        if let Some(name) = &settings.strategy {
+            self.slots[Side::A.index()] = name.parse()?;
+        }
+        self.time_s = settings.time_s;
         Ok(())
     }
 }

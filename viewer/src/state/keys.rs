@@ -84,7 +84,7 @@ impl State {
         if let Some(shown) = &mut self.shown {
             shown.seek(time_s)?;
             self.time_s = Some(time_s);
-            self.revision += 1;
+            self.scene_revision += 1;
             self.pose();
         }
         Ok(())

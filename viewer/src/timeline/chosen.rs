@@ -8,8 +8,9 @@ use glam::DVec3;
 use crate::action::Selection;
 use crate::camera;
 use crate::cuts::{self, CutKind};
-use crate::parts;
 use crate::regions::{self, Region};
+
+use super::path_of;
 
 /// Makes sure that the document has the place of what is selected in numbers, which keys can move: a section becomes a normal and an
 /// origin, percent become units.
@@ -106,19 +107,10 @@ pub fn targets(
             };
             ("camera".to_owned(), place)
         }
-        Selection::Part(index) => {
-            let entry = document.get(&format!("part.{index}"))?;
-            (
-                format!("part.{}", parts::name(index, entry)),
-                &["translate"],
-            )
-        }
+        Selection::Part(index) => (path_of(document, "part", index)?, &["translate"]),
         Selection::Cut(index) => {
             let cut = document.get(&format!("cut.{index}"))?;
-            let entry = match cut.name() {
-                Some(name) => format!("cut.{name}"),
-                None => format!("cut.{index}"),
-            };
+            let entry = path_of(document, "cut", index)?;
             let keys: &[&str] = match kind(document, index)? {
                 CutKind::Plane | CutKind::Relief | CutKind::Surfaces => {
                     &["surfaces.0.normal", "surfaces.0.origin"]

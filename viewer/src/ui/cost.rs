@@ -9,6 +9,7 @@ use eframe::egui::{
 };
 
 use super::Viewer;
+use super::latest::Latest;
 use crate::judge::Subject;
 use crate::judge::cost::{Cost, PassCost, Question};
 use crate::slot::Side;
@@ -31,8 +32,7 @@ struct About {
 #[derive(Default)]
 pub(super) struct Costs {
     pub(super) is_open: bool,
-    asked: u64,
-    about: Option<About>,
+    latest: Latest<About>,
     /// What was answered of each slot, by the number of the question.
     answers: [Option<(u64, Result<Cost, String>)>; 2],
 }
@@ -45,12 +45,12 @@ impl Costs {
 
     fn answer(&self, side: Side) -> Option<&Result<Cost, String>> {
         let (id, answer) = self.answers[side.index()].as_ref()?;
-        (*id == self.asked).then_some(answer)
+        (*id == self.latest.id()).then_some(answer)
     }
 
     /// Whether an answer is still to come.
     pub(super) fn is_busy(&self) -> bool {
-        let Some(about) = self.about else {
+        let Some(about) = self.latest.about() else {
             return false;
         };
         let is_seen = |side: &Side| about.renderers[side.index()].is_some();
@@ -68,7 +68,7 @@ impl Viewer {
     /// Asks for the costs of what is seen, while they are shown.
     pub(super) fn ask_costs(&mut self, ctx: &Context) {
         if !self.costs.is_open {
-            self.costs.about = None;
+            self.costs.latest.forget();
             return;
         }
         let subject = Subject::of(&self.state, self.size_px);
@@ -83,13 +83,11 @@ impl Viewer {
             size_px: self.size_px,
             renderers: last.renderers,
         };
-        if self.costs.about == Some(about) {
+        let Some(id) = self.costs.latest.ask(about) else {
             return;
-        }
-        self.costs.about = Some(about);
-        self.costs.asked += 1;
+        };
         let question = Question {
-            id: self.costs.asked,
+            id,
             subject,
             renderers: last.renderers,
         };

@@ -5,7 +5,8 @@ use cutaway::experiment::Renderer;
 use eframe::egui::{ColorImage, Context, TextureHandle};
 use image::RgbaImage;
 
-use crate::judge::{Answer, Finding, Judge, Known, Question, Subject};
+use super::latest::Latest;
+use crate::judge::{Answer, Content, Finding, Judge, Question, Subject};
 use crate::screen::{PLAIN, Screen};
 use crate::slot::Side;
 use crate::state::State;
@@ -35,9 +36,7 @@ struct About {
 #[derive(Default)]
 pub(super) struct Judged {
     judge: Option<Judge>,
-    /// Number of the last question, and what it was about.
-    asked: u64,
-    about: Option<About>,
+    latest: Latest<About>,
     /// The picture that the last question was about.
     subject: Option<Subject>,
     errors: [Errors; 2],
@@ -67,15 +66,10 @@ impl Judged {
             renderers,
             wants_errors,
         };
-        if !is_needed || self.about == Some(about) {
-            return;
-        }
-        let Some(subject) = Subject::of(state, size_px) else {
+        let subject = Subject::of(state, size_px).filter(|_| is_needed);
+        let Some((subject, id)) = subject.and_then(|s| Some((s, self.latest.ask(about)?))) else {
             return;
         };
-        self.about = Some(about);
-        self.asked += 1;
-        let id = self.asked;
         self.subject = Some(subject.clone());
         let question = Question {
             id,
@@ -110,11 +104,11 @@ impl Judged {
         {
             // An answer to an older question is better than none: it is shown, faded, until the next.
             let wants_difference = state.layout() == crate::slot::Layout::Difference;
+            let by = self.renderer(side);
             let errors = &mut self.errors[side.index()];
             match what {
-                Known::Layers(layers) if id == self.asked => {
+                Content::Layers(layers) if id == self.latest.id() => {
                     self.pictures[side.index()] = (id, divisor);
-                    let by = self.about.and_then(|about| about.renderers[side.index()]);
                     if let (Some(by), Some(subject)) = (by, &self.subject) {
                         let put = screen.put(side, by, subject, &layers, wants_difference);
                         if let Err(error) = put {
@@ -122,10 +116,9 @@ impl Judged {
                         }
                     }
                 }
-                Known::Layers(_) => {}
-                Known::Failed(why) => {
-                    let by = self.about.and_then(|about| about.renderers[side.index()]);
-                    if id == self.asked && by.is_some_and(|by| by.method().is_none()) {
+                Content::Layers(_) => {}
+                Content::Failed(why) => {
+                    if id == self.latest.id() && by.is_some_and(|by| by.method().is_none()) {
                         screen.refuse(side, why.clone());
                     }
                     *errors = Errors {
@@ -134,7 +127,7 @@ impl Judged {
                         ..Errors::default()
                     };
                 }
-                Known::Errors { marks, comparison } => {
+                Content::Errors { marks, comparison } => {
                     let name = format!("errors of {side}");
                     let marks = Some(ctx.load_texture(name, as_egui(&marks), PLAIN));
                     *errors = Errors {
@@ -149,13 +142,18 @@ impl Judged {
         }
     }
 
+    /// Who draws a slot in the picture that was asked about last.
+    fn renderer(&self, side: Side) -> Option<Renderer> {
+        self.latest.about()?.renderers[side.index()]
+    }
+
     /// The marks of what is wrong in a slot, and whether it is of what is seen now.
     pub(super) fn marks(&self, side: Side) -> Option<(&TextureHandle, bool)> {
         let errors = &self.errors[side.index()];
         errors
             .marks
             .as_ref()
-            .map(|map| (map, errors.id == self.asked))
+            .map(|map| (map, errors.id == self.latest.id()))
     }
 
     /// Whether an answer is still to come.
@@ -164,14 +162,14 @@ impl Judged {
             renderers,
             wants_errors,
             ..
-        }) = self.about
+        }) = self.latest.about()
         else {
             return false;
         };
-        let whole = (self.asked, 1);
+        let whole = (self.latest.id(), 1);
         let is_open = |side: Side| {
             let errors = &self.errors[side.index()];
-            let has_failed = errors.failed.is_some() && errors.id == self.asked;
+            let has_failed = errors.failed.is_some() && errors.id == self.latest.id();
             let Some(renderer) = renderers[side.index()].filter(|_| !has_failed) else {
                 return false;
             };
@@ -187,7 +185,7 @@ impl Judged {
     /// The counts of a slot, at which resolution.
     pub(super) fn counts(&self, side: Side) -> Option<(&Comparison, u32)> {
         let errors = &self.errors[side.index()];
-        let is_known = errors.marks.is_some() && errors.id == self.asked;
+        let is_known = errors.marks.is_some() && errors.id == self.latest.id();
         is_known.then_some((&errors.comparison, errors.divisor))
     }
 
@@ -201,7 +199,11 @@ impl Judged {
         if !state.shows_errors() || painter == crate::slot::Painter::Named(Renderer::EXACT) {
             return format!("{side}: {painter}");
         }
-        if let Some(why) = errors.failed.as_ref().filter(|_| errors.id == self.asked) {
+        if let Some(why) = errors
+            .failed
+            .as_ref()
+            .filter(|_| errors.id == self.latest.id())
+        {
             return format!("{side}: {painter}: {why}");
         }
         let Some((counts, divisor)) = self.counts(side) else {

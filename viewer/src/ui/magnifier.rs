@@ -9,6 +9,7 @@ use eframe::egui::{
 };
 
 use super::Viewer;
+use super::latest::Latest;
 use super::viewport::Pointed;
 use crate::judge::Subject;
 use crate::judge::magnify::{DepthRow, Magnified, Neighbourhood, Question, SIDE_PX};
@@ -44,8 +45,7 @@ struct Answered {
 #[derive(Default)]
 pub(super) struct Magnifier {
     at_px: Option<[u32; 2]>,
-    about: Option<About>,
-    asked: u64,
+    latest: Latest<About>,
     answered: Option<Answered>,
 }
 
@@ -57,19 +57,25 @@ impl Magnifier {
 
     /// What is shown, once it is known.
     pub(super) fn magnified(&self) -> Option<&Magnified> {
-        let answered = self.answered.as_ref().filter(|a| a.id == self.asked)?;
+        let answered = self
+            .answered
+            .as_ref()
+            .filter(|a| a.id == self.latest.id())?;
         answered.magnified.as_ref().ok()
     }
 
     /// Whether an answer is still to come.
     pub(super) fn is_busy(&self) -> bool {
-        let is_answered = self.answered.as_ref().is_some_and(|a| a.id == self.asked);
+        let is_answered = self
+            .answered
+            .as_ref()
+            .is_some_and(|a| a.id == self.latest.id());
         self.at_px.is_some() && !is_answered
     }
 
     /// Takes in an answer.
     pub(super) fn take_in(&mut self, ctx: &Context, id: u64, magnified: Result<Magnified, String>) {
-        if id != self.asked {
+        if id != self.latest.id() {
             return;
         }
         let texture = |shown: &Neighbourhood| {
@@ -87,10 +93,8 @@ impl Magnifier {
     }
 
     fn close(&mut self) {
-        *self = Self {
-            asked: self.asked,
-            ..Self::default()
-        };
+        self.latest.forget();
+        (self.at_px, self.answered) = (None, None);
     }
 }
 
@@ -115,18 +119,17 @@ impl Viewer {
             renderers: last.renderers,
             at_px,
         };
-        if self.magnifier.about == Some(about) {
+        let Some(id) = self.magnifier.latest.ask(about) else {
             return;
-        }
-        self.magnifier.about = Some(about);
-        self.magnifier.asked += 1;
+        };
         let question = Question {
-            id: self.magnifier.asked,
+            id,
             subject,
             renderers: last.renderers,
             at_px,
         };
-        self.judged.judge(ctx, &self.screen).magnify(question);
+        let judge = self.judged.judge(ctx, &self.screen);
+        judge.magnify(&self.state, question);
     }
 
     /// The window of the magnifier.
@@ -239,7 +242,7 @@ fn depths(ui: &mut Ui, rows: &[DepthRow]) {
                 (false, true) => "kept",
                 (false, false) => "not kept",
             };
-            for text in [&format!("{:.5}", row.depth), &row.what, row.way, state] {
+            for text in [&*format!("{:.5}", row.depth), &row.what, &row.way, state] {
                 let text = RichText::new(text);
                 ui.label(match (row.is_seen, row.is_kept) {
                     (true, _) => text.strong(),

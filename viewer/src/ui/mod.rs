@@ -13,6 +13,7 @@ mod frames;
 mod handles;
 mod judged;
 mod keys;
+mod latest;
 mod magnifier;
 mod menu;
 mod opening;
@@ -41,6 +42,7 @@ use crate::judge::Finding;
 use crate::judge::cost::Cost;
 use crate::judge::magnify::Magnified;
 use crate::judge::survey::Found;
+use crate::notice::Notice;
 use crate::opening::Opening;
 use crate::pace::Pace;
 use crate::pick::Picked;
@@ -117,10 +119,15 @@ impl Viewer {
     ///
     /// A device with less than core WebGPU.
     pub fn on(host: &RenderState, state: State) -> Result<Self> {
-        Ok(Self {
+        Ok(Self::with(Screen::on(host)?, state))
+    }
+
+    /// Shows a state by a screen.
+    pub fn with(screen: Screen, state: State) -> Self {
+        Self {
             state,
             opening: Opening::default(),
-            screen: Screen::on(host)?,
+            screen,
             judged: Judged::default(),
             toasts: Toasts::default(),
             pace: Pace::default(),
@@ -151,7 +158,29 @@ impl Viewer {
             is_smooth: true,
             profile: None,
             cost: FrameCost::default(),
-        })
+        }
+    }
+
+    /// The same in a window with another device, in the place of one that is lost: with the scene and its history, and with what goes on
+    /// beside the window. What the lost device has drawn is drawn anew.
+    #[must_use]
+    pub fn reopened_on(self, screen: Screen) -> Self {
+        let mut reopened = Self {
+            opening: self.opening,
+            outside: self.outside,
+            #[cfg(not(target_arch = "wasm32"))]
+            recent: self.recent,
+            is_smooth: self.is_smooth,
+            profile: self.profile,
+            ..Self::with(screen, self.state)
+        };
+        reopened.state.tell(Notice {
+            text: "The graphics device was lost. It has been opened again; the scene is whole."
+                .to_owned(),
+            // It stays until it is closed: a driver that does so is worth a look.
+            is_error: true,
+        });
+        reopened
     }
 
     /// What the window shows.

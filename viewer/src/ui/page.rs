@@ -88,6 +88,13 @@ async fn read_chosen(chosen: Vec<File>) -> Come {
     Come::Files(paths)
 }
 
+/// Whether changes that no file has may go, as the browser asks in a window of its own.
+fn is_agreed() -> bool {
+    let question = "The scene was changed and is not saved. Open another in its place?";
+    let asked = web_sys::window().and_then(|page| page.confirm_with_message(question).ok());
+    asked.unwrap_or(true)
+}
+
 /// What is done with files that have come: those that the scene has by name already are read again, others are taken in.
 fn actions_of(paths: Vec<PathBuf>, state: &State) -> Vec<Action> {
     let shown = state.shown();
@@ -138,7 +145,14 @@ impl Viewer {
         }
         for come in self.outside.come.take() {
             match come {
-                Come::Files(paths) => actions.extend(actions_of(paths, &self.state)),
+                Come::Files(paths) => {
+                    let is_scene =
+                        |path: &PathBuf| files::kind(path).is_ok_and(|kind| kind == Kind::Scene);
+                    let leaves = paths.iter().any(is_scene);
+                    if !(leaves && self.state.has_unsaved_changes()) || is_agreed() {
+                        actions.extend(actions_of(paths, &self.state));
+                    }
+                }
                 Come::Told(notice) => self.toasts.add(ctx, notice),
             }
         }

@@ -68,13 +68,17 @@ impl Viewer {
         let at = at.filter(|at| self.screen.refusal(at.side).is_none());
         if let Some(click) = at.filter(|at| at.is_click) {
             self.pointing.waiting = Some(click);
-            if self.state.shows_errors() && cfg!(not(target_arch = "wasm32")) {
+            if self.state.shows_errors() {
                 self.magnifier.open(click);
             }
         }
         let waiting = self.pointing.waiting;
         let Some(pointed) = waiting.or(at) else {
-            (self.pointing.asked, self.pointing.under_pointer) = (None, None);
+            // A click whose pixel is still to come counts, wherever the pointer is by then.
+            let is_picking = self.screen.is_picking();
+            let asked = self.pointing.asked;
+            self.pointing.asked = asked.filter(|asked| asked.pointed.is_click && is_picking);
+            self.pointing.under_pointer = None;
             return;
         };
         let is_known = |asked: Asked| asked.revision == revision && asked.pointed == pointed;

@@ -220,7 +220,7 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         .selected_text(shown)
         .show_ui(ui, |ui| {
             if ui.selectable_label(kind.is_none(), "none").clicked() && kind.is_some() {
-                let keys = ["relief", "amplitude", "period", "wrap"];
+                let keys = ["relief", "spin_deg", "amplitude", "period", "wrap"];
                 let gone = keys.map(|key| (format!("{surface}.{key}"), None));
                 actions.push(Action::Change(gone.into()));
             }
@@ -237,15 +237,16 @@ fn relief(ui: &mut Ui, state: &State, index: usize, actions: &mut Vec<Action>) {
         .num_columns(2)
         .show(ui, |ui| {
             for (key, label, usual) in [
-                ("amplitude", "Amplitude", "6%"),
-                ("period", "Period", "40%"),
-                ("wrap", "Wrap", "repeat"),
+                ("amplitude", "Amplitude", "6%".into()),
+                ("period", "Period", "40%".into()),
+                ("wrap", "Wrap", "repeat".into()),
+                ("spin_deg", "Spin", Value::from(0.0)),
             ] {
                 let (path, pattern) = (
                     format!("{surface}.{key}"),
                     format!("cut.*.surfaces.*.{key}"),
                 );
-                control(ui, state, (&path, &pattern), (label, usual.into()), actions);
+                control(ui, state, (&path, &pattern), (label, usual), actions);
             }
             let own = RELIEFS.iter().find(|(word, _)| **word == kind);
             for (key, usual) in own.map_or(&[] as &[_], |(_, keys)| keys) {

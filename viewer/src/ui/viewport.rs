@@ -79,7 +79,7 @@ pub(super) fn show(
     let Some(shown) = state.shown() else {
         let font = FontId::proportional(16.0);
         let color = ui.visuals().weak_text_color();
-        let text = "Drop a mesh (.obj, .stl, .ply, .glb, .gltf) or a scene (.toml) here";
+        let text = "Drop a mesh (.obj, .stl, .ply, .glb, .gltf, .3mf) or a scene (.toml) here";
         painter.text(rect.center(), Align2::CENTER_CENTER, text, font, color);
         return None;
     };
@@ -180,7 +180,11 @@ pub(super) fn show(
         (held, &gizmo, &view),
         actions,
     );
-    let at = response.hover_pos().filter(|_| !response.dragged())?;
+    // A pointer that has left by the time its click is seen has clicked all the same.
+    let at = match response.clicked() {
+        true => response.interact_pointer_pos(),
+        false => response.hover_pos().filter(|_| !response.dragged()),
+    }?;
     let side = match layout {
         Layout::Wipe if at.x >= line(rect, state.wipe()) => Side::B,
         Layout::SideBySide if own.min.x > rect.min.x => Side::B,

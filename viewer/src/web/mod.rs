@@ -2,26 +2,28 @@
 //!
 //! The same [`Viewer`] as on a desktop, on the browser's WebGPU. Nothing is sent anywhere: files stay in the memory of the page.
 //!
-//! Cannot: make films, which the command does; watch files; keep files from one visit to the next.
+//! Cannot: make films, which the command does; watch files; keep files from one visit to the next; go on with another device where the
+//! browser takes the present one away.
 
 pub mod files;
 
 use std::cell::RefCell;
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use cutaway::load::Assets;
 use cutaway::{Document, Result};
 use eframe::egui::{FontData, FontDefinitions, FontFamily, Ui};
-use epaint_default_fonts::{HACK_REGULAR, UBUNTU_LIGHT};
-use js_sys::{Promise, Uint8Array};
-use wasm_bindgen::JsValue;
-use wasm_bindgen::prelude::wasm_bindgen;
+use epaint_default_fonts::UBUNTU_LIGHT;
+use js_sys::{Function, Promise, Uint8Array};
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::future_to_promise;
-use web_sys::HtmlCanvasElement;
+use web_sys::{BeforeUnloadEvent, HtmlCanvasElement};
 
 use crate::action::Action;
-use crate::device::on_our_device;
+use crate::device::{DeviceLoss, on_our_device};
 use crate::link;
 use crate::slot::{Painter, Side};
 use crate::state::State;
@@ -33,6 +35,7 @@ use files::PageFiles;
 pub struct Cutaway {
     viewer: Rc<RefCell<Viewer>>,
     ctx: eframe::egui::Context,
+    on_lost: Rc<RefCell<Option<Function>>>,
 }
 
 /// Shows the viewer on a canvas, with the scene of a link: the fragment of the page's address.
@@ -58,27 +61,51 @@ pub async fn start(canvas: HtmlCanvasElement, fragment: String) -> Result<Cutawa
             let host = host.ok_or("egui draws without wgpu")?;
             creation.egui_ctx.set_fonts(fonts());
             let viewer = Rc::new(RefCell::new(Viewer::on(host, open(&fragment)?)?));
+            let on_lost = Rc::default();
             *given.borrow_mut() = Some(Cutaway {
                 viewer: viewer.clone(),
                 ctx: creation.egui_ctx.clone(),
+                on_lost: Rc::clone(&on_lost),
             });
-            Ok(Box::new(App(viewer)))
+            let woken = creation.egui_ctx.clone();
+            let loss = DeviceLoss::watch(&host.device, move || woken.request_repaint());
+            ask_before_leaving(viewer.clone(), loss.clone());
+            Ok(Box::new(App {
+                viewer,
+                loss,
+                on_lost,
+            }))
         }),
     );
     run.await?;
     made.take().ok_or_else(|| "the viewer did not start".into())
 }
 
-/// The fonts of egui without those that have pictures, which nothing here shows.
+/// Has the browser ask who leaves the page with changes that no file has. After a loss of the device the scene is kept elsewhere.
+fn ask_before_leaving(viewer: Rc<RefCell<Viewer>>, loss: DeviceLoss) {
+    let on_leaving = Closure::<dyn FnMut(_)>::new(move |event: BeforeUnloadEvent| {
+        let is_changed = viewer.borrow().state().has_unsaved_changes();
+        if is_changed && loss.reason().is_none() {
+            event.prevent_default();
+            // Browsers that do not ask because of the line above ask because of this one; none shows the text.
+            event.set_return_value("The scene was changed and is not saved.");
+        }
+    });
+    if let Some(window) = web_sys::window() {
+        window.set_onbeforeunload(Some(on_leaving.as_ref().unchecked_ref()));
+    }
+    // It is there as long as the page is.
+    on_leaving.forget();
+}
+
+/// The one font of egui's four that something here is written in.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
-    for (family, name, font) in [
-        (FontFamily::Proportional, "Ubuntu-Light", UBUNTU_LIGHT),
-        (FontFamily::Monospace, "Hack", HACK_REGULAR),
-    ] {
-        let data = Arc::new(FontData::from_static(font));
-        fonts.font_data.insert(name.to_owned(), data);
-        fonts.families.insert(family, vec![name.to_owned()]);
+    let name = "Ubuntu-Light".to_owned();
+    let data = Arc::new(FontData::from_static(UBUNTU_LIGHT));
+    fonts.font_data.insert(name.clone(), data);
+    for family in [FontFamily::Proportional, FontFamily::Monospace] {
+        fonts.families.insert(family, vec![name.clone()]);
     }
     fonts
 }
@@ -98,6 +125,15 @@ fn open(fragment: &str) -> Result<State> {
             Ok(empty)
         }
     }
+}
+
+/// Keeps a scene beside the page: in a link, whose fragment is given, or, where it names files, as a download.
+fn keep(scene: Document) -> Result<Option<String>> {
+    if let Ok(fragment) = link::fragment(&scene) {
+        return Ok(Some(fragment));
+    }
+    files::download(Path::new("scene.toml"), scene.to_string().as_bytes())?;
+    Ok(None)
 }
 
 #[wasm_bindgen]
@@ -127,6 +163,12 @@ impl Cutaway {
         scene.and_then(|scene| link::fragment(&scene)).map_err(text)
     }
 
+    /// Has a function called once when the browser takes the device away, after which nothing is drawn any more: with the reason, and with
+    /// the fragment of an address that shows the scene, or null where the scene names files and is downloaded.
+    pub fn on_lost(&self, call: Function) {
+        *self.on_lost.borrow_mut() = Some(call);
+    }
+
     /// Chooses who draws slot A or B: a strategy such as `raycast+mask@compute`, `auto` or `exact`.
     pub fn choose(&self, is_b: bool, name: &str) -> Result<(), JsValue> {
         let painter: Painter = name.parse().map_err(text)?;
@@ -150,6 +192,12 @@ impl Cutaway {
         let viewer = self.viewer.borrow();
         let (errors, _) = viewer.errors(side(is_b)).filter(|(_, at)| *at == 1)?;
         serde_json::to_string(errors).ok()
+    }
+
+    /// What the ray of the pixel crosses that was clicked while errors are shown, as JSON, once it is known.
+    pub fn crossings(&self) -> Option<String> {
+        let viewer = self.viewer.borrow();
+        serde_json::to_string(&viewer.magnified()?.depths).ok()
     }
 
     /// Why slot A or B shows nothing, where it does not.
@@ -192,10 +240,26 @@ fn text(error: cutaway::Error) -> JsValue {
     error.to_string().into()
 }
 
-struct App(Rc<RefCell<Viewer>>);
+struct App {
+    viewer: Rc<RefCell<Viewer>>,
+    loss: DeviceLoss,
+    on_lost: Rc<RefCell<Option<Function>>>,
+}
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
-        self.0.borrow_mut().show(ui);
+        let Some(why) = self.loss.reason() else {
+            self.viewer.borrow_mut().show(ui);
+            return;
+        };
+        if let Some(call) = self.on_lost.borrow_mut().take() {
+            let kept = self.viewer.borrow().state().as_seen().and_then(keep);
+            // Where it cannot be kept either, nothing is promised.
+            let kept = kept.map_or(JsValue::UNDEFINED, |link| {
+                link.map_or(JsValue::NULL, JsValue::from)
+            });
+            // What the page makes of it is its own.
+            let _ = call.call2(&JsValue::NULL, &why.into(), &kept);
+        }
     }
 }

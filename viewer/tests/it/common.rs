@@ -56,7 +56,11 @@ pub(crate) fn state(model: &str) -> State {
 
 /// A viewer of a state, which has drawn it.
 pub(crate) fn viewer(state: State) -> Harness<'static, Viewer> {
-    let mut viewer = Viewer::on(&host(), state).unwrap();
+    shown(Viewer::on(&host(), state).unwrap())
+}
+
+/// A viewer in a window of its own.
+pub(crate) fn shown(mut viewer: Viewer) -> Harness<'static, Viewer> {
     // One sample a pixel, where a test does not ask for more.
     viewer.smooth(false);
     let show = |ui: &mut eframe::egui::Ui, viewer: &mut Viewer| viewer.show(ui);

@@ -6,6 +6,7 @@ mod closing;
 mod command;
 mod common;
 mod compare;
+mod device;
 mod flow;
 mod handles;
 mod opening;

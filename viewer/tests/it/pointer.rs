@@ -6,9 +6,9 @@ use cutaway_viewer::action::Selection;
 use cutaway_viewer::cuts::{NewCut, PlaneMove, plane};
 use cutaway_viewer::gizmo::Grip;
 use cutaway_viewer::ui::Viewer;
-use eframe::egui::{Pos2, Vec2, accesskit::Role};
+use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Vec2, accesskit::Role};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::common::{Scratch, TORUS, act, drag, gizmo, picture, settle, state, viewer};
 
@@ -58,6 +58,35 @@ fn picks_know_what_was_cut_away() {
     let x = rect.left() + rect.width() * (step.unwrap() as f32 + 0.5) / 40.0;
     hover(&mut harness, Pos2::new(x, rect.center().y));
     harness.get_by_label_contains("torus: cap by plane at (");
+}
+
+#[test]
+fn a_click_counts_where_the_pointer_has_left_by_the_time_it_is_seen() {
+    let mut harness = viewer(state("shape:cube"));
+    let middle = picture(&harness).center();
+    let mut last = None;
+    // So often that a pixel comes after the pointer has left, once at least.
+    for click in 0..12_u16 {
+        let pos = middle + Vec2::new(f32::from(click * click), 10.0);
+        hover(&mut harness, pos);
+        let button = |pressed| Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        harness.event(button(true));
+        harness.step();
+        let events = &mut harness.input_mut().events;
+        events.extend([button(false), Event::PointerGone]);
+        settle(&mut harness);
+        if click > 0 {
+            let told = harness.get_by_label_contains("distance between the last two clicks");
+            let told = told.accesskit_node().value();
+            assert_ne!(told, last, "click {click}");
+            last = told;
+        }
+    }
 }
 
 #[test]
@@ -137,7 +166,7 @@ fn a_picture_is_exported_while_the_window_goes_on() {
         let field = harness.get_by_role_and_label(Role::TextInput, "File name");
         field.focus();
         settle(&mut harness);
-        let modifiers = eframe::egui::Modifiers::COMMAND;
+        let modifiers = Modifiers::COMMAND;
         harness.key_press_modifiers(modifiers, eframe::egui::Key::A);
         let field = harness.get_by_role_and_label(Role::TextInput, "File name");
         field.type_text(path.to_str().unwrap());

@@ -174,3 +174,56 @@ fn the_eye_is_keyed_where_it_is_and_may_be_moved_between() {
     let notices = state.notices();
     assert!(notices.iter().all(|n| !n.is_error), "{notices:?}");
 }
+
+#[test]
+fn keys_stay_with_their_cuts_when_another_one_goes() {
+    let cut =
+        |z: f64| format!("[[cut]]\nsurfaces = [{{ normal = [0, 0, 1], origin = [0, 0, {z}] }}]\n");
+    let key = |cut: usize, z: f64| {
+        format!(
+            "[[key]]\ntarget = \"cut.{cut}.surfaces.0.origin\"\ntimes_s = [0, 1]\nvalues = [[0, 0, {z}], [0, 0, 0.3]]\n"
+        )
+    };
+    let cuts = [cut(0.1), cut(0.2)].concat();
+    let keys = [key(0, 0.1), key(1, 0.2)].concat();
+    let text = format!("[[part]]\nshape = \"cube\"\n{cuts}{keys}");
+    let document = Document::parse("moving.toml", &text).unwrap();
+    let mut state = State::open(document.clone(), Assets::default()).unwrap();
+    state.apply(Action::Remove(0));
+    let left = tracks(state.document());
+    assert_eq!(left.len(), 1, "{}", state.document());
+    assert_eq!(left[0].target, "cut.0.surfaces.0.origin");
+    assert_eq!(left[0].values, tracks(&document)[1].values);
+    state.apply(Action::Seek(0.0));
+    let surface = &state.shown().unwrap().scene.cuts[0].surfaces[0];
+    assert!((surface.origin.z - 0.2).abs() < 1e-9, "{}", surface.origin);
+    state.apply(Action::Undo);
+    assert_eq!(tracks(state.document()), tracks(&document), "one step");
+    assert_eq!(state.cuts().len(), 2);
+}
+
+#[test]
+fn the_second_of_two_parts_with_one_name_moves_alone() {
+    // Both are called after their shape.
+    let part = "[[part]]\nshape = \"cube\"\n";
+    let document = Document::parse("two.toml", &part.repeat(2)).unwrap();
+    let mut state = State::open(document, Assets::default()).unwrap();
+    let places = |state: &State| {
+        let parts = state.shown().unwrap().scene.parts.iter();
+        parts
+            .map(|part| part.bounds_in_world().min.x)
+            .collect::<Vec<_>>()
+    };
+    let before = places(&state);
+    state.apply(Action::Select(Selection::Part(1)));
+    state.apply(Action::Animate);
+    state.apply(Action::Seek(2.0));
+    state.apply(Action::Set {
+        path: "part.1.translate".to_owned(),
+        value: vec![3.0, 0.0, 0.0].into(),
+    });
+    assert_eq!(tracks(state.document())[0].target, "part.1.translate");
+    let after = places(&state);
+    assert_eq!(after[0], before[0], "the first stays");
+    assert!((after[1] - before[1] - 3.0).abs() < 1e-6, "{after:?}");
+}

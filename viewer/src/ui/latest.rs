@@ -1,0 +1,58 @@
+//! The latest question of a kind to the judge: asked once for what it is about, and known by its number.
+
+/// What was asked last, of which only the answer counts.
+#[derive(Debug)]
+pub(super) struct Latest<T> {
+    /// The number of the question; 0 before the first.
+    id: u64,
+    about: Option<T>,
+}
+
+impl<T> Default for Latest<T> {
+    fn default() -> Self {
+        Self { id: 0, about: None }
+    }
+}
+
+impl<T: PartialEq> Latest<T> {
+    /// The number of a new question, if it is about something else than the last one.
+    pub(super) fn ask(&mut self, about: T) -> Option<u64> {
+        if self.about.as_ref() == Some(&about) {
+            return None;
+        }
+        self.about = Some(about);
+        self.id += 1;
+        Some(self.id)
+    }
+
+    /// The number of the last question.
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    /// What the last question was about.
+    pub(super) fn about(&self) -> Option<&T> {
+        self.about.as_ref()
+    }
+
+    /// Has the next question asked, whatever it is about. The last one counts until then.
+    pub(super) fn forget(&mut self) {
+        self.about = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_is_asked_once_unless_it_is_forgotten() {
+        let mut latest = Latest::default();
+        assert_eq!(latest.ask("a"), Some(1));
+        assert_eq!(latest.ask("a"), None);
+        assert_eq!(latest.ask("b"), Some(2));
+        latest.forget();
+        assert_eq!((latest.id(), latest.about()), (2, None));
+        assert_eq!(latest.ask("b"), Some(3));
+    }
+}
