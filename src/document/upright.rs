@@ -1,13 +1,13 @@
 //! Which way is up in meshes that do not say it, guessed by what they stand on, and from where a camera without angles looks.
 //!
 //! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody has said it; a scene file says it, or
-//! means +Y.
+//! means +Y. Of 3MF it is +Z by its specification, which is taken where nothing but 3MF is drawn.
 
 use std::path::Path;
 
 use super::{Document, Node};
 use crate::Result;
-use crate::load::{Assets, up_by_habit};
+use crate::load::{Assets, has_z_up, up_by_habit};
 use crate::scene::{Part, Up, standing_up};
 
 /// An axis that was guessed.
@@ -46,16 +46,20 @@ impl Document {
         if !meshes.iter().all(|path| assets.has_mesh(path)) {
             return Ok(None);
         }
+        let is_defined = meshes.iter().all(|path| has_z_up(path));
         let mut parts: Vec<Part> = Vec::new();
         for path in meshes {
             parts.extend(assets.mesh(path)?.parts.iter().cloned());
         }
-        let up = standing_up(&parts, habit);
+        let up = match is_defined {
+            true => Up::PlusZ,
+            false => standing_up(&parts, habit),
+        };
         self.set("camera.up", up.name())?;
         if is_new {
             self.find_angles()?;
         }
-        Ok(Some(GuessedUp {
+        Ok((!is_defined).then_some(GuessedUp {
             up,
             is_habit: up == habit,
         }))

@@ -39,9 +39,15 @@ pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow
     }
 }
 
+/// Most bytes that so many packed ones may hold.
+pub(super) fn most_unpacked(packed: u64) -> u64 {
+    packed
+        .saturating_mul(MOST_RATIO)
+        .clamp(RATIO_COUNTS_FROM, MOST_BYTES)
+}
+
 fn unpacked(path: &Path, packed: &[u8]) -> Result<Vec<u8>> {
-    let of_ratio = (packed.len() as u64).saturating_mul(MOST_RATIO);
-    let most = of_ratio.clamp(RATIO_COUNTS_FROM, MOST_BYTES);
+    let most = most_unpacked(packed.len() as u64);
     let mut bytes = Vec::new();
     MultiGzDecoder::new(packed)
         .take(most + 1)

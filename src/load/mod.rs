@@ -1,4 +1,4 @@
-//! Files become data. Meshes: OBJ, STL, PLY, glTF and GLB, the first three also gzipped; [`frames`] of them; images as height maps.
+//! Files become data. Meshes: OBJ, STL, PLY, glTF, GLB and 3MF, the first three also gzipped; [`frames`] of them; images as height maps.
 //!
 //! A reader only transcribes: it turns bytes into a `Draft`, positions shared as the file shares them, and refuses what
 //! is not a mesh by file, line and reason. Everything that is decided about the mesh is decided once, in `draft`: what is
@@ -15,6 +15,7 @@ mod files;
 pub mod frames;
 mod gltf;
 mod grey_tiff;
+mod grouped;
 mod image;
 pub(crate) mod input_file;
 mod mtl;
@@ -25,9 +26,10 @@ mod pat;
 mod ply;
 mod stl;
 mod texture;
+mod threemf;
 mod welded;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -66,7 +68,10 @@ impl From<Vec<Part>> for Loaded {
 }
 
 /// Extensions of the formats that are read.
-const KNOWN: [&str; 5] = ["obj", "stl", "ply", "glb", "gltf"];
+const KNOWN: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
+
+/// Those of them that are read gzipped, too.
+const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
 
 /// Loads a mesh file from disk; its extension names the format.
 ///
@@ -97,6 +102,8 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     let mut files = vec![path.to_owned()];
     let placed = if format == "glb" || format == "gltf" {
         gltf::read(path, &bytes, store, (&mut notes, &mut files))?
+    } else if format == "3mf" {
+        threemf::read(path, &bytes, &mut notes)?
     } else {
         let draft = match format.as_str() {
             "obj" => obj::read(path, &bytes, store, &mut notes, &mut files)?,
@@ -195,15 +202,17 @@ impl Placed {
 fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
     let alone = placed.len() == 1;
     let mut taken = HashSet::new();
-    let name_of = |given: Option<String>, taken: &mut HashSet<String>| {
+    // How often a name was wanted: thousands of parts may have one.
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    let mut name_of = |given: Option<String>| {
         let wanted = match given.filter(|n| !alone && !n.trim().is_empty()) {
             Some(name) => name,
             None => stem.to_owned(),
         };
         let mut name = wanted.clone();
-        let mut count = 1;
+        let count = counts.entry(wanted.clone()).or_insert(1);
         while !taken.insert(name.clone()) {
-            count += 1;
+            *count += 1;
             name = format!("{wanted}_{count}");
         }
         name
@@ -212,7 +221,7 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
         .into_iter()
         .enumerate()
         .map(|(i, p)| {
-            let mut part = Part::new(name_of(p.name, &mut taken), p.mesh);
+            let mut part = Part::new(name_of(p.name), p.mesh);
             part.world_from_part = p.world_from_part;
             part.driver = p.driver;
             part.materials = p.materials;
@@ -228,17 +237,22 @@ fn parts_of(placed: Vec<Placed>, stem: &str) -> Vec<Part> {
         .collect()
 }
 
-/// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
 /// Which axis is up by habit in a mesh file whose format does not say it: +Z in STL, of CAD and printing, +Y in PLY, mostly of scans. In
-/// glTF it is +Y by definition, and in OBJ by its usual readers.
+/// 3MF it is +Z by definition, in glTF +Y, and in OBJ by its usual readers.
 pub(crate) fn up_by_habit(path: &Path) -> Option<Up> {
     match format_and_stem(path).ok()?.0.as_str() {
-        "stl" => Some(Up::PlusZ),
+        "stl" | "3mf" => Some(Up::PlusZ),
         "ply" => Some(Up::PlusY),
         _ => None,
     }
 }
 
+/// Whether a mesh file is of a format that defines +Z as up.
+pub(crate) fn has_z_up(path: &Path) -> bool {
+    format_and_stem(path).is_ok_and(|(format, _)| format == "3mf")
+}
+
+/// The format by extension, in lower case and without `.gz`, and the file's name without any of that.
 fn format_and_stem(path: &Path) -> Result<(String, String)> {
     let name = path
         .file_name()
@@ -250,7 +264,7 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
         None => "",
     };
     let gzipped = unpacked.len() < lower.len();
-    if !KNOWN.contains(&format) || (gzipped && format.starts_with("gl")) {
+    if !KNOWN.contains(&format) || (gzipped && !GZIPPED.contains(&format)) {
         let what = if gzipped && KNOWN.contains(&format) {
             "only .obj, .stl and .ply are read gzipped".to_owned()
         } else if format.is_empty() {

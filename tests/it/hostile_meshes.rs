@@ -18,6 +18,7 @@ use cutaway::scene::Topology;
 use crate::common::command;
 mod lenient;
 mod limits;
+mod packages;
 
 /// The corners of a tetrahedron and its triangles, counter-clockwise from outside.
 const CORNERS: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -183,7 +184,7 @@ fn files_that_are_not_there_or_not_meshes() {
     let sub = folder.path("folder.obj");
     fs::create_dir(&sub).unwrap();
     must_be_refused(&sub, "cannot be read");
-    for extension in ["obj", "stl", "ply", "glb", "gltf"] {
+    for extension in ["obj", "stl", "ply", "glb", "gltf", "3mf"] {
         must_be_refused(&folder.write(&format!("empty.{extension}"), b""), "empty");
         let noise: Vec<u8> = (0..999_u32)
             .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)

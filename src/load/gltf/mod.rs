@@ -14,7 +14,6 @@ mod document;
 mod follow;
 mod images;
 mod nodes;
-mod notes;
 mod paint;
 mod primitives;
 mod skin;
@@ -27,6 +26,7 @@ use std::sync::Arc;
 
 use gltf::Node;
 
+use super::grouped::grouped;
 use super::{Files, Placed, Solid};
 use crate::error::{Error, Result};
 use crate::scene::Role;
@@ -109,7 +109,7 @@ pub(super) fn read(
         }
         said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
     }
-    notes.extend(notes::grouped(said_of_nodes));
+    notes.extend(grouped(said_of_nodes, "node"));
     notes.append(&mut images.notes);
     files.append(&mut images.files);
     if placed.is_empty() {

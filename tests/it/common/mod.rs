@@ -8,6 +8,7 @@ pub(crate) mod command;
 pub(crate) mod data;
 pub(crate) mod meshes;
 pub(crate) mod numbers;
+pub(crate) mod package;
 pub(crate) mod real;
 pub(crate) mod refined;
 pub(crate) mod scenes;

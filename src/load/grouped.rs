@@ -1,7 +1,8 @@
-//! What is said of many nodes alike is said once.
+//! What is said of many nodes or objects alike is said once.
 
-/// Notes about labelled nodes, those that differ only in their numbers as one: that of the first, and how many others have it.
-pub(super) fn grouped(said: Vec<(String, String)>) -> Vec<String> {
+/// Notes about labelled nodes or objects, `noun` of which there is one, those that differ only in their numbers as one: that of the
+/// first, and how many others have it.
+pub(super) fn grouped(said: Vec<(String, String)>, noun: &str) -> Vec<String> {
     let kind = |note: &str| note.replace(|c: char| c.is_ascii_digit() || c == ',' || c == '.', "");
     let mut groups: Vec<(String, String, usize)> = Vec::new();
     for (label, note) in said {
@@ -13,8 +14,8 @@ pub(super) fn grouped(said: Vec<(String, String)>) -> Vec<String> {
     }
     let notes = groups.into_iter().map(|(_, note, others)| match others {
         0 => note,
-        1 => format!("{note} (and another node likewise)"),
-        others => format!("{note} (and {others} more nodes likewise)"),
+        1 => format!("{note} (and another {noun} likewise)"),
+        others => format!("{note} (and {others} more {noun}s likewise)"),
     });
     notes.collect()
 }
@@ -34,7 +35,7 @@ mod tests {
         ];
         let said = said.map(|(label, note)| (label.to_owned(), note.to_owned()));
         assert_eq!(
-            grouped(said.into()),
+            grouped(said.into(), "node"),
             [
                 "a: welded 1,024 corners (and 2 more nodes likewise)",
                 "b: no skin (and another node likewise)",
