@@ -34,13 +34,13 @@
 //! | [`session`] | draws: a [`Session`] for pictures, or into the encoder and the attachments of a host ([`Session::encode`]) |
 //! | [`gpu`] | the device: [`Gpu::open`], or that of a host by [`Gpu::from_device`] |
 //! | [`layers`] | what each pixel shows: kind, part, clip-surface, depth, normal |
-//! | [`slice`](mod@slice) | sections as polygons, without a device |
+//! | [`slice`](mod@slice) | sections as polygons, and what cuts leave as closed meshes ([`slice::capped`]), without a device |
 //! | [`plan`] | the passes of a frame as plain data: what runs, why, on which clock, in how many bytes |
 //! | [`error`] | what went wrong, with what to do about it |
 //!
 //! # Features
 //!
-//! None for the above. `io` loads meshes, images and scene files (`load`, `document`); `lab` adds the exact reference, comparisons,
+//! None for the above. `io` loads meshes, images and scene files, and writes meshes (`load`, `document`, `save`); `lab` adds the exact reference, comparisons,
 //! hard cases, experiments and reports (`exact`, `compare`, `experiment`); `cli`, on by default, is the command.
 //!
 //! # Map
@@ -49,7 +49,7 @@
 //! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
 //! imports  scene <- generate <- load <- document <- hard_cases <- experiment <- report <- cmd
 //!          scene <- exact
-//!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- cmd
+//!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- save <- cmd
 //! ```
 //!
 //! A module imports only from modules to its left; only [`gpu`] names `wgpu`; `exact` shares nothing with the strategies
@@ -88,6 +88,8 @@ pub mod passes;
 pub mod plan;
 #[cfg(feature = "lab")]
 pub mod report;
+#[cfg(feature = "io")]
+pub mod save;
 pub mod scene;
 pub mod session;
 #[doc(hidden)]

@@ -1,4 +1,4 @@
-//! `section`: what planes cut out of a model, as a drawing, as data, or as a table of areas. Needs no adapter.
+//! `section`: what planes cut out of a model, as a drawing (SVG, DXF), as data, or as a table of areas. Needs no adapter.
 //!
 //! Every part is sliced by every plane of the cuts that apply to it: in f64, in world space, in its pose. Nothing is rounded to what a
 //! GPU draws. A section is the cap: what the rest of its cut and the other cuts leave of the plane ([`planes`]).
@@ -26,7 +26,7 @@ use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, svg};
+use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
 use crate::scene::numbers::round;
 use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
@@ -37,6 +37,7 @@ Examples:
   cutaway section bracket.stl --section z=50%                                # a table of areas
   cutaway section bracket.stl --section z=50% -o cut.svg --unit mm           # a drawing in the size of the model
   cutaway section bracket.stl --box 0,0,0: -o corner.svg                     # the three faces of a corner that is cut out
+  cutaway section bracket.stl --section z=50% -o cut.dxf --unit mm           # closed polylines, a layer for each part
   cutaway section shape:gears --section z=10% --section z=90% --whole -o gears.svg   # two sections of all of it
   cutaway section engine.glb --section x=50% --exclude 'bolt*' --json - | jq '.sections[0].area'
   cutaway section walk.glb --clip run --time 0.5 --section y=30% -o step.json
@@ -68,21 +69,22 @@ pub(super) struct SectionCommandArgs {
     /// Slice all of the model by every plane, whatever the rest of its cut keeps and other cuts remove
     #[arg(long)]
     whole: bool,
-    /// The drawing, .svg, or the data, .json; `-` for a drawing on standard output
+    /// The drawing, .svg or .dxf, or the data, .json; `-` for an SVG drawing on standard output
     #[arg(long, short, value_name = "FILE|-", help_heading = "Output")]
     output: Option<String>,
     /// Areas, perimeters, loops and planes as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// How long a unit of the model is: the drawing gets the size of the model [default: fitted to 1000 pixels]
+    /// How long a unit of the model is: an SVG drawing gets the size of the model, a DXF drawing says it [default: fitted to 1000 pixels; none]
     #[arg(long, value_enum, value_name = "UNIT", help_heading = "Output")]
     unit: Option<Unit>,
     #[command(flatten)]
     console: ConsoleArgs,
 }
 
+/// How long a unit of the model is.
 #[derive(Clone, Copy, ValueEnum)]
-enum Unit {
+pub(super) enum Unit {
     /// Millimetres
     Mm,
     /// Centimetres
@@ -91,6 +93,18 @@ enum Unit {
     M,
     /// Inches
     In,
+}
+
+impl Unit {
+    /// As 3MF says it.
+    pub(super) fn in_3mf(self) -> &'static str {
+        match self {
+            Self::Mm => "millimeter",
+            Self::Cm => "centimeter",
+            Self::M => "meter",
+            Self::In => "inch",
+        }
+    }
 }
 
 impl From<Unit> for report::Unit {
@@ -126,7 +140,12 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let report = sliced(scene, &planes, args.whole);
     console.step("writing");
     if let Some(output) = &outputs.drawing {
-        output.write(svg(&report, args.unit.map(Into::into)).as_bytes())?;
+        let unit = args.unit.map(Into::into);
+        let drawing = match has_extension(output, "dxf") {
+            true => dxf(&report, unit),
+            false => svg(&report, unit),
+        };
+        output.write(drawing.as_bytes())?;
     }
     if let Some(output) = &outputs.json {
         let json = serde_json::to_string_pretty(&report).map_err(|e| {
@@ -152,7 +171,7 @@ struct Outputs {
 impl Outputs {
     fn checked(args: &SectionCommandArgs) -> Result<Self> {
         let output = args.output.as_ref();
-        let output = output.map(|v| Output::checked("--output", v, &["svg", "json"]));
+        let output = output.map(|v| Output::checked("--output", v, &["svg", "dxf", "json"]));
         let json = args
             .json
             .as_ref()
@@ -161,15 +180,12 @@ impl Outputs {
         let named = [("--output", output.as_ref()), ("--json", json.as_ref())];
         no_place_twice(&named)?;
         let paths = paths_of(&named).collect();
-        let is_json = |o: &Output| {
-            let extension = o.path().and_then(|p| p.extension());
-            extension.is_some_and(|e| e.eq_ignore_ascii_case("json"))
-        };
+        let is_json = |o: &Output| has_extension(o, "json");
         match output {
             Some(output) if is_json(&output) && json.is_some() => Err(Error::input(
                 "--json",
                 "--output asks for the same data",
-                "give one of them, or let --output name a drawing (.svg)",
+                "give one of them, or let --output name a drawing (.svg, .dxf)",
             )),
             Some(output) if is_json(&output) => Ok(Self {
                 drawing: None,
@@ -183,6 +199,11 @@ impl Outputs {
             }),
         }
     }
+}
+
+fn has_extension(output: &Output, wanted: &str) -> bool {
+    let extension = output.path().and_then(|p| p.extension());
+    extension.is_some_and(|e| e.eq_ignore_ascii_case(wanted))
 }
 
 fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {

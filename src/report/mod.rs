@@ -7,6 +7,7 @@
 mod chapters;
 mod derived;
 mod document;
+mod dxf;
 mod export;
 mod pages;
 mod recorded;
@@ -16,6 +17,7 @@ mod table;
 mod text;
 
 pub use chapters::PictureOptions;
+pub use dxf::dxf;
 pub use pages::{Pages, pages};
 pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
 pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};

@@ -47,6 +47,16 @@ impl Unit {
         }
     }
 
+    /// The value of `$INSUNITS` in DXF.
+    pub(super) fn in_dxf(self) -> u8 {
+        match self {
+            Self::In => 1,
+            Self::Mm => 4,
+            Self::Cm => 5,
+            Self::M => 6,
+        }
+    }
+
     fn mm(self) -> f64 {
         match self {
             Self::Mm => 1.0,
@@ -93,11 +103,40 @@ impl Frame {
     }
 }
 
+/// The planes of a report, beside each other.
+struct Layout {
+    frames: Vec<Frame>,
+    /// The longest side of all.
+    longest: f64,
+}
+
+impl Layout {
+    fn of(report: &SectionReport) -> Self {
+        let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
+        let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
+        let longest = if longest > 0.0 { longest } else { 1.0 };
+        Self { frames, longest }
+    }
+}
+
+/// By how much each plane is moved, so that all stand on one line; the first by nothing.
+pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
+    let Layout { frames, longest } = Layout::of(report);
+    let Some(first) = frames.first() else {
+        return Vec::new();
+    };
+    let mut left = first.min[0];
+    let place = |frame: &Frame| {
+        let by = [left - frame.min[0], frame.min[1] - first.min[1]];
+        left += frame.size()[0] + longest * GAP_SHARE;
+        by
+    };
+    frames.iter().map(place).collect()
+}
+
 /// The drawing as the text of a file.
 pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
-    let frames: Vec<Frame> = report.sections.iter().map(Frame::of).collect();
-    let longest = (frames.iter().flat_map(Frame::size)).fold(0.0, f64::max);
-    let longest = if longest > 0.0 { longest } else { 1.0 };
+    let Layout { frames, longest } = Layout::of(report);
     let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
     let gap = longest * GAP_SHARE;
     let first = frames.first().copied().unwrap_or(Frame {
@@ -118,12 +157,6 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
         }
     };
     let seen = [corner[0], corner[1], width, height].map(number).join(" ");
-    let mut left = first.min[0];
-    let places = frames.iter().map(|frame| {
-        let by = [left - frame.min[0], frame.min[1] - first.min[1]];
-        left += frame.size()[0] + gap;
-        by
-    });
     let drawing = html! {
         svg xmlns="http://www.w3.org/2000/svg" width=(wide) height=(high) viewBox=(seen) {
             title { (without_controls(&report.scene)) }
@@ -137,7 +170,7 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
             }
             style { (NON_SCALING) }
             g stroke-width=(number(width.max(height) / LONGEST_PX)) {
-                @for (index, (plane, by)) in report.sections.iter().zip(places).enumerate() {
+                @for (index, (plane, by)) in report.sections.iter().zip(places(report)).enumerate() {
                     "\n" (group(index, plane, by.map(number), decimals))
                 }
             }

@@ -12,7 +12,7 @@
 use glam::DVec2;
 use spade::Triangulation;
 
-use super::outline::{Edge, Mesh, Outline, is_first};
+use super::outline::{Drawn, Edge, Mesh, Outline, is_first};
 
 /// Times that crossing edges are cut. A star of 60 edges that all pass by its middle takes 40.
 const ROUNDS: usize = 64;
@@ -35,16 +35,27 @@ pub(super) struct Filled {
 /// Fills the faces around which loops wind a number of times that `holds`. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
     let mut outline = Outline::of(points, loops);
+    match settled(&mut outline) {
+        Some(drawn) => outline.filled(&drawn.mesh, holds),
+        None => Filled {
+            left_out: outline.left_out.into_iter().collect(),
+            ..Filled::default()
+        },
+    }
+}
+
+/// Draws an outline, cut until nothing of it crosses and without what crosses all the same. None where nothing is left.
+pub(super) fn settled(outline: &mut Outline) -> Option<Drawn> {
     let (mut round, mut parts_drawn) = (0, 0);
     while !outline.parts.is_empty() {
         let Some(drawn) = outline.draw() else {
             // Unreachable, for coordinates are in range. Without a triangulation nothing is filled.
             let all: Vec<usize> = (0..outline.parts.len()).collect();
             outline.leave_out(&all);
-            break;
+            return None;
         };
         if drawn.failed.is_empty() {
-            return outline.filled(&drawn.mesh, holds);
+            return Some(drawn);
         }
         round += 1;
         parts_drawn += outline.parts.len();
@@ -53,37 +64,43 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
             outline.leave_out(&drawn.failed);
         }
     }
-    Filled {
-        left_out: outline.left_out.into_iter().collect(),
-        ..Filled::default()
+    None
+}
+
+/// How often the edges of a triangulation wind around each of its faces.
+pub(super) fn windings(mesh: &Mesh) -> Vec<i32> {
+    let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
+    let outer = mesh.outer_face().fix().index();
+    windings[outer] = Some(0);
+    let passed = |edge: &Edge<'_>| {
+        let net = edge.as_undirected().data().data().net;
+        if is_first(edge.fix()) { net } else { -net }
+    };
+    let mut reached: Vec<(Edge<'_>, i32)> = (mesh.convex_hull())
+        .map(|hull| (hull.rev(), passed(&hull.rev())))
+        .collect();
+    while let Some((edge, winding)) = reached.pop() {
+        let face = &mut windings[edge.face().fix().index()];
+        if face.is_some() {
+            continue;
+        }
+        *face = Some(winding);
+        reached.extend([edge.next(), edge.prev()].map(|e| {
+            let across = e.rev();
+            (across, winding + passed(&across))
+        }));
     }
+    windings
+        .into_iter()
+        .map(Option::unwrap_or_default)
+        .collect()
 }
 
 impl Outline {
-    /// Counts from outside to every face, and takes those that the rule takes.
+    /// Takes the faces that the rule takes.
     fn filled(self, mesh: &Mesh, holds: impl Fn(i32) -> bool) -> Filled {
-        let mut windings: Vec<Option<i32>> = vec![None; mesh.num_all_faces()];
-        let outer = mesh.outer_face().fix().index();
-        windings[outer] = Some(0);
-        let passed = |edge: &Edge<'_>| {
-            let net = edge.as_undirected().data().data().net;
-            if is_first(edge.fix()) { net } else { -net }
-        };
-        let mut reached: Vec<(Edge<'_>, i32)> = (mesh.convex_hull())
-            .map(|hull| (hull.rev(), passed(&hull.rev())))
-            .collect();
-        while let Some((edge, winding)) = reached.pop() {
-            let face = &mut windings[edge.face().fix().index()];
-            if face.is_some() {
-                continue;
-            }
-            *face = Some(winding);
-            reached.extend([edge.next(), edge.prev()].map(|e| {
-                let across = e.rev();
-                (across, winding + passed(&across))
-            }));
-        }
-        let is_in = |face: usize| windings[face].is_some_and(&holds);
+        let windings = windings(mesh);
+        let is_in = |face: usize| holds(windings[face]);
         let mut filled = Filled {
             added: self.added,
             left_out: self.left_out.into_iter().collect(),

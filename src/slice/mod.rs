@@ -1,4 +1,5 @@
-//! The section of a mesh by a plane: closed loops by connectivity, the region they enclose, and its triangles.
+//! The section of a mesh by a plane: closed loops by connectivity, the region they enclose, and its triangles; and what planes leave of
+//! a mesh, closed by them.
 //!
 //! # Tie rule
 //!
@@ -18,11 +19,17 @@
 //! 4. A constrained Delaunay triangulation of the loops is flooded from outside, counting how often each edge is passed.
 //!    Loops that cross are cut where they do; only then edges move, by some 1e-14 of the section's size.
 //!
+//! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene.
+//!
 //! Cost: a parallel sort of the triangles once; then per section about what the plane meets, n log n in the points.
 //!
 //! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. What is open
 //! is not capped, but reported. Points are rounded to f64, so loops that touch within rounding may cross by as much.
 
+#[cfg(feature = "boolean")]
+mod boolean;
+mod capped;
+mod cover;
 mod fill;
 mod half_plane;
 mod loops;
@@ -32,6 +39,7 @@ mod section;
 mod slicer;
 mod trim;
 
+pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
 pub use plane::SlicePlane;
 pub use section::{Loop, Section, SectionDefect};

@@ -55,6 +55,8 @@ pub(super) struct Part {
     from: u32,
     to: u32,
     of_loop: usize,
+    /// Which of the edges given it is, or is a part of: counted through all loops.
+    pub(super) edge: u32,
 }
 
 /// What is to be filled, scaled into the range of the triangulation by a power of two.
@@ -64,6 +66,8 @@ pub(super) struct Outline {
     /// Where vertices are, no two equal, and what their points are called.
     vertices: Vec<(DVec2, u32)>,
     vertex_at: HashMap<[u64; 2], u32>,
+    /// The vertex of each point that a loop has.
+    vertex_of: Vec<Option<u32>>,
     /// Vertices by their cells, once something is to be cut.
     vertex_in: HashMap<[i64; 2], u32>,
     pub(super) parts: Vec<Part>,
@@ -78,7 +82,7 @@ pub(super) struct Outline {
 pub(super) struct Drawn {
     pub(super) mesh: Mesh,
     /// Per part that could, its edges in order.
-    covered: Vec<(usize, FixedDirectedEdgeHandle)>,
+    pub(super) covered: Vec<(usize, FixedDirectedEdgeHandle)>,
     /// Parts that could not.
     pub(super) failed: Vec<usize>,
 }
@@ -92,27 +96,46 @@ impl Outline {
             unit,
             vertices: Vec::with_capacity(points.len()),
             vertex_at: HashMap::with_capacity(points.len()),
+            vertex_of: vec![None; points.len()],
             vertex_in: HashMap::new(),
             parts: Vec::with_capacity(points.len()),
             given: points.len(),
             added: Vec::new(),
             left_out: BTreeSet::new(),
         };
+        let mut edges = 0..;
         for (of_loop, one) in loops.iter().enumerate() {
             let places = one.iter().map(|i| (points[*i as usize] / unit, *i));
             let vertices: Vec<u32> = places.map(|(at, i)| outline.vertex(at, i)).collect();
+            for (i, vertex) in one.iter().zip(&vertices) {
+                outline.vertex_of[*i as usize] = Some(*vertex);
+            }
             let next = vertices.iter().cycle().skip(1);
-            for (from, to) in vertices.iter().zip(next) {
-                outline.add(*from, *to, of_loop);
+            for ((from, to), edge) in vertices.iter().zip(next).zip(&mut edges) {
+                outline.add(Part {
+                    from: *from,
+                    to: *to,
+                    of_loop,
+                    edge,
+                });
             }
         }
         outline
     }
 
-    fn add(&mut self, from: u32, to: u32, of_loop: usize) {
-        if from != to {
-            self.parts.push(Part { from, to, of_loop });
+    fn add(&mut self, part: Part) {
+        if part.from != part.to {
+            self.parts.push(part);
         }
+    }
+
+    /// The point whose vertex each of the given points has become: its own, but where points are as good as one.
+    pub(super) fn stand_ins(&self) -> Vec<u32> {
+        let number = |vertex: u32| self.vertices[vertex as usize].1;
+        (0..)
+            .zip(&self.vertex_of)
+            .map(|(point, vertex)| vertex.map_or(point, number))
+            .collect()
     }
 
     /// The vertex at a place; a new one is called by the number of its point.
@@ -143,6 +166,9 @@ impl Outline {
         for part in &mut self.parts {
             part.from = merged[part.from as usize];
             part.to = merged[part.to as usize];
+        }
+        for vertex in self.vertex_of.iter_mut().flatten() {
+            *vertex = merged[*vertex as usize];
         }
         self.parts.retain(|p| p.from != p.to);
     }
@@ -253,25 +279,32 @@ impl Outline {
             let ends = mesh.directed_edge(*edge).vertices();
             let ends = ends.map(|v| v.fix().index() as u32);
             let cuts = of(&on_edges, edge.as_undirected().index());
-            self.add_cut(ends, cuts, before[*i].of_loop);
+            let [from, to] = ends;
+            self.add_cut(
+                Part {
+                    from,
+                    to,
+                    ..before[*i]
+                },
+                cuts,
+            );
         }
         for i in &drawn.failed {
-            let part = before[*i];
-            self.add_cut([part.from, part.to], of(&on_parts, *i), part.of_loop);
+            self.add_cut(before[*i], of(&on_parts, *i));
         }
         true
     }
 
     /// Adds what lies between cuts.
-    fn add_cut(&mut self, ends: [u32; 2], cuts: &[(usize, u32)], of_loop: usize) {
+    fn add_cut(&mut self, part: Part, cuts: &[(usize, u32)]) {
         let at = |v: u32| self.vertices[v as usize].0;
-        let [start, end] = ends.map(at);
+        let [start, end] = [part.from, part.to].map(at);
         let mut along: Vec<u32> = cuts.iter().map(|(_, v)| *v).collect();
         let distance = |v: &u32| (at(*v) - start).dot(end - start);
         along.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let mut from = ends[0];
-        for to in along.into_iter().chain([ends[1]]) {
-            self.add(from, to, of_loop);
+        let mut from = part.from;
+        for to in along.into_iter().chain([part.to]) {
+            self.add(Part { from, to, ..part });
             from = to;
         }
     }

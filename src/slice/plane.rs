@@ -46,6 +46,16 @@ impl From<&PreparedSurface> for SlicePlane {
 }
 
 impl SlicePlane {
+    /// The plane of a clip-surface in world space, at the height of its relief; none where that bends it.
+    pub(crate) fn of_flat(surface: &ClipSurface) -> Option<Self> {
+        let plane = Self::from(surface);
+        let Some(map) = &surface.relief else {
+            return Some(plane);
+        };
+        let [low, high] = map.range().map(|h| f64::from(h) * surface.scale.z);
+        (low == high).then(|| plane.keeping(low))
+    }
+
     /// The same plane with the foot of a point at (0, 0): what is near that point then has coordinates that are small, and none of
     /// their bits go to how far away `O` is. Sides stay what they are.
     #[must_use]
@@ -86,7 +96,39 @@ impl SlicePlane {
 
     /// Whether a point is on the kept side, and not on the plane.
     pub fn is_above(&self, point: DVec3) -> bool {
-        self.flat().height(point) > 0.0
+        self.signed(point) > 0.0
+    }
+
+    /// A number with the sign of [`SlicePlane::height`], which costs less.
+    pub(super) fn signed(&self, point: DVec3) -> f64 {
+        self.flat().height(point)
+    }
+
+    /// The axis of the world that the plane is across, and where on it.
+    fn place_on_axis(&self) -> Option<(usize, f64)> {
+        let normal = self.frame.normal;
+        let axis = (0..3).find(|i| normal[*i].abs() == 1.0)?;
+        Some((axis, self.origin[axis] - self.lift * normal[axis]))
+    }
+
+    /// A point that is on the plane but for rounding: on one across an axis without.
+    pub(super) fn settled(&self, mut point: DVec3) -> DVec3 {
+        if let Some((axis, at)) = self.place_on_axis() {
+            point[axis] = at;
+        }
+        point
+    }
+
+    /// Whether two planes have the same points, whichever side each keeps.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let (own, of_other) = (self.frame.normal, other.frame.normal);
+        let is_parallel = own == of_other || own == -of_other;
+        let is_in = match (self.place_on_axis(), other.place_on_axis()) {
+            (Some(own), Some(of_other)) => own == of_other,
+            _ if self.lift == 0.0 && other.lift == 0.0 => self.signed(other.origin) == 0.0,
+            _ => own == of_other && self.origin == other.origin && self.lift == other.lift,
+        };
+        is_parallel && is_in
     }
 
     /// The side that the solid behind a triangle in the plane is on; none where the triangle does not lie in it.

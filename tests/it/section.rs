@@ -8,6 +8,7 @@ use std::fs;
 use serde_json::Value;
 
 use crate::common::command;
+mod dxf;
 mod hostile;
 mod svg;
 mod trimmed;

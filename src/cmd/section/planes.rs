@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 
 use crate::report::Face;
 use crate::scene::numbers::round;
-use crate::scene::{ClipSurface, Part, Scene};
+use crate::scene::{Part, Scene};
 use crate::slice::{HalfPlane, SlicePlane, Trim};
 use crate::{Error, Result};
 
@@ -133,7 +133,7 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
             ));
         }
         for (number, surface) in (first..).zip(&cut.surfaces) {
-            let Some(plane) = plane_of(surface) else {
+            let Some(plane) = SlicePlane::of_flat(surface) else {
                 return Err(Error::input(
                     format!("cut `{}`", cut.name),
                     format!("clip-surface {number} has a relief, and a section is flat"),
@@ -156,19 +156,6 @@ pub(super) fn planes(scene: &Scene) -> Result<Vec<Plane>> {
         ));
     }
     Ok(planes)
-}
-
-/// The plane of a clip-surface, where a relief does not bend it.
-fn plane_of(surface: &ClipSurface) -> Option<SlicePlane> {
-    let plane = SlicePlane::from(surface);
-    if let Some(map) = &surface.relief {
-        let [low, high] = map.range().map(|h| f64::from(h) * surface.scale.z);
-        if low != high {
-            return None;
-        }
-        return Some(plane.keeping(low));
-    }
-    Some(plane)
 }
 
 /// Which face of its cut a plane is. Cuts of one name are one region, as those of a wedge of more than half a turn.

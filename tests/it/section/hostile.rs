@@ -27,7 +27,7 @@ fn slips_are_refused_by_name() {
         ("ragged.toml", "cut `torn`: clip-surface 0 has a relief"),
         (
             "shape:cube --section z=50% -o cut.png",
-            "let the name end in .svg or .json",
+            "let the name end in .svg or .dxf or .json",
         ),
         (
             "shape:cube --section z=50% -o cut.json --json -",

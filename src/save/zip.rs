@@ -1,0 +1,27 @@
+//! ZIP archives of a few packed files: what an Open Packaging container needs. The same input gives the same bytes.
+
+use std::io::{Cursor, Write};
+
+use zip::result::ZipResult;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// An archive of files by their names.
+pub(super) fn archive(files: &[(&str, &[u8])]) -> Vec<u8> {
+    // Writing to memory cannot fail, and long files are announced.
+    written(files).unwrap_or_default()
+}
+
+fn written(files: &[(&str, &[u8])]) -> ZipResult<Vec<u8>> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, bytes) in files {
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .compression_level(Some(1))
+            .last_modified_time(DateTime::default())
+            .large_file(u32::try_from(bytes.len()).is_err());
+        archive.start_file(*name, options)?;
+        archive.write_all(bytes)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}

@@ -1,0 +1,107 @@
+//! Solids of the Boolean crate, made of meshes and made into meshes.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use glam::DVec3;
+use manifold_rust::manifold::Manifold;
+use manifold_rust::types::{BooleanEngine, Error, MeshGLP, OpType};
+
+use crate::scene::Mesh;
+
+/// A face of a result: which mesh it came from, and what that said of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Origin {
+    /// Number of the mesh.
+    pub(super) mesh: u32,
+    /// What the mesh called the face.
+    pub(super) face: u32,
+}
+
+/// A closed mesh that operations are done with.
+#[derive(Clone)]
+pub(super) struct Solid(Manifold);
+
+impl Solid {
+    /// A solid, and the number that its faces are found by later. Neighbours in one plane whose faces have different names stay apart.
+    ///
+    /// # Errors
+    ///
+    /// In words, a mesh that is not closed or is too large.
+    pub(super) fn new(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(Self, u32), String> {
+        let number = Manifold::reserve_ids(1);
+        let count = mesh.triangles.len();
+        let given = MeshGLP::<f64, u32> {
+            num_prop: 3,
+            vert_properties: mesh.positions.iter().flat_map(|p| p.to_array()).collect(),
+            tri_verts: mesh.triangles.iter().flatten().copied().collect(),
+            run_index: vec![0, 3 * count as u32],
+            run_original_id: vec![number],
+            face_id: (0..count).map(face).collect(),
+            ..MeshGLP::default()
+        };
+        let solid = guarded(|| Manifold::from_mesh_glp_robust(&given))?;
+        Ok((Self(solid), number))
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(super) fn and(&self, other: &Self) -> Result<Self, String> {
+        self.with(other, OpType::Intersect)
+    }
+
+    pub(super) fn or(&self, other: &Self) -> Result<Self, String> {
+        self.with(other, OpType::Add)
+    }
+
+    pub(super) fn without(&self, other: &Self) -> Result<Self, String> {
+        self.with(other, OpType::Subtract)
+    }
+
+    fn with(&self, other: &Self, operation: OpType) -> Result<Self, String> {
+        guarded(|| {
+            self.0
+                .boolean_with_engine(&other.0, operation, BooleanEngine::Auto)
+        })
+        .map(Self)
+    }
+
+    /// Its faces, and where each is from.
+    pub(super) fn mesh(&self) -> (Mesh, Vec<Origin>) {
+        let made: MeshGLP<f64, u32> = self.0.get_mesh_glp(-1);
+        let mut vertex: Vec<u32> = (0..made.num_vert() as u32).collect();
+        for (from, to) in made.merge_from_vert.iter().zip(&made.merge_to_vert) {
+            vertex[*from as usize] = *to;
+        }
+        let triangles = (made.tri_verts.chunks_exact(3))
+            .map(|t| [t[0], t[1], t[2]].map(|i| vertex[i as usize]));
+        let mut origins = Vec::with_capacity(made.num_tri());
+        for (run, mesh) in made.run_original_id.iter().enumerate() {
+            let of_run = made.run_index[run] as usize / 3..made.run_index[run + 1] as usize / 3;
+            origins.extend(of_run.map(|t| Origin {
+                mesh: *mesh,
+                face: made.face_id[t],
+            }));
+        }
+        let mesh = Mesh {
+            triangles: triangles.collect(),
+            positions: (made.vert_properties.chunks_exact(3))
+                .map(|p| DVec3::new(p[0], p[1], p[2]))
+                .collect(),
+            ..Mesh::default()
+        };
+        (mesh, origins)
+    }
+}
+
+/// What an operation makes, or why it makes nothing. A fault of the crate is no reason to end the program.
+fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, String> {
+    let made = catch_unwind(AssertUnwindSafe(operation))
+        .map_err(|_| "the Boolean operation failed on it".to_owned())?;
+    match made.status() {
+        Error::NoError => Ok(made),
+        Error::NotClosed | Error::NotManifold => Err("it is not closed".to_owned()),
+        other => Err(format!("the Boolean operation failed on it: {other}")),
+    }
+}

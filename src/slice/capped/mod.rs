@@ -1,0 +1,216 @@
+//! What is left of a mesh, and what is removed of it, as meshes with their caps.
+//!
+//! A cut removes the intersection of the removed sides of its planes, a scene the union of its cuts. Regions are removed one after the
+//! other, and each by its planes one after the other: what is above a plane stays, what is below all of them goes, and the caps of what
+//! goes, turned over, close what stays ([`complex`]). The surface stays one all the while, so that no wall
+//! is left between regions that touch; triangles that planes divide beyond their regions are put together again ([`restore`]).
+//!
+//! A closed mesh whose faces agree which side is out gives two closed meshes whose faces do, whatever the planes meet and however often
+//! the mesh passes through itself. Both share their vertices on the caps to the last bit, and their volumes add up to that of the mesh but
+//! for rounding. An open mesh stays open where it was, and where a curve of the section does not close.
+//!
+//! Cost: for each plane a look at all triangles, in parallel; then what planes meet, n log n. Memory: some 60 bytes a triangle beside the mesh
+//! and what comes out.
+//!
+//! Reliefs and cutters are not of planes: parts that they cut are divided by Boolean operations, with the feature `boolean`.
+//!
+//! Limits: 2^31 triangles. Triangles with coordinates beyond 1e300 are left out and reported. Normals and colours of
+//! corners are not carried over: [`Half::sources`] says where a face had them.
+
+mod cap;
+mod complex;
+mod restore;
+mod scene;
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+#[cfg(feature = "boolean")]
+pub(super) use self::scene::in_world;
+pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
+
+use self::complex::{Complex, Face, State};
+use super::plane::is_within;
+use super::{SectionDefect, SlicePlane};
+use crate::scene::Mesh;
+use crate::scene::weld::has_three;
+
+/// What is left of a mesh, and what is removed.
+#[derive(Clone, Debug, Default)]
+pub struct Halves {
+    /// What is left.
+    pub kept: Half,
+    /// What is removed.
+    pub removed: Half,
+    /// What the mesh lacks for caps without doubt, plane by plane.
+    pub defects: Vec<SectionDefect>,
+}
+
+/// One of the two parts that a mesh is divided into.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Half {
+    /// Faces of the mesh, then caps; they share vertices. It has no triangles where nothing is left.
+    pub mesh: Mesh,
+    /// Of each face which triangle of the mesh it is, or is a part of.
+    pub sources: Vec<u32>,
+    /// The caps, by their planes.
+    pub caps: Vec<Cap>,
+}
+
+/// A cap of a half.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cap {
+    /// Index of the region that was removed.
+    pub region: usize,
+    /// Index of the plane in the region; of what a scene cuts, of the clip-surface in the cut, its cutter after the others.
+    pub plane: usize,
+    /// Its triangles.
+    pub triangles: Range<usize>,
+}
+
+impl Half {
+    /// How many triangles are faces of the mesh: caps follow.
+    pub fn surface_triangles(&self) -> usize {
+        self.sources.len()
+    }
+
+    /// Area of all caps together, in square units.
+    pub fn cap_area(&self) -> f64 {
+        let caps = self.surface_triangles()..self.mesh.triangles.len();
+        caps.map(|t| {
+            let [a, b, c] = self.mesh.corners(t);
+            0.5 * (b - a).cross(c - a).length()
+        })
+        .sum()
+    }
+}
+
+/// Divides a mesh into what lies below all planes of any region, which is removed, and the rest. Planes are in the space of the
+/// mesh; a region without planes is all of it.
+///
+/// ```
+/// use cutaway::generate::shapes::shape;
+/// use cutaway::slice::{SlicePlane, halves};
+/// use cutaway::scene::ClipSurface;
+/// use glam::DVec3;
+///
+/// let cube = &shape("cube")?[0].mesh;
+/// let plane = SlicePlane::from(&ClipSurface::plane(DVec3::ZERO, DVec3::ONE));
+/// let halves = halves(cube, &[vec![plane]]);
+/// assert!(halves.kept.mesh.open_edges().is_empty());
+/// assert!((halves.kept.mesh.volume() - 0.5).abs() < 1e-12);
+/// // Through the middle of six edges: a hexagon.
+/// assert!((halves.kept.cap_area() - 0.75 * 3.0_f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+pub fn halves(mesh: &Mesh, regions: &[Vec<SlicePlane>]) -> Halves {
+    let planes: Vec<SlicePlane> = regions.concat();
+    let usable: Vec<bool> = mesh.triangles.iter().map(|t| is_usable(mesh, t)).collect();
+    let unusable = usable.iter().filter(|u| !**u).count();
+    let mut complex = Complex::new(mesh, &planes, |t| usable[t]);
+    if unusable > 0 {
+        complex.defects.push(SectionDefect::Unusable {
+            triangles: unusable,
+        });
+    }
+    let mut first = 0;
+    for region in regions {
+        let of_region = first..first + region.len();
+        first = of_region.end;
+        if planes[of_region.clone()].iter().all(SlicePlane::is_usable) {
+            complex.remove(of_region);
+        } else {
+            complex.defects.push(SectionDefect::Plane);
+        }
+    }
+    if planes.len() > 1 {
+        complex.restore();
+    }
+    let (mut kept, mut removed) = (Vec::new(), Vec::new());
+    for face in &complex.faces {
+        let [a, b, c] = face.corners;
+        match face.state {
+            State::Removed => removed.push(*face),
+            _ => kept.push(*face),
+        }
+        if face.plane().is_some() {
+            removed.push(Face {
+                corners: [a, c, b],
+                ..*face
+            });
+        }
+    }
+    let starts: Vec<usize> = (regions.iter())
+        .scan(0, |next, region| {
+            Some(std::mem::replace(next, *next + region.len()))
+        })
+        .collect();
+    let half = |faces| half(&complex.positions, faces, &starts);
+    let (kept, removed) = rayon::join(|| half(kept), || half(removed));
+    Halves {
+        kept,
+        removed,
+        defects: complex.defects,
+    }
+}
+
+fn is_usable(mesh: &Mesh, triangle: &[u32; 3]) -> bool {
+    let is_there = |i: &u32| {
+        mesh.positions
+            .get(*i as usize)
+            .is_some_and(|p| is_within(*p))
+    };
+    has_three(triangle) && triangle.iter().all(is_there)
+}
+
+/// The mesh of some faces, with the vertices that they have in their order.
+fn half(positions: &[DVec3], mut faces: Vec<Face>, first_planes: &[usize]) -> Half {
+    // Caps behind faces, by planes; stable, so that faces stay in the order of the mesh but for what was divided.
+    faces.sort_by_key(|f| f.source);
+    let mut caps = Vec::new();
+    let mut first = 0;
+    for run in faces.chunk_by(|a, b| a.plane() == b.plane()) {
+        let triangles = first..first + run.len();
+        first = triangles.end;
+        if let Some(plane) = run[0].plane() {
+            let region = first_planes.partition_point(|start| *start <= plane) - 1;
+            let plane = plane - first_planes[region];
+            caps.push(Cap {
+                region,
+                plane,
+                triangles,
+            });
+        }
+    }
+    Half {
+        mesh: of_used(positions, faces.iter().map(|f| f.corners).collect()),
+        sources: (faces.iter().filter(|f| f.plane().is_none()))
+            .map(|f| f.source)
+            .collect(),
+        caps,
+    }
+}
+
+/// The mesh of some triangles with the vertices that they have, in their order.
+pub(super) fn of_used(positions: &[DVec3], mut triangles: Vec<[u32; 3]>) -> Mesh {
+    let mut number_of = vec![u32::MAX; positions.len()];
+    for i in triangles.iter().flatten() {
+        number_of[*i as usize] = 0;
+    }
+    let mut used = Vec::new();
+    for (number, at) in number_of.iter_mut().zip(positions) {
+        if *number == 0 {
+            *number = used.len() as u32;
+            used.push(*at);
+        }
+    }
+    for i in triangles.iter_mut().flatten() {
+        *i = number_of[*i as usize];
+    }
+    Mesh {
+        positions: used,
+        triangles,
+        ..Mesh::default()
+    }
+}

@@ -1,0 +1,154 @@
+//! The parts of a scene with their caps: where they stand in the world, in their poses.
+
+use glam::{DAffine3, DVec3};
+use rayon::prelude::*;
+
+use super::{Half, Halves, halves};
+use crate::scene::{Cut, Mesh, Part, Scene, is_removed_whole};
+use crate::slice::SlicePlane;
+#[cfg(feature = "boolean")]
+use crate::slice::boolean::{self, Region};
+use crate::{Error, Result};
+
+/// What the cuts of a scene make of a part.
+#[derive(Clone, Debug, Default)]
+pub struct CappedPart {
+    /// Index of the part in the scene.
+    pub part: usize,
+    /// Indices of the cuts that apply to it, in the order of the regions of its caps.
+    pub cuts: Vec<usize>,
+    /// What is left and what is removed, in world space.
+    pub halves: Halves,
+    /// Largest distance along `N` between caps and the reliefs that they follow, in world units, as found at the middles of cells.
+    pub relief_off: f64,
+}
+
+/// Cells of a relief along the longer side of a part, where nobody says how many.
+pub const RELIEF_CELLS: u32 = 256;
+
+/// What the cuts of a scene leave of each part, and what they remove, as meshes with caps in world space. Each part is a solid of its own,
+/// also where parts overlap; a part that is never cut is left whole.
+///
+/// ```
+/// use cutaway::generate::shapes::shape;
+/// use cutaway::slice::capped;
+/// use cutaway::{ClipSurface, Cut, Scene};
+/// use glam::DVec3;
+///
+/// let mut scene = Scene { parts: shape("gears")?, ..Scene::default() };
+/// scene.cuts.push(Cut::new("x", vec![ClipSurface::plane(DVec3::ZERO, DVec3::X)]));
+/// for part in capped(&scene)? {
+///     let kept = &part.halves.kept;
+///     println!("{}: {:.3} are left", scene.parts[part.part].name, kept.mesh.volume());
+///     assert!(kept.mesh.open_edges().is_empty());
+/// }
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// As of [`capped_with`].
+pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
+    capped_with(scene, RELIEF_CELLS)
+}
+
+/// [`capped`], where reliefs get about so many cells along the longer side of a part as it is seen along `N`.
+///
+/// # Errors
+///
+/// By name, a part that is open and cut by a relief or a cutter; without the feature `boolean`, a cut with either.
+pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> {
+    let capped = |(index, part): (usize, &Part)| {
+        let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
+        let cuts: Vec<usize> = (0..scene.cuts.len())
+            .filter(|c| scene.cuts[*c].applies_to(part))
+            .collect();
+        let applied = cuts.iter().map(|c| &scene.cuts[*c]);
+        let planes: Option<Vec<Vec<SlicePlane>>> =
+            applied.clone().map(|cut| planes_of(cut, part)).collect();
+        let (halves, relief_off) = match (is_removed_whole(scene, part), planes) {
+            (true, _) => {
+                let removed = Half {
+                    sources: (0..mesh.triangles.len() as u32).collect(),
+                    mesh,
+                    caps: Vec::new(),
+                };
+                let halves = Halves {
+                    removed,
+                    ..Halves::default()
+                };
+                (halves, 0.0)
+            }
+            (false, Some(planes)) => (halves(&mesh, &planes), 0.0),
+            (false, None) => divided(part, &mesh, applied, relief_cells)?,
+        };
+        Ok(CappedPart {
+            part: index,
+            cuts,
+            halves,
+            relief_off,
+        })
+    };
+    scene.parts.par_iter().enumerate().map(capped).collect()
+}
+
+/// The planes of a cut as they cut a part; none where it has something else.
+fn planes_of(cut: &Cut, part: &Part) -> Option<Vec<SlicePlane>> {
+    let keeps = cut.offset_for(part);
+    let planes = cut.surfaces.iter().map(SlicePlane::of_flat);
+    let planes: Option<Vec<SlicePlane>> = planes.map(|p| Some(p?.keeping(keeps))).collect();
+    planes.filter(|_| cut.volume.is_none())
+}
+
+/// What cuts of any kind make of a part, and how far its caps are off their reliefs.
+#[cfg(feature = "boolean")]
+fn divided<'a>(
+    part: &Part,
+    mesh: &Mesh,
+    cuts: impl Iterator<Item = &'a Cut>,
+    relief_cells: u32,
+) -> Result<(Halves, f64)> {
+    let region = |cut: &'a Cut| {
+        let keeps = cut.offset_for(part);
+        Region {
+            surfaces: cut.surfaces.iter().map(|s| s.keeping(keeps)).collect(),
+            cutter: cut.volume.as_ref(),
+        }
+    };
+    let regions: Vec<Region<'_>> = cuts.map(region).collect();
+    let divided = boolean::divided(mesh, &regions, relief_cells).map_err(|what| {
+        let what = format!("it cannot be cut by a relief or by a mesh: {what}");
+        let help = "`cutaway inspect` lists its open edges; close them, or cut it by planes alone";
+        Error::input(format!("part `{}`", part.name), what, help)
+    })?;
+    Ok((divided.halves, divided.off))
+}
+
+#[cfg(not(feature = "boolean"))]
+fn divided<'a>(
+    part: &Part,
+    _: &Mesh,
+    mut cuts: impl Iterator<Item = &'a Cut>,
+    _: u32,
+) -> Result<(Halves, f64)> {
+    let name = cuts.find(|cut| planes_of(cut, part).is_none());
+    Err(Error::input(
+        format!("cut `{}`", name.map_or("", |cut| &cut.name)),
+        "it has a relief or a mesh that cuts, and meshes are cut by planes only",
+        "build the library with its feature `boolean`",
+    ))
+}
+
+/// A mesh as it stands in the world; what a placement mirrors is turned round, so that outside stays outside.
+pub(in crate::slice) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
+    let is_mirrored = placed.matrix3.determinant() < 0.0;
+    let positions: Vec<DVec3> = (mesh.positions.par_iter())
+        .map(|p| placed.transform_point3(*p))
+        .collect();
+    let turned = |[a, b, c]: [u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] };
+    Mesh {
+        positions,
+        triangles: mesh.triangles.iter().map(|t| turned(*t)).collect(),
+        ..Mesh::default()
+    }
+}
