@@ -16,6 +16,7 @@ Examples:
   cutaway report target/measure
   cutaway report laptop/ server/ --out both/
   cutaway report target/measure --link
+  cutaway report shared/mine --complete      # exit code 1 while shares are missing
 
 Writes report.html (one file, opens from disk, fetches nothing), report.md, report.csv (one row for each point and
 strategy) and report.json (all records).";
@@ -32,9 +33,15 @@ pub(super) struct ReportArgs {
     /// Leave the pictures in their files, and link to them
     #[arg(long)]
     pub(super) link: bool,
+    /// Exit code 1 where points are missing that the experiments ask for
+    #[arg(long)]
+    pub(super) complete: bool,
     #[command(flatten)]
     pub(super) console: ConsoleArgs,
 }
+
+/// Missing points that are named.
+const MOST_NAMED: usize = 10;
 
 /// The files of a report.
 const NAMES: [&str; 4] = ["report.html", "report.md", "report.csv", "report.json"];
@@ -50,7 +57,11 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         |path: &PathBuf| path.ends_with("peers") || path.join("experiment.json").is_file();
     let folders = of(folder).into_iter().filter(is_read);
     let records = folders.flat_map(|folder| of(&folder));
-    let all = records.chain([folder.join("run.json")]);
+    let is_run = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("run.") && name.ends_with(".json")
+    };
+    let all = records.chain(of(folder).into_iter().filter(is_run));
     all.filter(|path| path.is_file()).collect()
 }
 
@@ -81,7 +92,23 @@ pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
         write_file(&path, text.as_bytes())?;
         written.push_str(&format!("{}\n", path.display()));
     }
+    let (there, asked, missing) = recorded.completeness();
+    let mut verdict = Verdict::Done;
+    if !missing.is_empty() {
+        let named = missing[..missing.len().min(MOST_NAMED)].join(", ");
+        let more = match missing.len().saturating_sub(MOST_NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let text = format!("{there} of {asked} points; missing: {named}{more}");
+        if args.complete {
+            console.failed(text);
+            verdict = Verdict::Failed;
+        } else {
+            console.note(text);
+        }
+    }
     drop(console);
     write_stdout(written.as_bytes())?;
-    Ok(Verdict::Done)
+    Ok(verdict)
 }

@@ -117,6 +117,18 @@ pub struct Invocation {
     pub load: Option<f64>,
     /// The command line.
     pub command: String,
+    /// The device; none in records that are older than this, whose run has but one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adapter: Option<AdapterReport>,
+    /// The share of the work that it was, `3/16`, where it was not all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<String>,
+    /// The job of a scheduler that it was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub job: Option<String>,
+    /// The machine, by its name, where there may be several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub node: Option<String>,
 }
 
 /// A number as it is expected.
@@ -190,6 +202,9 @@ pub struct CaseRecords {
     pub sizes_px: Vec<u32>,
     /// The cases.
     pub cases: Vec<CaseRecord>,
+    /// The command that measured them; none in records that are older than this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub invocation: Option<Invocation>,
 }
 
 /// What is to be said beside a figure. A closed list, so that each has its remedy.

@@ -1,5 +1,7 @@
 //! The frames of an animation: drawn one after the other by one session, and accounted for.
 
+use std::ops::Range;
+
 use serde_json::{Value, json};
 
 use super::super::console::Console;
@@ -19,11 +21,16 @@ use crate::scene::numbers::round;
 use crate::scene::{Breakaway, BreakawayView, Cut, Scene};
 use crate::session::{Outcome, Session};
 
+/// What takes longer than this says beforehand how long, where no bar shows it.
+const PATIENCE_S: f64 = 10.0;
+
 /// All that frames are drawn from.
 pub(super) struct Film<'a> {
     pub(super) args: &'a AnimateArgs,
     pub(super) subject: &'a Subject,
     pub(super) times: Times,
+    /// The frames that are drawn: all, or a share.
+    pub(super) own: Range<u32>,
     pub(super) chosen: Chosen,
     /// The scene at the time of the last frame, as it is prepared.
     pub(super) shown: SceneAtTime,
@@ -73,14 +80,30 @@ impl Film<'_> {
         let fineness = subject.supersample();
         let drawn = picture::draw(session, &self.shown, &view, self.chosen.renderer, fineness)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
-        if let (0, Renderer::Method(method), Outcome::Complete) =
-            (frame, self.chosen.renderer, &report.outcome)
-        {
+        if let (true, Renderer::Method(method), Outcome::Complete) = (
+            frame == self.own.start,
+            self.chosen.renderer,
+            &report.outcome,
+        ) {
             let layers = session.layers(method)?;
             let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
             warn_of_doubt(&doubted, self.chosen.renderer, console);
         }
         Ok((drawn.image, report))
+    }
+
+    /// Says how long the frames that are left may take, as if all took as long as the last: the first also builds what all share.
+    pub(super) fn announce(&self, frames: &[FrameReport], console: &Console) {
+        let left = self.own.len() - frames.len();
+        let Some(ms) = frames.last().and_then(|f| f.drawn_ms) else {
+            return;
+        };
+        let left_s = left as f64 * ms / 1000.0;
+        if left_s > PATIENCE_S {
+            console.milestone(format!(
+                "{left} frames of {ms:.0} ms are left: about {left_s:.0} s; a smaller --resolution, --fps or --supersample takes less"
+            ));
+        }
     }
 
     /// The run and its frames as JSON.

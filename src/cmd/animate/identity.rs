@@ -13,7 +13,7 @@ fn program() -> String {
     format!("{:?}", written.ok())
 }
 
-/// The identity of a run. Where results go is not part of it.
+/// The identity of a run. Where results go and which share of them is drawn is not part of it.
 pub(super) fn of(args: &AnimateArgs, subject: &Subject, session: &Session) -> Identity {
     let outputs = [Some(&args.output), args.json.as_ref()];
     let names_output = |word: &String| {
@@ -30,9 +30,18 @@ pub(super) fn of(args: &AnimateArgs, subject: &Subject, session: &Session) -> Id
     run.add(program());
     run.add(format!("{:?}", session.gpu().report()));
     let words = std::env::args_os().skip(1);
-    let words = words.map(|word| word.to_string_lossy().into_owned());
-    for word in words.filter(|word| !names_output(word)) {
-        run.add(word);
+    let words: Vec<String> = words
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
+    // Which share draws a frame makes no difference to it.
+    let is_of_share = |i: usize| {
+        let (word, before) = (&words[i], i.checked_sub(1).map(|i| words[i].as_str()));
+        word == "--shard" || word.starts_with("--shard=") || before == Some("--shard")
+    };
+    for (i, word) in words.iter().enumerate() {
+        if !names_output(word) && !is_of_share(i) {
+            run.add(word);
+        }
     }
     for file in subject.files.all() {
         run.add_file(&file);

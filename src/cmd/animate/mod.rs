@@ -4,6 +4,7 @@
 //! many pictures, plus the encoder's. The file takes its place when it is whole.
 
 mod apng;
+pub(super) mod encode;
 mod encoder;
 mod ffmpeg;
 mod film;
@@ -29,12 +30,13 @@ use super::interrupt::Interrupt;
 use super::look::{LookArgs, Usual};
 use super::output::Output;
 use super::places::{no_place_twice, paths_of};
+use super::shard::Shard;
 use super::subject::Subject;
 use super::when::ClipArgs;
-use crate::document::Document;
+use crate::document::{Document, Value};
 use crate::experiment::{Identity, Renderer};
 use crate::load::Assets;
-use crate::load::frames::USUAL_FPS;
+use crate::load::frames::{Pattern, USUAL_FPS};
 use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
@@ -55,8 +57,11 @@ Examples:
 What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
 Ctrl-C ends after the present frame. Numbered frames that are there stay, and the same command goes on from them.";
 
-/// The usual rate for GIF: 24 a second would be delays of 4 1/6 hundredths.
-const USUAL_GIF_FPS: f64 = 25.0;
+/// The usual rate of a GIF, whose delays are then 8 hundredths: about half of that of a film, for a file of half the bytes in half the time.
+const USUAL_GIF_FPS: f64 = 12.5;
+
+/// The usual size of a GIF: its file has no better compression than that of runs.
+const USUAL_GIF_SIZE_PX: [i64; 2] = [640, 480];
 
 /// Options of `animate`.
 #[derive(Args)]
@@ -90,6 +95,9 @@ pub(super) struct AnimateArgs {
     /// The animation: .gif, .png or .apng (animated PNG), .mp4 (needs ffmpeg), or a PNG for each frame: 'frames/%04d.png'
     #[arg(long, short, value_name = "FILE|PATTERN", help_heading = "Output")]
     output: String,
+    /// Draw one share of numbered frames, a row of them: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
+    #[arg(long, value_name = "I/N|auto", help_heading = "Output")]
+    shard: Option<Shard>,
     /// How often a GIF or an animated PNG plays [default: forever]
     #[arg(
         long = "loop",
@@ -152,11 +160,15 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let (target, json) = outputs(args)?;
     turn_is_no_input(args)?;
     // One numbered mesh to a frame: at any other rate some would be seen twice and others not at all.
-    let played_fps = rate(args, &target).1;
+    let played_fps = rate(args, &target, false).1;
     let mut document = args.scene.document(Some(played_fps))?;
     args.clip.amend(&mut document)?;
     args.look.amend(&mut document)?;
     args.means.amend(&mut document)?;
+    // After all options, and for cutaways that are fitted to the picture.
+    if matches!(target, Target::Gif(_)) && document.get("resolution").is_err() {
+        document.set("resolution", USUAL_GIF_SIZE_PX.map(Value::from).to_vec())?;
+    }
     if let Some(sweep) = args.sweep {
         add_sweep(sweep, &mut document, args, &target)?;
     }
@@ -184,7 +196,8 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     // Before the encoder begins a file, which Ctrl-C would leave behind half written.
     let interrupt = Interrupt::listen("animate", "frame")?;
     let mut encoder = encoder(&target, subject.size_px(), &times, plays, run)?;
-    console.expect_frames(times.count);
+    let own = args.shard.unwrap_or(Shard::WHOLE).of_row(times.count);
+    console.expect_frames(own.len() as u32);
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
     let chosen = drawer.settle(Some(session.gpu()), (&shown.model, &view), &console);
@@ -193,12 +206,13 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         args,
         subject: &subject,
         times,
+        own: own.clone(),
         chosen,
         shown,
         scene: subject.scene.clone(),
     };
-    let mut frames = Vec::with_capacity(times.count as usize);
-    for frame in 0..times.count {
+    let mut frames = Vec::with_capacity(own.len());
+    for frame in own.clone() {
         if interrupt.is_wanted() {
             break;
         }
@@ -215,13 +229,16 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         };
         frames.push(report);
         console.frame_done();
+        if frame == own.start + 1 {
+            film.announce(&frames, &console);
+        }
     }
-    if interrupt.is_wanted() && frames.len() < times.count as usize {
+    if interrupt.is_wanted() && frames.len() < own.len() {
         console.note(match &target {
             Target::Numbered(_) => format!(
                 "{} of {} frames are there: the same command goes on from them",
                 frames.len(),
-                times.count
+                own.len()
             ),
             _ => "interrupted: no file was written".to_owned(),
         });
@@ -249,7 +266,7 @@ fn add_sweep(
         .unwrap_or_else(|| timeline.rest().bounds());
     let times = args
         .times
-        .times(rate(args, target).1, timeline.duration_s())?;
+        .times(rate(args, target, false).1, timeline.duration_s())?;
     // The last frame, which is one before the end of the animation, shows where it ends.
     let steps = times.count.max(2) as f64;
     let end_s = times.start_s + times.duration_s();
@@ -267,6 +284,13 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
     let json = json.transpose()?;
     let file = Output::File(target.path());
     no_place_twice(&[("--output", Some(&file)), ("--json", json.as_ref())])?;
+    if args.shard.is_some() && !matches!(target, Target::Numbered(_)) {
+        return Err(Error::input(
+            "--shard",
+            "only numbered frames are drawn in shares",
+            "write -o 'frames/%04d.png', and when all shares are there: cutaway encode 'frames/%04d.png' -o run.gif",
+        ));
+    }
     let refuse = |culprit: &str, what: &str| {
         let help = "leave it out, or write a .gif or a .png";
         Err(Error::input(culprit, what, help))
@@ -315,8 +339,8 @@ fn times(
              meshes numbered frame by frame as in 'frames/%04d.obj'",
         ));
     }
-    let (asked, fps) = rate(args, target);
-    if (fps - asked).abs() > 1e-9 * asked {
+    let (asked, fps) = rate(args, target, moving_s.is_none());
+    if args.times.fps.is_some() && (fps - asked).abs() > 1e-9 * asked {
         console.note(format!(
             "delays of a GIF are hundredths of a second, 2 at least: {} frames per second instead of {asked}",
             crate::scene::numbers::round(fps)
@@ -326,14 +350,19 @@ fn times(
 }
 
 /// Frames a second that are asked for, and those that the target can have.
-fn rate(args: &AnimateArgs, target: &Target) -> (f64, f64) {
+fn rate(args: &AnimateArgs, target: &Target, stands_still: bool) -> (f64, f64) {
     match target {
         Target::Gif(_) => {
-            let asked = args.times.fps.unwrap_or(USUAL_GIF_FPS);
+            // Numbered meshes are played as fast as elsewhere, each of them once.
+            let usual = match args.scene.inputs.iter().any(|i| Pattern::is_in(i)) {
+                true => USUAL_FPS,
+                false => USUAL_GIF_FPS,
+            };
+            let asked = args.times.rate(usual, stands_still);
             (asked, gif::nearest_fps(asked))
         }
         _ => {
-            let asked = args.times.fps.unwrap_or(USUAL_FPS);
+            let asked = args.times.rate(USUAL_FPS, stands_still);
             (asked, asked)
         }
     }

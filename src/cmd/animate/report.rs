@@ -19,7 +19,7 @@ pub(super) struct FrameReport {
     time_ms: PerClock<Option<f64>>,
     /// Milliseconds from the scene to the picture, by the clock of the wall.
     /// None of a frame that was there already.
-    drawn_ms: Option<f64>,
+    pub(super) drawn_ms: Option<f64>,
 }
 
 impl FrameReport {

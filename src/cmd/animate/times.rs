@@ -17,13 +17,13 @@ const MOST_FRAMES: f64 = 90_000.0;
 /// Which times are shown.
 #[derive(Args)]
 pub(super) struct TimesArgs {
-    /// Frames per second [default: 24; GIF 25, whose delays are hundredths of a second]
+    /// Frames per second [default: 24; GIF 12.5; delays of a GIF are hundredths of a second]
     #[arg(long, value_name = "N", value_parser = parse_fps, allow_hyphen_values = true, help_heading = "Time")]
     pub(super) fps: Option<f64>,
     /// How long it is [default: as long as something moves, or 4 for a turntable of what stands still]
     #[arg(long = "duration", value_name = "SECONDS", value_parser = parse_duration, allow_hyphen_values = true, help_heading = "Time")]
     duration_s: Option<f64>,
-    /// How many frames it has, instead of --duration
+    /// How many frames it has, instead of --duration; those of a turntable of what stands still go over 4 seconds, where there is no --fps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), conflicts_with = "duration_s", help_heading = "Time")]
     frames: Option<u32>,
     /// Time of the first frame
@@ -43,6 +43,13 @@ pub(super) struct Times {
 }
 
 impl TimesArgs {
+    /// Frames a second: as asked for, else the usual ones. So many frames as are asked for of a turntable alone are spread over the turn.
+    pub(super) fn rate(&self, usual: f64, stands_still: bool) -> f64 {
+        let of_a_turn = (self.frames.filter(|_| stands_still))
+            .map(|frames| (f64::from(frames) / USUAL_TURN_S).min(usual));
+        self.fps.or(of_a_turn).unwrap_or(usual)
+    }
+
     /// The times. `moving_s` is how long something moves, if anything does.
     pub(super) fn times(&self, fps: f64, moving_s: Option<f64>) -> Result<Times> {
         let count = match self.frames {
@@ -89,7 +96,7 @@ impl Times {
     }
 }
 
-fn parse_fps(text: &str) -> Result<f64, String> {
+pub(super) fn parse_fps(text: &str) -> Result<f64, String> {
     let fps = parse_finite(text)
         .ok()
         .filter(|f| (0.01..=1000.0).contains(f));
@@ -114,6 +121,23 @@ mod tests {
             frames,
             start_s: 0.5,
         }
+    }
+
+    #[test]
+    fn frames_of_a_turntable_are_spread_over_the_turn() {
+        assert_eq!(args(None, Some(12)).rate(25.0, true), 3.0);
+        assert_eq!(args(None, Some(1000)).rate(25.0, true), 25.0);
+        assert_eq!(args(Some(2.0), None).rate(25.0, true), 25.0);
+        assert_eq!(
+            args(None, Some(12)).rate(25.0, false),
+            25.0,
+            "a mesh to a frame"
+        );
+        let asked = TimesArgs {
+            fps: Some(10.0),
+            ..args(None, Some(12))
+        };
+        assert_eq!(asked.rate(25.0, true), 10.0);
     }
 
     #[test]

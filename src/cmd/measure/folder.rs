@@ -7,19 +7,30 @@ use serde::de::DeserializeOwned;
 
 use crate::cmd::output::{checked_folder, write_file};
 use crate::cmd::picture;
+use crate::cmd::shard::Shard;
 use crate::experiment::run::Measured;
 use crate::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis};
 use crate::gpu::AdapterReport;
 use crate::{Error, Result};
 
 /// The folder of a run.
-pub(super) struct Folder(PathBuf);
+pub(super) struct Folder {
+    path: PathBuf,
+    /// Name of the file that says by what it was made: shards have one each, so that none writes what another does.
+    run_file: String,
+}
 
 impl Folder {
     /// A folder that can be written to.
-    pub(super) fn checked(path: &Path) -> Result<Self> {
+    pub(super) fn checked(path: &Path, shard: Option<Shard>) -> Result<Self> {
         checked_folder("--out", path)?;
-        Ok(Self(path.to_owned()))
+        Ok(Self {
+            path: path.to_owned(),
+            run_file: match shard {
+                Some(Shard { index, count }) => format!("run.{index}-of-{count}.json"),
+                None => "run.json".to_owned(),
+            },
+        })
     }
 
     /// The files that are there and that a run of an experiment replaces: its definition, and by the names of its records these and
@@ -37,7 +48,7 @@ impl Folder {
         let files = files.filter(|e| is_replaced(&e.file_name().to_string_lossy()));
         files
             .map(|e| e.path())
-            .chain([self.0.join("run.json")])
+            .chain([self.path.join(&self.run_file)])
             .collect()
     }
 
@@ -49,7 +60,7 @@ impl Folder {
         is_quick: bool,
         force: bool,
     ) -> Result<Option<Run>> {
-        let path = self.0.join("run.json");
+        let path = self.path.join(&self.run_file);
         if !path.exists() {
             return Ok(None);
         }
@@ -84,7 +95,7 @@ impl Folder {
 
     /// Writes what is said of the run.
     pub(super) fn write_run(&self, run: &Run) -> Result<()> {
-        write_json(&self.0.join("run.json"), run)
+        write_json(&self.path.join(&self.run_file), run)
     }
 
     /// Writes what was asked, with the names of all records that it makes as `points`, in the order of the experiment: a reader of the
@@ -166,7 +177,7 @@ impl Folder {
     }
 
     fn of(&self, experiment: &str) -> PathBuf {
-        self.0.join(experiment)
+        self.path.join(experiment)
     }
 }
 

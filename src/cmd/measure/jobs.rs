@@ -7,6 +7,7 @@ use super::MeasureArgs;
 use super::folder::Folder;
 use crate::cmd::judge::quoted;
 use crate::cmd::places::InputFiles;
+use crate::document::Value;
 use crate::error::did_you_mean;
 use crate::experiment::definition::{Asked, AskedCases, AskedSearch, DefinedRun, SceneRun};
 use crate::experiment::run::file_stem;
@@ -92,6 +93,27 @@ impl Job<'_> {
         match self.task {
             Task::Point(run, ..) => args.rounds.map_or(run.rounds, |n| n as usize),
             Task::Cases(_) | Task::Search(_) => 0,
+        }
+    }
+
+    /// How long it takes beside others, in pixels that are drawn: frames of every round, and the reference, which takes as long as some.
+    fn cost(&self, args: &MeasureArgs) -> f64 {
+        const REFERENCE_ROUNDS: f64 = 20.0;
+        match self.task {
+            Task::Point(_, point, _) => {
+                let side = |i: usize| {
+                    let size = point.scene.get("resolution").ok()?;
+                    match &size.items().get(i)?.value {
+                        Value::Number(number) => Some(number.value),
+                        _ => None,
+                    }
+                };
+                let pixels = side(0).unwrap_or(1024.0) * side(1).unwrap_or(768.0);
+                let frames = (self.rounds(args) + 1) * (point.trials.len() + 1);
+                pixels * (frames as f64 + REFERENCE_ROUNDS)
+            }
+            Task::Cases(asked) => 1e6 * asked.cases.len().max(1) as f64,
+            Task::Search(asked) => 1e6 * asked.scenes as f64,
         }
     }
 
@@ -198,6 +220,15 @@ pub(super) fn jobs<'a>(definitions: &'a [Definition], args: &MeasureArgs) -> Res
     if let Some(only) = &args.only {
         must_mean_a_job(only, &jobs)?;
         jobs.retain(|j| j.is_meant(only));
+    }
+    if let Some(shard) = args.shard {
+        let costs: Vec<f64> = jobs.iter().map(|j| j.cost(args)).collect();
+        let own = shard.of_costs(&costs);
+        let mut index = 0;
+        jobs.retain(|_| {
+            index += 1;
+            own.binary_search(&(index - 1)).is_ok()
+        });
     }
     let assets = Assets::default();
     for job in &jobs {

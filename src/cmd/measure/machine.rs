@@ -1,4 +1,4 @@
-//! Where a run is made: the machine, the commit of the program, and the time of day.
+//! Where a run is made: the machine, its place in a cluster, the commit of the program, and the time of day.
 //!
 //! What is not known is left out, never guessed. The commit comes from `git` in the folder that the program was built from, if that
 //! is still there and nothing in it has changed since: a program that was installed, or is older than its sources, has none.
@@ -9,7 +9,8 @@ use std::time::SystemTime;
 
 use sysinfo::{CpuRefreshKind, MemoryRefreshKind, RefreshKind, System};
 
-use crate::experiment::Machine;
+use crate::cmd::shard::Shard;
+use crate::experiment::{Invocation, Machine};
 
 /// The machine, as busy as it is now.
 pub(super) fn machine() -> Machine {
@@ -27,6 +28,29 @@ pub(super) fn machine() -> Machine {
         cores: std::thread::available_parallelism().map_or(1, usize::from),
         memory: system.map(|s| s.total_memory()).filter(|bytes| *bytes > 0),
         load: load.map(|l| l.one),
+    }
+}
+
+/// Identifiers of the job, by the schedulers that set them.
+const JOBS: [&str; 6] = [
+    "SLURM_JOB_ID",
+    "PBS_JOBID",
+    "LSB_JOBID",
+    "AWS_BATCH_JOB_ID",
+    "CI_JOB_ID",
+    "HQ_JOB_ID",
+];
+
+/// Where in a cluster this is: job and share, and the node where there is either.
+pub(super) fn place(shard: Option<Shard>) -> Invocation {
+    let variables = JOBS.iter().filter_map(|name| std::env::var(name).ok());
+    let job = variables.into_iter().find(|id| !id.is_empty());
+    let is_one_of_many = job.is_some() || shard.is_some();
+    Invocation {
+        node: is_one_of_many.then(|| System::host_name().ok()).flatten(),
+        job,
+        shard: shard.map(|shard| shard.to_string()),
+        ..Invocation::default()
     }
 }
 

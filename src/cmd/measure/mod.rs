@@ -20,6 +20,7 @@ use super::console::{Console, ConsoleArgs};
 use super::interrupt::Interrupt;
 use super::judge::command_line;
 use super::output::write_stdout;
+use super::shard::Shard;
 use crate::Result;
 use crate::experiment::expect::judge_again;
 use crate::experiment::run::{Assignment, measure};
@@ -39,6 +40,7 @@ Examples:
   cutaway measure experiments/curated/*.toml --quick --out target/measure
   cutaway measure experiments/curated/*.toml --dry-run
   cutaway measure mine.toml --only crank --rounds 25 --out target/mine
+  cutaway measure mine.toml --shard auto/16 --out shared/mine        # a task of an array: experiments/cluster
 
 Ctrl-C ends after the present round. The same command again goes on where it stopped.
 Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130 interrupted.";
@@ -70,6 +72,9 @@ pub(super) struct MeasureArgs {
     /// Measured rounds, after one to warm up [default: as the experiments say]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(super) rounds: Option<u32>,
+    /// Measure one share of the points, into a folder that all shares have: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
+    #[arg(long, value_name = "I/N|auto", conflicts_with_all = ["prune"])]
+    pub(super) shard: Option<Shard>,
     #[command(flatten)]
     pub(super) device: AdapterArgs,
     #[command(flatten)]
@@ -84,7 +89,7 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
         write_stdout(jobs::listed(&jobs, args).as_bytes())?;
         return Ok(Verdict::Done);
     }
-    let folder = Folder::checked(&args.out)?;
+    let folder = Folder::checked(&args.out, args.shard)?;
     jobs::keep_inputs(&definitions, &jobs, &folder, args.quick)?;
     let machine = machine::machine();
     let gpu = args.device.open()?;
@@ -97,6 +102,8 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
             began: machine::now(),
             load: machine.load,
             command: command_line(),
+            adapter: Some(gpu.report().clone()),
+            ..machine::place(args.shard)
         },
         args,
         folder,
@@ -327,6 +334,7 @@ impl Work<'_> {
             identity,
             sizes_px,
             cases,
+            invocation: Some(self.invocation.clone()),
         };
         self.folder.write_cases(&record)?;
         let reached: Vec<Reached> = record

@@ -31,6 +31,7 @@ pub(crate) fn invocations<'a>(
             },
             load: run.machine.load,
             command: run.command.clone(),
+            ..Invocation::default()
         };
         found.push((last, unnamed));
     }

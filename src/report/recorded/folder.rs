@@ -1,4 +1,4 @@
-//! One folder of a run.
+//! One folder of a run, or of shares of one.
 
 use std::path::{Path, PathBuf};
 
@@ -36,29 +36,30 @@ pub struct Experiment {
 
 /// The file that says that a folder holds a run.
 const RUN_FILE: &str = "run.json";
+/// How it begins, and those of shares of a run: `run.3-of-16.json`.
+const RUN_PREFIX: &str = "run.";
 /// The file that says that a folder holds an experiment.
 const EXPERIMENT_FILE: &str = "experiment.json";
 /// The folder of outside baselines.
 const PEERS_FOLDER: &str = "peers";
 
 impl Folder {
-    /// Reads all of it.
-    pub(super) fn read(path: &Path) -> Result<Self> {
+    /// Reads all of it: a folder for each device that it was measured on, for shards may have run on several.
+    pub(super) fn read(path: &Path) -> Result<Vec<Self>> {
         if path.is_file() {
             return Err(Error::file(path, "it is a file, not a folder", MISSING));
         }
         if !path.is_dir() {
             return Err(Error::file(path, "there is no such folder", MISSING));
         }
-        let run_file = path.join(RUN_FILE);
-        if !run_file.is_file() {
+        let runs = runs(path)?;
+        if runs.is_empty() {
             let what = format!(
                 "there is no run in this folder: {} is missing",
-                run_file.display()
+                path.join(RUN_FILE).display()
             );
             return Err(Error::file(path, what, MISSING));
         }
-        let run: Run = read_numbered(&run_file, Record::FORMAT)?;
         let mut experiments = Vec::new();
         let mut peers = Vec::new();
         for entry in entries(path)?.into_iter().filter(|e| e.is_dir()) {
@@ -75,12 +76,35 @@ impl Folder {
             experiments.push(Experiment::read(&entry)?);
         }
         experiments.sort_by(|a, b| a.synopsis.name.cmp(&b.synopsis.name));
-        Ok(Self {
-            path: path.to_owned(),
-            run,
-            experiments,
-            peers,
-        })
+        let several = runs.len() > 1;
+        let folder = |(index, run): (usize, Run)| {
+            let is_of = |invocation: &Option<Invocation>| {
+                let adapter = invocation.as_ref().and_then(|i| i.adapter.as_ref());
+                !several || adapter.map_or(index == 0, |a| *a == run.adapter)
+            };
+            let own = experiments.iter().map(|all| Experiment {
+                synopsis: all.synopsis.clone(),
+                records: (all.records.iter())
+                    .filter(|r| is_of(&r.invocation))
+                    .cloned()
+                    .collect(),
+                cases: (all.cases.iter())
+                    .filter(|c| is_of(&c.invocation))
+                    .cloned()
+                    .collect(),
+                missing: all.missing.clone(),
+            });
+            Self {
+                path: path.to_owned(),
+                experiments: own.collect(),
+                peers: match index {
+                    0 => peers.clone(),
+                    _ => Vec::new(),
+                },
+                run,
+            }
+        };
+        Ok(runs.into_iter().enumerate().map(folder).collect())
     }
 
     /// The commands that measured it, the earliest first, each with the number of its points.
@@ -92,6 +116,29 @@ impl Folder {
     pub fn pictures(&self, experiment: &Experiment) -> PathBuf {
         self.path.join(&experiment.synopsis.name)
     }
+}
+
+/// The runs of a folder, those of one device made one: that of the command that measured all of it, or of each share of it.
+fn runs(path: &Path) -> Result<Vec<Run>> {
+    let is_run = |file: &&PathBuf| {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with(RUN_PREFIX)
+    };
+    let mut runs: Vec<Run> = Vec::new();
+    for file in json_files(path)?.iter().filter(is_run) {
+        let run: Run = read_numbered(file, Record::FORMAT)?;
+        match runs.iter_mut().find(|r| r.adapter == run.adapter) {
+            Some(same) => {
+                same.took_s += run.took_s;
+                same.is_quick |= run.is_quick;
+                if run.began < same.began {
+                    same.began = run.began;
+                }
+            }
+            None => runs.push(run),
+        }
+    }
+    Ok(runs)
 }
 
 impl Experiment {

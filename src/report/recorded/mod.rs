@@ -17,7 +17,7 @@ use crate::{Error, Result};
 /// The folders of a report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {
-    /// As they were named, each once.
+    /// As they were named, each once for each device that measured in it.
     pub folders: Vec<Folder>,
 }
 
@@ -34,10 +34,27 @@ impl Recorded {
             let place = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.clone());
             if !seen.contains(&place) {
                 seen.push(place);
-                read.push(Folder::read(folder)?);
+                read.extend(Folder::read(folder)?);
             }
         }
         Ok(Self { folders: read })
+    }
+
+    /// How many points are there, how many the experiments ask for, and the names of those that are missing, by experiment.
+    pub fn completeness(&self) -> (usize, usize, Vec<String>) {
+        let mut seen: Vec<(&Path, &str)> = Vec::new();
+        let (mut asked, mut missing) = (0, Vec::new());
+        for folder in &self.folders {
+            for experiment in &folder.experiments {
+                let name = experiment.synopsis.name.as_str();
+                if !seen.contains(&(&*folder.path, name)) {
+                    seen.push((&folder.path, name));
+                    asked += experiment.synopsis.points.len();
+                    missing.extend(experiment.missing.iter().map(|p| format!("{name}/{p}")));
+                }
+            }
+        }
+        (asked - missing.len(), asked, missing)
     }
 }
 

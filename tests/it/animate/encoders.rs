@@ -55,7 +55,7 @@ fn a_gif_is_the_same_within_its_colors() {
     folder.run(&format!("{line} -o out.png")).exits(0);
     let (shown, true_ones) = (gif(&folder.path("out.gif")), apng(&folder.path("out.png")));
     assert_eq!(shown.frames.len(), 6);
-    assert_eq!(shown.delays_ms, [40.0; 6], "25 a second");
+    assert_eq!(shown.delays_ms, [670.0; 6], "a turn takes 4 s");
     assert_eq!(shown.plays, 0, "for ever");
     for (a, b) in shown.frames.iter().zip(&true_ones.frames) {
         let (most, mean) = (most_off(a, b), mean_off(a, b));

@@ -32,7 +32,8 @@ fn lengths_and_rates_go_together() {
 fn a_gif_takes_the_nearest_rate_and_says_so() {
     let folder = Scratch::new("animate-rates");
     for (options, delay_ms, said) in [
-        ("", 40.0, None),
+        // Two frames of a turn that takes four seconds.
+        ("", 2000.0, None),
         ("--fps 25", 40.0, None),
         ("--fps 24", 40.0, Some("25 frames per second instead of 24")),
         (
@@ -60,6 +61,26 @@ fn a_gif_takes_the_nearest_rate_and_says_so() {
             Some(said) => assert!(ran.stderr.contains(said), "{options}: {}", ran.stderr),
             None => assert!(!ran.stderr.contains("instead"), "{options}: {}", ran.stderr),
         }
+    }
+}
+
+#[test]
+fn a_gif_is_as_small_and_slow_as_others_are() {
+    let folder = Scratch::new("animate-usual");
+    let line = "animate shape:cube --section z=50% --turntable --duration 0.16 --supersample 1";
+    for (output, size, frames, delay_ms) in [
+        ("out.gif", (640, 480), 2, 80.0),
+        ("out.png", (1024, 768), 4, 1000.0 / 24.0),
+        ("out.gif --resolution 1024,768", (1024, 768), 2, 80.0),
+    ] {
+        folder.run(&format!("{line} -o {output}")).exits(0);
+        let read = match output {
+            "out.png" => apng(&folder.path("out.png")),
+            _ => gif(&folder.path("out.gif")),
+        };
+        assert_eq!(read.frames.len(), frames, "{output}");
+        assert_eq!(read.frames[0].dimensions(), size, "{output}");
+        assert!((read.delays_ms[0] - delay_ms).abs() < 1.0, "{output}");
     }
 }
 

@@ -180,6 +180,7 @@ pub(crate) fn cases() -> CaseRecords {
         identity: String::new(),
         sizes_px: vec![64],
         cases: vec![case("2", true), case("10", true)],
+        invocation: None,
     }
 }
 

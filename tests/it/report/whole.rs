@@ -133,6 +133,7 @@ fn all_commands_that_measured_are_named() {
             began: format!("2026-01-02{began}:00:00Z"),
             load: Some(0.25),
             command: command(files),
+            ..Invocation::default()
         });
     }
     let page = report_of(&folder, &records).markdown;
