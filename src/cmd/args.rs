@@ -24,7 +24,7 @@ const LARGEST_SIDE: u32 = 16_384;
 /// What is drawn, how it is cut, and where it is seen from.
 #[derive(Args)]
 pub(super) struct SceneArgs {
-    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
+    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "SCENE|MODEL")]
     pub(super) inputs: Vec<String>,
     #[command(flatten)]

@@ -96,7 +96,7 @@ pub(super) struct CameraArgs {
         help_heading = "Camera"
     )]
     pan: Option<[f64; 2]>,
-    /// Which axis of the model is up [default: that of the scene, or +Y; in pictures of .stl and .ply files alone a guess, which is said]
+    /// Which axis of the model is up [default: that of the scene, or +Y; +Z in pictures of .3mf alone; of .stl and .ply a guess, which is said]
     #[arg(
         long,
         value_name = "AXIS",

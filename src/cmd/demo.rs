@@ -85,6 +85,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     let experiment = out.join(NAME).with_extension("toml");
     write_file(&experiment, args.experiment().as_bytes())?;
     let measured = measure::run(&MeasureArgs {
+        shard: None,
         experiments: vec![experiment],
         out: out.clone(),
         quick: false,
@@ -115,6 +116,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
         folders: vec![out.clone()],
         out: None,
         link: false,
+        complete: false,
         console: args.console,
     })?;
     say(out, record)?;

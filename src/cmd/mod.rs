@@ -11,6 +11,7 @@ mod animate;
 mod args;
 mod camera;
 mod compare;
+mod completions;
 mod console;
 mod defects;
 mod demo;
@@ -18,6 +19,7 @@ mod doubt;
 mod drawer;
 mod edits;
 mod environment;
+mod export;
 mod image_test;
 mod inspect;
 mod interrupt;
@@ -37,6 +39,7 @@ mod roles;
 mod scene;
 mod section;
 mod sections;
+mod shard;
 mod split;
 mod subject;
 mod view;
@@ -44,7 +47,7 @@ mod when;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 pub use view::{Opened, Window};
 
@@ -72,6 +75,7 @@ Examples:
   cutaway compare engine.glb --section y=40% --strategies all --heatmaps wrong/
   cutaway animate shape:crank --section -z=50% --turntable -o crank.gif
   cutaway section bracket.stl --section z=50% -o cut.svg
+  cutaway export bracket.stl --section x=50% -o half.stl
   cutaway inspect scan.ply
   cutaway plan shape:crank --section z=50%
   cutaway measure experiments/curated/01-paper.toml --quick --out target/measure
@@ -111,12 +115,18 @@ enum Command {
     /// Draw a scene over time, or from all sides, to a GIF, an animated PNG, a film or numbered pictures
     #[command(after_help = animate::EXAMPLES, after_long_help = with_shapes(animate::EXAMPLES))]
     Animate(animate::AnimateArgs),
+    /// Make one animation of numbered pictures
+    #[command(after_help = animate::encode::EXAMPLES)]
+    Encode(animate::encode::EncodeArgs),
     /// Say what a model is like: closed or not, how many pieces, how deep
     #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
     Inspect(inspect::InspectArgs),
     /// Slice a model by planes: areas, outlines as SVG, everything as JSON; needs no graphics adapter
     #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
     Section(section::SectionCommandArgs),
+    /// Write what cuts leave of a model as a mesh with its caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
+    #[command(after_help = export::EXAMPLES, after_long_help = with_shapes(export::EXAMPLES))]
+    Export(export::ExportArgs),
     /// Say what a scene file can hold: every path, what it takes, its unit; needs no graphics adapter
     #[command(after_help = scene::EXAMPLES, after_long_help = scene::long_help())]
     Scene(scene::SceneCommandArgs),
@@ -135,6 +145,12 @@ enum Command {
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = demo::EXAMPLES)]
     Demo(demo::DemoArgs),
+    /// Print what a shell needs to complete the options of this command
+    #[command(after_help = completions::EXAMPLES)]
+    Completions(completions::CompletionsArgs),
+    /// Write the pages of the manual
+    #[command(after_help = completions::MAN_EXAMPLES)]
+    Man(completions::ManArgs),
 }
 
 /// Runs the command of this process's arguments.
@@ -151,14 +167,18 @@ pub fn main_with(window: Option<Window>) -> ExitCode {
         Command::Render(args) => render::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Animate(args) => animate::run(&args),
+        Command::Encode(args) => animate::encode::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Section(args) => section::run(&args),
+        Command::Export(args) => export::run(&args),
         Command::Scene(args) => scene::run(&args),
         Command::Relief(args) => relief::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Demo(args) => demo::run(&args),
+        Command::Completions(args) => completions::completions(&args, Cli::command()),
+        Command::Man(args) => completions::man(&args, Cli::command()),
     };
     exit_code(ended)
 }
@@ -194,7 +214,6 @@ fn with_shapes(examples: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_arguments_contradict_nothing() {

@@ -8,6 +8,7 @@ use std::path::Path;
 use serde_json::Value;
 
 mod cameras;
+mod completions;
 use crate::common::command;
 mod gallery;
 mod saved;

@@ -1,0 +1,59 @@
+//! `completions` and `man`: scripts for shells and pages for the manual, out of the tables that arguments are read by.
+//!
+//! Takes milliseconds. Scripts know options, commands and values that are chosen among, but no names of parts or methods in a file.
+
+use std::fs;
+use std::path::PathBuf;
+
+use clap::{Args, Command};
+use clap_complete::Shell;
+
+use super::Verdict;
+use super::output::write_stdout;
+use crate::{Error, Result};
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  cutaway completions bash > ~/.local/share/bash-completion/completions/cutaway
+  cutaway completions zsh > ~/.zfunc/_cutaway             # a folder of $fpath
+  cutaway completions fish > ~/.config/fish/completions/cutaway.fish";
+
+pub(super) const MAN_EXAMPLES: &str = "\
+Examples:
+  cutaway man ~/.local/share/man/man1 && man cutaway-render";
+
+/// Options of `completions`.
+#[derive(Args)]
+pub(super) struct CompletionsArgs {
+    /// The shell
+    shell: Shell,
+}
+
+/// Options of `man`.
+#[derive(Args)]
+pub(super) struct ManArgs {
+    /// Folder for cutaway.1 and a page for each command; made if it is not there
+    folder: PathBuf,
+}
+
+/// Runs `completions`.
+pub(super) fn completions(args: &CompletionsArgs, mut command: Command) -> Result<Verdict> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, "cutaway", &mut script);
+    write_stdout(&script)?;
+    Ok(Verdict::Done)
+}
+
+/// Runs `man`.
+pub(super) fn man(args: &ManArgs, command: Command) -> Result<Verdict> {
+    let fault = |e: std::io::Error| {
+        Error::file(
+            &args.folder,
+            format!("cannot be written: {e}"),
+            "name a folder that you may write to",
+        )
+    };
+    fs::create_dir_all(&args.folder).map_err(fault)?;
+    clap_mangen::generate_to(command, &args.folder).map_err(fault)?;
+    Ok(Verdict::Done)
+}
