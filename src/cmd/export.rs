@@ -2,7 +2,7 @@
 //!
 //! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
 //! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem.
-//! All of them are in memory before the first takes its place.
+//! All of them are written beside their places before the first takes its own, and none where one of the places is a folder.
 
 use std::path::PathBuf;
 
@@ -13,17 +13,17 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::interrupt::Interrupt;
 use super::look::Usual;
 use super::output::{Output, Pending, begun_with};
 use super::places::{no_place_twice, paths_of};
-use super::section::Unit;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::save::{Format, Solid, encoded, material_library};
+use crate::save::{Format, Solid, encoded, material_library, rounding};
 use crate::scene::weld::thousands;
-use crate::scene::{Edges, Mesh, Scene, doubts};
+use crate::scene::{Edges, LengthUnit, Mesh, Scene, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use crate::{Error, Result};
 
@@ -72,9 +72,9 @@ pub(super) struct ExportArgs {
     /// Triangles, volumes, areas of caps and open edges as JSON
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
-    /// How long a unit of the model is, for 3MF; other formats do not say it [default: mm]
+    /// How long a unit of the model is, for 3MF; other formats do not say it [default: that of the model, or mm]
     #[arg(long, value_enum, value_name = "UNIT", help_heading = "Output")]
-    unit: Option<Unit>,
+    unit: Option<LengthUnit>,
     /// Cells of a relief along the longer side of a part, 1 to 4096
     #[arg(
         long,
@@ -91,6 +91,8 @@ pub(super) struct ExportArgs {
 /// Runs `export`.
 pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
+    // Before a file begins, which Ctrl-C would leave behind half written.
+    let interrupt = Interrupt::listen("export", "step")?;
     let console = Console::new(args.console, 3);
     console.step("opening");
     let mut document = document(&args.inputs, None)?;
@@ -110,6 +112,10 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
 
     console.step("cutting");
     let parts = capped_with(scene, args.relief_cells)?;
+    if interrupt.is_wanted() {
+        console.note("interrupted: no file was written");
+        return Ok(Verdict::Interrupted);
+    }
     let off = parts.iter().map(|p| p.relief_off).fold(0.0, f64::max);
     if off > 0.0 {
         let share = 100.0 * off / scene.bounds().size().length();
@@ -118,21 +124,36 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
         ));
     }
     console.step("writing");
-    let kept = files(&outputs.kept, scene, &parts, |p| &p.halves.kept);
-    let removed =
-        (outputs.removed.iter()).map(|to| files(to, scene, &parts, |p| &p.halves.removed));
-    let files: Vec<Pending> = std::iter::once(kept)
-        .chain(removed)
-        .collect::<Result<Vec<_>>>()?
-        .into_iter()
-        .flatten()
-        .collect();
-    files.into_iter().try_for_each(Pending::place)?;
+    let unit = match (args.unit, subject.unit()) {
+        (Some(unit), _) | (None, Some(unit)) => unit,
+        (None, None) => {
+            if outputs.kept.format == Format::ThreeMf {
+                console.note("nothing says how long a unit of the model is: it is written as a millimetre, unless --unit says otherwise");
+            }
+            LengthUnit::Mm
+        }
+    };
+    let writer = Writer {
+        scene,
+        unit,
+        console: &console,
+    };
+    let mut files = writer.files(&outputs.kept, &parts, |p| &p.halves.kept)?;
+    if let Some(to) = &outputs.removed {
+        files.extend(writer.files(to, &parts, |p| &p.halves.removed)?);
+    }
     let facts: Vec<Facts> = parts.iter().map(|p| Facts::of(scene, p)).collect();
-    if let Some(output) = &outputs.json {
-        let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
-        let json = json!({ "scene": scene.name, "parts": all });
-        output.write(format!("{json:#}\n").as_bytes())?;
+    let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
+    let json = format!("{:#}\n", json!({ "scene": scene.name, "parts": all }));
+    if let Some(Output::File(path)) = &outputs.json {
+        files.push(begun_with(path, json.as_bytes())?);
+    }
+    files.into_iter().try_for_each(Pending::place)?;
+    if let Some(output @ Output::Stdout) = &outputs.json {
+        output.write(json.as_bytes())?;
+    }
+    if outputs.kept.format == Format::ThreeMf && facts.iter().any(|f| f.kept.open_edges > 0) {
+        console.note("3MF asks for closed meshes: programs may refuse or mend what is open");
     }
     Ok(verdict(&facts, &parts, &console))
 }
@@ -141,7 +162,6 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
 struct MeshFile {
     path: PathBuf,
     format: Format,
-    unit: &'static str,
     /// What is in it, in words.
     what: &'static str,
 }
@@ -185,7 +205,6 @@ impl Outputs {
             let what = format!("a .{extension} file does not say how long a unit is");
             return Err(Error::input("--unit", what, "leave it out, or write .3mf"));
         }
-        let unit = args.unit.unwrap_or(Unit::Mm).in_3mf();
         let json = args
             .json
             .as_ref()
@@ -193,14 +212,12 @@ impl Outputs {
         let removed = args.both.then(|| MeshFile {
             path: path.with_extension(format!("removed.{extension}")),
             format,
-            unit,
             what: "removed",
         });
         let outputs = Self {
             kept: MeshFile {
                 path: path.clone(),
                 format,
-                unit,
                 what: "left",
             },
             removed,
@@ -211,6 +228,9 @@ impl Outputs {
             .collect();
         let all: Vec<(&str, Option<&Output>)> = all.iter().map(|(o, to)| (*o, Some(to))).collect();
         no_place_twice(&all)?;
+        for (option, path) in outputs.all() {
+            Output::checked(option, &path.to_string_lossy(), &[])?;
+        }
         Ok(outputs)
     }
 
@@ -227,30 +247,56 @@ impl Outputs {
     }
 }
 
-/// The files of one half, not yet in their places.
-fn files(
-    to: &MeshFile,
-    scene: &Scene,
-    parts: &[CappedPart],
-    half: impl Fn(&CappedPart) -> &Half,
-) -> Result<Vec<Pending>> {
-    let solids: Vec<Solid<'_>> = (parts.iter())
-        .map(|p| Solid::of(&scene.parts[p.part], half(p)))
-        .filter(|s| !s.mesh.triangles.is_empty())
-        .collect();
-    if solids.is_empty() {
-        let what = format!(
-            "nothing of the model is {}, and a mesh is not empty",
-            to.what
-        );
-        let help = "move the section, keep the other side (--flip), or leave --both out";
-        return Err(Error::file(&to.path, what, help));
+/// A vertex that moves by more than this share of the model's size is worth a word.
+const COARSE: f64 = 1e-5;
+
+/// What files are written of.
+struct Writer<'a> {
+    scene: &'a Scene,
+    unit: LengthUnit,
+    console: &'a Console,
+}
+
+impl Writer<'_> {
+    /// The files of one half, not yet in their places.
+    fn files(
+        &self,
+        to: &MeshFile,
+        parts: &[CappedPart],
+        half: impl Fn(&CappedPart) -> &Half,
+    ) -> Result<Vec<Pending>> {
+        let solids: Vec<Solid<'_>> = (parts.iter())
+            .map(|p| Solid::of(&self.scene.parts[p.part], half(p)))
+            .filter(|s| !s.mesh.triangles.is_empty())
+            .collect();
+        if solids.is_empty() {
+            let what = format!(
+                "nothing of the model is {}, and a mesh is not empty",
+                to.what
+            );
+            let help = "move the section, keep the other side (--flip), or leave --both out";
+            return Err(Error::file(&to.path, what, help));
+        }
+        let size = self.scene.bounds().size().length();
+        let off = rounding(to.format, &solids).filter(|off| *off > COARSE * size);
+        if let Some(off) = off {
+            self.console.note(format!(
+                "{}: the format rounds coordinates by up to {off:.1e} units, for the model is far from the origin: move it there, or \
+                 write .ply, .obj or .3mf",
+                to.path.display()
+            ));
+        }
+        let stem = to.path.file_stem().unwrap_or_default().to_string_lossy();
+        let bytes = encoded(to.format, &solids, &stem, self.unit).map_err(|e| {
+            let help = "write .ply or .obj, which hold all digits and any size";
+            Error::file(&to.path, e.to_string(), help)
+        })?;
+        let mut files = vec![begun_with(&to.path, &bytes)?];
+        if let Some(path) = to.library() {
+            files.push(begun_with(&path, &material_library(&solids))?);
+        }
+        Ok(files)
     }
-    let stem = to.path.file_stem().unwrap_or_default().to_string_lossy();
-    let mesh = begun_with(&to.path, &encoded(to.format, &solids, &stem, to.unit))?;
-    let library = to.library();
-    let library = library.map(|path| begun_with(&path, &material_library(&solids)));
-    Ok(std::iter::once(mesh).chain(library.transpose()?).collect())
 }
 
 /// What there is to say of a part.
@@ -343,6 +389,9 @@ fn verdict(facts: &[Facts], parts: &[CappedPart], console: &Console) -> Verdict 
             kept,
             ..
         } = facts;
+        for defect in part.halves.defects.iter().filter(|d| !d.loses_cap()) {
+            console.note(format!("{name}: {defect}; {}", defect.help()));
+        }
         if let Some(defect) = part.halves.defects.iter().find(|d| d.loses_cap()) {
             console.failed(format!("{name}: {defect}\n  help: {}", defect.help()));
             verdict = Verdict::Failed;

@@ -42,6 +42,7 @@ mod sections;
 mod shard;
 mod split;
 mod subject;
+mod unit;
 mod view;
 mod when;
 
@@ -121,7 +122,7 @@ enum Command {
     /// Say what a model is like: closed or not, how many pieces, how deep
     #[command(after_help = inspect::EXAMPLES, after_long_help = with_shapes(inspect::EXAMPLES))]
     Inspect(inspect::InspectArgs),
-    /// Slice a model by planes: areas, outlines as SVG, everything as JSON; needs no graphics adapter
+    /// Slice a model by planes: areas, outlines as SVG or DXF, everything as JSON; needs no graphics adapter
     #[command(after_help = section::EXAMPLES, after_long_help = with_shapes(section::EXAMPLES))]
     Section(section::SectionCommandArgs),
     /// Write what cuts leave of a model as a mesh with its caps: STL, PLY, OBJ, GLB or 3MF; needs no graphics adapter
@@ -158,9 +159,20 @@ pub fn main() -> ExitCode {
     main_with(None)
 }
 
+/// A panic of the Boolean crate becomes an error; without this it would be printed as well.
+fn silence_booleans() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !crate::slice::is_at_work() {
+            usual(panic);
+        }
+    }));
+}
+
 /// Runs the command of this process's arguments, which opens such a window to view.
 pub fn main_with(window: Option<Window>) -> ExitCode {
     environment::calm_drivers();
+    silence_booleans();
     let cli = Cli::parse();
     let ended = match cli.command {
         Command::View(args) => return view::run(&args, window),

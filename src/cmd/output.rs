@@ -1,7 +1,8 @@
 //! Where results go: checked before the work starts, written whole or not at all.
 //!
-//! A file is written beside its place under another name and then renamed, so that nobody ever reads half of it and an
-//! older one survives a failure. Devices and pipes cannot be renamed onto; they are written to directly.
+//! A file is written beside its place under a name of its own and then renamed, so that a reader never finds half of it, an older one
+//! survives a failure, and processes that write one file at the same time do not meet: the last to end wins, on one machine or on
+//! several that share a folder. Devices and pipes cannot be renamed onto; they are written to directly.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -88,11 +89,7 @@ pub(super) fn write_stdout(bytes: &[u8]) -> Result<()> {
 
 /// Writes a file whole, making its folder.
 pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
-    if is_special(path) {
-        return fs::write(path, bytes).map_err(|e| cannot_write(path, &e));
-    }
-    let pending = begun_with(path, bytes)?;
-    pending.place()
+    begun_with(path, bytes)?.place()
 }
 
 /// A file with all that it will hold, not yet in its place.
@@ -130,21 +127,27 @@ impl Pending {
     pub(super) fn begin(path: &Path) -> Result<(Self, fs::File)> {
         // A link is followed: what it points to is replaced, not the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        let folder = folder_of(&path);
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let beside = folder.join(format!(".{name}.{}.tmp", std::process::id()));
-        match fs::create_dir_all(folder).and_then(|()| fs::File::create(&beside)) {
-            Err(e) => Err(cannot_write(&path, &e)),
-            Ok(file) => {
-                pending_files().insert(beside.clone());
-                let pending = Self {
-                    path,
-                    beside,
-                    is_placed: false,
-                };
-                Ok((pending, file))
-            }
+        let fault = |e: std::io::Error| cannot_write(&path, &e);
+        if is_special(&path) {
+            let file = fs::OpenOptions::new().write(true).open(&path);
+            let file = file.map_err(fault)?;
+            let pending = Self {
+                beside: path.clone(),
+                path,
+                is_placed: true,
+            };
+            return Ok((pending, file));
         }
+        let folder = folder_of(&path);
+        fs::create_dir_all(folder).map_err(fault)?;
+        let (file, beside) = unnamed(&path, folder).map_err(fault)?;
+        pending_files().insert(beside.clone());
+        let pending = Self {
+            path,
+            beside,
+            is_placed: false,
+        };
+        Ok((pending, file))
     }
 
     /// Where it is until it is whole.
@@ -159,7 +162,14 @@ impl Pending {
 
     /// Puts it into its place, whole.
     pub(super) fn place(mut self) -> Result<()> {
-        fs::rename(&self.beside, &self.path).map_err(|e| self.failed(&e))?;
+        if self.is_placed {
+            return Ok(());
+        }
+        // Network file systems find only now that the disk is full.
+        let opened = fs::OpenOptions::new().append(true).open(&self.beside);
+        let synced = opened.and_then(|file| file.sync_all());
+        let placed = synced.and_then(|()| fs::rename(&self.beside, &self.path));
+        placed.map_err(|e| self.failed(&e))?;
         self.is_placed = true;
         Ok(())
     }
@@ -173,6 +183,18 @@ impl Drop for Pending {
             let _ = fs::remove_file(&self.beside);
         }
     }
+}
+
+/// A new file beside a place, under a name that no other process takes: process numbers repeat on several machines, and in containers.
+fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut builder = tempfile::Builder::new();
+    // As any other file: the mask of the process decides.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let prefix = format!(".{name}.");
+    let file = builder.prefix(&prefix).suffix(".tmp").tempfile_in(folder)?;
+    Ok(file.keep()?)
 }
 
 fn cannot_write(path: &Path, e: &std::io::Error) -> Error {

@@ -7,8 +7,7 @@ use std::cmp::Reverse;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{Args, ValueEnum};
-use glam::DVec3;
+use clap::Args;
 use rayon::prelude::*;
 
 mod planes;
@@ -26,10 +25,10 @@ use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
+use crate::report::{Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
 use crate::scene::numbers::round;
-use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
-use crate::slice::{Section, Slicer, Trim};
+use crate::scene::{Bounds, Fill, LengthUnit, Part, Scene, doubts, who_wins};
+use crate::slice::{Section, Slicer, Trim, in_world};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -77,45 +76,9 @@ pub(super) struct SectionCommandArgs {
     json: Option<String>,
     /// How long a unit of the model is: an SVG drawing gets the size of the model, a DXF drawing says it [default: fitted to 1000 pixels; none]
     #[arg(long, value_enum, value_name = "UNIT", help_heading = "Output")]
-    unit: Option<Unit>,
+    unit: Option<LengthUnit>,
     #[command(flatten)]
     console: ConsoleArgs,
-}
-
-/// How long a unit of the model is.
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum Unit {
-    /// Millimetres
-    Mm,
-    /// Centimetres
-    Cm,
-    /// Metres
-    M,
-    /// Inches
-    In,
-}
-
-impl Unit {
-    /// As 3MF says it.
-    pub(super) fn in_3mf(self) -> &'static str {
-        match self {
-            Self::Mm => "millimeter",
-            Self::Cm => "centimeter",
-            Self::M => "meter",
-            Self::In => "inch",
-        }
-    }
-}
-
-impl From<Unit> for report::Unit {
-    fn from(unit: Unit) -> Self {
-        match unit {
-            Unit::Mm => Self::Mm,
-            Unit::Cm => Self::Cm,
-            Unit::M => Self::M,
-            Unit::In => Self::In,
-        }
-    }
 }
 
 /// Runs `section`.
@@ -140,10 +103,9 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let report = sliced(scene, &planes, args.whole);
     console.step("writing");
     if let Some(output) = &outputs.drawing {
-        let unit = args.unit.map(Into::into);
         let drawing = match has_extension(output, "dxf") {
-            true => dxf(&report, unit),
-            false => svg(&report, unit),
+            true => dxf(&report, args.unit),
+            false => svg(&report, args.unit),
         };
         output.write(drawing.as_bytes())?;
     }
@@ -290,22 +252,12 @@ fn is_nothing(section: &Section) -> bool {
 
 /// The slicer of a part as it stands in the world, and its bounds.
 fn slicer_of(part: &Part) -> (Slicer, Bounds) {
-    let mesh = part.posed_mesh();
-    let placed = part.world_from_part;
-    let positions: Vec<DVec3> = (mesh.positions.par_iter())
-        .map(|p| placed.transform_point3(*p))
-        .collect();
-    let bounds = Bounds::from_points(positions.iter().copied());
-    if placed.matrix3.determinant() >= 0.0 {
-        return (Slicer::new(Arc::new(positions), &mesh.triangles), bounds);
-    }
-    // What a placement mirrors is turned round, so that outside stays outside.
-    let turned: Vec<[u32; 3]> = mesh
-        .triangles
-        .iter()
-        .map(|[a, b, c]| [*a, *c, *b])
-        .collect();
-    (Slicer::new(Arc::new(positions), &turned), bounds)
+    let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
+    let bounds = mesh.bounds();
+    (
+        Slicer::new(Arc::new(mesh.positions), &mesh.triangles),
+        bounds,
+    )
 }
 
 fn to_text(report: &SectionReport) -> String {

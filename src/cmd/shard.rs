@@ -14,7 +14,7 @@ pub(super) struct Shard {
     pub(super) count: u32,
 }
 
-/// Shares that are no slip.
+/// Most shares: more are a typing error.
 const MOST: u32 = 1_000_000;
 
 /// What a scheduler sets: the number of a task, that of the first, the step between them, and how many there are or which is the last.
@@ -143,7 +143,7 @@ impl Shard {
                 Some(_) => past,
                 None => past / step,
             });
-            let told = match (count, scheduler.count, scheduler.last) {
+            let count = match (count, scheduler.count, scheduler.last) {
                 (Some(count), _, _) => Some(count),
                 (None, Some(name), _) => number(name).transpose()?,
                 (None, None, Some(name)) => {
@@ -153,7 +153,7 @@ impl Shard {
                 (None, None, None) => None,
             };
             let name = scheduler.name;
-            return match (index, told) {
+            return match (index, count) {
                 (_, None) => Err(format!(
                     "{name} does not say how many tasks there are\n  help: say it, for example --shard auto/8"
                 )),
@@ -212,7 +212,7 @@ impl fmt::Display for Shard {
 mod tests {
     use super::*;
 
-    fn told(set: &[(&str, &str)], text: &str) -> Result<Shard, String> {
+    fn parsed(set: &[(&str, &str)], text: &str) -> Result<Shard, String> {
         let of = |name: &str| {
             let found = set.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
@@ -257,7 +257,7 @@ mod tests {
             ),
             (&[("HQ_TASK_ID", "7")], "auto/8", "7/8"),
         ] {
-            let found = told(set, text).map(|s| s.to_string());
+            let found = parsed(set, text).map(|s| s.to_string());
             assert_eq!(found.as_deref(), Ok(expected), "{text} with {set:?}");
         }
     }
@@ -279,7 +279,7 @@ mod tests {
                 "none of 3",
             ),
         ] {
-            let message = told(set, text).expect_err(text);
+            let message = parsed(set, text).expect_err(text);
             assert!(
                 message.contains(said) && message.contains("help:"),
                 "{message}"

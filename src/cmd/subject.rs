@@ -15,7 +15,7 @@ use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
 use crate::load::frames::Pattern;
-use crate::scene::{Bounds, Prepared, Scene, SceneSpace, Up, View, doubts};
+use crate::scene::{Bounds, LengthUnit, Prepared, Scene, SceneSpace, Up, View, doubts};
 use crate::strategies::Means;
 use crate::{Error, Result};
 
@@ -122,6 +122,11 @@ impl Subject {
             Some(path) => write_file(path, self.document.moved_to(path)?.to_string().as_bytes()),
             None => Ok(()),
         }
+    }
+
+    /// How long a unit of the model is, where all of its files say the same.
+    pub(super) fn unit(&self) -> Option<LengthUnit> {
+        self.assets.unit()
     }
 
     /// The document, and what was read for it.

@@ -120,6 +120,12 @@ pub struct Invocation {
     /// The device; none in records that are older than this, whose run has but one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adapter: Option<AdapterReport>,
+    /// The version of the program; none in records that are older than this, whose run has but one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<String>,
+    /// The commit that the program was built from, where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub commit: Option<String>,
     /// The share of the work that it was, `3/16`, where it was not all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shard: Option<String>,

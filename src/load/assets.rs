@@ -15,7 +15,7 @@ use super::texture::read_texture_from;
 use super::{Disk, Files, Loaded, load_mesh_file_from};
 use crate::error::Result;
 use crate::generate::shapes::shape;
-use crate::scene::{OffsetMap, Part, Texture, TextureKind};
+use crate::scene::{LengthUnit, OffsetMap, Part, Texture, TextureKind};
 
 /// Meshes, shapes, height maps and textures by name. A clone shares them.
 #[derive(Clone, Debug)]
@@ -92,6 +92,13 @@ impl Assets {
     pub fn mesh(&mut self, path: &Path) -> Result<&Loaded> {
         self.read_meshes(&[path.to_owned()])?;
         Ok(&self.meshes[path])
+    }
+
+    /// How long a unit is in the mesh files that were read: none where they do not all say the same.
+    pub fn unit(&self) -> Option<LengthUnit> {
+        let mut units = self.meshes.values().map(|loaded| loaded.unit);
+        let first = units.next()??;
+        units.all(|unit| unit == Some(first)).then_some(first)
     }
 
     /// Reads mesh files that have not been read, in parallel.

@@ -43,7 +43,7 @@ pub use pat::read_patterns;
 pub use texture::read_texture_from;
 
 use crate::error::{Error, Result, did_you_mean};
-use crate::scene::{Driver, Edges, Material, Mesh, Part, Role, Up, range};
+use crate::scene::{Driver, Edges, LengthUnit, Material, Mesh, Part, Role, Up, range};
 
 use draft::{Draft, Group, Solid};
 
@@ -56,6 +56,8 @@ pub struct Loaded {
     pub notes: Vec<String>,
     /// The file and all that it names and that were read: material libraries, buffers.
     pub files: Vec<PathBuf>,
+    /// How long a unit of the parts is, where the format says it: metres in glTF, what the file says in 3MF.
+    pub unit: Option<LengthUnit>,
 }
 
 impl From<Vec<Part>> for Loaded {
@@ -100,10 +102,12 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
     }
     let mut notes = Vec::new();
     let mut files = vec![path.to_owned()];
-    let placed = if format == "glb" || format == "gltf" {
-        gltf::read(path, &bytes, store, (&mut notes, &mut files))?
+    let (placed, unit) = if format == "glb" || format == "gltf" {
+        let placed = gltf::read(path, &bytes, store, (&mut notes, &mut files))?;
+        (placed, Some(LengthUnit::M))
     } else if format == "3mf" {
-        threemf::read(path, &bytes, &mut notes)?
+        let (placed, unit) = threemf::read(path, &bytes, &mut notes)?;
+        (placed, Some(unit))
     } else {
         let draft = match format.as_str() {
             "obj" => obj::read(path, &bytes, store, &mut notes, &mut files)?,
@@ -112,7 +116,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
         };
         drop(bytes);
         let solids = draft.into_solids(path, &mut notes)?;
-        solids.into_iter().map(Placed::of).collect()
+        (solids.into_iter().map(Placed::of).collect(), None)
     };
     let parts = parts_of(placed, &stem);
     check_range(path, &parts)?;
@@ -125,6 +129,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
         parts,
         notes,
         files,
+        unit,
     })
 }
 

@@ -1,4 +1,4 @@
-//! Sections as a drawing for CAD: ASCII DXF of AutoCAD 2000 (`AC1015`), each loop a closed polyline on the layer of its part.
+//! Sections as a drawing for CAD: ASCII DXF of AutoCAD 2004 (`AC1018`), the first with true colours, each loop a closed polyline on the layer of its part.
 //!
 //! Coordinates are those of [`svg`](super::svg): each plane as it is seen from the side that is removed, `v` up, the planes beside each
 //! other, the first with the very `u` and `v` of the JSON. All digits of a coordinate are kept. Curves that do not close are open polylines on
@@ -7,11 +7,12 @@
 //!
 //! Cost: one pass over the points.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use super::section::{Curve, SectionReport};
-use super::svg::{Unit, places};
+use super::section::{Curve, PartReport, SectionReport};
+use super::svg::places;
+use crate::scene::LengthUnit;
 
 /// The colours of the index that all programs have: number and sRGB.
 const INDEXED: [(u8, [u8; 3]); 7] = [
@@ -55,30 +56,31 @@ impl Draft {
 }
 
 /// The drawing as the text of a file.
-pub fn dxf(report: &SectionReport, unit: Option<Unit>) -> String {
+pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
     let mut draft = Draft {
         text: String::new(),
         next: FIRST_FREE,
     };
-    let layers = layers(report);
+    let layers = Layers::of(report);
     let mut entities = Draft {
         text: String::new(),
-        next: FIRST_FREE + layers.len() as u32 + 1,
+        next: FIRST_FREE + layers.colors.len() as u32 + 1,
     };
     for (plane, by) in report.sections.iter().zip(places(report)) {
         for part in &plane.parts {
+            let [closed, open] = &layers.of_parts[&part.part];
             for (curves, layer, is_closed) in [
-                (&part.loops, layer_of(&part.part), true),
-                (&part.open_chains, open_layer_of(&part.part), false),
+                (&part.loops, closed, true),
+                (&part.open_chains, open, false),
             ] {
                 curves
                     .iter()
-                    .for_each(|curve| polyline(&mut entities, curve, &layer, is_closed, by));
+                    .for_each(|curve| polyline(&mut entities, curve, layer, is_closed, by));
             }
         }
     }
     header(&mut draft, unit, entities.next);
-    tables(&mut draft, &layers);
+    tables(&mut draft, &layers.colors);
     blocks(&mut draft);
     draft.pairs(&[(0, "SECTION"), (2, "ENTITIES")]);
     draft.text.push_str(&entities.text);
@@ -88,40 +90,60 @@ pub fn dxf(report: &SectionReport, unit: Option<Unit>) -> String {
     draft.text
 }
 
-/// Names of layers, and their colours.
-fn layers(report: &SectionReport) -> BTreeMap<String, [u8; 3]> {
-    let mut layers = BTreeMap::new();
-    for part in report.sections.iter().flat_map(|s| &s.parts) {
-        let channel = |i: usize| {
-            let digits = part.color.get(1 + 2 * i..3 + 2 * i);
-            digits
-                .and_then(|d| u8::from_str_radix(d, 16).ok())
-                .unwrap_or_default()
-        };
-        layers.insert(layer_of(&part.part), [0, 1, 2].map(channel));
-        if !part.open_chains.is_empty() {
-            layers.insert(open_layer_of(&part.part), [255, 0, 0]);
-        }
-    }
-    layers
+/// The layers of a drawing.
+#[derive(Default)]
+struct Layers {
+    /// By the names of parts: those of closed curves and of open ones.
+    of_parts: BTreeMap<String, [String; 2]>,
+    /// Colours by the names of layers.
+    colors: BTreeMap<String, [u8; 3]>,
 }
 
-/// A name without the characters that names of layers must not have.
-fn layer_of(part: &str) -> String {
+impl Layers {
+    fn of(report: &SectionReport) -> Self {
+        let mut layers = Self::default();
+        // Names are the same in letters of any case.
+        let mut taken = BTreeSet::from([ZERO.to_owned()]);
+        for part in report.sections.iter().flat_map(|s| &s.parts) {
+            let names = (layers.of_parts.entry(part.part.clone()))
+                .or_insert_with(|| layer_names(&part.part, &mut taken));
+            layers.colors.insert(names[0].clone(), color_of(part));
+            if !part.open_chains.is_empty() {
+                layers.colors.insert(names[1].clone(), [255, 0, 0]);
+            }
+        }
+        layers
+    }
+}
+
+fn color_of(part: &PartReport) -> [u8; 3] {
+    [0, 1, 2].map(|i| {
+        let digits = part.color.get(1 + 2 * i..3 + 2 * i);
+        let channel = digits.and_then(|d| u8::from_str_radix(d, 16).ok());
+        channel.unwrap_or_default()
+    })
+}
+
+/// Names of the layers of a part that no other layer has, without the characters that they must not have.
+fn layer_names(part: &str, taken: &mut BTreeSet<String>) -> [String; 2] {
     let banned = |c: char| c.is_control() || "<>/\\\":;?*|=`,".contains(c);
-    let name: String = part
+    let plain: String = part
         .chars()
         .map(|c| if banned(c) { '_' } else { c })
         .take(200)
         .collect();
-    match name.trim() {
-        "" | ZERO => "part".to_owned(),
-        name => in_ascii(name),
-    }
-}
-
-fn open_layer_of(part: &str) -> String {
-    format!("{} open", layer_of(part))
+    let plain = match plain.trim() {
+        "" | ZERO => "part",
+        plain => plain,
+    };
+    let numbered = (2..).map(|i| format!("{plain}_{i}"));
+    let mut pairs = std::iter::once(plain.to_owned())
+        .chain(numbered)
+        .map(|name| [name.clone(), format!("{name} open")]);
+    let is_free = |pair: &[String; 2]| pair.iter().all(|n| !taken.contains(&n.to_lowercase()));
+    let pair = pairs.find(is_free).unwrap_or_default();
+    taken.extend(pair.iter().map(|name| name.to_lowercase()));
+    pair.map(|name| in_ascii(&name))
 }
 
 /// Other characters by their numbers, as the format writes them.
@@ -156,20 +178,35 @@ fn polyline(draft: &mut Draft, curve: &Curve, layer: &str, is_closed: bool, by: 
     }
 }
 
-fn header(draft: &mut Draft, unit: Option<Unit>, next: u32) {
+/// The value of `$INSUNITS`.
+fn insunits(unit: LengthUnit) -> u8 {
+    match unit {
+        LengthUnit::In => 1,
+        LengthUnit::Ft => 2,
+        LengthUnit::Mm => 4,
+        LengthUnit::Cm => 5,
+        LengthUnit::M => 6,
+        LengthUnit::Micron => 13,
+    }
+}
+
+fn header(draft: &mut Draft, unit: Option<LengthUnit>, next: u32) {
     draft.pairs(&[
         (999, "written by cutaway"),
         (0, "SECTION"),
         (2, "HEADER"),
         (9, "$ACADVER"),
-        (1, "AC1015"),
+        (1, "AC1018"),
         (9, "$DWGCODEPAGE"),
         (3, "ANSI_1252"),
         (9, "$INSUNITS"),
     ]);
-    draft.pair(70, unit.map_or(0, Unit::in_dxf));
+    draft.pair(70, unit.map_or(0, insunits));
     draft.pairs(&[(9, "$MEASUREMENT")]);
-    draft.pair(70, u8::from(unit != Some(Unit::In)));
+    draft.pair(
+        70,
+        u8::from(!matches!(unit, Some(LengthUnit::In | LengthUnit::Ft))),
+    );
     draft.pairs(&[(9, "$HANDSEED")]);
     draft.pair(5, format!("{next:X}"));
     draft.pairs(&[(0, "ENDSEC")]);

@@ -21,6 +21,6 @@ pub use dxf::dxf;
 pub use pages::{Pages, pages};
 pub use recorded::{Experiment, Folder, PeerCheck, PeerRecord, PeerRow, Recorded};
 pub use section::{Curve, Drawn, Face, PartReport, PlaneReport, SectionReport};
-pub use svg::{Unit, svg};
+pub use svg::svg;
 pub use table::Table;
 pub use text::text;

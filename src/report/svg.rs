@@ -5,12 +5,13 @@
 //! their width on the screen where the viewer knows how to; elsewhere they are a thousandth of the drawing wide. Curves that do
 //! not close are red and bound nothing.
 //!
-//! A unit of the drawing is a unit of the model. With a physical [`Unit`] the drawing has the size of the model; without one it is fitted to
+//! A unit of the drawing is a unit of the model. With a [`LengthUnit`] the drawing has the size of the model; without one it is fitted to
 //! [`LONGEST_PX`] pixels.
 
 use maud::{Markup, html};
 
 use super::section::{Curve, PartReport, PlaneReport, SectionReport};
+use crate::scene::LengthUnit;
 
 /// Pixels along the longer side of a drawing of no physical size.
 const LONGEST_PX: f64 = 1000.0;
@@ -22,50 +23,6 @@ const DRAWN_DIGITS: i32 = 10;
 /// Read by viewers that can: others pass a rule over that asks what they support, and a stroke of one unit could be a blot.
 const NON_SCALING: &str = "@supports (vector-effect: non-scaling-stroke) \
     { path { vector-effect: non-scaling-stroke; stroke-width: 1px } .open { stroke-width: 2px } }";
-
-/// How long a unit of the model is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Millimetres.
-    Mm,
-    /// Centimetres.
-    Cm,
-    /// Metres.
-    M,
-    /// Inches.
-    In,
-}
-
-impl Unit {
-    /// As it is written.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Mm => "mm",
-            Self::Cm => "cm",
-            Self::M => "m",
-            Self::In => "in",
-        }
-    }
-
-    /// The value of `$INSUNITS` in DXF.
-    pub(super) fn in_dxf(self) -> u8 {
-        match self {
-            Self::In => 1,
-            Self::Mm => 4,
-            Self::Cm => 5,
-            Self::M => 6,
-        }
-    }
-
-    fn mm(self) -> f64 {
-        match self {
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::M => 1000.0,
-            Self::In => 25.4,
-        }
-    }
-}
 
 /// A rectangle of a plane.
 #[derive(Clone, Copy, Debug)]
@@ -135,7 +92,7 @@ pub(super) fn places(report: &SectionReport) -> Vec<[f64; 2]> {
 }
 
 /// The drawing as the text of a file.
-pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
+pub fn svg(report: &SectionReport, unit: Option<LengthUnit>) -> String {
     let Layout { frames, longest } = Layout::of(report);
     let decimals = (DRAWN_DIGITS - longest.log10().ceil() as i32).clamp(0, 300) as usize;
     let gap = longest * GAP_SHARE;
@@ -163,7 +120,7 @@ pub fn svg(report: &SectionReport, unit: Option<Unit>) -> String {
             desc {
                 "To scale: one unit is one unit of the model"
                 @match unit {
-                    Some(unit) => { ", drawn as 1 " (unit.name()) }
+                    Some(unit) => { ", drawn as 1 " (unit.symbol()) }
                     None => { "; the drawing has no physical size" }
                 }
                 ". Seen from the side that is removed."

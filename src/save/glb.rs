@@ -1,11 +1,15 @@
 //! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices.
 //!
-//! Without normals viewers shade each triangle flat, as the format has it. Units are those of the model; the format means metres.
+//! Without normals viewers shade each triangle flat, as the format has it. Units and axes are those of the model; the format means metres,
+//! and +Y up. The mesh of a solid that is farther from the origin than [`FAR`] of its sizes is around the origin of its node, whose
+//! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
 
 use serde_json::{Value, json};
 
-use super::Solid;
-use crate::scene::linear_from_srgb;
+use glam::{DVec3, Vec3};
+
+use super::{Solid, Unwritable, rounded};
+use crate::scene::{Mesh, linear_from_srgb};
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -23,7 +27,7 @@ struct Draft {
     nodes: Vec<Value>,
 }
 
-pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
+pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     let mut draft = Draft::default();
     for solid in solids.iter().filter(|s| !s.mesh.triangles.is_empty()) {
         draft.add(solid);
@@ -33,51 +37,64 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
         "scene": 0,
         "scenes": [{ "nodes": (0..draft.nodes.len()).collect::<Vec<_>>() }],
     });
-    // Lists that are there are not empty.
-    if !draft.nodes.is_empty() {
-        root["nodes"] = draft.nodes.into();
-        root["meshes"] = draft.meshes.into();
-        root["materials"] = draft.materials.into();
-        root["accessors"] = draft.accessors.into();
-        root["bufferViews"] = draft.views.into();
-        root["buffers"] = json!([{ "byteLength": draft.bytes.len() }]);
-    } else {
-        root["scenes"] = json!([{}]);
+    if draft.nodes.is_empty() {
+        return Err(Unwritable::Collapsed);
     }
+    root["nodes"] = draft.nodes.into();
+    root["meshes"] = draft.meshes.into();
+    root["materials"] = draft.materials.into();
+    root["accessors"] = draft.accessors.into();
+    root["bufferViews"] = draft.views.into();
+    root["buffers"] = json!([{ "byteLength": draft.bytes.len() }]);
     let mut text = root.to_string().into_bytes();
     text.resize(text.len().next_multiple_of(4), b' ');
     let chunks = [(*b"JSON", text), (*b"BIN\0", draft.bytes)];
-    let chunks = chunks.iter().filter(|(_, bytes)| !bytes.is_empty());
-    let length: usize = 12
+    let length = 12
         + chunks
-            .clone()
+            .iter()
             .map(|(_, bytes)| 8 + bytes.len())
             .sum::<usize>();
+    let in_header = |length: usize| u32::try_from(length).map_err(|_| Unwritable::TooLarge);
     let mut file = Vec::with_capacity(length);
     file.extend_from_slice(b"glTF");
     file.extend_from_slice(&2_u32.to_le_bytes());
-    file.extend_from_slice(&(length as u32).to_le_bytes());
-    for (kind, bytes) in chunks {
-        file.extend_from_slice(&(bytes.len() as u32).to_le_bytes());
+    file.extend_from_slice(&in_header(length)?.to_le_bytes());
+    for (kind, bytes) in &chunks {
+        file.extend_from_slice(&in_header(bytes.len())?.to_le_bytes());
         file.extend_from_slice(kind);
         file.extend_from_slice(bytes);
     }
-    file
+    Ok(file)
+}
+
+/// So many of its sizes from the origin a mesh loses four of the 24 bits of f32.
+const FAR: f64 = 16.0;
+
+/// The point that is the origin of the node of a mesh: that of the world, but far from it the middle of the mesh.
+pub(super) fn origin(mesh: &Mesh) -> DVec3 {
+    let bounds = mesh.bounds();
+    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
+    match farthest > FAR * bounds.size().max_element() {
+        true => bounds.centre(),
+        false => DVec3::ZERO,
+    }
 }
 
 impl Draft {
     fn add(&mut self, solid: &Solid<'_>) {
-        let rounded: Vec<[f32; 3]> = (solid.mesh.positions.iter())
-            .map(|p| p.as_vec3().to_array())
+        let origin = origin(solid.mesh);
+        let positions: Vec<Vec3> = (solid.mesh.positions.iter())
+            .map(|p| (*p - origin).as_vec3())
             .collect();
+        let numbers: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
         let extreme = |of: fn(f32, f32) -> f32, start: f32| {
-            let all = rounded.iter().copied();
+            let all = numbers.iter().copied();
             all.fold([start; 3], |m, p| [0, 1, 2].map(|i| of(m[i], p[i])))
         };
-        let view = self.view(rounded.as_flattened(), |c| c.to_le_bytes(), ARRAY_BUFFER);
+        let view = self.view(numbers.as_flattened(), |c| c.to_le_bytes(), ARRAY_BUFFER);
         let position = self.accessors.len();
         self.accessors.push(json!({
-            "bufferView": view, "componentType": FLOAT, "count": rounded.len(), "type": "VEC3",
+            "bufferView": view, "componentType": FLOAT, "count": numbers.len(), "type": "VEC3",
             "min": extreme(f32::min, f32::INFINITY), "max": extreme(f32::max, f32::NEG_INFINITY),
         }));
         let (faces, caps) = solid.mesh.triangles.split_at(solid.faces);
@@ -87,11 +104,8 @@ impl Draft {
         ];
         let mut primitives = Vec::new();
         for (triangles, name, color) in groups {
-            let is_flat = |[a, b, c]: &[u32; 3]| {
-                let [a, b, c] = [a, b, c].map(|i| rounded[*i as usize]);
-                a == b || b == c || c == a
-            };
-            let seen: Vec<[u32; 3]> = triangles.iter().filter(|t| !is_flat(t)).copied().collect();
+            let has_area = |t: &&[u32; 3]| rounded(&positions, t).is_some();
+            let seen: Vec<[u32; 3]> = triangles.iter().filter(has_area).copied().collect();
             if seen.is_empty() {
                 continue;
             }
@@ -119,8 +133,11 @@ impl Draft {
         if primitives.is_empty() {
             return;
         }
-        self.nodes
-            .push(json!({ "name": solid.name, "mesh": self.meshes.len() }));
+        let mut node = json!({ "name": solid.name, "mesh": self.meshes.len() });
+        if origin != DVec3::ZERO {
+            node["translation"] = json!(origin.to_array());
+        }
+        self.nodes.push(node);
         self.meshes
             .push(json!({ "name": solid.name, "primitives": primitives }));
     }

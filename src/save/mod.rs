@@ -2,7 +2,9 @@
 //!
 //! What is written is closed where the mesh is. Every vertex is rounded once, wherever it occurs, and triangles that have a corner twice
 //! afterwards are left out: both change which vertices are one, and nothing about which edges are closed. OBJ, PLY and 3MF hold the
-//! f64s of the mesh; STL and GLB hold f32, which moves a vertex by up to 6e-8 of its largest coordinate.
+//! f64s of the mesh; STL and GLB hold f32, which moves a vertex by up to 6e-8 of its largest coordinate ([`rounding`]). In GLB a solid
+//! that is far from the origin for its size lies around the origin of its own node. No axis is turned: a mesh has the axes of its model, +Z
+//! up or +Y.
 //!
 //! | format | parts | names | colours | caps |
 //! |---|---|---|---|---|
@@ -21,9 +23,9 @@ mod stl;
 mod threemf;
 mod zip;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
-use crate::scene::{Mesh, Part};
+use crate::scene::{LengthUnit, Mesh, Part};
 use crate::slice::Half;
 
 /// A solid that is to be written.
@@ -98,15 +100,63 @@ impl Format {
     }
 }
 
-/// The bytes of a file of some solids, which is called `stem` but for its extension. A unit is one of 3MF: `millimeter`, `meter`, `inch`.
-pub fn encoded(format: Format, solids: &[Solid<'_>], stem: &str, unit: &str) -> Vec<u8> {
+/// Why solids cannot be written in a format.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unwritable {
+    /// No triangle is left: there is none, or all have corners that are one in f32.
+    #[error("the numbers of the format are so coarse that no triangle is left of it")]
+    Collapsed,
+    /// Sizes and counts are numbers of 32 bits.
+    #[error("the format holds at most 4 GiB")]
+    TooLarge,
+    /// The archive of 3MF could not be made.
+    #[error("its archive cannot be made: {0}")]
+    Archive(String),
+}
+
+/// The bytes of a file of some solids, which is called `stem` but for its extension. Only 3MF says the unit.
+///
+/// # Errors
+///
+/// See [`Unwritable`].
+pub fn encoded(
+    format: Format,
+    solids: &[Solid<'_>],
+    stem: &str,
+    unit: LengthUnit,
+) -> Result<Vec<u8>, Unwritable> {
     match format {
         Format::Stl => stl::encoded(solids),
-        Format::Ply => ply::encoded(solids),
-        Format::Obj => obj::encoded(solids, stem).into_bytes(),
+        Format::Ply => Ok(ply::encoded(solids)),
+        Format::Obj => Ok(obj::encoded(solids, stem).into_bytes()),
         Format::Glb => glb::encoded(solids),
         Format::ThreeMf => threemf::encoded(solids, unit),
     }
+}
+
+/// The largest distance by which a vertex moves along an axis when it is written in a format, in units of the model; none in those that
+/// hold the f64s.
+pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
+    let origin = |solid: &Solid<'_>| match format {
+        Format::Stl => Some(DVec3::ZERO),
+        Format::Glb => Some(glb::origin(solid.mesh)),
+        Format::Ply | Format::Obj | Format::ThreeMf => None,
+    };
+    let mut most = None;
+    for solid in solids {
+        let origin = origin(solid)?;
+        for at in solid.mesh.positions.iter().map(|p| *p - origin) {
+            let moved = (at.as_vec3().as_dvec3() - at).abs().max_element();
+            most = Some(moved.max(most.unwrap_or(0.0)));
+        }
+    }
+    most
+}
+
+/// The corners of a triangle in f32; none where two of them are one.
+fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
+    let [a, b, c] = triangle.map(|i| positions[i as usize]);
+    (a != b && b != c && c != a).then_some([a, b, c])
 }
 
 /// The material library of an OBJ file.

@@ -1,6 +1,7 @@
 //! Wavefront OBJ: an object for each solid, a group for its faces and one for its caps, and their materials in a library.
 //!
-//! Numbers are as short as they can be read back from. Names have no blanks in OBJ, and are made different.
+//! Numbers are as short as they can be read back from. Names have no blanks in OBJ, nor what begins a comment or
+//! goes on in the next line, and are made different.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -54,7 +55,7 @@ fn names(solids: &[Solid<'_>]) -> Vec<String> {
     let mut taken = BTreeSet::new();
     let unique = |solid: &Solid<'_>| {
         let plain = |c: char| {
-            if c.is_whitespace() || c.is_control() {
+            if c.is_whitespace() || c.is_control() || c == '#' || c == '\\' {
                 '_'
             } else {
                 c

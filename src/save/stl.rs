@@ -4,22 +4,19 @@
 
 use glam::Vec3;
 
-use super::Solid;
+use super::{Solid, Unwritable, rounded};
 
 const HEADER: &[u8] = b"binary STL written by cutaway";
 
-pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
+pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     let count: usize = solids.iter().map(|s| s.mesh.triangles.len()).sum();
     let mut bytes = Vec::with_capacity(84 + 50 * count);
     bytes.extend_from_slice(HEADER);
     bytes.resize(84, 0);
     for solid in solids {
-        let rounded: Vec<Vec3> = solid.mesh.positions.iter().map(|p| p.as_vec3()).collect();
-        for triangle in &solid.mesh.triangles {
-            let [a, b, c] = triangle.map(|i| rounded[i as usize]);
-            if a == b || b == c || c == a {
-                continue;
-            }
+        let positions: Vec<Vec3> = solid.mesh.positions.iter().map(|p| p.as_vec3()).collect();
+        let corners = |t: &[u32; 3]| rounded(&positions, t);
+        for [a, b, c] in solid.mesh.triangles.iter().filter_map(corners) {
             let edges = [b - a, c - a].map(Vec3::as_dvec3);
             let normal = edges[0].cross(edges[1]).normalize_or_zero().as_vec3();
             for corner in [normal, a, b, c] {
@@ -30,7 +27,10 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
             bytes.extend_from_slice(&[0, 0]);
         }
     }
-    let written = (bytes.len() - 84) / 50;
-    bytes[80..84].copy_from_slice(&(written as u32).to_le_bytes());
-    bytes
+    let written = match (bytes.len() - 84) / 50 {
+        0 => return Err(Unwritable::Collapsed),
+        written => u32::try_from(written).map_err(|_| Unwritable::TooLarge)?,
+    };
+    bytes[80..84].copy_from_slice(&written.to_le_bytes());
+    Ok(bytes)
 }

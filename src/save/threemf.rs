@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::zip::archive;
-use super::{Solid, bytes_of};
+use super::{Solid, Unwritable, bytes_of};
+use crate::scene::LengthUnit;
 
 const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>
@@ -16,13 +17,14 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 /// The number of the materials among the resources; objects follow.
 const MATERIALS: usize = 1;
 
-pub(super) fn encoded(solids: &[Solid<'_>], unit: &str) -> Vec<u8> {
-    let model = model(solids, unit);
+pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>, Unwritable> {
+    let model = model(solids, unit.in_3mf());
     archive(&[
         ("[Content_Types].xml", CONTENT_TYPES.as_bytes()),
         ("_rels/.rels", RELATIONSHIPS.as_bytes()),
         ("3D/3dmodel.model", model.as_bytes()),
     ])
+    .map_err(|e| Unwritable::Archive(e.to_string()))
 }
 
 fn model(solids: &[Solid<'_>], unit: &str) -> String {

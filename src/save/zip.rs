@@ -7,12 +7,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// An archive of files by their names.
-pub(super) fn archive(files: &[(&str, &[u8])]) -> Vec<u8> {
-    // Writing to memory cannot fail, and long files are announced.
-    written(files).unwrap_or_default()
-}
-
-fn written(files: &[(&str, &[u8])]) -> ZipResult<Vec<u8>> {
+pub(super) fn archive(files: &[(&str, &[u8])]) -> ZipResult<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in files {
         let options = SimpleFileOptions::default()

@@ -2,7 +2,7 @@
 //!
 //! [`super::fill`] answers where a region is; this answers what closes a mesh: triangles whose edges, taken with their directions, add
 //! up to the given ones and to nothing else. Where an edge has to pass other points than its ends, because loops cross or because one
-//! runs through a point of another, it is told which, so that what lies on its other side can be divided in the same way. Points
+//! runs through a point of another, the crossing is reported, so that what lies on its other side can be divided in the same way. Points
 //! that are as good as one are told as well.
 //!
 //! Cost: as filling, and a sort of the edges.

@@ -39,6 +39,10 @@ mod section;
 mod slicer;
 mod trim;
 
+#[cfg(feature = "boolean")]
+pub(crate) use boolean::is_at_work;
+#[cfg(feature = "cli")]
+pub(crate) use capped::in_world;
 pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
 pub use plane::SlicePlane;

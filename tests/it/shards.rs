@@ -146,14 +146,22 @@ fn shares_of_an_experiment_are_the_whole_of_it() {
         "{moved}"
     );
     assert!(moved > 0 && runs[1]["run"]["adapter"]["name"] == "another card");
-    let ran = folder
+    folder
         .run("measure cubes.toml --out many --shard 1/3")
-        .exits(2);
-    assert!(
-        ran.stderr.contains("another card") && ran.stderr.contains("help:"),
-        "{}",
-        ran.stderr
-    );
+        .must_refuse(&["another card", "help:"]);
+    // Neither are quick figures put beside others, nor a whole run beside shares of another device, nor figures of two programs.
+    folder
+        .run("measure cubes.toml --out many --shard 0/3 --quick --force")
+        .must_refuse(&["quick", "help:"]);
+    folder
+        .run("measure cubes.toml --out many")
+        .must_refuse(&["another card", "help:"]);
+    let mut run = json(&folder, "many/run.2-of-3.json");
+    run["commit"] = Value::from("0123456");
+    folder.write("many/run.2-of-3.json", run.to_string());
+    folder.run("report many").exits(0);
+    let report = json(&folder, "many/report.json");
+    assert_eq!(report["folders"].as_array().unwrap().len(), 3);
 }
 
 #[test]
@@ -197,6 +205,37 @@ fn shares_of_an_animation_are_the_frames_of_it() {
         .run("encode many/%02d.png -o gap.gif")
         .must_refuse(&["many/05.png", "help:"]);
     fs::copy(folder.path("many/01.png"), folder.path("many/05.png")).unwrap();
+    folder
+        .run("encode many/%02d.png -o twice.gif")
+        .must_refuse(&["05.png", "frame 1 of 7", "help:"]);
+    fs::copy(folder.path("one/05.png"), folder.path("many/05.png")).unwrap();
+    // The last share is missing: nothing stands behind the gap.
+    for name in ["06", "07"] {
+        fs::rename(
+            folder.path(&format!("many/{name}.png")),
+            folder.path(&format!("{name}.png")),
+        )
+        .unwrap();
+    }
+    folder
+        .run("encode many/%02d.png -o short.gif")
+        .must_refuse(&["2 of 7 pictures are missing", "many/06.png", "help:"]);
+    for name in ["06", "07"] {
+        fs::rename(
+            folder.path(&format!("{name}.png")),
+            folder.path(&format!("many/{name}.png")),
+        )
+        .unwrap();
+    }
+    // One of another animation.
+    folder
+        .run(&format!("animate {scene} --flip -o other/%02d.png"))
+        .exits(0);
+    fs::copy(folder.path("other/03.png"), folder.path("many/03.png")).unwrap();
+    folder
+        .run("encode many/%02d.png -o mixed.gif")
+        .must_refuse(&["03.png", "another command", "help:"]);
+    fs::copy(folder.path("one/03.png"), folder.path("many/03.png")).unwrap();
     fs::write(folder.path("many/06.png"), &once[..40]).unwrap();
     folder
         .run("encode many/%02d.png -o bad.gif")
@@ -212,5 +251,8 @@ fn shares_of_an_animation_are_the_frames_of_it() {
     ] {
         folder.run(line).must_refuse(&[said, "help:"]);
     }
-    assert_eq!(folder.files(), ["encoded.gif", "many", "once.gif", "one"]);
+    assert_eq!(
+        folder.files(),
+        ["encoded.gif", "many", "once.gif", "one", "other"]
+    );
 }

@@ -20,7 +20,7 @@ pub fn on_our_device(options: &mut WgpuConfiguration) {
 pub struct DeviceLoss(Arc<OnceLock<String>>);
 
 impl DeviceLoss {
-    /// Watches a device, of which nobody else is told any more; `wake` is called once when it is lost.
+    /// Watches a device, in the place of any earlier callback for its loss; `wake` is called once when it is lost.
     pub fn watch(device: &wgpu::Device, wake: impl Fn() + Send + 'static) -> Self {
         let loss = Self::default();
         let own = loss.clone();

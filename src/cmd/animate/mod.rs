@@ -14,6 +14,7 @@ mod mp4;
 mod numbered;
 mod palette;
 mod report;
+mod stamp;
 mod sweep;
 mod target;
 mod times;

@@ -1,11 +1,11 @@
 //! A PNG for each frame, under names that count from 1: `frames/%04d.png`.
 //!
-//! Each file takes its place as soon as it is whole. It says of which run it is, in a text chunk, so that the same command can go on
-//! where it stopped; a frame of any other run is drawn again.
+//! Each file takes its place as soon as it is whole. It says of which run it is ([`Stamp`]), so that the same command can go on where it
+//! stopped; a frame of any other run is drawn again.
 
 use std::fs::File;
 use std::io::BufReader;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use image::RgbaImage;
 use png::{BitDepth, ColorType};
@@ -13,12 +13,10 @@ use png::{BitDepth, ColorType};
 use super::super::console::Console;
 use super::super::output::write_file;
 use super::encoder::{Encoder, cannot_encode};
+use super::stamp::Stamp;
 use crate::Result;
 use crate::experiment::Identity;
 use crate::load::frames::Pattern;
-
-/// The keyword of the text chunk.
-const KEYWORD: &str = "cutaway frame";
 
 /// Frames that are written one by one.
 pub(super) struct Numbered {
@@ -41,23 +39,27 @@ impl Numbered {
         self.pattern.file(number + 1)
     }
 
-    /// What the text chunk of a frame says.
-    fn identity(&self, number: u32) -> String {
-        let mut identity = self.run;
-        identity.add(format!("{number} of {}", self.count));
-        identity.text()
+    /// What a frame says of itself.
+    fn stamp(&self, number: u32) -> Stamp {
+        Stamp {
+            run: self.run.text(),
+            number: number + 1,
+            count: self.count,
+        }
     }
 }
 
 impl Encoder for Numbered {
     fn has(&self, number: u32) -> bool {
-        identity_of(&self.file(number)).is_some_and(|found| found == self.identity(number))
+        let file = File::open(self.file(number)).ok();
+        let found = file.and_then(|file| Stamp::of_whole(BufReader::new(file)));
+        found.is_some_and(|found| found == self.stamp(number))
     }
 
     fn add(&mut self, number: u32, frame: &RgbaImage, is_complete: bool) -> Result<()> {
         let path = self.file(number);
-        let identity = is_complete.then(|| self.identity(number));
-        let bytes = encoded(frame, identity.as_deref()).map_err(|e| cannot_encode(&path, e))?;
+        let stamp = is_complete.then(|| self.stamp(number));
+        let bytes = encoded(frame, stamp.as_ref()).map_err(|e| cannot_encode(&path, e))?;
         write_file(&path, &bytes)
     }
 
@@ -73,32 +75,19 @@ impl Encoder for Numbered {
     }
 }
 
-fn encoded(frame: &RgbaImage, identity: Option<&str>) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded(frame: &RgbaImage, stamp: Option<&Stamp>) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let (width, height) = frame.dimensions();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(ColorType::Rgba);
     encoder.set_depth(BitDepth::Eight);
-    if let Some(identity) = identity {
-        encoder.add_text_chunk(KEYWORD.to_owned(), identity.to_owned())?;
+    for (keyword, text) in stamp.iter().flat_map(|stamp| stamp.chunks()) {
+        encoder.add_text_chunk(keyword.to_owned(), text)?;
     }
     let mut writer = encoder.write_header()?;
     writer.write_image_data(frame)?;
     writer.finish()?;
     Ok(bytes)
-}
-
-/// The text chunk of a picture that can be read to its end.
-fn identity_of(path: &Path) -> Option<String> {
-    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
-        .read_info()
-        .ok()?;
-    let mut pixels = vec![0; reader.output_buffer_size()?];
-    reader.next_frame(&mut pixels).ok()?;
-    reader.finish().ok()?;
-    let texts = &reader.info().uncompressed_latin1_text;
-    let text = texts.iter().find(|text| text.keyword == KEYWORD)?;
-    Some(text.text.clone())
 }
 
 #[cfg(test)]

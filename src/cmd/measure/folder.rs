@@ -13,6 +13,11 @@ use crate::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis}
 use crate::gpu::AdapterReport;
 use crate::{Error, Result};
 
+/// The file that says by what a run was made that is no shard.
+const WHOLE_RUN: &str = "run.json";
+
+const OTHER_FOLDER: &str = "choose another folder with --out, or measure all again with --force";
+
 /// The folder of a run.
 pub(super) struct Folder {
     path: PathBuf,
@@ -28,7 +33,7 @@ impl Folder {
             path: path.to_owned(),
             run_file: match shard {
                 Some(Shard { index, count }) => format!("run.{index}-of-{count}.json"),
-                None => "run.json".to_owned(),
+                None => WHOLE_RUN.to_owned(),
             },
         })
     }
@@ -53,44 +58,59 @@ impl Folder {
     }
 
     /// The run that is there, if one is. One of another device, or in full where this is quick, is not to be mixed with this one:
-    /// refused unless all is measured again.
+    /// refused unless all is measured again. Shards of one run may be of several devices, but a shard replaces only its own points, so
+    /// that `force` does not allow it beside a run that is quick where this is in full.
     pub(super) fn earlier(
         &self,
         adapter: &AdapterReport,
         is_quick: bool,
         force: bool,
     ) -> Result<Option<Run>> {
-        let path = self.path.join(&self.run_file);
-        if !path.exists() {
+        let own = self.path.join(&self.run_file);
+        let is_shard = self.run_file != WHOLE_RUN;
+        let replaces_all = force && !is_shard;
+        for path in self.run_files().filter(|path| *path != own) {
+            // Each takes its place whole, and one that is none says nothing.
+            let Some(run) = read::<Run>(&path) else {
+                continue;
+            };
+            let is_of_shards = is_shard && !path.ends_with(WHOLE_RUN);
+            let is_other_device = run.adapter != *adapter && !is_of_shards;
+            if !replaces_all && (run.is_quick != is_quick || is_other_device) {
+                let help = match is_shard {
+                    true => "choose another folder with --out",
+                    false => OTHER_FOLDER,
+                };
+                return Err(mixed(&path, &run, (adapter, is_quick), help));
+            }
+        }
+        if !own.exists() {
             return Ok(None);
         }
-        let Some(run) = read::<Run>(&path) else {
+        let Some(run) = read::<Run>(&own) else {
             return if force {
                 Ok(None)
             } else {
                 let help = "remove the file and measure again: points that are whole are kept";
-                Err(Error::file(&path, "it is no whole record of a run", help))
+                Err(Error::file(&own, "it is no whole record of a run", help))
             };
         };
-        let word = |is_quick| if is_quick { "quick" } else { "in full" };
-        let is_other = run.adapter != *adapter || run.is_quick != is_quick;
-        if !is_other {
-            return Ok((!force).then_some(run));
-        }
         if force {
             return Ok(None);
         }
-        let help = "choose another folder with --out, or measure all again with --force";
-        let what = format!(
-            "the folder holds a run on {} ({}), {}; this one is on {} ({}), {}",
-            run.adapter.name,
-            run.adapter.driver,
-            word(run.is_quick),
-            adapter.name,
-            adapter.driver,
-            word(is_quick)
-        );
-        Err(Error::file(&path, what, help))
+        if run.adapter != *adapter || run.is_quick != is_quick {
+            return Err(mixed(&own, &run, (adapter, is_quick), OTHER_FOLDER));
+        }
+        Ok(Some(run))
+    }
+
+    /// The files that say by what the folder was made.
+    fn run_files(&self) -> impl Iterator<Item = PathBuf> {
+        let entries = std::fs::read_dir(&self.path).into_iter().flatten();
+        entries.flatten().map(|entry| entry.path()).filter(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with("run.") && name.ends_with(".json")
+        })
     }
 
     /// Writes what is said of the run.
@@ -105,10 +125,12 @@ impl Folder {
             points: stems.to_vec(),
             ..definition.synopsis.clone()
         };
-        write_json(
-            &self.of(&definition.name).join("experiment.json"),
-            &synopsis,
-        )
+        let path = self.of(&definition.name).join("experiment.json");
+        // All shards of a run would write the same.
+        match read::<Synopsis>(&path) {
+            Some(there) if there == synopsis => Ok(()),
+            _ => write_json(&path, &synopsis),
+        }
     }
 
     /// The record of these files, if it is of this identity and its pictures are there.
@@ -179,6 +201,21 @@ impl Folder {
     fn of(&self, experiment: &str) -> PathBuf {
         self.path.join(experiment)
     }
+}
+
+/// The error of a run that is not to be mixed with the one of an adapter, quick or in full.
+fn mixed(path: &Path, run: &Run, (adapter, is_quick): (&AdapterReport, bool), help: &str) -> Error {
+    let word = |is_quick| if is_quick { "quick" } else { "in full" };
+    let what = format!(
+        "the folder holds a run on {} ({}), {}; this one is on {} ({}), {}",
+        run.adapter.name,
+        run.adapter.driver,
+        word(run.is_quick),
+        adapter.name,
+        adapter.driver,
+        word(is_quick)
+    );
+    Error::file(path, what, help)
 }
 
 /// Removes files; one that is not there is removed already.

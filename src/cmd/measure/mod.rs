@@ -103,6 +103,8 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
             load: machine.load,
             command: command_line(),
             adapter: Some(gpu.report().clone()),
+            version: Some(env!("CARGO_PKG_VERSION").to_owned()),
+            commit: machine::commit(),
             ..machine::place(args.shard)
         },
         args,

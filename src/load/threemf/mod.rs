@@ -27,7 +27,7 @@ use super::Placed;
 use super::draft::{Draft, Group};
 use super::grouped::grouped;
 use crate::error::{Error, Result};
-use crate::scene::Mesh;
+use crate::scene::{LengthUnit, Mesh};
 
 use model::{Model, Object, Reference, Shape};
 use package::Package;
@@ -45,7 +45,12 @@ const BUILD: &str =
 /// An object of a package: the name of its part, which is empty for the first model, and its number.
 type Key = (String, u32);
 
-pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Vec<Placed>> {
+/// The solids of a package, and the unit that their numbers are in.
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    notes: &mut Vec<String>,
+) -> Result<(Vec<Placed>, LengthUnit)> {
     let mut package = Package::open(path, bytes)?;
     let first = package.model()?;
     let root = Model::read(&package.read(&first)?)?;
@@ -62,8 +67,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
         notes: Vec::new(),
     };
     reader.build()?;
-    if unit.0 != "millimeter" {
-        notes.push(format!("its unit of length is the {}", unit.0));
+    if unit != LengthUnit::Mm {
+        notes.push(format!("its unit of length is the {}", unit.in_3mf()));
     }
     for model in reader.models.values_mut() {
         notes.append(&mut model.notes);
@@ -77,7 +82,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
             BUILD,
         ));
     }
-    Ok(reader.placed)
+    Ok((reader.placed, unit))
 }
 
 /// A mesh that is shown somewhere.
@@ -148,7 +153,7 @@ impl Reader<'_> {
             self.note_unit(&part, &model);
             self.models.insert(part.clone(), model);
         }
-        let unit_mm = |part: &str| self.models.get(part).map_or(1.0, |model| model.unit.1);
+        let unit_mm = |part: &str| self.models.get(part).map_or(1.0, |model| model.unit.mm());
         let scale = DAffine3::from_scale(DVec3::splat(unit_mm(&part) / unit_mm(from)));
         let world_from_object = way.world_from_outer * reference.outer_from_object * scale;
         let (id, line) = (reference.object, reference.line);
@@ -223,8 +228,8 @@ impl Reader<'_> {
 
     fn note_unit(&mut self, part: &str, model: &Model) {
         let unit = self.models.get("").map_or(model.unit, |root| root.unit);
-        if unit.0 != model.unit.0 {
-            let (own, of_root) = (model.unit.0, unit.0);
+        if unit != model.unit {
+            let (own, of_root) = (model.unit.in_3mf(), unit.in_3mf());
             let note = format!(
                 "{part}: lengths in the {own} are shown in the {of_root} of the first model"
             );

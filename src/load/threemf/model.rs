@@ -15,23 +15,13 @@ use super::package::Text;
 use super::properties::Properties;
 use super::xml::{Element, Space, Xml, shortened};
 use crate::error::Result;
-
-/// What a length of 1 may mean, in millimetres.
-const UNITS: [(&str, f64); 6] = [
-    ("micron", 0.001),
-    ("millimeter", 1.0),
-    ("centimeter", 10.0),
-    ("inch", 25.4),
-    ("foot", 304.8),
-    ("meter", 1000.0),
-];
+use crate::scene::LengthUnit;
 
 /// A model part.
 #[derive(Debug)]
 pub(super) struct Model {
     pub(super) path: PathBuf,
-    /// Its unit, and that in millimetres.
-    pub(super) unit: (&'static str, f64),
+    pub(super) unit: LengthUnit,
     pub(super) objects: BTreeMap<u32, Object>,
     pub(super) properties: Properties,
     /// What is built; none if that is not said.
@@ -76,19 +66,24 @@ impl Model {
     pub(super) fn read(text: &Text) -> Result<Self> {
         let mut xml = Xml::new(&text.path, &text.text);
         let root = xml.root("model")?;
+        if !root.is(Space::Core, "model") {
+            let what = "its <model> is not of the namespace of 3MF";
+            let help = "write xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" into it, or export it again";
+            return Err(root.error_with_help(what.to_owned(), help));
+        }
         check_extensions(&xml, &root)?;
         let mut model = Self {
             path: text.path.clone(),
-            unit: UNITS[1],
+            unit: LengthUnit::Mm,
             objects: BTreeMap::new(),
             properties: Properties::default(),
             items: None,
             notes: Vec::new(),
         };
         if let Some(word) = root.value("unit")? {
-            let known = UNITS.iter().find(|(name, _)| *name == word.trim());
+            let known = LengthUnit::ALL.iter().find(|u| u.in_3mf() == word.trim());
             model.unit = *known.ok_or_else(|| {
-                let names = UNITS.map(|(name, _)| name).join(", ");
+                let names = LengthUnit::ALL.map(LengthUnit::in_3mf).join(", ");
                 let what = format!("the unit {:?} is not one of 3MF", shortened(&word));
                 root.error_with_help(what, &format!("use one of: {names}"))
             })?;

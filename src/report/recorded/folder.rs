@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{MISSING, PeerRecord, read_json, read_numbered};
 use crate::experiment::{CaseRecords, Invocation, Record, Run, Synopsis};
+use crate::gpu::AdapterReport;
 use crate::report::derived::{invocations, natural};
 use crate::{Error, Result};
 
@@ -44,7 +45,8 @@ const EXPERIMENT_FILE: &str = "experiment.json";
 const PEERS_FOLDER: &str = "peers";
 
 impl Folder {
-    /// Reads all of it: a folder for each device that it was measured on, for shards may have run on several.
+    /// Reads all of it: a folder for each device that it was measured on and each program that measured it, for shards may have run on
+    /// several and by several.
     pub(super) fn read(path: &Path) -> Result<Vec<Self>> {
         if path.is_file() {
             return Err(Error::file(path, "it is a file, not a folder", MISSING));
@@ -79,8 +81,8 @@ impl Folder {
         let several = runs.len() > 1;
         let folder = |(index, run): (usize, Run)| {
             let is_of = |invocation: &Option<Invocation>| {
-                let adapter = invocation.as_ref().and_then(|i| i.adapter.as_ref());
-                !several || adapter.map_or(index == 0, |a| *a == run.adapter)
+                let maker = invocation.as_ref().and_then(Maker::of_invocation);
+                !several || maker.map_or(index == 0, |maker| maker == Maker::of_run(&run))
             };
             let own = experiments.iter().map(|all| Experiment {
                 synopsis: all.synopsis.clone(),
@@ -118,7 +120,34 @@ impl Folder {
     }
 }
 
-/// The runs of a folder, those of one device made one: that of the command that measured all of it, or of each share of it.
+/// What figures of different kinds are never put together: the device and the program.
+#[derive(PartialEq)]
+struct Maker<'a> {
+    adapter: &'a AdapterReport,
+    version: &'a str,
+    commit: Option<&'a str>,
+}
+
+impl<'a> Maker<'a> {
+    fn of_run(run: &'a Run) -> Self {
+        Self {
+            adapter: &run.adapter,
+            version: &run.version,
+            commit: run.commit.as_deref(),
+        }
+    }
+
+    /// None of records that are older than what says it.
+    fn of_invocation(invocation: &'a Invocation) -> Option<Self> {
+        Some(Self {
+            adapter: invocation.adapter.as_ref()?,
+            version: invocation.version.as_deref()?,
+            commit: invocation.commit.as_deref(),
+        })
+    }
+}
+
+/// The runs of a folder, those of one device and program made one: that of the command that measured all of it, or of each share of it.
 fn runs(path: &Path) -> Result<Vec<Run>> {
     let is_run = |file: &&PathBuf| {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -127,7 +156,10 @@ fn runs(path: &Path) -> Result<Vec<Run>> {
     let mut runs: Vec<Run> = Vec::new();
     for file in json_files(path)?.iter().filter(is_run) {
         let run: Run = read_numbered(file, Record::FORMAT)?;
-        match runs.iter_mut().find(|r| r.adapter == run.adapter) {
+        match runs
+            .iter_mut()
+            .find(|r| Maker::of_run(r) == Maker::of_run(&run))
+        {
             Some(same) => {
                 same.took_s += run.took_s;
                 same.is_quick |= run.is_quick;

@@ -17,6 +17,8 @@ mod solid;
 use glam::DVec3;
 
 use self::sheet::{Sheet, below};
+pub(super) use self::solid::Undivided;
+pub(crate) use self::solid::is_at_work;
 use self::solid::{Origin, Solid};
 use super::SlicePlane;
 use super::capped::{Cap, Half, Halves, halves, in_world, of_used};
@@ -50,8 +52,12 @@ struct CapOf {
 ///
 /// # Errors
 ///
-/// In words, what is wrong with the mesh.
-pub(super) fn divided(mesh: &Mesh, regions: &[Region<'_>], cells: u32) -> Result<Divided, String> {
+/// A mesh or a cutter that is not closed, and operations that fail.
+pub(super) fn divided(
+    mesh: &Mesh,
+    regions: &[Region<'_>],
+    cells: u32,
+) -> Result<Divided, Undivided> {
     let (part, number) = match mesh.volume() < 0.0 {
         true => Solid::new(&turned(mesh), |t| t as u32)?,
         false => Solid::new(mesh, |t| t as u32)?,
@@ -93,7 +99,7 @@ impl Region<'_> {
         cells: u32,
         caps: &mut Vec<CapOf>,
         off: &mut f64,
-    ) -> Result<Option<Solid>, String> {
+    ) -> Result<Option<Solid>, Undivided> {
         let mut add = |mesh, surface| {
             caps.push(CapOf {
                 mesh,
@@ -132,7 +138,12 @@ impl Region<'_> {
             } else {
                 placed
             };
-            let of_cutter = |e: String| format!("its cutter {}: {e}", cutter.name());
+            let of_cutter = |e: Undivided| match e {
+                Undivided::Open => Undivided::OpenCutter {
+                    name: cutter.name().to_owned(),
+                },
+                other => other,
+            };
             let (volume, number) = Solid::new(&outward, |t| t as u32).map_err(of_cutter)?;
             add(number, Some(self.surfaces.len()));
             solid = match cutter.keeps_inside {
@@ -145,10 +156,12 @@ impl Region<'_> {
 }
 
 /// The faces of a solid that are of the part, then its caps by region and clip-surface.
-fn half(solid: &Solid, part: u32, caps: &[CapOf]) -> Result<Half, String> {
+fn half(solid: &Solid, part: u32, caps: &[CapOf]) -> Result<Half, Undivided> {
     let (mesh, origins) = solid.mesh();
     if Edges::of(&mesh.triangles).count().open > 0 {
-        return Err("the Boolean operation left it open".to_owned());
+        return Err(Undivided::Failed {
+            what: "it left the mesh open".to_owned(),
+        });
     }
     // Faces of the part are before all caps; then by region and clip-surface.
     let place = |origin: &Origin| {
@@ -191,9 +204,7 @@ fn half(solid: &Solid, part: u32, caps: &[CapOf]) -> Result<Half, String> {
 fn turned(mesh: &Mesh) -> Mesh {
     Mesh {
         positions: mesh.positions.clone(),
-        triangles: mesh
-            .triangles
-            .iter()
+        triangles: (mesh.triangles.iter())
             .map(|[a, b, c]| [*a, *c, *b])
             .collect(),
         ..Mesh::default()

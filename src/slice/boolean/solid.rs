@@ -1,6 +1,7 @@
 //! Solids of the Boolean crate, made of meshes and made into meshes.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
 use manifold_rust::manifold::Manifold;
@@ -26,8 +27,8 @@ impl Solid {
     ///
     /// # Errors
     ///
-    /// In words, a mesh that is not closed or is too large.
-    pub(super) fn new(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(Self, u32), String> {
+    /// A mesh that is not closed or is too large.
+    pub(super) fn new(mesh: &Mesh, face: impl Fn(usize) -> u32) -> Result<(Self, u32), Undivided> {
         let number = Manifold::reserve_ids(1);
         let count = mesh.triangles.len();
         let given = MeshGLP::<f64, u32> {
@@ -47,19 +48,19 @@ impl Solid {
         self.0.is_empty()
     }
 
-    pub(super) fn and(&self, other: &Self) -> Result<Self, String> {
+    pub(super) fn and(&self, other: &Self) -> Result<Self, Undivided> {
         self.with(other, OpType::Intersect)
     }
 
-    pub(super) fn or(&self, other: &Self) -> Result<Self, String> {
+    pub(super) fn or(&self, other: &Self) -> Result<Self, Undivided> {
         self.with(other, OpType::Add)
     }
 
-    pub(super) fn without(&self, other: &Self) -> Result<Self, String> {
+    pub(super) fn without(&self, other: &Self) -> Result<Self, Undivided> {
         self.with(other, OpType::Subtract)
     }
 
-    fn with(&self, other: &Self, operation: OpType) -> Result<Self, String> {
+    fn with(&self, other: &Self, operation: OpType) -> Result<Self, Undivided> {
         guarded(|| {
             self.0
                 .boolean_with_engine(&other.0, operation, BooleanEngine::Auto)
@@ -95,13 +96,53 @@ impl Solid {
     }
 }
 
+/// Why a mesh is not divided.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub(in crate::slice) enum Undivided {
+    #[error("it is not closed")]
+    Open,
+    #[error("its cutter `{name}` is not closed")]
+    OpenCutter { name: String },
+    #[error("the Boolean operation failed: {what}")]
+    Failed { what: String },
+}
+
+impl Undivided {
+    pub(in crate::slice) fn help(&self) -> &'static str {
+        match self {
+            Self::Open => {
+                "`cutaway inspect` lists its open edges; close them, or cut it by planes alone"
+            }
+            Self::OpenCutter { .. } => {
+                "close the mesh that cuts: `cutaway inspect` lists its open edges"
+            }
+            Self::Failed { .. } => {
+                "move the cut a little, try another --relief-cells, or cut by planes alone"
+            }
+        }
+    }
+}
+
+/// Operations at work.
+static AT_WORK: AtomicUsize = AtomicUsize::new(0);
+
+/// Whether a panic may be one of the Boolean crate, which becomes an error and is nothing to print.
+pub(crate) fn is_at_work() -> bool {
+    AT_WORK.load(Ordering::SeqCst) > 0
+}
+
 /// What an operation makes, or why it makes nothing. A fault of the crate is no reason to end the program.
-fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, String> {
-    let made = catch_unwind(AssertUnwindSafe(operation))
-        .map_err(|_| "the Boolean operation failed on it".to_owned())?;
+fn guarded(operation: impl FnOnce() -> Manifold) -> Result<Manifold, Undivided> {
+    AT_WORK.fetch_add(1, Ordering::SeqCst);
+    let made = catch_unwind(AssertUnwindSafe(operation));
+    AT_WORK.fetch_sub(1, Ordering::SeqCst);
+    let failed = |what: &str| Undivided::Failed {
+        what: what.to_owned(),
+    };
+    let made = made.map_err(|_| failed("it broke off"))?;
     match made.status() {
         Error::NoError => Ok(made),
-        Error::NotClosed | Error::NotManifold => Err("it is not closed".to_owned()),
-        other => Err(format!("the Boolean operation failed on it: {other}")),
+        Error::NotClosed | Error::NotManifold => Err(Undivided::Open),
+        other => Err(failed(&other.to_string())),
     }
 }

@@ -23,7 +23,7 @@ pub struct CappedPart {
     pub relief_off: f64,
 }
 
-/// Cells of a relief along the longer side of a part, where nobody says how many.
+/// Cells of a relief along the longer side of a part, by default.
 pub const RELIEF_CELLS: u32 = 256;
 
 /// What the cuts of a scene leave of each part, and what they remove, as meshes with caps in world space. Each part is a solid of its own,
@@ -116,10 +116,9 @@ fn divided<'a>(
         }
     };
     let regions: Vec<Region<'_>> = cuts.map(region).collect();
-    let divided = boolean::divided(mesh, &regions, relief_cells).map_err(|what| {
-        let what = format!("it cannot be cut by a relief or by a mesh: {what}");
-        let help = "`cutaway inspect` lists its open edges; close them, or cut it by planes alone";
-        Error::input(format!("part `{}`", part.name), what, help)
+    let divided = boolean::divided(mesh, &regions, relief_cells).map_err(|why| {
+        let what = format!("it cannot be cut by a relief or by a mesh: {why}");
+        Error::input(format!("part `{}`", part.name), what, why.help())
     })?;
     Ok((divided.halves, divided.off))
 }
@@ -140,7 +139,7 @@ fn divided<'a>(
 }
 
 /// A mesh as it stands in the world; what a placement mirrors is turned round, so that outside stays outside.
-pub(in crate::slice) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
+pub(crate) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
     let is_mirrored = placed.matrix3.determinant() < 0.0;
     let positions: Vec<DVec3> = (mesh.positions.par_iter())
         .map(|p| placed.transform_point3(*p))

@@ -216,6 +216,92 @@ fn three_mf_is_a_package_with_units_objects_and_materials() {
 }
 
 #[test]
+fn obj_names_are_read_back_whatever_they_were() {
+    let folder = Scratch::new("export-obj-names");
+    let names = ["a\\\\", "#1", "#2", "plain"];
+    let part = |(i, name): (usize, &&str)| {
+        format!(
+            "[[part]]\nname = \"{name}\"\nshape = \"cube\"\ntranslate = [{}, 0, 0]\n",
+            3 * i
+        )
+    };
+    let parts: String = names.iter().enumerate().map(part).collect();
+    folder.write(
+        "parts.toml",
+        format!("{parts}[[cut]]\nsurfaces = [{{ section = \"z=50%\" }}]\n"),
+    );
+    folder.run("export parts.toml -o cut.obj").exits(0);
+    let found: Vec<String> = read(&folder, "cut.obj")
+        .parts
+        .iter()
+        .map(|p| p.name.clone())
+        .collect();
+    assert_eq!(found, ["a_", "_1", "_2", "plain"]);
+    assert!(facts(&folder, "cut.obj").closed);
+}
+
+#[test]
+fn a_unit_that_a_model_has_is_kept() {
+    let folder = Scratch::new("export-units");
+    folder
+        .run("export shape:cube --section z=50% -o in.3mf --unit in")
+        .exits(0);
+    folder
+        .run("export shape:cube --section z=50% -o metres.glb")
+        .exits(0);
+    folder
+        .run("export shape:cube --section z=50% -o none.stl")
+        .exits(0);
+    for (model, options, unit, is_guessed) in [
+        ("in.3mf", "", "inch", false),
+        ("metres.glb", "", "meter", false),
+        ("none.stl", "", "millimeter", true),
+        ("none.stl in.3mf", "", "millimeter", true),
+        ("in.3mf", "--unit cm", "centimeter", false),
+    ] {
+        let ran = folder
+            .run(&format!(
+                "export {model} --section x=50% -o out.3mf {options}"
+            ))
+            .exits(0);
+        let model_part = unzipped(&bytes(&folder, "out.3mf"))[2].1.clone();
+        let text = String::from_utf8(model_part).unwrap();
+        assert!(text.contains(&format!("<model unit=\"{unit}\"")), "{model}");
+        let says = ran.stderr.contains("nothing says how long a unit");
+        assert_eq!(says, is_guessed, "{model}: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn what_is_far_from_the_origin_keeps_its_shape_in_glb() {
+    let folder = Scratch::new("export-far");
+    folder.write(
+        "far.toml",
+        "[[part]]\nshape = \"sphere\"\ntranslate = [500000, 4600000, 100]\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n",
+    );
+    for name in ["far.glb", "far.ply"] {
+        let ran = folder.run(&format!("export far.toml -o {name}")).exits(0);
+        assert!(
+            !ran.stderr.contains("rounds coordinates"),
+            "{name}: {}",
+            ran.stderr
+        );
+    }
+    let [glb, ply] = ["far.glb", "far.ply"].map(|name| facts(&folder, name).volume);
+    assert!((glb - ply).abs() < 1e-6 * ply, "{glb} and {ply}");
+    let ran = folder.run("export far.toml -o far.stl").exits(0);
+    assert!(ran.stderr.contains("rounds coordinates"), "{}", ran.stderr);
+    // Smaller than one step of f32 there.
+    folder.write(
+        "dust.toml",
+        "[[part]]\nshape = \"sphere\"\nscale = 0.001\ntranslate = [500000, 4600000, 100]\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n",
+    );
+    folder
+        .run("export dust.toml -o dust.stl")
+        .must_refuse(&["no triangle is left", "help:"]);
+}
+
+#[test]
 fn the_same_line_gives_the_same_bytes() {
     for extension in ["stl", "ply", "obj", "glb", "3mf"] {
         assert!(

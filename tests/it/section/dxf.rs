@@ -65,7 +65,7 @@ fn loops_are_closed_polylines_on_the_layers_of_their_parts() {
         "ASCII, and whole"
     );
     assert_eq!(variable(&text, "$INSUNITS"), "1", "inches");
-    assert_eq!(variable(&text, "$ACADVER"), "AC1015");
+    assert_eq!(variable(&text, "$ACADVER"), "AC1018");
     let drawn = polylines(&text);
     let json = json_of(&folder, line);
     let parts = json["sections"][0]["parts"].as_array().unwrap();
@@ -84,6 +84,41 @@ fn loops_are_closed_polylines_on_the_layers_of_their_parts() {
             assert_eq!(uv(one), polyline.points, "{name}: to the last bit");
         }
     }
+}
+
+#[test]
+fn no_two_parts_share_a_layer() {
+    let folder = Scratch::new("section-dxf-names");
+    let names = ["Bolt", "bolt", "a/b", "a:b", "0", "part"];
+    let part = |(i, name): (usize, &&str)| {
+        format!(
+            "[[part]]\nname = \"{name}\"\nshape = \"cube\"\ntranslate = [{}, 0, 0]\n",
+            3 * i
+        )
+    };
+    let parts: String = names.iter().enumerate().map(part).collect();
+    folder.write(
+        "parts.toml",
+        format!("{parts}[[cut]]\nsurfaces = [{{ section = \"z=50%\" }}]\n"),
+    );
+    folder.run("section parts.toml -o parts.dxf").exits(0);
+    let text = fs::read_to_string(folder.path("parts.dxf")).unwrap();
+    let mut layers: Vec<String> = polylines(&text)
+        .iter()
+        .map(|p| p.layer.to_lowercase())
+        .collect();
+    assert_eq!(layers.len(), names.len());
+    layers.sort();
+    layers.dedup();
+    assert_eq!(
+        layers.len(),
+        names.len(),
+        "in letters of any case: {layers:?}"
+    );
+    assert!(
+        !layers.contains(&"0".to_owned()),
+        "the layer of every drawing is none of a part"
+    );
 }
 
 #[test]

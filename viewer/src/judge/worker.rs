@@ -34,6 +34,8 @@ const SCRIPT: &str = "./judge.js";
 pub struct Judge {
     worker: Option<Worker>,
     replies: Rc<RefCell<Replies>>,
+    /// Whether it has failed: it answers nothing any more.
+    is_lost: Rc<Cell<bool>>,
     /// So many files it has been given.
     given: Cell<usize>,
     /// The last question of each kind.
@@ -59,7 +61,7 @@ impl Replies {
     }
 }
 
-/// What is told where the worker fails.
+/// The error where the worker fails.
 const LOST: &str = "the worker that compares has failed: reload the page";
 
 impl Judge {
@@ -78,8 +80,10 @@ impl Judge {
         options.set_type(WorkerType::Module);
         let worker = Worker::new_with_options(SCRIPT, &options).ok();
         let asked = Rc::new(RefCell::new([const { None::<QuestionMessage> }; 2]));
-        let (own, questions) = (replies.clone(), asked.clone());
+        let is_lost = Rc::new(Cell::new(false));
+        let (own, questions, lost_now) = (replies.clone(), asked.clone(), is_lost.clone());
         let on_error = Closure::new(move |_: Event| {
+            lost_now.set(true);
             let lost = questions.borrow();
             let unanswered = lost.iter().flatten().flat_map(|q| q.unanswered(LOST));
             unanswered.for_each(|reply| own.borrow_mut().add(reply));
@@ -93,6 +97,7 @@ impl Judge {
             worker,
             replies,
             asked,
+            is_lost,
             given: Cell::new(0),
             _on_message: on_message,
             _on_error: on_error,
@@ -138,6 +143,9 @@ impl Judge {
     fn try_send(&self, state: &State, question: &QuestionMessage) -> Result<(), String> {
         let worker = self.worker.as_ref();
         let worker = worker.ok_or("the browser started no worker to judge by")?;
+        if self.is_lost.get() {
+            return Err(LOST.to_owned());
+        }
         let document = state.as_seen().map_err(|e| e.to_string())?;
         let asked = serde_json::to_string(question).map_err(|e| e.to_string())?;
         let path = document.path().to_string_lossy().into_owned();

@@ -28,8 +28,10 @@ pub(super) fn address<'a>(document: &Document, path: &'a str) -> Option<Address<
     let entries = entries(document, list).iter().enumerate();
     let mut found = entries.filter(|(_, entry)| leads_into(entry));
     found.find_map(|(index, entry)| {
-        let below = (names(index, entry).into_iter()).find_map(|name| rest.strip_prefix(&name));
-        let below = below.filter(|below| below.is_empty() || below.starts_with('.'))?;
+        let below = (names(index, entry).into_iter()).find_map(|name| {
+            let below = rest.strip_prefix(&name)?;
+            (below.is_empty() || below.starts_with('.')).then_some(below)
+        })?;
         Some(Address { list, index, below })
     })
 }
