@@ -1,6 +1,7 @@
 #!/bin/bash
 # Starts a Slurm of one node in a folder, runs an experiment and an animation as job arrays, kills a task of each and submits it again,
-# and holds what comes out against the same without shares. Ends with 0 where they are equal but for times.
+# and compares what comes out with the same without shares; then measures shares onto a disk that fills up. Ends with 0 where all are equal
+# but for times.
 # Needs root and Debian's packages slurm-wlm and munge, which it installs where apt-get can.
 #   experiments/cluster/run-slurm.sh [PROGRAM]      the program is target/release/cutaway
 set -euo pipefail
@@ -61,7 +62,7 @@ stop() {
         [ ! -s "$pid" ] || kill "$(cat $pid)" 2>/dev/null || true
     done
 }
-trap 'stop; echo "what was done is in $work" >&2' EXIT
+trap 'stop; umount "$work/small" 2>/dev/null || true; echo "what was done is in $work" >&2' EXIT
 slurmctld -c
 slurmd
 for _ in $(seq 60); do
@@ -163,3 +164,25 @@ for frame in range(1, 25):
 assert Path("one.gif").read_bytes() == Path("many.gif").read_bytes(), "GIF"
 print(f"equal: 8 points by {len(tasks)} tasks, 24 frames, one GIF of {Path('many.gif').stat().st_size} bytes")
 PY
+
+# A disk with room for about half of it: the shard that fills it up ends with an error, what is there stays whole, the report names what is
+# missing, and with room the same commands go on.
+mkdir small
+half=$(($(du -sk one | cut -f1) / 2))
+mount -t tmpfs -o "size=${half}k" tmpfs small
+code=0
+for share in 0 1; do
+    "$program" measure cubes.toml --out small/run --shard $share/2 -q 2>>full.log || code=$?
+done
+[ "$code" -eq 2 ] || { echo "a full disk ended with exit code $code"; exit 1; }
+grep -q 'help: ' full.log
+[ -z "$(find small -name '.*.tmp')" ] || { echo "a file that is not whole was left behind"; exit 1; }
+code=0
+"$program" report small/run --out partial --complete -q 2>missing.log || code=$?
+[ "$code" -eq 1 ] && grep -q 'missing: cubes/' missing.log || { echo "the report does not name what is missing"; exit 1; }
+mount -o remount,size=64m small
+for share in 0 1; do
+    "$program" measure cubes.toml --out small/run --shard $share/2 -q
+done
+"$program" report small/run --out whole-report --complete -q
+echo "a full disk: $(sed -n 's/^.*points; //p' missing.log | head -1); whole after there was room"

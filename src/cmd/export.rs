@@ -4,11 +4,14 @@
 //! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem.
 //! All of them are written beside their places before the first takes its own, and none where one of the places is a folder.
 
+mod facts;
+
 use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::{Value, json};
 
+use self::facts::Facts;
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
@@ -23,7 +26,7 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::save::{Format, Solid, encoded, material_library, rounding};
 use crate::scene::weld::thousands;
-use crate::scene::{Edges, LengthUnit, Mesh, Scene, doubts};
+use crate::scene::{LengthUnit, Scene, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use crate::{Error, Result};
 
@@ -297,86 +300,6 @@ impl Writer<'_> {
         }
         Ok(files)
     }
-}
-
-/// What there is to say of a part.
-struct Facts {
-    part: String,
-    cuts: Vec<String>,
-    /// Of the part as it came in.
-    open_edges: usize,
-    kept: HalfFacts,
-    removed: HalfFacts,
-    relief_off: f64,
-    defects: Vec<String>,
-}
-
-/// What there is to say of a half of it.
-struct HalfFacts {
-    triangles: usize,
-    cap_triangles: usize,
-    volume: f64,
-    cap_area: f64,
-    open_edges: usize,
-}
-
-impl Facts {
-    fn of(scene: &Scene, part: &CappedPart) -> Self {
-        let own = &scene.parts[part.part];
-        Self {
-            part: own.name.clone(),
-            cuts: part
-                .cuts
-                .iter()
-                .map(|c| scene.cuts[*c].name.clone())
-                .collect(),
-            open_edges: open_edges(&own.mesh),
-            kept: HalfFacts::of(&part.halves.kept),
-            removed: HalfFacts::of(&part.halves.removed),
-            relief_off: part.relief_off,
-            defects: part
-                .halves
-                .defects
-                .iter()
-                .map(ToString::to_string)
-                .collect(),
-        }
-    }
-
-    fn to_json(&self) -> Value {
-        json!({
-            "part": self.part, "cuts": self.cuts, "open_edges": self.open_edges,
-            "kept": self.kept.to_json(), "removed": self.removed.to_json(), "relief_off": self.relief_off,
-            "defects": self.defects,
-        })
-    }
-}
-
-impl HalfFacts {
-    fn of(half: &Half) -> Self {
-        Self {
-            triangles: half.mesh.triangles.len(),
-            cap_triangles: half.mesh.triangles.len() - half.surface_triangles(),
-            volume: if half.mesh.triangles.is_empty() {
-                0.0
-            } else {
-                half.mesh.volume()
-            },
-            cap_area: half.cap_area(),
-            open_edges: open_edges(&half.mesh),
-        }
-    }
-
-    fn to_json(&self) -> Value {
-        json!({
-            "triangles": self.triangles, "cap_triangles": self.cap_triangles, "volume": self.volume,
-            "cap_area": self.cap_area, "open_edges": self.open_edges,
-        })
-    }
-}
-
-fn open_edges(mesh: &Mesh) -> usize {
-    Edges::of(&mesh.triangles).count().open
 }
 
 /// Says which caps are missing, and which parts came in open.

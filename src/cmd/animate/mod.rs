@@ -13,14 +13,13 @@ mod identity;
 mod mp4;
 mod numbered;
 mod palette;
+mod plays;
 mod report;
 mod stamp;
 mod sweep;
 mod target;
 mod times;
 mod turntable;
-
-use std::str::FromStr;
 
 use clap::Args;
 
@@ -42,6 +41,7 @@ use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
 use film::Film;
+use plays::Plays;
 use report::FrameReport;
 use sweep::{Sweep, parse_sweep};
 use target::Target;
@@ -118,40 +118,6 @@ pub(super) struct AnimateArgs {
     means: MeansArgs,
     #[command(flatten)]
     console: ConsoleArgs,
-}
-
-/// How often an animation plays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Plays {
-    /// Without end.
-    Forever,
-    /// So many times; never 0.
-    Times(u16),
-}
-
-impl Plays {
-    /// As animated PNG has it.
-    fn count(self) -> u32 {
-        match self {
-            Self::Forever => 0,
-            Self::Times(n) => u32::from(n),
-        }
-    }
-}
-
-impl FromStr for Plays {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match (text, text.parse()) {
-            ("forever", _) => Ok(Self::Forever),
-            (_, Ok(n)) if n > 0 => Ok(Self::Times(n)),
-            _ => Err(
-                "it must be forever, or a number from 1 to 65535\n  help: --loop 1 plays it once"
-                    .to_owned(),
-            ),
-        }
-    }
 }
 
 /// Runs `animate`.
@@ -407,12 +373,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_rounds_and_degrees_are_read_or_refused() {
-        assert_eq!("forever".parse(), Ok(Plays::Forever));
-        assert_eq!("3".parse(), Ok(Plays::Times(3)));
-        for text in ["0", "-1", "70000", "ever", ""] {
-            assert!(text.parse::<Plays>().is_err(), "{text}");
-        }
+    fn degrees_are_read_or_refused() {
         assert_eq!(parse_turn("-90"), Ok(-90.0));
         for text in ["0", "nan", "1e9", "all"] {
             assert!(parse_turn(text).is_err(), "{text}");

@@ -8,8 +8,8 @@ mod folder;
 mod jobs;
 mod machine;
 mod tally;
+mod watching;
 
-use std::cell::Cell;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -28,11 +28,11 @@ use crate::experiment::{
     CaseRecords, Invocation, Machine, Reached, Record, Run, Stopwatch, Watcher,
 };
 use crate::gpu::Gpu;
-use crate::scene::Remark;
 use crate::session::Session;
 use folder::Folder;
 use jobs::{Job, Task};
 use tally::Tally;
+use watching::Watching;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -347,61 +347,5 @@ impl Work<'_> {
         let watching = Watching::of(job, &self.console, &self.interrupt);
         reached.iter().for_each(|r| watching.reached(r));
         Ok(Some(reached))
-    }
-}
-
-/// Tells the console what happens.
-struct Watching<'a> {
-    place: String,
-    console: &'a Console,
-    interrupt: &'a Interrupt,
-    reported: Cell<usize>,
-}
-
-impl<'a> Watching<'a> {
-    fn of(job: &Job<'_>, console: &'a Console, interrupt: &'a Interrupt) -> Self {
-        Self {
-            place: job.place(),
-            console,
-            interrupt,
-            reported: Cell::new(0),
-        }
-    }
-
-    /// What an interrupt has lost of a point of so many steps, the last of which are its rounds.
-    fn lost(&self, steps: usize, rounds: usize) -> String {
-        let before = steps - rounds;
-        // The last round that was reported is not complete.
-        let complete = self.reported.get().saturating_sub(before + 1);
-        format!("{}: {complete} of {rounds} rounds are lost", self.place)
-    }
-}
-
-impl Watcher for Watching<'_> {
-    fn opened(&self, remark: &Remark) {
-        let text = format!("{}: {}", self.place, remark.text);
-        let is_warning = remark.is_warning;
-        self.console.remark(&Remark { is_warning, text });
-    }
-
-    fn step(&self, what: String) {
-        self.reported.set(self.reported.get() + 1);
-        self.console.step(format!("{}: {what}", self.place));
-    }
-
-    fn reached(&self, reached: &Reached) {
-        if reached.holds {
-            return;
-        }
-        let declared = reached.expected.why.as_ref();
-        let declared = declared.map_or_else(String::new, |w| format!(" (declared: {w})"));
-        self.console.failed(format!(
-            "{}: {}: expected {}{declared}, found {}",
-            self.place, reached.strategy, reached.expected.what, reached.found
-        ));
-    }
-
-    fn goes_on(&self) -> bool {
-        !self.interrupt.is_wanted()
     }
 }
