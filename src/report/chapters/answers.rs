@@ -95,7 +95,7 @@ fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
 fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
     let counts = Block::Text(
         "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
-         The ratio is the time of a frame over that of drawing the same scene with nothing cut: median, and on pointing at it the range. \
+         The ratio is the time of a frame over that of drawing the same scene with nothing cut: the median, with the range in its tooltip. \
          Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
             .to_owned(),
     );

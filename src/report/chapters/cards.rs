@@ -146,13 +146,14 @@ pub(super) fn ranking(
                 .collect();
             candidates(&sound, situation)
                 .into_iter()
-                .map(|c| line(&c.totals.name, c.ratio, words(&c)))
+                .map(|c| line(&c.totals.name, c.ratio, words(&c, sound.len())))
                 .collect()
         }
     };
     (lines.len() > 1).then(|| {
         Block::Ranking(Ranking {
             title: title.to_owned(),
+            names: "method",
             axis: "time over drawing uncut".to_owned(),
             is_factor: true,
             heading: "wrong px, at most".to_owned(),
@@ -181,7 +182,7 @@ fn line(name: &str, cost: Option<Spread>, words: Cell) -> Line {
 }
 
 /// What to know of a method beside its time.
-fn words(candidate: &Candidate) -> Cell {
+fn words(candidate: &Candidate, points: usize) -> Cell {
     let totals = &candidate.totals;
     let all: Vec<String> = totals.refusals.keys().cloned().collect();
     if totals.drawn == 0 {
@@ -190,6 +191,7 @@ fn words(candidate: &Candidate) -> Cell {
         return Cell { text, ..reasons }.toned(Tone::Faint);
     }
     let drawn = match totals.refused() {
+        0 if totals.asked < points => format!(", at {} of {points} points", totals.asked),
         0 => String::new(),
         refused => format!(", refuses {refused} of {}", totals.asked),
     };

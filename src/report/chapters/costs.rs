@@ -69,8 +69,14 @@ pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<Block> {
     for (label, record) in points {
         let strategies = record.measurement.strategies.iter();
         if let Some(index) = strategies.into_iter().position(|s| s.name == name) {
+            let mut cells = cells(points, record, index);
+            // Reasons have a table of their own.
+            if let Some((outcome, reason)) = cells[0].text.split_once(": ") {
+                let short = Cell::from(outcome).toned(cells[0].tone);
+                cells[0] = short.titled(reason.to_owned());
+            }
             let first = Cell::from(label.as_str());
-            grid.row(std::iter::once(first).chain(cells(points, record, index)));
+            grid.row(std::iter::once(first).chain(cells));
         }
     }
     finished(grid)

@@ -47,7 +47,7 @@ pub(super) fn wrong_px(count: usize) -> Cell {
 
 /// How grave wrong pixels are.
 pub(super) fn tone_of(count: usize) -> Tone {
-    /// So few wrong pixels are seen by nobody.
+    /// So few wrong pixels are hardly noticed.
     const FEW_PX: usize = 30;
     match count {
         0 => Tone::Good,

@@ -52,6 +52,7 @@ pub(super) fn ranking(asked: &ChartSynopsis, title: String, placed: &[Placed<'_>
     let ends = lines.iter().filter_map(|l| l.cost);
     Ranking {
         title,
+        names: "method",
         axis: label(&asked.x),
         is_factor: asked.x.starts_with("ratio"),
         heading: label(&asked.y),

@@ -57,16 +57,11 @@ pub(super) fn notices(
             1 => String::new(),
             _ => format!(" ({})", folder.path.display()),
         };
-        let common = warnings::notices(points.common(folder));
-        let texts = common.into_iter().filter_map(|b| match b {
-            Block::Notice(_, text) => Some(text),
-            _ => None,
-        });
-        let texts: Vec<String> = texts.collect();
-        if !texts.is_empty() {
-            let text = format!("Of all points{place}: {}", texts.join(" "));
-            blocks.push(Block::Notice(Tone::Fair, text));
-        }
+        let common = warnings::notices(points.common(folder)).into_iter();
+        blocks.extend(common.map(|block| match block {
+            Block::Notice(tone, text) => Block::Notice(tone, format!("All points{place}: {text}")),
+            other => other,
+        }));
     }
     blocks.extend(pictures.gone());
     blocks

@@ -55,12 +55,12 @@ pub(super) fn blocks(points: &Points<'_>, setup: &Setup<'_>) -> Vec<Block> {
     let cards = inputs.iter().map(|input| card(input, range)).collect();
     vec![
         Block::Grid(grid),
+        Block::Cards(cards),
         Block::Folded {
             summary: "How these answers are worked out".to_owned(),
             open: false,
             blocks: vec![Block::Prose(how_to_read())],
         },
-        Block::Cards(cards),
     ]
 }
 

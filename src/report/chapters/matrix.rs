@@ -12,7 +12,7 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
     }
     let mut blocks = vec![Block::Text(
         "A row for each run of an experiment, a column for each method. A cell has the median of the time of a frame over that of drawing uncut, and the \
-         most decided wrong pixels of a point where there are some; `!` marks a bounded buffer that overflowed. Point at a cell for the rest."
+         most decided wrong pixels of a point where there are some; `!` marks a bounded buffer that overflowed. The range over the points is in the tooltip of a cell."
             .to_owned(),
     )];
     for setup in points.setups() {
@@ -69,7 +69,7 @@ fn cell(totals: &StrategyTotals) -> Cell {
         .map_or_else(|| "drawn".to_owned(), |r| times(r.median));
     let wrong = match totals.worst_px {
         0 => String::new(),
-        px => format!(", {px} px"),
+        px => format!(", {px}\u{a0}px"),
     };
     let mark = if totals.overflowed > 0 { " !" } else { "" };
     let mut lines = vec![format!(

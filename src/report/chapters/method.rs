@@ -46,10 +46,13 @@ pub(in crate::report) fn method_document(recorded: &Recorded, name: &str) -> Res
         blocks.push(Block::Heading(2, format!("In short{place}")));
         blocks.extend(short(name, &records));
         blocks.push(Block::Ranking(by_run(name, &records)));
-        let totals = StrategyTotals::of(name, records.iter().copied());
-        if totals.refused() > 0 {
-            blocks.push(Block::Heading(2, format!("What it refuses{place}")));
-            blocks.push(Block::Grid(refusals(name, &records)));
+        let refused = refusals(name, &records);
+        if !refused.rows.is_empty() {
+            blocks.push(Block::Heading(
+                2,
+                format!("What it refuses or cannot finish{place}"),
+            ));
+            blocks.push(Block::Grid(refused));
         }
         if let Some(expected) = expectations::of_run(&records, Some(name)) {
             blocks.push(Block::Heading(2, format!("What was expected of it{place}")));
@@ -219,6 +222,7 @@ fn by_run(name: &str, records: &[&Record]) -> Ranking {
     let ends = lines.iter().filter_map(|l| l.cost);
     Ranking {
         title: format!("{name} by run"),
+        names: "run",
         axis: "time over drawing uncut".to_owned(),
         is_factor: true,
         heading: "wrong px, at most".to_owned(),

@@ -45,13 +45,13 @@ pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
             true => words.pop(),
             false => None,
         }
-        .unwrap_or_else(|| who(asked, &p.row, is_of_scene));
+        .unwrap_or_else(|| method_of(asked, &p.row, is_of_scene));
         p.panel = words.join(", ");
     }
 }
 
 /// What a series calls its strategy.
-fn who(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
+fn method_of(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
     let own = &row.member.parameters;
     let runs_along = own.contains_key(&asked.x);
     let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;

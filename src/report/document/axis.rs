@@ -129,6 +129,23 @@ fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
         .collect()
 }
 
+/// Ticks that are so far apart that their words do not touch.
+pub(super) fn apart(
+    ticks: Vec<(f64, String)>,
+    place: impl Fn(f64) -> f64,
+    least_px: f64,
+) -> Vec<(f64, String)> {
+    let mut kept: Vec<(f64, String)> = Vec::new();
+    for (value, word) in ticks {
+        let at = place(value);
+        let is_clear = |(v, _): &(f64, String)| (place(*v) - at).abs() >= least_px;
+        if kept.iter().all(is_clear) {
+            kept.push((value, word));
+        }
+    }
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,5 +199,13 @@ mod tests {
                 assert!(!scale.ticks().is_empty(), "{values:?} {is_log}");
             }
         }
+    }
+
+    #[test]
+    fn ticks_do_not_touch() {
+        let ticks = [0.0, 1.0, 2.0, 5.0].map(|v| (v, String::new()));
+        let kept = apart(ticks.into(), |v| v * 10.0, 20.0);
+        let kept: Vec<f64> = kept.into_iter().map(|(v, _)| v).collect();
+        assert_eq!(kept, [0.0, 2.0, 5.0]);
     }
 }

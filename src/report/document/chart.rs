@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use maud::{Markup, html};
 
-use super::axis::Scale;
+use super::axis::{Scale, apart};
 use super::ends::{self, Ending};
 use super::marker::{badge, color, marker, px};
 use crate::report::look::Look;
@@ -272,23 +272,6 @@ impl Chart {
     }
 }
 
-/// Ticks that are so far apart that their words do not touch.
-fn apart(
-    ticks: Vec<(f64, String)>,
-    place: impl Fn(f64) -> f64,
-    least_px: f64,
-) -> Vec<(f64, String)> {
-    let mut kept: Vec<(f64, String)> = Vec::new();
-    for (value, word) in ticks {
-        let at = place(value);
-        let is_clear = |(v, _): &(f64, String)| (place(*v) - at).abs() >= least_px;
-        if kept.iter().all(is_clear) {
-            kept.push((value, word));
-        }
-    }
-    kept
-}
-
 /// Names of the series with their marks, without those that are named where they end.
 fn legend(names: &[(&str, Look)], named: &BTreeSet<usize>) -> Markup {
     let left = names.iter().enumerate();
@@ -403,13 +386,5 @@ mod tests {
     fn an_empty_chart_is_drawn() {
         let svg = chart(vec![Panel::default()]).html().into_string();
         assert!(!svg.contains("NaN") && svg.contains("</svg>"), "{svg}");
-    }
-
-    #[test]
-    fn ticks_do_not_touch() {
-        let ticks = [0.0, 1.0, 2.0, 5.0].map(|v| (v, String::new()));
-        let kept = apart(ticks.into(), |v| v * 10.0, 20.0);
-        let kept: Vec<f64> = kept.into_iter().map(|(v, _)| v).collect();
-        assert_eq!(kept, [0.0, 2.0, 5.0]);
     }
 }

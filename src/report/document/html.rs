@@ -210,7 +210,7 @@ fn grid(grid: &Grid) -> Markup {
                     tr {
                         @for (column, cell) in grid.heading.iter().enumerate() {
                             @let class = is_number(column).then_some("number");
-                            th scope="col" class=[class] title=[&cell.title] { (heading(&cell.text)) }
+                            th scope="col" class=[class] title=[&cell.title] { (breakable(&cell.text)) }
                         }
                     }
                 }
@@ -222,8 +222,8 @@ fn grid(grid: &Grid) -> Markup {
     }
 }
 
-/// Words of a heading, which may be broken where a method has a sign.
-fn heading(text: &str) -> Markup {
+/// Words that may be broken where a method has a sign.
+pub(super) fn breakable(text: &str) -> Markup {
     html! {
         @for (index, piece) in width::breaks(text).enumerate() {
             @if index > 0 { wbr; }

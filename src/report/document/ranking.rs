@@ -4,18 +4,24 @@
 
 use maud::{Markup, html};
 
-use super::axis::Scale;
+use super::axis::{Scale, apart};
+use super::html::breakable;
 use super::marker::{badge, marker};
 use super::{Cell, Grid, Tone};
 use crate::report::derived::Spread;
 use crate::report::look::Look;
 use crate::report::number::{figure, times};
 
+/// Least distance of two ticks, in percent of the axis.
+const BETWEEN_TICKS: f64 = 18.0;
+
 /// Methods under each other.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ranking {
     /// What is compared.
     pub title: String,
+    /// What the lines are: methods, or runs of one.
+    pub names: &'static str,
     /// What the numbers are of.
     pub axis: String,
     /// Whether they are factors, and not times or bytes.
@@ -54,13 +60,13 @@ impl Ranking {
     /// A table with a mark on an axis in each line.
     pub(super) fn html(&self) -> Markup {
         let scale = self.scale();
-        let ticks: Vec<(f64, String)> = scale.ticks();
+        let ticks = apart(scale.ticks(), |v| scale.place(v), BETWEEN_TICKS);
         html! {
             div.scroll tabindex="0" role="region" aria-label=(self.title) {
                 table.ranking {
                     thead {
                         tr {
-                            th scope="col" { "method" }
+                            th scope="col" { (self.names) }
                             th scope="col" { (self.axis) }
                             th.number scope="col" { "median" }
                             th scope="col" { (self.heading) }
@@ -84,7 +90,7 @@ impl Ranking {
 
     /// The same as a table of words.
     pub(super) fn grid(&self) -> Grid {
-        let heading = ["method", "median", "from", "to", &self.heading];
+        let heading = [self.names, "median", "from", "to", &self.heading];
         let mut grid = Grid::new(&self.title, heading);
         for line in &self.lines {
             let cost = |of: fn(Spread) -> f64| {
@@ -106,7 +112,7 @@ impl Ranking {
         let is_wrong = line.words.tone != Tone::Good;
         html! {
             tr {
-                th scope="row" { (badge(line.look)) (line.name) }
+                th scope="row" { (badge(line.look)) (breakable(&line.name)) }
                 @match line.cost {
                     Some(cost) => {
                         @let [least, median, most] = [cost.least, cost.median, cost.most].map(|c| scale.place(c));

@@ -47,7 +47,7 @@ fn width_of_heading(cell: &Cell) -> f64 {
 
 /// The pieces of a word that may stand in lines of their own, each with the sign that ends it.
 pub(super) fn breaks(word: &str) -> impl Iterator<Item = &str> {
-    word.split_inclusive(['+', '@', ',', ':'])
+    word.split_inclusive(['+', '@', ','])
 }
 
 fn width_of_column(grid: &Grid, column: usize) -> f64 {

@@ -134,8 +134,13 @@ fn peers_in(folder: &Path) -> Result<Vec<PeerRecord>> {
     read.collect()
 }
 
-/// The outside baselines of a folder without a run: those in its folder `peers`, or in itself, where it is such a folder.
+/// The outside baselines of a folder without a run: those in its folder `peers`, or in itself, where it is such a folder. Points whose run
+/// is lost are not passed over.
 fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
+    let has_points = |entry: &PathBuf| entry.join(EXPERIMENT_FILE).is_file();
+    if entries(path)?.iter().any(has_points) {
+        return Ok(Vec::new());
+    }
     let below = path.join(PEERS_FOLDER);
     if below.is_dir() {
         return peers_in(&below);
