@@ -45,15 +45,19 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
         let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
         Block::Text(papers_path(&points.label(setup), &records))
     }));
-    blocks.push(heading("Which one for what moves?"));
-    blocks.push(Block::Text(
+    // Over one point they say what is said above.
+    let are_several = points.all.len() > 1;
+    if are_several {
+        blocks.push(heading("Which one for what moves?"));
+        blocks.push(Block::Text(
         "The same ranking as for inputs, over all points of one kind of cut. When only the view moves, the clock of the frame is paid; when the cut moves, \
          frame and cut; when the mesh moves, all clocks. `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
-    for setup in points.setups() {
-        blocks.extend(whose(points, setup));
-        blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+        }
     }
     if others > 0 {
         blocks.push(heading("Which strategies cope with broken meshes?"));
@@ -74,11 +78,13 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
         }
     }
     blocks.extend(styles::blocks(points));
-    blocks.push(heading("Answers by question"));
-    for setup in points.setups() {
-        blocks.extend(whose(points, setup));
-        let table = Block::Grid(by_question(points, &points.on(setup)));
-        blocks.push(folded("Each experiment in a line", [table]));
+    if are_several {
+        blocks.push(heading("Answers by question"));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            let table = Block::Grid(by_question(points, &points.on(setup)));
+            blocks.push(folded("Each experiment in a line", [table]));
+        }
     }
     blocks
 }

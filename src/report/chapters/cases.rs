@@ -28,7 +28,9 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
                     4,
                     format!("{}, run {}{place}", cases.experiment, cases.run),
                 ));
-                blocks.extend(asked(experiment));
+                if experiment.cases.first() == Some(cases) {
+                    blocks.extend(asked(experiment));
+                }
                 blocks.extend(one(cases));
             }
         }

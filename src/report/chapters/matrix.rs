@@ -7,7 +7,8 @@ use crate::report::derived::{StrategyTotals, totals_of_strategies};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
 pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
-    if points.all.is_empty() {
+    // One point is a table of its own.
+    if points.all.len() < 2 {
         return Vec::new();
     }
     let mut blocks = vec![Block::Text(
