@@ -23,7 +23,7 @@ const FAULTS = [
   ["<div style=\"width:3000px\">planted</div>", "overflows"],
   ["<div class=\"scroll\"><div style=\"width:3000px\">planted</div></div>", "too wide for its box"],
   ["<style>.compare .over { clip-path: none !important }</style>", "slider"],
-  ["<script>document.querySelectorAll('.mark').forEach((m) => m.remove())</script>", "marks"],
+  ["<script>document.querySelectorAll('.mark, .track svg').forEach((m) => m.remove())</script>", "marks"],
   ["<script>document.querySelectorAll('thead button').forEach((b) => b.remove())</script>", "sort"],
 ];
 
@@ -126,6 +126,9 @@ function complaints() {
   for (const chart of charts) {
     const marks = chart.querySelectorAll(".mark").length;
     if (marks === 0) found.push(`no marks in the chart ${chart.querySelector("figcaption").textContent}`);
+  }
+  for (const track of document.querySelectorAll(".ranking tbody .track")) {
+    if (!track.querySelector("svg")) found.push("no marks in a ranking");
   }
   const tables = [...document.querySelectorAll("table.grid")].filter((t) => t.tBodies[0].rows.length > 2);
   for (const table of tables) {

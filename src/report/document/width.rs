@@ -45,9 +45,10 @@ fn width_of_heading(cell: &Cell) -> f64 {
     longest.unwrap_or(0) as f64 * LETTER + SORT_MARK
 }
 
-/// The pieces of a word that may stand in lines of their own, each with the sign that ends it.
-pub(super) fn breaks(word: &str) -> impl Iterator<Item = &str> {
-    word.split_inclusive(['+', '@', ','])
+/// The pieces of words that may stand in lines of their own, each with the sign that ends it. Code is left whole.
+pub(super) fn breaks(words: &str) -> impl Iterator<Item = &str> {
+    let is_code = words.contains('`');
+    words.split_inclusive(move |c| !is_code && matches!(c, '+' | '@' | ','))
 }
 
 fn width_of_column(grid: &Grid, column: usize) -> f64 {
