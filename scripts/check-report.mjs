@@ -8,9 +8,10 @@ import { pathToFileURL } from "node:url";
 
 const [browser, report, shots, plant] = process.argv.slice(2);
 
-// Sizes of a phone and of a desk.
+// Sizes of a phone, of a laptop and of a desk.
 const VIEWS = [
   { name: "phone", width: 390, height: 844, dark: false },
+  { name: "laptop", width: 1280, height: 800, dark: false },
   { name: "desk", width: 1400, height: 900, dark: false },
   { name: "desk-dark", width: 1400, height: 900, dark: true },
 ];
@@ -20,8 +21,9 @@ const FAULTS = [
   ["<script>throw new Error('planted')</script>", "error"],
   ["<img src=\"https://example.invalid/x.png\">", "fetched"],
   ["<div style=\"width:3000px\">planted</div>", "overflows"],
+  ["<div class=\"scroll\"><div style=\"width:3000px\">planted</div></div>", "too wide for its box"],
   ["<style>.compare .over { clip-path: none !important }</style>", "slider"],
-  ["<script>document.querySelectorAll('.mark').forEach((m) => m.remove())</script>", "marks"],
+  ["<script>document.querySelectorAll('.mark, .track svg').forEach((m) => m.remove())</script>", "marks"],
   ["<script>document.querySelectorAll('thead button').forEach((b) => b.remove())</script>", "sort"],
 ];
 
@@ -112,10 +114,21 @@ function complaints() {
   if (root.scrollWidth > root.clientWidth) {
     found.push(`the page overflows: ${root.scrollWidth} px in ${root.clientWidth} px`);
   }
+  // On a phone tables scroll in their own boxes; elsewhere none has to.
+  if (root.clientWidth > 1000) {
+    for (const box of document.querySelectorAll(".scroll")) {
+      if (box.offsetParent !== null && box.scrollWidth > box.clientWidth + 1) {
+        found.push(`too wide for its box: ${box.getAttribute("aria-label")}, ${box.scrollWidth} px in ${box.clientWidth} px`);
+      }
+    }
+  }
   const charts = [...document.querySelectorAll(".chart")];
   for (const chart of charts) {
     const marks = chart.querySelectorAll(".mark").length;
     if (marks === 0) found.push(`no marks in the chart ${chart.querySelector("figcaption").textContent}`);
+  }
+  for (const track of document.querySelectorAll(".ranking tbody .track")) {
+    if (!track.querySelector("svg")) found.push("no marks in a ranking");
   }
   const tables = [...document.querySelectorAll("table.grid")].filter((t) => t.tBodies[0].rows.length > 2);
   for (const table of tables) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Opens a report in a real headless browser and checks what no test of its text can: that nothing is fetched, that the script runs
 # without an error, that tables sort, that the slider moves the divider, that charts have marks, and that nothing overflows the width of
-# a phone (390 px) or of a desk (1400 px), in light and in dark. Leaves screenshots to look at.
+# a phone (390 px), a laptop (1280 px) or a desk (1400 px), in light and in dark. Leaves screenshots to look at.
 #
 #   scripts/check-report.sh REPORT.html [FOLDER FOR SCREENSHOTS]
 #

@@ -253,8 +253,8 @@ fn legend_text() -> String {
         .iter()
         .map(|e| {
             format!(
-                "#{:02x}{:02x}{:02x}  {}\n",
-                e.rgb[0], e.rgb[1], e.rgb[2], e.name
+                "#{:02x}{:02x}{:02x}  {}: {}\n",
+                e.rgb[0], e.rgb[1], e.rgb[2], e.name, e.meaning
             )
         })
         .collect()

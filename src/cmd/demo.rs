@@ -25,7 +25,8 @@ Examples:
   cutaway demo
   cutaway demo --out /tmp/cutaway --resolution 1920,1080
 
-Open report.html in the folder: its slider lays every strategy, and where that is wrong, over the exact picture.";
+Open report.html in the folder: it says which method to use for this cut, shows what each draws and, by one switch, where that is wrong,
+and lays any two under a slider.";
 
 /// The experiment: a corner cut out of the crank along two ragged reliefs.
 const EXPERIMENT: &str = include_str!("demo.toml");
@@ -116,6 +117,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
         folders: vec![out.clone()],
         out: None,
         link: false,
+        method: None,
         complete: false,
         console: args.console,
     })?;

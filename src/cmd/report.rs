@@ -9,7 +9,7 @@ use super::console::{Console, ConsoleArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::places::InputFiles;
 use crate::Result;
-use crate::report::{PictureOptions, Recorded, pages};
+use crate::report::{PictureOptions, Recorded, method_pages, pages};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -17,14 +17,16 @@ Examples:
   cutaway report laptop/ server/ --out both/
   cutaway report target/measure --link
   cutaway report shared/mine --complete      # exit code 1 while shares are missing
+  cutaway report target/measure --method planar
+  cutaway report target/measure/peers        # what other tools found, alone
 
 Writes report.html (one file, opens from disk, fetches nothing), report.md, report.csv (one row for each point and
-strategy) and report.json (all records).";
+strategy) and report.json (all records). With --method it writes method-NAME.html and method-NAME.md instead.";
 
 /// Options of `report`.
 #[derive(Args)]
 pub(super) struct ReportArgs {
-    /// Folders of runs, as `cutaway measure --out DIR` writes them
+    /// Folders of runs, as `cutaway measure --out DIR` writes them, or of outside baselines alone
     #[arg(required = true, value_name = "DIR")]
     pub(super) folders: Vec<PathBuf>,
     /// Folder for the report [default: the first folder]
@@ -33,6 +35,9 @@ pub(super) struct ReportArgs {
     /// Leave the pictures in their files, and link to them
     #[arg(long)]
     pub(super) link: bool,
+    /// What one method does at all points: its errors, times, memory, and what it refuses and why
+    #[arg(long, value_name = "NAME", conflicts_with = "link")]
+    pub(super) method: Option<String>,
     /// Exit code 1 where points are missing that the experiments ask for
     #[arg(long)]
     pub(super) complete: bool,
@@ -61,8 +66,21 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("run.") && name.ends_with(".json")
     };
-    let all = records.chain(of(folder).into_iter().filter(is_run));
-    all.filter(|path| path.is_file()).collect()
+    let is_alone = !of(folder).iter().any(is_run);
+    // A folder without a run may be one of outside baselines.
+    let is_baseline = |path: &PathBuf| is_alone && path.extension().is_some_and(|e| e == "json");
+    let own = of(folder).into_iter();
+    let own = own.filter(|path| {
+        (is_run(path) || is_baseline(path)) && !NAMES.iter().any(|n| path.ends_with(n))
+    });
+    records.chain(own).filter(|path| path.is_file()).collect()
+}
+
+/// The file of a method, without its ending: `method-grid-256+vds-1024`.
+fn stem_of(method: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '+' | '.' | '-' | '_');
+    let letters = method.chars().map(|c| if is_plain(c) { c } else { '-' });
+    format!("method-{}", letters.collect::<String>())
 }
 
 /// Runs `report`.
@@ -70,45 +88,65 @@ pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
     let console = Console::new(args.console, 3);
     console.step("reading records");
     let out = args.out.as_ref().unwrap_or(&args.folders[0]);
+    let names: Vec<String> = match &args.method {
+        None => NAMES.map(str::to_owned).into(),
+        Some(method) => ["html", "md"]
+            .map(|e| format!("{}.{e}", stem_of(method)))
+            .into(),
+    };
     let inputs = InputFiles::default();
     inputs.add(args.folders.iter().flat_map(|folder| files_below(folder)));
-    inputs.keep_from(NAMES.map(|name| ("--out", out.join(name))))?;
+    inputs.keep_from(names.iter().map(|name| ("--out", out.join(name))))?;
     let recorded = Recorded::read(&args.folders)?;
-    checked_folder("--out", out)?;
     console.step("making pages");
-    let pages = pages(
-        &recorded,
-        &PictureOptions {
-            out: out.clone(),
-            link: args.link,
-            most_bytes: PictureOptions::MOST_BYTES,
-        },
-    );
+    let texts = match &args.method {
+        None => all_of(&recorded, args, out),
+        Some(method) => {
+            let pages = method_pages(&recorded, method)?;
+            vec![pages.html, pages.markdown]
+        }
+    };
+    checked_folder("--out", out)?;
     console.step("writing");
     let mut written = String::new();
-    let texts = [&pages.html, &pages.markdown, &pages.csv, &pages.json];
-    for (name, text) in NAMES.into_iter().zip(texts) {
+    for (name, text) in names.iter().zip(&texts) {
         let path = out.join(name);
         write_file(&path, text.as_bytes())?;
         written.push_str(&format!("{}\n", path.display()));
     }
-    let (there, asked, missing) = recorded.completeness();
-    let mut verdict = Verdict::Done;
-    if !missing.is_empty() {
-        let named = missing[..missing.len().min(MOST_NAMED)].join(", ");
-        let more = match missing.len().saturating_sub(MOST_NAMED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        let text = format!("{there} of {asked} points; missing: {named}{more}");
-        if args.complete {
-            console.failed(text);
-            verdict = Verdict::Failed;
-        } else {
-            console.note(text);
-        }
-    }
+    let verdict = completeness(&recorded, args, &console);
     drop(console);
     write_stdout(written.as_bytes())?;
     Ok(verdict)
+}
+
+/// The texts of the files of [`NAMES`].
+fn all_of(recorded: &Recorded, args: &ReportArgs, out: &Path) -> Vec<String> {
+    let options = PictureOptions {
+        out: out.to_owned(),
+        link: args.link,
+        most_bytes: PictureOptions::MOST_BYTES,
+    };
+    let pages = pages(recorded, &options);
+    vec![pages.html, pages.markdown, pages.csv, pages.json]
+}
+
+/// Says which points are missing.
+fn completeness(recorded: &Recorded, args: &ReportArgs, console: &Console) -> Verdict {
+    let (there, asked, missing) = recorded.completeness();
+    if missing.is_empty() {
+        return Verdict::Done;
+    }
+    let named = missing[..missing.len().min(MOST_NAMED)].join(", ");
+    let more = match missing.len().saturating_sub(MOST_NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let text = format!("{there} of {asked} points; missing: {named}{more}");
+    if args.complete {
+        console.failed(text);
+        return Verdict::Failed;
+    }
+    console.note(text);
+    Verdict::Done
 }

@@ -38,19 +38,61 @@ pub struct LegendEntry {
     pub rgb: [u8; 3],
     /// Its name, for readers.
     pub name: &'static str,
+    /// What a pixel of it is, in half a sentence.
+    pub meaning: &'static str,
 }
 
 /// The classes in order, with their colours.
 pub fn legend() -> [LegendEntry; 7] {
-    let entry = |class, rgb, name| LegendEntry { class, rgb, name };
+    let entry = |class, rgb, name, meaning| LegendEntry {
+        class,
+        rgb,
+        name,
+        meaning,
+    };
     [
-        entry(Class::Crack, [240, 228, 66], "crack"),
-        entry(Class::MissedCap, [213, 94, 0], "missed cap"),
-        entry(Class::LeakedCap, [0, 114, 178], "leaked cap"),
-        entry(Class::WrongPart, [204, 121, 167], "wrong part"),
-        entry(Class::Mismatch, [230, 159, 0], "surface against background"),
-        entry(Class::Unreliable, [86, 180, 233], "unreliable"),
-        entry(Class::Undecided, [0, 158, 115], "undecided"),
+        entry(
+            Class::Crack,
+            [240, 228, 66],
+            "crack",
+            "a hole in the picture: a back face or the background shows, where there is neither cap nor outline",
+        ),
+        entry(
+            Class::MissedCap,
+            [213, 94, 0],
+            "missed cap",
+            "there is a cap, and the method draws none",
+        ),
+        entry(
+            Class::LeakedCap,
+            [0, 114, 178],
+            "leaked cap",
+            "the method draws a cap where there is none",
+        ),
+        entry(
+            Class::WrongPart,
+            [204, 121, 167],
+            "wrong part",
+            "the cap or surface is that of another part or clip-surface",
+        ),
+        entry(
+            Class::Mismatch,
+            [230, 159, 0],
+            "surface against background",
+            "a surface where there is background, or the reverse, along an outline",
+        ),
+        entry(
+            Class::Unreliable,
+            [86, 180, 233],
+            "unreliable",
+            "right, and marked by the method as one that it may have got wrong",
+        ),
+        entry(
+            Class::Undecided,
+            [0, 158, 115],
+            "undecided",
+            "right, at a pixel where rounding decides: nothing drawn there counts as wrong",
+        ),
     ]
 }
 

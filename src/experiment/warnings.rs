@@ -96,8 +96,8 @@ impl Warning {
                 format!("{adapter} draws on the CPU: times say nothing about graphics cards")
             }
             Self::WallTimes => {
-                "times are those of the wall around each pass, with what it costs to begin and \
-                                to wait for one"
+                "times are wall times around each pass, and include what it costs to submit it and to \
+                 wait for it"
                     .to_owned()
             }
             Self::Busy { load, cores } => {
@@ -153,7 +153,7 @@ impl Warning {
                 "errors are those of the frame that overflowed: lower --resolution, or raise its limit"
             }
             Self::Undecided { .. } => {
-                "look from elsewhere, or closer: nobody can be called wrong at these pixels"
+                "choose another view, or come closer: what is drawn at these pixels counts neither as right nor as wrong"
             }
             Self::FewRounds { is_quick: true, .. } => "leave --quick out, or measure more --rounds",
             Self::FewRounds { .. } => "measure more --rounds",

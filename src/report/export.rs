@@ -74,7 +74,9 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             found.reason.clone().unwrap_or_default(),
             m.adapter.name.clone(),
             m.adapter.software.to_string(),
-            folder.run.commit.clone().unwrap_or_default(),
+            (folder.run.as_ref())
+                .and_then(|run| run.commit.clone())
+                .unwrap_or_default(),
             row.record.is_quick.to_string(),
             m.scene.clone(),
             format!("{}x{}", m.resolution[0], m.resolution[1]),
@@ -125,7 +127,7 @@ struct Joined<'a> {
 #[derive(Serialize)]
 struct JoinedFolder<'a> {
     folder: String,
-    run: &'a Run,
+    run: Option<&'a Run>,
     experiments: Vec<JoinedExperiment<'a>>,
     peers: &'a [PeerRecord],
 }
@@ -171,7 +173,7 @@ pub(super) fn json(recorded: &Recorded) -> String {
     let points = (recorded.folders.iter()).flat_map(|f| records(f).map(move |r| derived(f, r)));
     let folders = recorded.folders.iter().map(|folder| JoinedFolder {
         folder: folder.path.display().to_string(),
-        run: &folder.run,
+        run: folder.run.as_ref(),
         experiments: (folder.experiments.iter())
             .map(|e| JoinedExperiment {
                 definition: &e.synopsis,

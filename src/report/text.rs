@@ -1,6 +1,8 @@
 //! A report for a terminal: error first, then time, then what was refused and why.
 
 use super::Table;
+use super::errors::ERRORS;
+use super::number::{mebibytes, milliseconds, significant};
 use crate::experiment::{Measurement, StrategyMeasurement};
 
 /// The report as text.
@@ -38,39 +40,20 @@ pub fn text(report: &Measurement) -> String {
 
 /// What each strategy gets wrong, in pixels, scene units and degrees.
 fn errors(report: &Measurement) -> Table {
-    let mut table = Table::new([
-        "error",
-        "decided wrong px",
-        "missed cap",
-        "leaked cap",
-        "wrong part",
-        "crack",
-        "interior",
-        "edge",
-        "unreliable",
-        "depth max",
-        "normal max deg",
-    ]);
+    let words = ERRORS.iter().map(|(word, _)| *word);
+    let heading = std::iter::once("error").chain(words);
+    let mut table = Table::new(heading.chain(["depth max", "normal max deg"]));
     for strategy in &report.strategies {
         let Some(c) = &strategy.comparison else {
             table.row([strategy.name.as_str(), strategy.outcome.name()]);
             continue;
         };
-        let pixels = [
-            c.decided_wrong_px,
-            c.missed_cap_px,
-            c.leaked_cap_px,
-            c.wrong_part_px,
-            c.crack_px,
-            c.interior_wrong_px,
-            c.edge_wrong_px,
-            c.odd_parity_px,
-        ];
+        let counts = ERRORS.iter().map(|(_, count)| count(c).to_string());
         let numbers = [
-            format!("{:.1e}", c.depth_error_max),
+            significant(c.depth_error_max),
             format!("{:.2}", c.normal_error_deg_max),
         ];
-        let cells = pixels.iter().map(ToString::to_string).chain(numbers);
+        let cells = counts.chain(numbers);
         table.row(std::iter::once(strategy.name.clone()).chain(cells));
     }
     table
@@ -150,24 +133,6 @@ fn shortfalls(report: &Measurement) -> Vec<String> {
         Some(format!("{} {}: {reason}", s.name, s.outcome.name()))
     });
     short.collect()
-}
-
-/// Three digits or so.
-pub(super) fn milliseconds(ms: f64) -> String {
-    match ms {
-        0.0 => "0".to_owned(),
-        ..1.0 => format!("{ms:.3}"),
-        ..100.0 => format!("{ms:.2}"),
-        _ => format!("{ms:.0}"),
-    }
-}
-
-/// Bytes in one unit, so that a column can be read down.
-fn mebibytes(bytes: u64) -> String {
-    match bytes {
-        0 => "0".to_owned(),
-        _ => format!("{:.2}", bytes as f64 / 1_048_576.0),
-    }
 }
 
 #[cfg(test)]

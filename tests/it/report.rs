@@ -10,7 +10,9 @@ use cutaway::experiment::Record;
 use cutaway::report::{Pages, PictureOptions, Recorded, pages};
 
 use crate::common::command;
+mod answering;
 pub(crate) mod fixture;
+pub(crate) mod form;
 mod whole;
 
 use command::Scratch;
@@ -33,7 +35,7 @@ fn report_of(folder: &Scratch, records: &[Record]) -> Pages {
 }
 
 /// Words by which a page would fetch something.
-fn fetches(page: &str) -> Vec<&'static str> {
+pub(crate) fn fetches(page: &str) -> Vec<&'static str> {
     let words = [
         "src=\"http",
         "src=\"//",
@@ -111,7 +113,8 @@ fn both_pages_have_the_same_tables() {
     let folder = Scratch::new("report-tables");
     let pages = report_of(&folder, &records());
     let in_html = pages.html.matches("<table class=\"grid\">").count()
-        + pages.html.matches("<table class=\"bars\">").count();
+        + pages.html.matches("<table class=\"bars\">").count()
+        + pages.html.matches("<table class=\"ranking\">").count();
     let in_markdown = pages
         .markdown
         .lines()

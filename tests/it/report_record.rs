@@ -7,8 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+use cutaway::experiment::{Record, Samples};
 use cutaway::report::{Pages, PictureOptions, Recorded, pages};
 use serde_json::Value;
+
+use crate::report::fetches;
+use crate::report::form::faults;
 
 #[path = "report/readme.rs"]
 mod readme;
@@ -72,6 +76,68 @@ fn what_is_recommended_can_be_drawn() {
     assert!(
         holes.unwrap().ends_with("| too much is lost |"),
         "{holes:?}"
+    );
+}
+
+#[test]
+fn the_page_is_in_form() {
+    assert_eq!(faults(&PAGES.html), [""; 0]);
+    assert_eq!(fetches(&PAGES.html), [""; 0]);
+}
+
+#[test]
+fn each_input_is_answered_in_a_sentence_and_a_chart() {
+    let page = &PAGES.markdown;
+    let inputs = page.split("\n## ").nth(1).unwrap();
+    let answers = inputs.split("\n##### ").skip(1);
+    let answers: Vec<&str> = answers.filter(|a| a.contains("moves\n")).collect();
+    assert_eq!(answers.len(), 10, "{inputs}");
+    for answer in &answers {
+        let says = answer.contains("\nUse `") || answer.contains("Least wrong: ");
+        assert!(says && answer.contains("| method | median |"), "{answer}");
+    }
+    let planes = answers.iter().find(|a| a.starts_with("plane cuts,"));
+    let cell = row("plane cuts")[4].to_owned();
+    let said = format!("Use `raycast+mask --rasteriser compute`: {cell} of drawing uncut");
+    assert!(planes.unwrap().contains(&said), "{planes:?}");
+}
+
+/// Time of all clocks of the one strategy of a point of an experiment.
+fn all_clocks_ms(experiment: &str, values: &[(&str, &str)]) -> f64 {
+    let mut experiments = RECORDED.folders[0].experiments.iter();
+    let found = experiments.find(|e| e.synopsis.name == experiment).unwrap();
+    let is_it = |r: &&Record| {
+        values
+            .iter()
+            .all(|(k, v)| r.parameters[*k].to_string() == *v)
+    };
+    let time = &found
+        .records
+        .iter()
+        .find(is_it)
+        .unwrap()
+        .measurement
+        .strategies[0]
+        .time_ms;
+    Samples::sum(&[&time.solid, &time.cut, &time.frame]).median
+}
+
+#[test]
+fn cutaways_and_styles_have_their_cost_over_the_plain_picture() {
+    let of = |cutaway| {
+        let values = [("style", "toon"), ("size", "1024"), ("cutaway", cutaway)];
+        all_clocks_ms("15-cutaways", &values)
+    };
+    let ratio = |value: f64| format!("×{value:.2}");
+    let cells = row("size = 1024, style = toon");
+    let [cutout, breakaway] = ["cutout", "breakaway"].map(|c| ratio(of(c) / of("none")));
+    assert_eq!(cells[2..], [cutout, breakaway]);
+    let of = |style| all_clocks_ms("14-illustration", &[("style", style)]);
+    assert_eq!(row("ink")[2], ratio(of("ink") / of("lit")));
+    assert!(
+        PAGES
+            .markdown
+            .contains("Over `cutaway = none` in the same picture: `cutout` ×")
     );
 }
 

@@ -2,10 +2,10 @@
 
 use super::figures::{ranged, times};
 use super::point::{Point, Points, Setup};
-use super::{best, broken, counted, figures, inputs};
+use super::{best, broken, cards, counted, figures, inputs, reasons, styles};
 use crate::experiment::Record;
 use crate::report::derived::{
-    Kind, Situation, Spread, StrategyTotals, has_other_truth, is_exact, papers,
+    Kind, Situation, Spread, StrategyTotals, has_defect, has_other_truth, is_exact, papers,
     totals_of_strategies,
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
@@ -25,26 +25,18 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
         }
     }
     blocks.push(heading("Which strategy is exact, and what does it cost?"));
-    blocks.push(Block::Text(
-        "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
-         The ratio is the time of a frame over that of drawing the same scene with nothing cut: median, and on pointing at it the range. \
-         Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
-            .to_owned(),
-    ));
     let others = points.all.iter().filter(|p| has_other_truth(p.record));
     let others = others.count();
-    if others > 0 {
-        blocks.push(Block::Text(format!(
-            "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
-             by that of the whole one. They have a table of their own below.",
-            counted(others, "point")
-        )));
-    }
     for setup in points.setups() {
         let on_it = sound(points.on(setup));
         let records: Vec<&Record> = on_it.iter().map(|p| p.record).collect();
+        let totals = totals_of_strategies(&records);
         blocks.extend(whose(points, setup));
-        blocks.push(Block::Grid(exactness(&totals_of_strategies(&records))));
+        blocks.push(Block::Text(exact_ones(&totals)));
+        blocks.push(folded(
+            "All methods, their errors, costs and refusals",
+            exactness_notes(others).chain([Block::Grid(exactness(&totals))]),
+        ));
     }
     blocks.push(heading(
         "What does the paper's path cost, and what does it miss?",
@@ -53,36 +45,101 @@ pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
         let records: Vec<&Record> = (sound(points.on(setup)).iter()).map(|p| p.record).collect();
         Block::Text(papers_path(&points.label(setup), &records))
     }));
-    blocks.push(heading("Which one for what moves?"));
-    blocks.push(Block::Text(
-        "The same ranking as for inputs, over all points of one kind of cut, when only the view moves (clock of the frame), the cut moves \
-         (frame and cut), or the mesh moves (all clocks). `exact at` counts the points that have an exact strategy."
+    // Over one point they say what is said above.
+    let are_several = points.all.len() > 1;
+    if are_several {
+        blocks.push(heading("Which one for what moves?"));
+        blocks.push(Block::Text(
+        "The same ranking as for inputs, over all points of one kind of cut. When only the view moves, the clock of the frame is paid; when the cut moves, \
+         frame and cut; when the mesh moves, all clocks. `exact at` counts the points that have an exact strategy."
             .to_owned(),
     ));
-    for setup in points.setups() {
-        blocks.extend(whose(points, setup));
-        blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            blocks.push(Block::Grid(by_situation(&sound(points.on(setup)))));
+        }
     }
     if others > 0 {
         blocks.push(heading("Which strategies cope with broken meshes?"));
-        blocks.push(Block::Text(
-            "A row for each defect and strategy: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
-             something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not."
-                .to_owned(),
-        ));
     }
     for setup in points.setups() {
         if let Some(grid) = broken::grid(&points.on(setup)) {
             blocks.extend(whose(points, setup));
-            blocks.push(Block::Grid(grid));
+            let on_it = points.on(setup);
+            let broken = on_it.iter().map(|p| p.record).filter(|r| has_defect(r));
+            let broken: Vec<&Record> = broken.collect();
+            blocks.push(Block::Text(cards::sentence(&broken, Situation::View)));
+            let how = "A row for each defect and method: decided wrong pixels as a share of the cap of the whole mesh, median and worst over the points where \
+                 something is broken; how many of them are not marked as unreliable; and how many pixels are marked, wrong or not.";
+            blocks.push(folded(
+                "Each defect by each method",
+                [Block::Text(how.to_owned()), Block::Grid(grid)],
+            ));
         }
     }
-    blocks.push(heading("Answers by question"));
-    for setup in points.setups() {
-        blocks.extend(whose(points, setup));
-        blocks.push(Block::Grid(by_question(points, &points.on(setup))));
+    blocks.extend(styles::blocks(points));
+    if are_several {
+        blocks.push(heading("Answers by question"));
+        for setup in points.setups() {
+            blocks.extend(whose(points, setup));
+            let table = Block::Grid(by_question(points, &points.on(setup)));
+            blocks.push(folded("Each experiment in a line", [table]));
+        }
     }
     blocks
+}
+
+fn folded(summary: &str, blocks: impl IntoIterator<Item = Block>) -> Block {
+    Block::Folded {
+        summary: summary.to_owned(),
+        open: false,
+        blocks: blocks.into_iter().collect(),
+    }
+}
+
+/// What the table of exactness counts, and what it leaves out.
+fn exactness_notes(others: usize) -> impl Iterator<Item = Block> {
+    let counts = Block::Text(
+        "A strategy is exact at a point if it drew the whole frame and has no wrong pixel where the reference is sure. \
+         The ratio is the time of a frame over that of drawing the same scene with nothing cut: the median, with the range in its tooltip. \
+         Strategies that only occur in sweeps over their own parameter are in the charts of their experiment."
+            .to_owned(),
+    );
+    let left_out = (others > 0).then(|| {
+        Block::Text(format!(
+            "Left out here, in what the paper's path costs, and in what moves: {} judged by the exact image of another scene, as broken meshes are \
+             by that of the whole one. They have a table of their own below.",
+            counted(others, "point")
+        ))
+    });
+    std::iter::once(counts).chain(left_out)
+}
+
+/// Which methods are exact wherever they drew, in a sentence.
+fn exact_ones(totals: &[StrategyTotals]) -> String {
+    let named = |is_it: fn(&StrategyTotals) -> bool| -> Vec<String> {
+        let of_it = totals.iter().filter(|s| s.drawn > 0 && is_it(s));
+        of_it
+            .map(|s| {
+                let ratio = s
+                    .ratio
+                    .map_or_else(String::new, |r| format!(" {}", times(r.median)));
+                format!("`{}`{ratio}", s.name)
+            })
+            .collect()
+    };
+    let exact = named(StrategyTotals::is_exact);
+    let wrong = named(|s| !s.is_exact());
+    match (exact.as_slice(), wrong.as_slice()) {
+        ([], _) => "None is exact at every point that it drew.".to_owned(),
+        (_, []) => format!("Exact at every point that they drew: {}.", exact.join(", ")),
+        _ => format!(
+            "Exact at every point that they drew: {}. Wrong at some point: {}. The factor is the time of a frame over that of drawing uncut, the median \
+             over all points of a method; methods were not asked at the same points, so that it ranks none.",
+            exact.join(", "),
+            wrong.join(", ")
+        ),
+    }
 }
 
 fn heading(text: &str) -> Block {
@@ -140,31 +197,10 @@ fn exactness(totals_of_strategies: &[StrategyTotals]) -> Grid {
                 Tone::Plain
             }),
             count(s.refused()),
-            describe_reasons(&reasons),
+            reasons::short(&reasons),
         ]);
     }
     grid
-}
-
-/// Reasons of refusals, so short that a table stays flat; whole on pointing at it.
-fn describe_reasons(reasons: &[String]) -> Cell {
-    const MOST: usize = 48;
-    let Some(first) = reasons.first() else {
-        return Cell::default();
-    };
-    let sentence = first
-        .split(['.', ';', ',', '('])
-        .next()
-        .unwrap_or(first)
-        .trim_end();
-    let mut text: String = sentence.chars().take(MOST).collect();
-    if text.len() < first.len() {
-        text.push('…');
-    }
-    if reasons.len() > 1 {
-        text.push_str(&format!(" (and {} more)", reasons.len() - 1));
-    }
-    Cell::from(text).titled(reasons.join("; "))
 }
 
 /// The paper's path at some points as one strategy: where its own parameters were not asked, with all that were.
@@ -240,7 +276,7 @@ fn by_situation(points: &[Point<'_>]) -> Grid {
 }
 
 /// What moves in an experiment: what its runs say where they agree, else the view.
-fn situation_of(points: &[Point<'_>]) -> Situation {
+pub(super) fn situation_of(points: &[Point<'_>]) -> Situation {
     let mut all = points.iter().filter_map(Point::run).map(|run| run.moves);
     let first = all.next().unwrap_or_default();
     match all.all(|moves| moves == first) {

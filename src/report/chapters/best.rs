@@ -31,14 +31,24 @@ fn noted(name: &str, notes: &[String]) -> String {
     }
 }
 
+/// What a method of the ranking is limited to and at how many points it is exact where that is not all, in brackets; else nothing.
+pub(super) fn limited(ranked: &Ranked, points: usize) -> String {
+    let notes = notes(ranked, points);
+    match notes.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", notes.join("; ")),
+    }
+}
+
+fn notes(ranked: &Ranked, points: usize) -> Vec<String> {
+    let limit = ranked.usage.limit.map(str::to_owned);
+    let rare = (ranked.exact < points).then(|| format!("at {} of {points} points", ranked.exact));
+    limit.into_iter().chain(rare).collect()
+}
+
 /// The first of the ranking, its cost, and the next.
 fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
-    let name = |s: &Ranked| {
-        let limit = s.usage.limit.map(str::to_owned);
-        let rare = (s.exact < points).then(|| format!("at {} of {points} points", s.exact));
-        let notes: Vec<String> = limit.into_iter().chain(rare).collect();
-        noted(&s.usage.words, &notes)
-    };
+    let name = |s: &Ranked| noted(&s.usage.words, &notes(s, points));
     let Some(first) = ranking.first() else {
         let none = Cell::from("none is exact").toned(Tone::Bad);
         return [none, Cell::default(), Cell::default()];
@@ -56,7 +66,7 @@ fn of_sound(ranking: &[Ranked], points: usize) -> [Cell; 3] {
 }
 
 /// The least wrong that `render` takes, its cost, and the next; before that what is less wrong and only `compare` takes.
-fn of_broken(harms: &[Harm]) -> [Cell; 3] {
+pub(super) fn of_broken(harms: &[Harm]) -> [Cell; 3] {
     let usable = harms.iter().filter(|h| h.is_usable());
     let (drawn, compared): (Vec<&Harm>, Vec<&Harm>) =
         usable.partition(|h| usage(&h.totals.name).is_some());

@@ -14,20 +14,23 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
             for cases in &experiment.cases {
                 if blocks.is_empty() {
                     blocks.push(Block::Text(
-                        "Scenes with a known answer. A cell says what came of the expectation of that strategy: `reached`; `declared`, a failure or a bound that was \
+                        "Scenes with a known answer. A cell says what came of the expectation of that method: `✓`, reached; `declared`, a failure or a bound that was \
                          stated beforehand with its reason, and occurred as stated; or `missed`, which a declared failure that passes is too. Cases with something missed come first."
                             .to_owned(),
                     ));
                 }
                 let place = match recorded.folders.len() {
                     1 => String::new(),
-                    _ => format!(" · {}", folder.run.adapter.name),
+                    _ => (folder.run.as_ref())
+                        .map_or_else(String::new, |run| format!(" · {}", run.adapter.name)),
                 };
                 blocks.push(Block::Heading(
                     4,
                     format!("{}, run {}{place}", cases.experiment, cases.run),
                 ));
-                blocks.extend(asked(experiment));
+                if experiment.cases.first() == Some(cases) {
+                    blocks.extend(asked(experiment));
+                }
                 blocks.extend(one(cases));
             }
         }
@@ -71,7 +74,11 @@ fn one(cases: &CaseRecords) -> Vec<Block> {
             }
         }
     }
-    blocks.push(Block::Grid(table(cases)));
+    blocks.push(Block::Folded {
+        summary: format!("{} by each method", counted(cases.cases.len(), "case")),
+        open: missed().count() > 0,
+        blocks: vec![Block::Grid(table(cases))],
+    });
     blocks
 }
 
@@ -123,7 +130,7 @@ fn cell(reached: &[&Reached]) -> Cell {
     } else if reached.iter().any(|r| r.expected.why.is_some()) {
         ("declared", Tone::Fair)
     } else {
-        ("reached", Tone::Good)
+        ("✓", Tone::Good)
     };
     Cell::from(word).toned(tone).titled(story.join(" | "))
 }

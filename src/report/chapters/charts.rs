@@ -3,12 +3,14 @@
 //! A chart of a front compares strategies at one point, so each point has its own; any other has all points of a setup. Marks of
 //! one strategy under a sweep of its parameter are one series, in the order of the parameter.
 
-use super::figures::{label, times};
+use super::figures::label;
 use super::point::{Point, Points};
-use crate::experiment::ChartSynopsis;
-use crate::experiment::{Ending, Parameter};
-use crate::report::derived::{Offer, Price, Row, front, natural, rows_by_family, steps};
-use crate::report::document::{Axis, Block, Cell, Chart, Grid, Mark, Series, Tone, word_of};
+use super::{fronts, series};
+use crate::experiment::{ChartSynopsis, Ending, Parameter};
+use crate::report::derived::{Row, natural, rows_by_family};
+use crate::report::document::{Axis, Block, Chart, Mark, Panel, Series, Tone};
+use crate::report::look::{Look, look};
+use crate::report::number::figure;
 
 /// All charts of a definition, from the points of its experiment.
 pub(super) fn blocks(
@@ -35,9 +37,9 @@ pub(super) fn blocks(
         let before = blocks.len();
         for (facet, of_facet) in &facets {
             let facet = if facets.len() > 1 { facet.as_str() } else { "" };
-            blocks.extend(draw_chart(asked, facet, of_facet));
+            add_card(&mut blocks, draw_chart(asked, facet, of_facet));
         }
-        if blocks.len() == before {
+        if blocks.len() == before && facets.iter().all(|(_, of)| !is_drawn(asked, of)) {
             let text = format!(
                 "\"{}\" has nothing to show: no record has figures for both `{}` and `{}`.",
                 asked.title, asked.x, asked.y
@@ -48,14 +50,28 @@ pub(super) fn blocks(
     blocks
 }
 
-/// A strategy at a point with its place in a chart.
-struct Placed<'a> {
-    row: Row<'a>,
-    at: [f64; 2],
-    series: String,
+/// Puts a chart beside the one before it, unless it is as wide as the page.
+fn add_card(blocks: &mut Vec<Block>, chart: Vec<Block>) {
+    let is_wide = (chart.iter()).any(|b| matches!(b, Block::Chart(c) if c.panels.len() > 1));
+    match blocks.last_mut() {
+        _ if chart.is_empty() => {}
+        _ if is_wide => blocks.extend(chart),
+        Some(Block::Cards(cards)) => cards.push(chart),
+        _ => blocks.push(Block::Cards(vec![chart])),
+    }
 }
 
-fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+/// A strategy at a point with its place in a chart.
+pub(super) struct Placed<'a> {
+    pub(super) row: Row<'a>,
+    pub(super) at: [f64; 2],
+    pub(super) series: String,
+    /// What else is varied, where each value has a drawing of its own.
+    pub(super) panel: String,
+}
+
+/// All strategies of some points that have both figures of a chart, and the values of its x axis where they are no numbers.
+fn placed<'a>(asked: &ChartSynopsis, points: &[Point<'a>]) -> (Vec<Placed<'a>>, Vec<String>) {
     let rows: Vec<Row<'_>> = points
         .iter()
         .flat_map(|p| rows_by_family(p.record))
@@ -69,44 +85,56 @@ fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<B
             placed.push(Placed {
                 at: [x, y],
                 series: String::new(),
+                panel: String::new(),
                 row,
             });
         }
     }
+    (placed, categories)
+}
+
+fn is_drawn(asked: &ChartSynopsis, points: &[Point<'_>]) -> bool {
+    !placed(asked, points).0.is_empty()
+}
+
+fn draw_chart(asked: &ChartSynopsis, facet: &str, points: &[Point<'_>]) -> Vec<Block> {
+    let (mut placed, categories) = placed(asked, points);
     if placed.is_empty() {
         return Vec::new();
     }
-    name_series(asked, &mut placed);
+    series::name_series(asked, &mut placed);
     let is_log = |axis: &str| asked.log.iter().any(|a| a == axis);
-    let mut chart = Chart {
-        title: match facet.trim_start_matches([' ', '·']) {
-            "" => asked.title.clone(),
-            facet => format!("{} ({facet})", asked.title),
-        },
-        note: Some(note(asked, &placed)),
-        x: Axis {
-            label: label(&asked.x),
-            is_log: is_log("x") && categories.is_empty(),
-            categories,
-        },
-        y: Axis {
-            label: label(&asked.y),
-            // Errors span decades.
-            is_log: is_log("y") || asked.pareto,
-            categories: Vec::new(),
-        },
-        ..Chart::default()
+    let title = match facet.trim_start_matches([' ', '·']) {
+        "" => asked.title.clone(),
+        facet => format!("{} ({facet})", asked.title),
     };
-    let mut prices = None;
-    if asked.pareto {
-        let offers: Vec<Offer> = placed.iter().map(|p| offer(asked, p)).collect();
-        let on_front = front(&offers);
-        chart.front = on_front.iter().map(|i| placed[*i].at).collect();
-        prices = Some(price_table(&placed, &offers, &on_front));
-    }
-    chart.series = series(asked, &placed);
-    let mut blocks = vec![Block::Chart(chart)];
-    blocks.extend(prices.into_iter().map(Block::Grid));
+    let note = note(asked, &placed);
+    let front = asked.pareto.then(|| fronts::front_of(asked, &placed));
+    let (on_front, prices) = front.unzip();
+    let mut blocks = match fronts::is_mostly_without_error(asked, &placed) {
+        true => vec![
+            Block::Heading(5, title.clone()),
+            Block::Ranking(fronts::ranking(asked, title, &placed)),
+            Block::Text(note),
+        ],
+        false => vec![Block::Chart(Chart {
+            title,
+            note: Some(note),
+            x: Axis {
+                label: label(&asked.x),
+                is_log: is_log("x") && categories.is_empty(),
+                categories,
+            },
+            y: Axis {
+                label: label(&asked.y),
+                // Errors span decades.
+                is_log: is_log("y") || asked.pareto,
+                categories: Vec::new(),
+            },
+            panels: panels(asked, &placed, &on_front.unwrap_or_default()),
+        })],
+    };
+    blocks.extend(prices);
     blocks
 }
 
@@ -174,85 +202,31 @@ fn x_of(asked: &ChartSynopsis, categories: &[String], row: &Row<'_>) -> Option<f
     }
 }
 
-fn offer(asked: &ChartSynopsis, placed: &Placed<'_>) -> Offer {
-    Offer {
-        error: placed.at[1],
-        cost: placed.at[0],
-        spread: known_spread(&placed.row, &asked.x),
-        is_complete: placed.row.found().outcome == Ending::Complete,
-    }
-}
-
-/// Rounds from which on a spread means something.
-const LEAST_ROUNDS: usize = 5;
-
-/// The spread of a figure, 0 where it has none; none where there were too few rounds.
-fn known_spread(row: &Row<'_>, figure: &str) -> Option<f64> {
-    match row.figures.get(&format!("{figure}.mad")) {
-        None => Some(0.0),
-        Some(mad) => (row.record.measurement.rounds >= LEAST_ROUNDS).then_some(*mad),
-    }
-}
-
-fn spread(row: &Row<'_>, figure: &str) -> f64 {
+pub(super) fn spread(row: &Row<'_>, figure: &str) -> f64 {
     let name = format!("{figure}.mad");
     row.figures.get(&name).copied().unwrap_or_default()
 }
 
-/// Figures of the scene: what is varied of it is what is along x.
-const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
-
-/// A series has one strategy and one value of whatever is varied over the chart, but for what is along x: where that is a parameter,
-/// all other parameters are told apart; where it is a figure, the strategy's own parameters run along the series.
-fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
-    let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
-    let mut names: Vec<&String> = placed
-        .iter()
-        .flat_map(|p| p.row.record.parameters.keys())
-        .filter(|name| **name != asked.x && !is_of_scene)
-        .collect();
-    names.sort();
-    names.dedup();
-    let varies = |name: &&String| {
-        let first = placed[0].row.record.parameters.get(*name);
-        placed
-            .iter()
-            .any(|p| p.row.record.parameters.get(*name) != first)
-    };
-    let names: Vec<String> = names.into_iter().filter(|n| varies(n)).cloned().collect();
-    let has_runs = placed
-        .iter()
-        .any(|p| p.row.record.run != placed[0].row.record.run);
+/// The drawings of a chart, one for each value of what is varied beside the strategies.
+fn panels(asked: &ChartSynopsis, placed: &[Placed<'_>], front: &[[f64; 2]]) -> Vec<Panel> {
+    let mut titles: Vec<&str> = Vec::new();
     for p in placed {
-        let mut words = vec![who(asked, &p.row, is_of_scene)];
-        if has_runs {
-            words.push(p.row.record.run.clone());
+        if !titles.contains(&p.panel.as_str()) {
+            titles.push(&p.panel);
         }
-        for name in &names {
-            if let Some(value) = p.row.record.parameters.get(name) {
-                words.push(format!("{name} = {value}"));
-            }
-        }
-        p.series = words.join(", ");
     }
+    let panel = |title: &&str| {
+        let of_it = placed.iter().filter(|p| p.panel == **title);
+        Panel {
+            title: (*title).to_owned(),
+            series: series_of(asked, &of_it.collect::<Vec<_>>()),
+            front: front.to_vec(),
+        }
+    };
+    titles.iter().map(panel).collect()
 }
 
-/// What a series calls its strategy.
-fn who(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
-    let own = &row.member.parameters;
-    let runs_along = own.contains_key(&asked.x);
-    let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;
-    let others = own.iter().filter(|(name, _)| **name != asked.x);
-    match (runs_along, is_figure) {
-        (false, true) => row.member.family.clone(),
-        (false, false) => row.found().name.clone(),
-        (true, _) => others.fold(row.member.family.clone(), |family, (name, value)| {
-            family.replace(&format!("{{{name}}}"), &value.to_string())
-        }),
-    }
-}
-
-fn series(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> Vec<Series> {
+fn series_of(asked: &ChartSynopsis, placed: &[&Placed<'_>]) -> Vec<Series> {
     let mut names: Vec<&str> = Vec::new();
     for p in placed {
         if !names.contains(&p.series.as_str()) {
@@ -262,10 +236,17 @@ fn series(asked: &ChartSynopsis, placed: &[Placed<'_>]) -> Vec<Series> {
     names
         .into_iter()
         .map(|name| {
-            let mut of_it: Vec<&Placed<'_>> = placed.iter().filter(|p| p.series == name).collect();
+            let mut of_it: Vec<&Placed<'_>> = placed
+                .iter()
+                .copied()
+                .filter(|p| p.series == name)
+                .collect();
             of_it.sort_by(|a, b| in_order(asked, a, b));
             Series {
                 name: name.to_owned(),
+                look: of_it
+                    .first()
+                    .map_or_else(Look::default, |p| look(&p.row.found().name)),
                 marks: of_it.into_iter().map(|p| mark(asked, p)).collect(),
             }
         })
@@ -288,13 +269,13 @@ fn in_order(asked: &ChartSynopsis, a: &Placed<'_>, b: &Placed<'_>) -> std::cmp::
 
 fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
     let row = &placed.row;
-    let describe = |figure: &str, value: f64| {
+    let describe = |name: &str, value: f64| {
         let word = row
-            .parameter(figure)
-            .map_or_else(|| word_of(value), ToString::to_string);
-        match spread(row, figure) {
-            0.0 => format!("{}: {word}", label(figure)),
-            mad => format!("{}: {word} ± {}", label(figure), word_of(mad)),
+            .parameter(name)
+            .map_or_else(|| figure(value), ToString::to_string);
+        match spread(row, name) {
+            0.0 => format!("{}: {word}", label(name)),
+            mad => format!("{}: {word} ± {}", label(name), figure(mad)),
         }
     };
     let found = row.found();
@@ -311,47 +292,4 @@ fn mark(asked: &ChartSynopsis, placed: &Placed<'_>) -> Mark {
         title: title.join("\n"),
         is_doubtful,
     }
-}
-
-fn price_table(placed: &[Placed<'_>], offers: &[Offer], on_front: &[usize]) -> Grid {
-    let heading = [
-        "on the front",
-        "error",
-        "cost",
-        "cost over the one before",
-        "price of each tenfold of accuracy",
-    ];
-    let mut grid = Grid::new("the price of accuracy", heading);
-    let steps = steps(offers, on_front);
-    for (place, index) in on_front.iter().enumerate() {
-        let step = place.checked_sub(1).map(|before| &steps[before]);
-        let price = match step {
-            None => Cell::from("cheapest").toned(Tone::Faint),
-            Some(step) => match step.price {
-                Price::Factor(price) => Cell::number(times(price), price),
-                Price::ToNoError => Cell::from("to no error at all"),
-                Price::TooShort => Cell::from("too short a step").toned(Tone::Faint),
-                Price::WithinSpread => Cell::from("within spread").toned(Tone::Faint),
-            },
-        };
-        let over = step.map_or_else(Cell::default, |step| {
-            let cell = Cell::number(times(step.cost_ratio), step.cost_ratio);
-            match step.is_spread_known {
-                true => cell,
-                false => Cell {
-                    text: format!("{} (spread unknown)", cell.text),
-                    ..cell
-                },
-            }
-        });
-        let (offer, name) = (&offers[*index], &placed[*index].row.found().name);
-        grid.row([
-            Cell::from(name.as_str()),
-            Cell::number(word_of(offer.error), offer.error),
-            Cell::number(word_of(offer.cost), offer.cost),
-            over,
-            price,
-        ]);
-    }
-    grid
 }

@@ -1,24 +1,16 @@
-//! What strategies get wrong at a point and what they cost there: the table, the samples, and where the time goes.
+//! What strategies get wrong at some points and what they cost there: the table, the samples, and where the time goes.
 
 use std::collections::BTreeSet;
 
-use super::figures::{self, label, mebibytes, timed, wrong_px};
+use super::figures::{self, label, timed, wrong_px};
 use crate::experiment::{Ending, PassTime, Record, Samples, StrategyMeasurement, Warning};
 use crate::plan::Clock;
-use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone, word_of};
-use crate::report::text::milliseconds;
+use crate::report::document::{Bar, Bars, Block, Cell, Grid, Segment, Tone};
+use crate::report::errors::ERRORS;
+use crate::report::number::{figure, mebibytes, significant};
 
-/// Headings of the table before those of figures that only some records have.
-const HEADING: [&str; 19] = [
-    "strategy",
-    "decided wrong px",
-    "missed cap",
-    "leaked cap",
-    "wrong part",
-    "crack",
-    "outline",
-    "interior wrong",
-    "unreliable",
+/// Headings of the table after those of errors and before those of figures that only some records have.
+const HEADING: [&str; 11] = [
     "depth max, px",
     "normal max, °",
     "frame, × draw only ± of the rounds",
@@ -27,91 +19,149 @@ const HEADING: [&str; 19] = [
     "frame, ms ± of the rounds",
     "cut, ms ± of the rounds",
     "solid, ms ± of the rounds",
-    "MiB",
-    "outcome",
+    "MiB of the frame",
+    "MiB of the cut",
+    "MiB of the solid",
 ];
 
-/// Error and cost of each strategy.
-pub(super) fn table(record: &Record) -> Grid {
-    let more: BTreeSet<&String> = record.figures.iter().flat_map(|f| f.keys()).collect();
-    let heading = HEADING.map(str::to_owned).into_iter();
-    let heading = heading.chain(more.iter().map(|name| label(name)));
-    let mut grid = Grid::new("error and cost", heading);
-    let draw_only = &record.measurement.draw_only_ms;
-    let mut plain = vec![Cell::default(); HEADING.len()];
-    plain[0] = Cell::from("draw only, nothing cut");
-    plain[11] = Cell::number("×1", 1.0);
-    plain[14] = timed(draw_only);
-    grid.row(plain);
-    if let Some(uncut) = &record.measurement.draw_only_compute_ms {
-        let mut plain = vec![Cell::default(); HEADING.len()];
-        plain[0] = Cell::from("draw only by compute, nothing cut");
-        let ratio = uncut.over(draw_only);
-        plain[11] = figures::ratio(Some(ratio.median), Some(ratio.mad));
-        plain[12] = Cell::number("×1", 1.0);
-        plain[14] = timed(uncut);
-        grid.row(plain);
+/// Columns before those of [`HEADING`]: the name, the outcome, and the errors.
+const BEFORE: usize = 2 + ERRORS.len();
+
+/// Columns of [`HEADING`], counted from the first of all, that a scene with nothing cut has too.
+const RATIO: usize = BEFORE + 2;
+const RATIO_UNCUT: usize = BEFORE + 3;
+const FRAME: usize = BEFORE + 5;
+
+/// A point, and what a row calls it beside the method; nothing where there is no other.
+pub(super) type Labelled<'a> = (String, &'a Record);
+
+/// Error and cost of each strategy at some points. Columns that hold nothing but zeros are left out, and named below.
+pub(super) fn table(points: &[Labelled<'_>]) -> Vec<Block> {
+    let named = |name: &str, label: &str| match label {
+        "" => name.to_owned(),
+        label => format!("{name}, {label}"),
+    };
+    let mut grid = empty("strategy", points);
+    for (label, record) in points {
+        let name = |text: &str| named(text, label);
+        let draw_only = &record.measurement.draw_only_ms;
+        let one = || Cell::number("×1.00", 1.0);
+        let plain = uncut(one(), Cell::default(), draw_only);
+        grid.row(std::iter::once(Cell::from(name("draw only, nothing cut"))).chain(plain));
+        if let Some(compute) = &record.measurement.draw_only_compute_ms {
+            let ratio = compute.over(draw_only);
+            let ratio = figures::ratio(Some(ratio.median), Some(ratio.mad));
+            let plain = uncut(ratio, one(), compute);
+            let first = Cell::from(name("draw only by compute, nothing cut"));
+            grid.row(std::iter::once(first).chain(plain));
+        }
+        for (index, found) in record.measurement.strategies.iter().enumerate() {
+            let first = Cell::from(name(&found.name));
+            grid.row(std::iter::once(first).chain(cells(points, record, index)));
+        }
     }
-    for (index, found) in record.measurement.strategies.iter().enumerate() {
-        let own = &record.figures[index];
-        let more = more.iter().map(|name| {
-            own.get(*name)
-                .map_or_else(Cell::default, |v| Cell::number(word_of(*v), *v))
-        });
-        let cells = strategy(found, &record.warnings);
-        grid.row(cells.into_iter().chain(more));
+    finished(grid)
+}
+
+/// Error and cost of one strategy, with a row for each point that asked it.
+pub(super) fn of_method(name: &str, points: &[Labelled<'_>]) -> Vec<Block> {
+    let mut grid = empty("point", points);
+    for (label, record) in points {
+        let strategies = record.measurement.strategies.iter();
+        if let Some(index) = strategies.into_iter().position(|s| s.name == name) {
+            let mut cells = cells(points, record, index);
+            // Reasons have a table of their own.
+            if let Some((outcome, reason)) = cells[0].text.split_once(": ") {
+                let short = Cell::from(outcome).toned(cells[0].tone);
+                cells[0] = short.titled(reason.to_owned());
+            }
+            let first = Cell::from(label.as_str());
+            grid.row(std::iter::once(first).chain(cells));
+        }
     }
-    grid
+    finished(grid)
+}
+
+/// Names of figures that only some records have.
+fn more<'a>(points: &[Labelled<'a>]) -> BTreeSet<&'a String> {
+    let all = points.iter().flat_map(|(_, record)| &record.figures);
+    all.flat_map(|figures| figures.keys()).collect()
+}
+
+fn empty(first: &str, points: &[Labelled<'_>]) -> Grid {
+    let errors = ERRORS.iter().map(|(word, _)| (*word).to_owned());
+    let heading = [first, "outcome"].map(str::to_owned).into_iter();
+    let heading = heading.chain(errors).chain(HEADING.map(str::to_owned));
+    let heading: Vec<String> = heading
+        .chain(more(points).into_iter().map(|name| label(name)))
+        .collect();
+    Grid::new("error and cost", heading)
+}
+
+fn finished(mut grid: Grid) -> Vec<Block> {
+    let left_out = grid.without_zeros(&["decided wrong px"]);
+    let note = (!left_out.is_empty())
+        .then(|| Block::Text(format!("0 in every row: {}.", left_out.join(", "))));
+    std::iter::once(Block::Grid(grid)).chain(note).collect()
+}
+
+/// The cells of a scene with nothing cut, after the first.
+fn uncut(ratio: Cell, uncut: Cell, time: &Samples) -> Vec<Cell> {
+    let mut plain = vec![Cell::default(); BEFORE + HEADING.len() - 1];
+    plain[RATIO - 1] = ratio;
+    plain[RATIO_UNCUT - 1] = uncut;
+    plain[FRAME - 1] = timed(time);
+    plain
+}
+
+/// The cells of a strategy, after the first.
+fn cells(points: &[Labelled<'_>], record: &Record, index: usize) -> Vec<Cell> {
+    let own = &record.figures[index];
+    let more = more(points).into_iter().map(|name| {
+        own.get(name)
+            .map_or_else(Cell::default, |v| Cell::number(figure(*v), *v))
+    });
+    let found = &record.measurement.strategies[index];
+    let cells = strategy(found, &record.warnings).into_iter();
+    cells.chain(more).collect()
 }
 
 fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
     let reason = found.reason.clone().unwrap_or_default();
-    let outcome = Cell::from(match found.outcome {
-        Ending::Complete => found.outcome.name().to_owned(),
-        _ => format!("{}: {reason}", found.outcome.name()),
-    });
+    let outcome = match found.outcome {
+        Ending::Complete => Cell::default(),
+        _ => Cell::from(format!("{}: {reason}", found.outcome.name())).toned(Tone::Fair),
+    };
+    let mut cells = vec![outcome];
     let Some(c) = &found.comparison else {
-        let mut cells = vec![Cell::default(); HEADING.len()];
-        cells[0] = Cell::from(found.name.as_str());
-        cells[1] = Cell::from(found.outcome.name()).toned(Tone::Faint);
-        cells[18] = outcome.toned(Tone::Faint);
+        cells[0].tone = Tone::Faint;
+        cells.resize(BEFORE + HEADING.len() - 1, Cell::default());
         return cells;
     };
-    let count = |n: usize| Cell::number(n.to_string(), n as f64);
-    let size = |v: f64, text: String| Cell::number(text, v);
+    cells.extend(
+        ERRORS
+            .iter()
+            .enumerate()
+            .map(|(place, (_, count))| match place {
+                0 => wrong_px(count(c)),
+                _ => Cell::number(count(c).to_string(), count(c) as f64),
+            }),
+    );
+    let number = |v: f64| Cell::number(significant(v), v);
     let ratio = figures::ratio(found.frame_over_draw_only, found.frame_over_draw_only_mad);
-    let bytes = found.bytes.solid + found.bytes.cut + found.bytes.frame;
-    vec![
-        Cell::from(found.name.as_str()),
-        wrong_px(c.decided_wrong_px),
-        count(c.missed_cap_px),
-        count(c.leaked_cap_px),
-        count(c.wrong_part_px),
-        count(c.crack_px),
-        count(c.outline_px),
-        count(c.interior_wrong_px),
-        count(c.odd_parity_px),
-        size(
-            c.depth_error_px_max,
-            format!("{:.1e}", c.depth_error_px_max),
-        ),
-        size(
-            c.normal_error_deg_max,
-            format!("{:.2}", c.normal_error_deg_max),
-        ),
+    cells.extend([
+        number(c.depth_error_px_max),
+        number(c.normal_error_deg_max),
         warned(ratio, found, warnings),
         figures::ratio(found.cut.map(|c| c.over_uncut), None),
-        (found.cut.and_then(|c| c.ns_per_px))
-            .map_or_else(Cell::default, |ns| size(ns, format!("{ns:.1}"))),
+        (found.cut.and_then(|c| c.ns_per_px)).map_or_else(Cell::default, number),
         timed(&found.time_ms.frame),
         timed(&found.time_ms.cut),
         timed(&found.time_ms.solid),
-        mebibytes(bytes),
-        outcome.toned(match found.outcome {
-            Ending::Complete => Tone::Plain,
-            _ => Tone::Fair,
-        }),
-    ]
+    ]);
+    let bytes = [found.bytes.frame, found.bytes.cut, found.bytes.solid];
+    cells.extend(bytes.map(|b| Cell::number(mebibytes(b), b as f64)));
+    cells
 }
 
 /// A figure that a warning concerns says so.
@@ -129,62 +179,8 @@ fn warned(cell: Cell, found: &StrategyMeasurement, warnings: &[Warning]) -> Cell
         .titled(words.join("; "))
 }
 
-/// Every sample that was taken, and the memory of each clock.
-pub(super) fn samples(record: &Record) -> Vec<Block> {
-    let mut grid = Grid::new(
-        "samples",
-        [
-            "who",
-            "clock",
-            "median, ms",
-            "MAD, ms",
-            "samples, ms, in order",
-        ],
-    );
-    let mut add = |who: &str, clock: &str, samples: &Samples| {
-        if samples.samples.is_empty() {
-            return;
-        }
-        let all: Vec<String> = samples.samples.iter().map(|s| milliseconds(*s)).collect();
-        grid.row([
-            Cell::from(who),
-            Cell::from(clock),
-            Cell::number(milliseconds(samples.median), samples.median),
-            Cell::number(milliseconds(samples.mad), samples.mad),
-            Cell::from(all.join(", ")),
-        ]);
-    };
-    add("draw only", "frame", &record.measurement.draw_only_ms);
-    if let Some(uncut) = &record.measurement.draw_only_compute_ms {
-        add("draw only by compute", "frame", uncut);
-    }
-    let mut memory = Grid::new(
-        "memory",
-        ["strategy", "solid, MiB", "cut, MiB", "frame, MiB"],
-    );
-    for found in record
-        .measurement
-        .strategies
-        .iter()
-        .filter(|s| s.was_drawn())
-    {
-        add(&found.name, "solid", &found.time_ms.solid);
-        add(&found.name, "cut", &found.time_ms.cut);
-        add(&found.name, "frame", &found.time_ms.frame);
-        let bytes = [found.bytes.solid, found.bytes.cut, found.bytes.frame];
-        let cells = bytes.map(mebibytes);
-        memory.row(std::iter::once(Cell::from(found.name.as_str())).chain(cells));
-    }
-    vec![Block::Grid(memory), Block::Grid(grid)]
-}
-
-/// Where the time of each strategy goes; nothing where no pass was timed.
+/// Where the time of each strategy goes, and every sample; nothing where none was taken.
 pub(super) fn passes(record: &Record) -> Option<Block> {
-    let strategies = record.measurement.strategies.iter();
-    let timed: Vec<&StrategyMeasurement> = strategies.filter(|s| !s.passes.is_empty()).collect();
-    if timed.is_empty() {
-        return None;
-    }
     let of = |passes: &[PassTime], clock: Clock| -> Vec<Segment> {
         let of_clock = passes.iter().filter(|p| p.clock == clock);
         of_clock
@@ -194,13 +190,34 @@ pub(super) fn passes(record: &Record) -> Option<Block> {
             })
             .collect()
     };
-    let bars = timed.iter().map(|found| Bar {
+    let measurement = &record.measurement;
+    let uncut = |name: &str, frame: &Samples| Bar {
+        name: name.to_owned(),
+        segments: Vec::new(),
+        samples: vec![Vec::new(), Vec::new(), frame.samples.clone()],
+    };
+    let draw_only = std::iter::once(uncut("draw only", &measurement.draw_only_ms));
+    let compute = measurement.draw_only_compute_ms.iter();
+    let compute = compute.map(|time| uncut("draw only by compute", time));
+    let drawn = measurement.strategies.iter().filter(|s| s.was_drawn());
+    let drawn = drawn.map(|found| Bar {
         name: found.name.clone(),
         segments: Clock::ALL.map(|clock| of(&found.passes, clock)).into(),
+        samples: [
+            &found.time_ms.solid,
+            &found.time_ms.cut,
+            &found.time_ms.frame,
+        ]
+        .map(|time| time.samples.clone())
+        .into(),
     });
-    Some(Block::Bars(Bars {
-        label: "where the time goes: medians of passes".to_owned(),
-        clocks: ["solid", "cut", "frame"].map(str::to_owned).into(),
-        bars: bars.collect(),
-    }))
+    let bars: Vec<Bar> = draw_only.chain(compute).chain(drawn).collect();
+    let is_timed = |bar: &Bar| bar.samples.iter().any(|s| !s.is_empty());
+    bars.iter().any(is_timed).then(|| {
+        Block::Bars(Bars {
+            label: "where the time goes: medians of passes, and every sample".to_owned(),
+            clocks: ["solid", "cut", "frame"].map(str::to_owned).into(),
+            bars,
+        })
+    })
 }

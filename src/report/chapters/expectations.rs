@@ -1,48 +1,95 @@
 //! What was expected, and what came of it.
 
 use super::counted;
-use crate::experiment::Reached;
+use crate::experiment::{Reached, Record};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
-/// The expectations of a point: what was missed is said aloud, the rest on demand.
-pub(super) fn blocks(expectations: &[Reached]) -> Vec<Block> {
-    if expectations.is_empty() {
-        return Vec::new();
+/// What was missed at a point.
+pub(super) fn missed(expectations: &[Reached]) -> impl Iterator<Item = Block> {
+    expectations.iter().filter(|r| !r.holds).map(missed_notice)
+}
+
+/// An expectation of a strategy that several points of a run share.
+struct Shared<'a> {
+    first: &'a Reached,
+    reached: usize,
+    missed: usize,
+    /// What was found, each once.
+    found: Vec<&'a str>,
+}
+
+/// The expectations of some points in one table, those of all strategies or of one; what was missed comes first.
+pub(super) fn of_run(records: &[&Record], only: Option<&str>) -> Option<Block> {
+    let mut all: Vec<Shared<'_>> = Vec::new();
+    let expected = records.iter().flat_map(|r| &r.expectations);
+    for reached in expected.filter(|r| only.is_none_or(|name| r.strategy == name)) {
+        let is_it = |s: &&mut Shared<'_>| {
+            s.first.strategy == reached.strategy && s.first.expected == reached.expected
+        };
+        let place = match all.iter_mut().find(is_it) {
+            Some(shared) => shared,
+            None => {
+                all.push(Shared {
+                    first: reached,
+                    reached: 0,
+                    missed: 0,
+                    found: Vec::new(),
+                });
+                let last = all.len() - 1;
+                &mut all[last]
+            }
+        };
+        place.reached += usize::from(reached.holds);
+        place.missed += usize::from(!reached.holds);
+        if !place.found.contains(&reached.found.as_str()) {
+            place.found.push(&reached.found);
+        }
     }
-    let missed: Vec<&Reached> = expectations.iter().filter(|r| !r.holds).collect();
-    let mut blocks: Vec<Block> = missed.iter().map(|r| missed_notice(r)).collect();
-    let mut grid = Grid::new("expectations", ["strategy", "expected", "found", "", "why"]);
-    let held = expectations.iter().filter(|r| r.holds);
-    for reached in missed.iter().copied().chain(held) {
-        let (word, tone) = match (reached.holds, &reached.expected.why) {
-            (false, _) => ("missed", Tone::Bad),
-            (true, Some(_)) => ("declared", Tone::Fair),
-            (true, None) => ("reached", Tone::Good),
+    if all.is_empty() {
+        return None;
+    }
+    all.sort_by_key(|s| s.missed == 0);
+    let heading = ["strategy", "expected", "found", "at", "", "why"];
+    let mut grid = Grid::new("expectations", heading);
+    for shared in &all {
+        let expected = &shared.first.expected;
+        let (word, tone) = match (shared.missed, &expected.why) {
+            (0, Some(_)) => ("declared".to_owned(), Tone::Fair),
+            (0, None) => ("reached".to_owned(), Tone::Good),
+            (missed, _) => (format!("{missed} missed"), Tone::Bad),
         };
         grid.row([
-            Cell::from(reached.strategy.as_str()),
-            Cell::from(reached.expected.what.as_str()),
-            Cell::from(reached.found.as_str()),
+            Cell::from(shared.first.strategy.as_str()),
+            Cell::from(expected.what.as_str()),
+            found(&shared.found),
+            Cell::from(counted(shared.reached + shared.missed, "point")),
             Cell::from(word).toned(tone),
-            Cell::from(reached.expected.why.clone().unwrap_or_default()),
+            Cell::from(expected.why.clone().unwrap_or_default()),
         ]);
     }
-    let summary = match missed.len() {
-        0 => format!(
-            "{}: all reached",
-            counted(expectations.len(), "expectation")
-        ),
-        missed => format!(
-            "{}: {missed} missed",
-            counted(expectations.len(), "expectation")
-        ),
+    let missed: usize = all.iter().map(|s| s.missed).sum();
+    let count = all.iter().map(|s| s.reached + s.missed).sum();
+    let of_them = match missed {
+        0 => "all reached".to_owned(),
+        missed => format!("{missed} missed"),
     };
-    blocks.push(Block::Folded {
-        summary,
+    Some(Block::Folded {
+        summary: format!("{}: {of_them}", counted(count, "expectation")),
         open: false,
         blocks: vec![Block::Grid(grid)],
-    });
-    blocks
+    })
+}
+
+/// What was found at several points; whole on pointing at it.
+fn found(all: &[&str]) -> Cell {
+    const MOST: usize = 3;
+    match all.len() {
+        ..=MOST => Cell::from(all.join("; ")),
+        many => {
+            let text = format!("{}; and {} more", all[..MOST].join("; "), many - MOST);
+            Cell::from(text).titled(all.join("; "))
+        }
+    }
 }
 
 /// What was missed.

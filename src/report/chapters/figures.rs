@@ -3,7 +3,8 @@
 use crate::experiment::Samples;
 use crate::report::derived::Spread;
 use crate::report::document::{Cell, Tone};
-use crate::report::text::milliseconds;
+use crate::report::number::milliseconds;
+pub(super) use crate::report::number::{percent, times};
 
 /// The name of a figure for readers; that of the figure where there is no better one.
 pub(super) fn label(name: &str) -> String {
@@ -14,8 +15,8 @@ pub(super) fn label(name: &str) -> String {
         "wrong_part_px" => "wrong part px",
         "crack_px" => "crack px",
         "outline_px" => "outline px",
-        "interior_wrong_px" => "interior wrong px",
-        "edge_wrong_px" => "edge wrong px",
+        "interior_wrong_px" => "interior px",
+        "edge_wrong_px" => "edge px",
         "odd_parity_px" => "unreliable px",
         "depth_error_px_max" => "largest error of depth, px",
         "depth_error_px_mean" => "mean error of depth, px",
@@ -46,7 +47,7 @@ pub(super) fn wrong_px(count: usize) -> Cell {
 
 /// How grave wrong pixels are.
 pub(super) fn tone_of(count: usize) -> Tone {
-    /// So few wrong pixels are seen by nobody.
+    /// So few wrong pixels are hardly noticed.
     const FEW_PX: usize = 30;
     match count {
         0 => Tone::Good,
@@ -79,15 +80,6 @@ pub(super) fn ratio(ratio: Option<f64>, mad: Option<f64>) -> Cell {
     }
 }
 
-/// A factor.
-pub(super) fn times(factor: f64) -> String {
-    match factor {
-        ..10.0 => format!("×{factor:.2}"),
-        ..100.0 => format!("×{factor:.1}"),
-        _ => format!("×{factor:.0}"),
-    }
-}
-
 /// The median of some ratios with their range.
 pub(super) fn ranged(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
@@ -104,33 +96,10 @@ pub(super) fn shares(spread: Option<Spread>) -> Cell {
     })
 }
 
-/// A share in percent, with as many digits as tell it from none.
-pub(super) fn percent(share: f64) -> String {
-    match share * 100.0 {
-        0.0 => "0 %".to_owned(),
-        p if p < 0.01 => "< 0.01 %".to_owned(),
-        p if p < 10.0 => format!("{p:.2} %"),
-        p => format!("{p:.0} %"),
-    }
-}
-
 /// The median and the most of some counts.
 pub(super) fn counts(spread: Option<Spread>) -> Cell {
     spread.map_or_else(Cell::default, |s| {
         let text = format!("{:.0} (up to {:.0})", s.median, s.most);
         Cell::number(text, s.median)
     })
-}
-
-/// Bytes in one unit, so that a column can be read down.
-pub(super) fn mebibytes(bytes: u64) -> Cell {
-    let mib = bytes as f64 / 1_048_576.0;
-    Cell::number(
-        if bytes == 0 {
-            "0".to_owned()
-        } else {
-            format!("{mib:.2}")
-        },
-        mib,
-    )
 }

@@ -1,11 +1,12 @@
 //! What the words of the tables mean, in one short table.
 
 use super::figures::percent;
+use super::pictures;
 use crate::report::derived::BETWEEN_RUNS;
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::recorded::Recorded;
 
-const WORDS: [[&str; 2]; 13] = [
+const WORDS: [[&str; 2]; 14] = [
     [
         "undecided",
         "a pixel where sampling is ambiguous within the error of f32: no answer there can be called wrong",
@@ -35,8 +36,12 @@ const WORDS: [[&str; 2]; 13] = [
         "background where the reference is sure of a surface or a cap and has background within a pixel: a border that moved",
     ],
     [
-        "interior wrong",
+        "interior",
         "a wrong pixel farther than one pixel from every border of the reference image",
+    ],
+    [
+        "edge",
+        "a wrong pixel within one pixel of a border of the reference image",
     ],
     [
         "unreliable (marked)",
@@ -48,7 +53,7 @@ const WORDS: [[&str; 2]; 13] = [
     ],
     [
         "sums",
-        "missed, leaked, wrong part and interior wrong count all pixels, undecided ones too, so that they may exceed `decided wrong`; cracks and outlines leave undecided ones out",
+        "missed, leaked, wrong part, interior and edge count all pixels, undecided ones too, so that they may exceed `decided wrong`; cracks and outlines leave undecided ones out",
     ],
     [
         "ratio, ×",
@@ -78,5 +83,9 @@ pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
             percent(BETWEEN_RUNS)
         ),
     ]);
-    vec![Block::Grid(grid)]
+    vec![
+        Block::Grid(grid),
+        Block::Text("Colours of pictures of errors:".to_owned()),
+        Block::Swatches(pictures::colors()),
+    ]
 }

@@ -1,7 +1,8 @@
 //! What concerns all of a report, which stands before everything else; and what was run, on what.
 
 use super::point::Points;
-use super::{counted, pictures};
+use super::{counted, pictures, warnings};
+use crate::experiment::Run;
 use crate::report::document::{Block, Cell, Grid, Tone};
 use crate::report::recorded::{Experiment, Folder, Recorded};
 
@@ -15,6 +16,15 @@ pub(super) fn notices(
     let strategies: usize = (points.all.iter())
         .map(|p| p.record.measurement.strategies.len())
         .sum();
+    if points.all.is_empty() && recorded.folders.iter().all(|f| f.run.is_none()) {
+        let peers = recorded.folders.iter().map(|f| f.peers.len()).sum();
+        let mut blocks = vec![Block::Text(format!(
+            "{} with other tools, and no measurement of ours beside what they hold.",
+            counted(peers, "comparison")
+        ))];
+        blocks.extend(reached(recorded));
+        return blocks;
+    }
     let mut blocks = vec![Block::Text(format!(
         "{} with {}; {} of strategies, each judged for every pixel against an exact reference in double precision, \
          and timed in turns with the plain drawing of the uncut scene (\"draw only\"), to which all ratios refer.",
@@ -27,29 +37,31 @@ pub(super) fn notices(
         blocks.extend(lacking.flat_map(|e| missing(folder, e)));
     }
     blocks.extend(reached(recorded));
-    let are_quick = recorded.folders.iter().filter(|f| f.run.is_quick).count();
+    let runs: Vec<&Run> = recorded
+        .folders
+        .iter()
+        .filter_map(|f| f.run.as_ref())
+        .collect();
+    let are_quick = runs.iter().filter(|run| run.is_quick).count();
     if are_quick > 0 {
         blocks.push(Block::Notice(
             Tone::Fair,
             format!(
                 "{} with `--quick`: fewer pixels, values and rounds. Errors are those of the smaller pictures, and times scatter more.",
-                if are_quick == recorded.folders.len() { "Measured" } else { "Measured in part" }
+                if are_quick == runs.len() { "Measured" } else { "Measured in part" }
             ),
         ));
     }
     for folder in &recorded.folders {
-        for warning in points.common(folder) {
-            let place = match recorded.folders.len() {
-                1 => String::new(),
-                _ => format!(" ({})", folder.path.display()),
-            };
-            let text = format!(
-                "All points{place}: {}. Mend: {}.",
-                warning.text(),
-                warning.remedy()
-            );
-            blocks.push(Block::Notice(Tone::Fair, text));
-        }
+        let place = match recorded.folders.len() {
+            1 => String::new(),
+            _ => format!(" ({})", folder.path.display()),
+        };
+        let common = warnings::notices(points.common(folder)).into_iter();
+        blocks.extend(common.map(|block| match block {
+            Block::Notice(tone, text) => Block::Notice(tone, format!("All points{place}: {text}")),
+            other => other,
+        }));
     }
     blocks.extend(pictures.gone());
     blocks
@@ -57,6 +69,9 @@ pub(super) fn notices(
 
 /// Where and by which commands each folder was measured.
 pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
+    if recorded.folders.iter().all(|f| f.run.is_none()) {
+        return Vec::new();
+    }
     vec![
         Block::Grid(facts(recorded)),
         Block::Text(
@@ -150,50 +165,46 @@ pub(super) fn missing(folder: &Folder, experiment: &Experiment) -> Vec<Block> {
 
 /// A column for each folder.
 fn facts(recorded: &Recorded) -> Grid {
-    type Fact = (&'static str, fn(&Folder) -> String);
+    type Fact = (&'static str, fn(&Run) -> String);
     const FACTS: [Fact; 11] = [
-        ("began", |f| f.run.began.clone()),
-        ("took, all commands together", |f| {
-            format!("{:.0} s", f.run.took_s)
+        ("began", |run| run.began.clone()),
+        ("took, all commands together", |run| {
+            format!("{:.0} s", run.took_s)
         }),
-        ("measured", |f| {
-            if f.run.is_quick { "quick" } else { "in full" }.to_owned()
+        ("measured", |run| {
+            if run.is_quick { "quick" } else { "in full" }.to_owned()
         }),
-        ("version", |f| f.run.version.clone()),
-        ("commit", |f| {
-            f.run
-                .commit
-                .clone()
-                .unwrap_or_else(|| "not known".to_owned())
+        ("version", |run| run.version.clone()),
+        ("commit", |run| {
+            run.commit.clone().unwrap_or_else(|| "not known".to_owned())
         }),
-        ("adapter", |f| {
-            let software = if f.run.adapter.software {
+        ("adapter", |run| {
+            let software = if run.adapter.software {
                 ", software"
             } else {
                 ""
             };
-            format!("{}{software}", f.run.adapter.name)
+            format!("{}{software}", run.adapter.name)
         }),
-        ("driver", |f| {
-            format!("{}, {}", f.run.adapter.backend, f.run.adapter.driver)
+        ("driver", |run| {
+            format!("{}, {}", run.adapter.backend, run.adapter.driver)
         }),
-        ("system", |f| f.run.machine.system.clone()),
-        ("processor", |f| f.run.machine.processor.clone()),
-        ("cores", |f| f.run.machine.cores.to_string()),
-        ("memory", |f| {
+        ("system", |run| run.machine.system.clone()),
+        ("processor", |run| run.machine.processor.clone()),
+        ("cores", |run| run.machine.cores.to_string()),
+        ("memory", |run| {
             let gib = |bytes: u64| format!("{:.1} GiB", bytes as f64 / 1_073_741_824.0);
-            f.run
-                .machine
+            run.machine
                 .memory
                 .map_or_else(|| "not known".to_owned(), gib)
         }),
     ];
-    let folders = recorded.folders.iter();
-    let heading =
-        std::iter::once("folder".to_owned()).chain(folders.map(|f| f.path.display().to_string()));
+    let with_run = || (recorded.folders.iter()).filter_map(|f| Some((f, f.run.as_ref()?)));
+    let paths = with_run().map(|(f, _)| f.path.display().to_string());
+    let heading = std::iter::once("folder".to_owned()).chain(paths);
     let mut grid = Grid::new("what was run", heading);
     for (name, fact) in FACTS {
-        let cells = recorded.folders.iter().map(|f| Cell::from(fact(f)));
+        let cells = with_run().map(|(_, run)| Cell::from(fact(run)));
         grid.row(std::iter::once(Cell::from(name)).chain(cells));
     }
     grid

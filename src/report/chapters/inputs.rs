@@ -1,30 +1,30 @@
 //! What should I use for what I have: a row for each input that runs of the experiments say they stand for.
 
-use super::best;
 use super::figures::{counts, percent, ranged};
 use super::point::{Point, Points, Setup};
+use super::{best, cards};
 use crate::experiment::{Record, StrategyMeasurement};
 use crate::report::derived::{
     BETWEEN_RUNS, Situation, Spread, TOO_MUCH, has_defect, has_other_truth, papers,
 };
 use crate::report::document::{Block, Cell, Grid, Tone};
 
-/// What the table says of itself.
+/// How the answers are worked out.
 fn how_to_read() -> String {
     let (between_runs, too_much) = (percent(BETWEEN_RUNS), percent(TOO_MUCH));
     format!(
         "Each row is a kind of input that some run stands for.
 
-- `use` is the cheapest of the strategies that are exact wherever they drew, at more than half of the points, by the clocks that are paid for what
-  moves. Cheapest is the least time over that of the fastest at each point, in the median. It is written as `cutaway render --strategy` takes
-  it, with what it is limited to in brackets; `×` is its own time over that of drawing only, in the median.
+- `use` is the cheapest of the methods that are exact wherever they drew, at more than half of the points. The time is that of the clocks that run
+  when what is named under `what moves` moves. The cheapest has the least median of its time over that of the fastest method at each point. It is
+  written as `cutaway render --strategy` takes it, with its limits in brackets; `×` is its own time over that of drawing the uncut scene, in the median.
 - `or` is the next. It is a draw unless the first is faster at more than half of the points that both drew, by more than the deviations of both over
-  the rounds and by more than the {between_runs} by which two runs were seen to differ.
-- Nothing is exact on a mesh that is broken: there `use` is the strategy that is wrong least, as a share of the cap there should be. One that loses
+  the rounds and by more than {between_runs}, by which two runs were seen to differ.
+- On a broken mesh no method is exact: there `use` is the method with the least wrong pixels, as a share of the cap there should be. A method that loses
   {too_much} of the cap or more, as pixels that are marked or wrong and unmarked, is left out.
-- `paper` is the paper's method, `grid:256+vds:1024` (Trapp and Döllner 2013): its time over that of drawing only, and its decided wrong pixels.
+- `paper` is the method of Trapp and Döllner (2013), `grid:256+vds:1024`: its time over that of drawing uncut, and its decided wrong pixels.
 
-Point at a cell for the range over the points. Words are explained further down."
+In the charts a filled marker is an exact method, a hollow one has wrong pixels; the bar is the range over the points."
     )
 }
 
@@ -50,7 +50,27 @@ pub(super) fn blocks(points: &Points<'_>, setup: &Setup<'_>) -> Vec<Block> {
     for input in &inputs {
         grid.row(row(input));
     }
-    vec![Block::Grid(grid), Block::Prose(how_to_read())]
+    let all = inputs.iter().map(|i| (i.records.clone(), i.situation));
+    let range = cards::range_of(all);
+    let cards = inputs.iter().map(|input| card(input, range)).collect();
+    vec![
+        Block::Grid(grid),
+        Block::Cards(cards),
+        Block::Folded {
+            summary: "How these answers are worked out".to_owned(),
+            open: false,
+            blocks: vec![Block::Prose(how_to_read())],
+        },
+    ]
+}
+
+/// The answer for an input in a sentence and a chart.
+fn card(input: &Input<'_>, range: [f64; 2]) -> Vec<Block> {
+    let title = format!("{}, {}", input.name, input.situation.describe());
+    let ranking = cards::ranking(&title, &input.records, input.situation, range);
+    let answer = cards::sentence(&input.records, input.situation);
+    let head = [Block::Heading(5, title), Block::Text(answer)];
+    head.into_iter().chain(ranking).collect()
 }
 
 fn inputs<'a>(points: &'a [Point<'a>]) -> Vec<Input<'a>> {

@@ -1,6 +1,6 @@
 //! How the report was made: commands, limits, and where the measurements are biased.
 
-use super::pictures::{Chosen, key_of_colors};
+use super::pictures::Chosen;
 use crate::report::document::{Block, Cell, Grid};
 use crate::report::recorded::Recorded;
 
@@ -20,11 +20,10 @@ pub(super) fn chapter(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
     let [shown, left_out] = pictures.counts();
     if shown + left_out > 0 {
         blocks.push(Block::Text(format!(
-            "{shown} pictures are shown and {left_out} left out. Colours of heat maps: {}.",
-            key_of_colors()
+            "{shown} pictures are shown and {left_out} left out."
         )));
     }
-    for folder in &recorded.folders {
+    for (folder, run) in (recorded.folders.iter()).filter_map(|f| Some((f, f.run.as_ref()?))) {
         blocks.push(Block::Text(format!(
             "`{}` was measured by",
             folder.path.display()
@@ -35,7 +34,7 @@ pub(super) fn chapter(recorded: &Recorded, pictures: &Chosen) -> Vec<Block> {
             "limits",
             ["limit of the device that plans are made for", "value"],
         );
-        for (name, value) in &folder.run.limits {
+        for (name, value) in &run.limits {
             let value = Cell::number(value.to_string(), *value as f64);
             limits.row([Cell::from(name.as_str()), value]);
         }

@@ -1,4 +1,4 @@
-//! Strategies by scenes: one cell for each strategy over the points of a run.
+//! Scenes by methods: one cell for each method over the points of a run.
 
 use super::figures::{times, tone_of};
 use super::point::{Point, Points};
@@ -7,45 +7,51 @@ use crate::report::derived::{StrategyTotals, totals_of_strategies};
 use crate::report::document::{Block, Cell, Grid, Tone};
 
 pub(super) fn chapter(points: &Points<'_>) -> Vec<Block> {
-    if points.all.is_empty() {
+    // One point is a table of its own.
+    if points.all.len() < 2 {
         return Vec::new();
     }
     let mut blocks = vec![Block::Text(
-        "A column for each run of an experiment. A cell says `exact`, or the most wrong pixels of a point that the reference is sure of, then the median \
-         ratio of the frame time to draw only; `!` marks a bounded buffer that overflowed at some point. Point at a cell for the rest."
+        "A row for each run of an experiment, a column for each method. A cell has the median of the time of a frame over that of drawing uncut, and the \
+         most decided wrong pixels of a point where there are some; `!` marks a bounded buffer that overflowed. The range over the points is in the tooltip of a cell."
             .to_owned(),
     )];
     for setup in points.setups() {
         if points.setups().count() > 1 {
             blocks.push(Block::Heading(5, points.label(setup)));
         }
-        blocks.push(Block::Grid(matrix(&points.on(setup))));
+        blocks.push(Block::Folded {
+            summary: "The whole table".to_owned(),
+            open: false,
+            blocks: vec![Block::Grid(matrix(&points.on(setup)))],
+        });
     }
     blocks
 }
 
 fn matrix(points: &[Point<'_>]) -> Grid {
-    let mut columns: Vec<(&str, &str)> = Vec::new();
+    let mut runs: Vec<(&str, &str)> = Vec::new();
     for point in points {
-        let column = (point.record.experiment.as_str(), point.record.run.as_str());
-        if !columns.contains(&column) {
-            columns.push(column);
+        let run = (point.record.experiment.as_str(), point.record.run.as_str());
+        if !runs.contains(&run) {
+            runs.push(run);
         }
     }
-    let heading = columns.iter().map(|(experiment, run)| {
-        let number = experiment.split('-').next().unwrap_or(experiment);
-        Cell::from(format!("{number} {run}")).titled(format!("{experiment}, run {run}"))
-    });
-    let heading = std::iter::once(Cell::from("strategy")).chain(heading);
-    let mut grid = Grid::new("strategies by scenes", heading);
     let records: Vec<&Record> = points.iter().map(|p| p.record).collect();
-    for totals in totals_of_strategies(&records) {
-        let cells = columns.iter().map(|(experiment, run)| {
-            let of_run = records.iter().copied();
-            let of_run = of_run.filter(|r| r.experiment == *experiment && r.run == *run);
-            cell(&StrategyTotals::of(&totals.name, of_run))
-        });
-        grid.row(std::iter::once(Cell::from(totals.name.as_str())).chain(cells));
+    let totals = totals_of_strategies(&records);
+    let names: Vec<&str> = totals.iter().map(|t| t.name.as_str()).collect();
+    let heading = std::iter::once("run").chain(names.iter().copied());
+    let mut grid = Grid::new("scenes by methods", heading);
+    for (experiment, run) in runs {
+        let of_run = records.iter().copied();
+        let of_run = of_run.filter(|r| r.experiment == experiment && r.run == run);
+        let of_run: Vec<&Record> = of_run.collect();
+        let number = experiment.split('-').next().unwrap_or(experiment);
+        let first =
+            Cell::from(format!("{number} {run}")).titled(format!("{experiment}, run {run}"));
+        let cells =
+            (names.iter()).map(|name| cell(&StrategyTotals::of(name, of_run.iter().copied())));
+        grid.row(std::iter::once(first).chain(cells));
     }
     grid
 }
@@ -59,11 +65,13 @@ fn cell(totals: &StrategyTotals) -> Cell {
         let refused = Cell::from("refused").toned(Tone::Faint);
         return refused.titled(reasons.join("; "));
     }
+    let ratio = totals
+        .ratio
+        .map_or_else(|| "drawn".to_owned(), |r| times(r.median));
     let wrong = match totals.worst_px {
-        0 if totals.is_exact() => "exact".to_owned(),
-        px => format!("{px} px"),
+        0 => String::new(),
+        px => format!(", {px}\u{a0}px"),
     };
-    let ratio = totals.ratio.map(|r| format!(" {}", times(r.median)));
     let mark = if totals.overflowed > 0 { " !" } else { "" };
     let mut lines = vec![format!(
         "exact at {} of {} points",
@@ -90,7 +98,6 @@ fn cell(totals: &StrategyTotals) -> Cell {
         (0, false) => Tone::Fair,
         (px, _) => tone_of(px),
     };
-    let text = format!("{wrong}{}{mark}", ratio.unwrap_or_default());
-    let key = totals.worst_px as f64 + totals.ratio.map_or(0.0, |r| r.median * 1e-6);
-    Cell::number(text, key).toned(tone).titled(lines.join("; "))
+    let text = format!("{ratio}{wrong}{mark}");
+    Cell::from(text).toned(tone).titled(lines.join("; "))
 }

@@ -3,21 +3,29 @@
 mod answers;
 mod best;
 mod broken;
+mod cards;
 mod cases;
 mod charts;
 mod costs;
 mod expectations;
 mod experiments;
 mod figures;
+mod fronts;
 mod glossary;
 mod head;
 mod inputs;
 mod made;
 mod matrix;
+mod method;
 mod outside;
 mod pictures;
 mod point;
+mod reasons;
+mod series;
+mod styles;
+mod warnings;
 
+pub(super) use method::method_document;
 pub use pictures::PictureOptions;
 
 use super::document::{Block, Document};

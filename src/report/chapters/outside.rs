@@ -4,6 +4,7 @@
 
 use super::figures::timed;
 use crate::report::document::{Block, Cell, Grid, Tone};
+use crate::report::number::significant;
 use crate::report::recorded::{PeerCheck, PeerRecord, PeerRow, Recorded};
 
 pub(super) fn chapter(recorded: &Recorded) -> Vec<Block> {
@@ -131,7 +132,11 @@ fn describe(check: &PeerCheck) -> String {
         bound_is,
         ..
     } = check;
-    format!("off by {off:.3e}, where {bound:.3e} is allowed ({bound_is})")
+    format!(
+        "off by {}, where {} is allowed ({bound_is})",
+        significant(*off),
+        significant(*bound)
+    )
 }
 
 fn is_ours(row: &PeerRow) -> bool {

@@ -7,9 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::counted;
+use super::figures::times;
 use super::point::{Point, Points};
-use crate::compare::legend;
-use crate::report::document::{Block, Gallery, Shot, Source, Tone};
+use crate::compare::{LegendEntry, legend};
+use crate::experiment::Picture;
+use crate::report::document::{Block, Cell, Gallery, Image, Shot, Source, Swatch, Tone};
+use crate::report::look::look;
 
 /// How pictures come into the page.
 #[derive(Clone, Debug)]
@@ -39,9 +42,11 @@ pub(super) struct Chosen {
 /// A picture before it is known whether it fits.
 struct Wanted {
     name: String,
-    caption: String,
+    caption: Cell,
     path: PathBuf,
-    /// Decided wrong pixels in it; none of the reference and of heat maps.
+    /// Where it is wrong.
+    errors: Option<PathBuf>,
+    /// Decided wrong pixels in it; none of the reference.
     wrong_px: Option<usize>,
 }
 
@@ -121,7 +126,13 @@ impl Chosen {
 
     /// How many pictures are in the page or linked, and how many are not.
     pub(super) fn counts(&self) -> [usize; 2] {
-        let shown = self.galleries.iter().map(|g| g.shots.len()).sum();
+        let files = |s: &Shot| 1 + usize::from(s.errors.is_some());
+        let shown = self
+            .galleries
+            .iter()
+            .flat_map(|g| &g.shots)
+            .map(files)
+            .sum();
         let left_out = self.galleries.iter().map(|g| g.left_out.len()).sum();
         [shown, left_out]
     }
@@ -152,21 +163,47 @@ fn gallery(
     let (mut used, mut gone) = (0, 0);
     let mut wrong_px: Vec<Option<usize>> = Vec::new();
     for wanted in wanted(point) {
-        let name = wanted.name.clone();
-        let wrong = wanted.wrong_px;
-        match shot(wanted, options, share - used) {
-            Ok((shot, bytes)) => {
-                gallery.shots.push(shot);
-                wrong_px.push(wrong);
+        let picture = match image(&wanted.path, options, share - used) {
+            Ok((picture, bytes)) => {
                 used += bytes;
+                picture
             }
-            Err(Lack::Gone) => gone += 1,
-            Err(Lack::TooLarge) => gallery.left_out.push(name),
-        }
+            Err(Lack::Gone) => {
+                gone += 1 + usize::from(wanted.errors.is_some());
+                continue;
+            }
+            Err(Lack::TooLarge) => {
+                gallery.left_out.push(wanted.name);
+                continue;
+            }
+        };
+        let errors = wanted
+            .errors
+            .and_then(|path| match image(&path, options, share - used) {
+                Ok((errors, bytes)) => {
+                    used += bytes;
+                    Some(errors)
+                }
+                Err(Lack::Gone) => {
+                    gone += 1;
+                    None
+                }
+                Err(Lack::TooLarge) => {
+                    gallery.left_out.push(format!("errors of {}", wanted.name));
+                    None
+                }
+            });
+        gallery.shots.push(Shot {
+            look: wanted.wrong_px.map(|_| look(&wanted.name)),
+            name: wanted.name,
+            caption: wanted.caption,
+            picture,
+            errors,
+        });
+        wrong_px.push(wanted.wrong_px);
     }
     gallery.opens_at = opens_at(&wrong_px);
-    let has_heatmaps = (point.record.pictures.iter()).any(|p| p.heatmap.is_some());
-    if has_heatmaps && !gallery.shots.is_empty() {
+    if gallery.shots.iter().any(|s| s.errors.is_some()) {
         gallery.legend = colors();
     }
     (gallery, used, gone)
@@ -186,49 +223,42 @@ fn opens_at(wrong_px: &[Option<usize>]) -> [usize; 2] {
 
 fn wanted(point: &Point<'_>) -> Vec<Wanted> {
     let folder = point.folder.pictures(point.experiment);
-    let mut wanted = Vec::new();
-    for picture in &point.record.pictures {
-        let strategies = &point.record.measurement.strategies;
+    let strategies = &point.record.measurement.strategies;
+    let of = |picture: &Picture| {
         let found = strategies.iter().find(|s| s.name == picture.drawer);
-        let wrong = found.and_then(|s| s.comparison).map(|c| c.decided_wrong_px);
-        wanted.push(Wanted {
+        let wrong_px = found.and_then(|s| s.comparison).map(|c| c.decided_wrong_px);
+        let ratio = found.and_then(|s| s.frame_over_draw_only);
+        let ratio = ratio.map_or_else(String::new, |r| format!(", {}", times(r)));
+        Wanted {
             name: picture.drawer.clone(),
-            caption: match wrong {
-                None => "the reference, evaluated for every pixel".to_owned(),
-                Some(0) => "no decided pixel is wrong".to_owned(),
-                Some(px) => format!("{px} decided pixels are wrong"),
+            caption: match wrong_px {
+                None => Cell::from("the reference, evaluated for every pixel"),
+                Some(0) => Cell::from(format!("exact{ratio}")).toned(Tone::Good),
+                Some(px) => Cell::from(format!("{px} px wrong{ratio}")).toned(Tone::Fair),
             },
             path: folder.join(&picture.file),
-            wrong_px: wrong,
-        });
-        if let Some(file) = &picture.heatmap {
-            wanted.push(Wanted {
-                name: format!("{}: where it is wrong", picture.drawer),
-                caption: String::new(),
-                path: folder.join(file),
-                wrong_px: None,
-            });
+            errors: picture.heatmap.as_ref().map(|file| folder.join(file)),
+            wrong_px,
         }
-    }
-    wanted
+    };
+    point.record.pictures.iter().map(of).collect()
 }
 
-fn shot(wanted: Wanted, options: &PictureOptions, left: u64) -> Result<(Shot, u64), Lack> {
-    let bytes = fs::metadata(&wanted.path).map_err(|_| Lack::Gone)?.len();
-    let shot = |source| Shot {
-        link: relative(&options.out, &wanted.path),
-        name: wanted.name.clone(),
-        caption: wanted.caption.clone(),
+/// A picture, and how many bytes it takes of those that are left.
+fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(Image, u64), Lack> {
+    let bytes = fs::metadata(path).map_err(|_| Lack::Gone)?.len();
+    let image = |source| Image {
+        link: relative(&options.out, path),
         source,
     };
     if options.link {
-        return Ok((shot(Source::Beside), 0));
+        return Ok((image(Source::Beside), 0));
     }
     if bytes > left {
         return Err(Lack::TooLarge);
     }
-    let png = fs::read(&wanted.path).map_err(|_| Lack::Gone)?;
-    Ok((shot(Source::Inside(png)), bytes))
+    let png = fs::read(path).map_err(|_| Lack::Gone)?;
+    Ok((image(Source::Inside(png)), bytes))
 }
 
 /// A path as it is seen from a folder.
@@ -255,22 +285,16 @@ fn whole(path: &Path) -> PathBuf {
 }
 
 /// What the colours of heat maps mean.
-fn colors() -> Vec<(String, String)> {
-    legend()
-        .iter()
-        .map(|e| {
-            let [r, g, b] = e.rgb;
-            (format!("#{r:02x}{g:02x}{b:02x}"), e.name.to_owned())
-        })
-        .collect()
-}
-
-/// The same in a sentence.
-pub(super) fn key_of_colors() -> String {
-    let words = colors()
-        .into_iter()
-        .map(|(color, name)| format!("{name} `{color}`"));
-    words.collect::<Vec<_>>().join(", ")
+pub(super) fn colors() -> Vec<Swatch> {
+    let swatch = |e: &LegendEntry| {
+        let [r, g, b] = e.rgb;
+        Swatch {
+            color: format!("#{r:02x}{g:02x}{b:02x}"),
+            name: e.name.to_owned(),
+            meaning: e.meaning.to_owned(),
+        }
+    };
+    legend().iter().map(swatch).collect()
 }
 
 #[cfg(test)]
@@ -279,7 +303,7 @@ mod tests {
 
     #[test]
     fn a_slider_opens_on_what_differs_most() {
-        // The reference, an exact strategy, a wrong one with its heat map, one that is more wrong, one that is as wrong.
+        // The reference, an exact strategy, a wrong one, another picture of the reference, one that is more wrong, one that is as wrong.
         let all = [None, Some(0), Some(7), None, Some(90), Some(90)];
         assert_eq!(opens_at(&all), [0, 4]);
         assert_eq!(opens_at(&all[..2]), [0, 1], "all are exact");

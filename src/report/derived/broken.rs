@@ -59,8 +59,8 @@ impl Harm {
     }
 }
 
-/// Each strategy over some points: those that can be used first, of them the least wrong, the one that leaves least of it unmarked, the
-/// cheapest.
+/// Each strategy over some points: those that can be used come first, sorted by how much is wrong, then by how much of that is not
+/// marked, then by cost.
 pub(crate) fn harms(records: &[&Record]) -> Vec<Harm> {
     let all = names(records).into_iter();
     let mut all: Vec<Harm> = all.map(|name| harm(name, records)).collect();

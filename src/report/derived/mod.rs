@@ -6,6 +6,8 @@
 //! | the front of error against cost, and the price of each tenfold | [`front`], [`steps`] |
 //! | what a strategy costs in each situation | [`Situation`] |
 //! | which strategies are exact wherever they drew, and which of them is the cheapest | [`ranked`] |
+//! | what all methods at some points cost, the wrong ones too | [`candidates`] |
+//! | what a cutaway costs over the picture without one, and a style over plain light | [`variants`] |
 //! | how a strategy is asked for, and what it is limited to | [`usage`] |
 //! | how wrong broken meshes are drawn, and how much of that is marked | [`Harm`] |
 //! | which commands measured a run | [`invocations`] |
@@ -13,6 +15,7 @@
 //! | how often a strategy is exact, refused, overflowed | [`StrategyTotals`] |
 
 mod broken;
+mod candidates;
 mod front;
 mod invocations;
 mod order;
@@ -22,8 +25,10 @@ mod row;
 mod situation;
 mod totals;
 mod usage;
+mod variants;
 
 pub(super) use broken::{Harm, TOO_MUCH, harms, has_defect, has_other_truth};
+pub(super) use candidates::{Candidate, candidates};
 pub(super) use front::{Offer, Price, front, steps};
 pub(super) use invocations::invocations;
 pub(super) use order::natural;
@@ -33,3 +38,4 @@ pub(super) use row::{Row, rows, rows_by_family};
 pub(super) use situation::{Kind, Situation, is_exact};
 pub(super) use totals::{Spread, StrategyTotals, totals_of_strategies};
 pub(super) use usage::{Usage, usage};
+pub(super) use variants::{Variants, variants};

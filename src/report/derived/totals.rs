@@ -112,8 +112,8 @@ pub(super) fn names<'a>(records: &[&'a Record]) -> Vec<&'a str> {
 }
 
 /// Names of strategies that stand for themselves: those that some point asked for by name rather than by a sweep over their
-/// parameters. The exact ones come first, then the least wrong, then the cheapest; those that never drew are last.
-pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
+/// parameters.
+pub(super) fn self_standing<'a>(records: &[&'a Record]) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
     for record in records {
         for (found, swept) in record.measurement.strategies.iter().zip(&record.families) {
@@ -124,7 +124,13 @@ pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
             }
         }
     }
-    let mut found: Vec<StrategyTotals> = names
+    names
+}
+
+/// The strategies that stand for themselves. The exact ones come first, then the least wrong, then the cheapest; those that never drew are
+/// last.
+pub(crate) fn totals_of_strategies(records: &[&Record]) -> Vec<StrategyTotals> {
+    let mut found: Vec<StrategyTotals> = self_standing(records)
         .iter()
         .map(|name| StrategyTotals::of(name, records.iter().copied()))
         .collect();

@@ -2,6 +2,8 @@
 //!
 //! A logarithmic axis has no place for 0. Where some value is 0, a strip is kept beyond its least end with a tick of its own.
 
+use crate::report::number::tick;
+
 /// Pixels between a strip for 0 and the rest.
 const ZERO_STRIP: f64 = 26.0;
 
@@ -81,7 +83,7 @@ impl Scale {
             linear_ticks(self.range, 6.0)
         };
         let zero = self.zero_px.map(|_| (0.0, "0".to_owned()));
-        let others = values.into_iter().map(|v| (v, number(v)));
+        let others = values.into_iter().map(|v| (v, tick(v)));
         zero.into_iter().chain(others).collect()
     }
 
@@ -98,13 +100,14 @@ impl Scale {
         match most - least {
             ..1.0 => {
                 let few = within(&[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], 1);
-                if few.len() >= 2 {
+                if few.len() >= 3 {
                     return few;
                 }
                 linear_ticks([10_f64.powf(least), 10_f64.powf(most)], 4.0)
             }
-            ..3.0 => within(&[1.0, 2.0, 5.0], 1),
-            ..8.0 => within(&[1.0], 1),
+            ..2.5 => within(&[1.0, 2.0, 5.0], 1),
+            ..4.0 => within(&[1.0, 3.0], 1),
+            ..9.0 => within(&[1.0], 1),
             _ => within(&[1.0], 2),
         }
     }
@@ -126,21 +129,21 @@ fn linear_ticks([least, most]: [f64; 2], count: f64) -> Vec<f64> {
         .collect()
 }
 
-/// A number in few letters.
-pub(super) fn number(value: f64) -> String {
-    let size = value.abs();
-    let (value, suffix) = match size {
-        1e9.. => (value / 1e9, " G"),
-        1e6.. => (value / 1e6, " M"),
-        1e4.. => (value / 1e3, " k"),
-        _ => (value, ""),
-    };
-    if size > 0.0 && size < 1e-3 {
-        return format!("{value:.0e}");
+/// Ticks that are so far apart that their words do not touch.
+pub(super) fn apart(
+    ticks: Vec<(f64, String)>,
+    place: impl Fn(f64) -> f64,
+    least_px: f64,
+) -> Vec<(f64, String)> {
+    let mut kept: Vec<(f64, String)> = Vec::new();
+    for (value, word) in ticks {
+        let at = place(value);
+        let is_clear = |(v, _): &(f64, String)| (place(*v) - at).abs() >= least_px;
+        if kept.iter().all(is_clear) {
+            kept.push((value, word));
+        }
     }
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    format!("{text}{suffix}")
+    kept
 }
 
 #[cfg(test)]
@@ -173,6 +176,18 @@ mod tests {
     }
 
     #[test]
+    fn logarithmic_axes_have_at_least_three_ticks() {
+        for span in [1.05, 1.3, 2.0, 5.0, 30.0, 400.0, 5e3, 1e6, 1e9, 1e12] {
+            for least in [1e-5, 0.37, 1.0, 8.5, 4100.0] {
+                let scale = Scale::of(&[least, least * span], true, false, [0.0, 300.0]);
+                let ticks = scale.ticks();
+                assert!(ticks.len() >= 3, "{least} to {}: {ticks:?}", least * span);
+                assert!(ticks.len() <= 12, "{least} to {}: {ticks:?}", least * span);
+            }
+        }
+    }
+
+    #[test]
     fn few_or_no_values_are_laid_out_too() {
         for values in [vec![], vec![0.0], vec![5.0], vec![1e-9, 1e12]] {
             for is_log in [false, true] {
@@ -187,17 +202,10 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_short() {
-        for (value, text) in [
-            (0.0, "0"),
-            (1.5, "1.5"),
-            (1000.0, "1000"),
-            (25_000.0, "25 k"),
-            (2e6, "2 M"),
-            (1e-5, "1e-5"),
-            (0.125, "0.125"),
-        ] {
-            assert_eq!(number(value), text);
-        }
+    fn ticks_do_not_touch() {
+        let ticks = [0.0, 1.0, 2.0, 5.0].map(|v| (v, String::new()));
+        let kept = apart(ticks.into(), |v| v * 10.0, 20.0);
+        let kept: Vec<f64> = kept.into_iter().map(|(v, _)| v).collect();
+        assert_eq!(kept, [0.0, 2.0, 5.0]);
     }
 }

@@ -1,11 +1,11 @@
-//! Where time goes: for each strategy a bar on each clock, divided by passes.
+//! Where time goes: for each strategy a bar on each clock, divided by passes, and every time that was taken.
 //!
 //! Each clock has a scale of its own: building a structure once can take a thousand frames.
 
 use maud::{Markup, html};
 
 use super::{Cell, Grid};
-use crate::report::text::milliseconds;
+use crate::report::number::milliseconds;
 
 /// Bars under each other.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +24,8 @@ pub(crate) struct Bar {
     pub name: String,
     /// For each clock its passes.
     pub segments: Vec<Vec<Segment>>,
+    /// For each clock every time that was taken, in milliseconds, in order.
+    pub samples: Vec<Vec<f64>>,
 }
 
 /// A pass.
@@ -43,8 +45,8 @@ fn total(segments: &[Segment]) -> f64 {
 
 impl Bars {
     fn longest(&self, clock: usize) -> f64 {
-        let totals = self.bars.iter().map(|b| total(&b.segments[clock]));
-        totals.fold(0.0, f64::max)
+        let totals = self.bars.iter().filter_map(|b| b.segments.get(clock));
+        totals.map(|s| total(s)).fold(0.0, f64::max)
     }
 
     /// A table with a bar in each cell.
@@ -73,19 +75,24 @@ impl Bars {
         html! {
             tr {
                 th scope="row" { (bar.name) }
-                @for (clock, segments) in bar.segments.iter().enumerate() {
+                @for clock in 0..self.clocks.len() {
+                    @let segments = bar.segments.get(clock).map_or(&[] as &[_], Vec::as_slice);
+                    @let samples = bar.samples.get(clock).map_or(&[] as &[_], Vec::as_slice);
                     @let sum = total(segments);
-                    @if sum <= 0.0 {
+                    @if sum <= 0.0 && samples.is_empty() {
                         td.faint { "nothing" }
                     } @else {
                         td {
-                            div.bar {
-                                @for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.ms > 0.0) {
-                                    i class={ "s" (i % HUES) } style=(width(clock, s.ms))
-                                        title={ (s.name) ": " (milliseconds(s.ms)) " ms" } {}
+                            @if sum > 0.0 {
+                                div.bar {
+                                    @for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.ms > 0.0) {
+                                        i class={ "s" (i % HUES) } style=(width(clock, s.ms))
+                                            title={ (s.name) ": " (milliseconds(s.ms)) " ms" } {}
+                                    }
                                 }
+                                small { (milliseconds(sum)) " ms in passes" }
                             }
-                            small { (milliseconds(sum)) " ms" }
+                            @if !samples.is_empty() { small.samples { "all samples, ms: " (listed(samples)) } }
                         }
                     }
                 }
@@ -97,16 +104,26 @@ impl Bars {
     pub(super) fn grid(&self) -> Grid {
         let mut grid = Grid::new(&self.label, ["strategy", "clock", "pass", "ms"]);
         for bar in &self.bars {
-            for (segments, clock) in bar.segments.iter().zip(&self.clocks) {
-                for segment in segments {
-                    let row = [&bar.name, clock, &segment.name].map(|t| Cell::from(t.as_str()));
-                    let ms = Cell::number(milliseconds(segment.ms), segment.ms);
-                    grid.row(row.into_iter().chain([ms]));
+            for (index, clock) in self.clocks.iter().enumerate() {
+                let row = |pass: &str, ms: Cell| {
+                    let words = [bar.name.as_str(), clock, pass].map(Cell::from);
+                    words.into_iter().chain([ms]).collect::<Vec<_>>()
+                };
+                for s in bar.segments.get(index).into_iter().flatten() {
+                    grid.row(row(&s.name, Cell::number(milliseconds(s.ms), s.ms)));
+                }
+                if let Some(samples) = bar.samples.get(index).filter(|s| !s.is_empty()) {
+                    grid.row(row("all of it, every sample", Cell::from(listed(samples))));
                 }
             }
         }
         grid
     }
+}
+
+fn listed(samples: &[f64]) -> String {
+    let words: Vec<String> = samples.iter().map(|s| milliseconds(*s)).collect();
+    words.join(", ")
 }
 
 #[cfg(test)]
@@ -125,6 +142,7 @@ mod tests {
         let bar = |all: &[f64]| Bar {
             name: "x".to_owned(),
             segments: vec![segments(all)],
+            samples: Vec::new(),
         };
         let bars = Bars {
             label: "where".to_owned(),

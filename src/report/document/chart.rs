@@ -1,20 +1,17 @@
 //! A chart as SVG: marks with their spread, lines, a front, axes with ticks.
 //!
-//! Colours are classes of the page's style, so that they follow light and dark; a series has a colour and a shape, so that neither alone
-//! tells it apart. Each mark says what it is when it is pointed at, and in words for those who cannot see it.
+//! What would be too many lines for one drawing is several small ones with the same axes. A series has the colour and the marker of its
+//! method, as everywhere in a report; in a single drawing its name stands at its end where there is room, and what has none is listed
+//! below. Each mark says what it is when it is pointed at, and in words for those who cannot see it.
+
+use std::collections::BTreeSet;
 
 use maud::{Markup, html};
 
-use super::axis::{Scale, number};
-
-/// Size of the drawing.
-const SIZE: [f64; 2] = [720.0, 400.0];
-/// Left, right, top and bottom of the axes.
-const FRAME: [f64; 4] = [64.0, 704.0, 14.0, 346.0];
-/// Radius of a mark.
-const RADIUS: f64 = 4.5;
-/// Colours of the style.
-const COLORS: usize = 8;
+use super::axis::{Scale, apart};
+use super::ends::{self, Ending};
+use super::marker::{badge, color, marker, px};
+use crate::report::look::Look;
 
 /// A chart.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +24,15 @@ pub(crate) struct Chart {
     pub x: Axis,
     /// Up.
     pub y: Axis,
+    /// The drawings, all with the same axes.
+    pub panels: Vec<Panel>,
+}
+
+/// One drawing.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Panel {
+    /// What sets it apart from the others of its chart.
+    pub title: String,
     /// What is drawn.
     pub series: Vec<Series>,
     /// Points of the front, the cheapest first.
@@ -48,6 +54,7 @@ pub(crate) struct Axis {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Series {
     pub name: String,
+    pub look: Look,
     /// In the order in which they are joined.
     pub marks: Vec<Mark>,
 }
@@ -65,11 +72,51 @@ pub(crate) struct Mark {
     pub is_doubtful: bool,
 }
 
+/// Where a drawing has its axes.
+pub(super) struct Frame {
+    /// Size of the drawing.
+    size: [f64; 2],
+    /// Left, right, top and bottom of the axes.
+    sides: [f64; 4],
+    /// Least distance of the labels of ticks along x.
+    between_ticks: f64,
+}
+
+/// A drawing that is alone, with room for names on the right.
+const LARGE: Frame = Frame {
+    size: [720.0, 400.0],
+    sides: [64.0, 706.0, 14.0, 346.0],
+    between_ticks: 34.0,
+};
+
+/// One of several.
+const SMALL: Frame = Frame {
+    size: [360.0, 250.0],
+    sides: [58.0, 350.0, 12.0, 204.0],
+    between_ticks: 44.0,
+};
+
+/// Width of a letter of a name at the end of a line.
+const LETTER: f64 = 7.0;
+
 impl Chart {
-    /// The drawing, without its title and legend.
-    pub(super) fn svg(&self) -> Markup {
-        let marks = || self.series.iter().flat_map(|s| &s.marks);
-        let [left, right, top, bottom] = FRAME;
+    fn marks(&self) -> impl Iterator<Item = &Mark> {
+        let series = self.panels.iter().flat_map(|p| &p.series);
+        series.flat_map(|s| &s.marks)
+    }
+
+    /// Names of all series with their looks, each once.
+    fn names(&self) -> Vec<(&str, Look)> {
+        let mut names: Vec<(&str, Look)> = Vec::new();
+        for series in self.panels.iter().flat_map(|p| &p.series) {
+            if !names.iter().any(|(name, _)| *name == series.name) {
+                names.push((&series.name, series.look));
+            }
+        }
+        names
+    }
+
+    fn scales(&self, [left, right, top, bottom]: [f64; 4]) -> [Scale; 2] {
         let scale = |i: usize, axis: &Axis, px: [f64; 2]| {
             let values: Vec<f64> = if axis.categories.is_empty() {
                 // Ends of spreads too, but none that would squeeze the rest.
@@ -77,37 +124,109 @@ impl Chart {
                     let (at, spread) = (m.at[i], m.spread[i].min(m.at[i] * 0.5));
                     [at, at - spread, at + spread]
                 };
-                marks().flat_map(ends).collect()
+                self.marks().flat_map(ends).collect()
             } else {
                 (0..axis.categories.len()).map(|c| c as f64).collect()
             };
             Scale::of(&values, axis.is_log, i == 1, px)
         };
-        let scales = [
+        [
             scale(0, &self.x, [left, right]),
             scale(1, &self.y, [bottom, top]),
-        ];
-        let place = |at: [f64; 2]| [0, 1].map(|i| scales[i].place(at[i]));
-        html! {
-            svg viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } role="img" aria-label=(self.title) {
-                (self.axes(&scales))
-                @if self.front.len() > 1 {
-                    polyline.front points=(points(self.front.iter().map(|p| place(*p)))) {}
+        ]
+    }
+
+    /// The drawings, and the names of what none of them names.
+    pub(super) fn html(&self) -> Markup {
+        let names = self.names();
+        let [panel] = self.panels.as_slice() else {
+            return html! {
+                div.panels {
+                    @for panel in &self.panels {
+                        div.panel {
+                            p.panel-title { (panel.title) }
+                            (self.svg(panel, &SMALL, &names, &[]))
+                        }
+                    }
                 }
-                @for (index, series) in self.series.iter().enumerate() {
-                    g class={ "c" (index % COLORS) } {
+                (legend(&names, &BTreeSet::new()))
+            };
+        };
+        // Lines along a parameter end on the right; marks in a plane have their names wherever there is room.
+        let longest = names.iter().map(|(name, _)| name.chars().count()).max();
+        let [left, mut right, top, bottom] = LARGE.sides;
+        if names.len() > 1 {
+            right -= (longest.unwrap_or(0) as f64 * LETTER).min(200.0);
+        }
+        let frame = Frame {
+            sides: [left, right, top, bottom],
+            ..LARGE
+        };
+        let endings = match names.len() {
+            0 | 1 => Vec::new(),
+            _ => self.endings(panel, &frame),
+        };
+        let named: BTreeSet<usize> = endings.iter().map(|e| e.series).collect();
+        html! {
+            div.scroll tabindex="0" role="region" aria-label="chart" { (self.svg(panel, &frame, &names, &endings)) }
+            (legend(&names, &named))
+        }
+    }
+
+    fn endings(&self, panel: &Panel, frame: &Frame) -> Vec<Ending> {
+        let scales = self.scales(frame.sides);
+        let place = |m: &Mark| [0, 1].map(|i| scales[i].place(m.at[i]));
+        let series = panel.series.iter();
+        let placed = series.map(|s| (s.name.as_str(), s.marks.iter().map(place).collect()));
+        let [left, _, _, bottom] = frame.sides;
+        // Not over the words of the axes.
+        let within = [left, frame.size[0], 0.0, bottom + 3.0];
+        ends::placed(&placed.collect::<Vec<_>>(), within, LETTER)
+    }
+
+    fn svg(
+        &self,
+        panel: &Panel,
+        frame: &Frame,
+        names: &[(&str, Look)],
+        endings: &[Ending],
+    ) -> Markup {
+        let scales = self.scales(frame.sides);
+        let place = |at: [f64; 2]| [0, 1].map(|i| scales[i].place(at[i]));
+        let number = |series: &Series| names.iter().position(|(name, _)| *name == series.name);
+        let title = match panel.title.as_str() {
+            "" => self.title.clone(),
+            title => format!("{}, {title}", self.title),
+        };
+        html! {
+            svg viewBox={ "0 0 " (frame.size[0]) " " (frame.size[1]) } role="img" aria-label=(title) {
+                (self.axes(frame, &scales))
+                @if panel.front.len() > 1 {
+                    polyline.front points=(points(panel.front.iter().map(|p| place(*p)))) {}
+                }
+                @for series in &panel.series {
+                    g class=(color(series.look)) data-series=[number(series)] {
                         @if series.marks.len() > 1 {
                             polyline points=(points(series.marks.iter().map(|m| place(m.at)))) {}
                         }
-                        @for mark in &series.marks { (drawn(mark, index, &scales)) "\n" }
+                        @for mark in &series.marks { (drawn(mark, series.look, &scales)) "\n" }
+                    }
+                }
+                @for ending in endings {
+                    @let series = &panel.series[ending.series];
+                    g class=(color(series.look)) data-series=[number(series)] {
+                        @if let Some(from) = ending.lead {
+                            polyline.lead points=(points([from, [ending.at[0] - 2.0, ending.at[1] - 4.0]].into_iter())) {}
+                        }
+                        text.ending x=(px(ending.at[0])) y=(px(ending.at[1])) { (series.name) }
                     }
                 }
             }
         }
     }
 
-    fn axes(&self, scales: &[Scale; 2]) -> Markup {
-        let [left, right, top, bottom] = FRAME;
+    fn axes(&self, frame: &Frame, scales: &[Scale; 2]) -> Markup {
+        let [left, right, top, bottom] = frame.sides;
         let ticks = |i: usize, axis: &Axis| -> Vec<(f64, String)> {
             if axis.categories.is_empty() {
                 return scales[i].ticks();
@@ -115,15 +234,30 @@ impl Chart {
             let words = axis.categories.iter().enumerate();
             words.map(|(c, word)| (c as f64, word.clone())).collect()
         };
+        let along_x = ticks(0, &self.x);
+        let widest = along_x.iter().map(|(_, word)| word.chars().count()).max();
+        let room = (right - left) / along_x.len().max(1) as f64;
+        // Words that are longer than their room are slanted.
+        let is_slanted = !self.x.categories.is_empty()
+            && widest.unwrap_or(0) as f64 * LETTER > room.max(frame.between_ticks);
         let middle = (top + bottom) * 0.5;
+        let along_x = if is_slanted || !self.x.categories.is_empty() {
+            along_x
+        } else {
+            apart(along_x, |v| scales[0].place(v), frame.between_ticks)
+        };
         html! {
             g.axes {
-                @for (value, word) in ticks(0, &self.x) {
-                    @let x = px(scales[0].place(value));
-                    line.grid x1=(x) x2=(x) y1=(top) y2=(bottom) {}
-                    text x=(x) y=(bottom + 18.0) text-anchor="middle" { (word) }
+                @for (value, word) in along_x {
+                    @let x = scales[0].place(value);
+                    line.grid x1=(px(x)) x2=(px(x)) y1=(top) y2=(bottom) {}
+                    @if is_slanted {
+                        text transform={ "translate(" (px(x + 4.0)) " " (bottom + 12.0) ") rotate(-24)" } text-anchor="end" { (word) }
+                    } @else {
+                        text x=(px(x)) y=(bottom + 18.0) text-anchor="middle" { (word) }
+                    }
                 }
-                @for (value, word) in ticks(1, &self.y) {
+                @for (value, word) in apart(ticks(1, &self.y), |v| scales[1].place(v), 15.0) {
                     @let y = scales[1].place(value);
                     line.grid x1=(left) x2=(right) y1=(px(y)) y2=(px(y)) {}
                     text x=(left - 8.0) y=(px(y + 4.0)) text-anchor="end" { (word) }
@@ -131,30 +265,26 @@ impl Chart {
                 @if let Some(y) = scales[1].zero_px {
                     line.zero x1=(left) x2=(right) y1=(y) y2=(y) {}
                 }
-                text.label x=((left + right) * 0.5) y=(SIZE[1] - 14.0) text-anchor="middle" { (self.x.label) }
+                text.label x=((left + right) * 0.5) y=(frame.size[1] - 8.0) text-anchor="middle" { (self.x.label) }
                 text.label transform={ "translate(14 " (middle) ") rotate(-90)" } text-anchor="middle" { (self.y.label) }
-            }
-        }
-    }
-
-    /// Names of the series with their marks.
-    pub(super) fn legend(&self) -> Markup {
-        html! {
-            ul.legend {
-                @for (index, series) in self.series.iter().enumerate() {
-                    li {
-                        svg viewBox="0 0 14 14" class={ "c" (index % COLORS) } aria-hidden="true" { (shape([7.0, 7.0], index, false)) }
-                        (series.name)
-                    }
-                }
             }
         }
     }
 }
 
-/// A coordinate, to a tenth of a pixel.
-fn px(at: f64) -> String {
-    format!("{at:.1}")
+/// Names of the series with their marks, without those that are named where they end.
+fn legend(names: &[(&str, Look)], named: &BTreeSet<usize>) -> Markup {
+    let left = names.iter().enumerate();
+    let left: Vec<_> = left.filter(|(index, _)| !named.contains(index)).collect();
+    html! {
+        @if !left.is_empty() {
+            ul.legend {
+                @for (index, (name, look)) in left {
+                    li data-series=(index) { (badge(*look)) (name) }
+                }
+            }
+        }
+    }
 }
 
 fn points(all: impl Iterator<Item = [f64; 2]>) -> String {
@@ -162,7 +292,7 @@ fn points(all: impl Iterator<Item = [f64; 2]>) -> String {
     words.join(" ")
 }
 
-fn drawn(mark: &Mark, series: usize, scales: &[Scale; 2]) -> Markup {
+fn drawn(mark: &Mark, look: Look, scales: &[Scale; 2]) -> Markup {
     let at = [0, 1].map(|i| scales[i].place(mark.at[i]));
     let ends = |i: usize| {
         [-1.0, 1.0].map(|side| {
@@ -178,78 +308,54 @@ fn drawn(mark: &Mark, series: usize, scales: &[Scale; 2]) -> Markup {
                 @let [a, b] = ends(i);
                 line x1=(a[0]) y1=(a[1]) x2=(b[0]) y2=(b[1]) {}
             }
-            (shape(at, series, mark.is_doubtful))
+            (marker(at, look.marker, mark.is_doubtful))
         }
-    }
-}
-
-/// The shape of a series: circle, square, diamond or triangle, another one after all colours are used.
-fn shape([x, y]: [f64; 2], series: usize, is_hollow: bool) -> Markup {
-    let r = RADIUS;
-    let class = is_hollow.then_some("hollow");
-    let path = match (series / COLORS + series) % 4 {
-        0 => return html! { circle class=[class] cx=(px(x)) cy=(px(y)) r=(r) {} },
-        1 => format!("M{:.1} {:.1}h{d}v{d}h-{d}z", x - r, y - r, d = 2.0 * r),
-        2 => format!(
-            "M{x:.1} {:.1}l{s} {s}l-{s} {s}l-{s} -{s}z",
-            y - r * 1.3,
-            s = r * 1.3
-        ),
-        _ => format!(
-            "M{x:.1} {:.1}l{w} {h}h-{b}z",
-            y - r * 1.2,
-            w = r * 1.2,
-            h = r * 2.1,
-            b = r * 2.4
-        ),
-    };
-    html! { path class=[class] d=(path) {} }
-}
-
-/// Words of a value, for titles of marks.
-pub(in crate::report) fn word_of(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e7 {
-        format!("{value:.0}")
-    } else {
-        number(value)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::look::look;
 
-    fn chart() -> Chart {
-        let mark = |x: f64, y: f64| Mark {
-            at: [x, y],
+    fn series(name: &str, marks: &[[f64; 2]]) -> Series {
+        let mark = |[x, y]: &[f64; 2]| Mark {
+            at: [*x, *y],
             spread: [0.2, 0.0],
             title: format!("<{x}>"),
-            is_doubtful: y > 50.0,
+            is_doubtful: *y > 50.0,
         };
+        Series {
+            name: name.to_owned(),
+            look: look(name),
+            marks: marks.iter().map(mark).collect(),
+        }
+    }
+
+    fn chart(panels: Vec<Panel>) -> Chart {
         Chart {
             title: "a & b".to_owned(),
             y: Axis {
                 is_log: true,
                 ..Axis::default()
             },
-            series: vec![
-                Series {
-                    name: "one".to_owned(),
-                    marks: vec![mark(1.0, 100.0), mark(2.0, 10.0), mark(3.0, 0.0)],
-                },
-                Series {
-                    name: "<two>".to_owned(),
-                    marks: vec![mark(2.0, 20.0)],
-                },
-            ],
-            front: vec![[1.0, 100.0], [2.0, 10.0], [3.0, 0.0]],
+            panels,
             ..Chart::default()
+        }
+    }
+
+    fn panel() -> Panel {
+        let line = [[1.0, 100.0], [2.0, 10.0], [3.0, 0.0]];
+        Panel {
+            title: String::new(),
+            series: vec![series("one", &line), series("<two>", &[[2.0, 20.0]])],
+            front: line.into(),
         }
     }
 
     #[test]
     fn every_mark_is_drawn_with_its_title_and_spread() {
-        let svg = chart().svg().into_string();
+        let svg = chart(vec![panel()]).html().into_string();
         assert_eq!(svg.matches("class=\"mark\"").count(), 4);
         assert_eq!(svg.matches("<title>").count(), 4);
         assert_eq!(svg.matches("class=\"front\"").count(), 1);
@@ -259,13 +365,26 @@ mod tests {
             svg.contains("&lt;2&gt;") && svg.contains("a &amp; b"),
             "{svg}"
         );
-        assert!(chart().legend().into_string().contains("&lt;two&gt;"));
+        assert!(svg.contains("&lt;two&gt;"), "{svg}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }
 
     #[test]
+    fn every_series_is_named_once_at_its_end_or_below() {
+        let alone = chart(vec![panel()]).html().into_string();
+        for name in [">one<", ">&lt;two&gt;<"] {
+            assert_eq!(alone.matches(name).count(), 1, "{name} in {alone}");
+        }
+        // Several drawings share one list.
+        let several = chart(vec![panel(), panel()]).html().into_string();
+        assert_eq!(several.matches("<svg viewBox=\"0 0 360").count(), 2);
+        assert_eq!(several.matches("<li data-series").count(), 2);
+        assert!(!several.contains("class=\"ending\""), "{several}");
+    }
+
+    #[test]
     fn an_empty_chart_is_drawn() {
-        let svg = Chart::default().svg().into_string();
-        assert!(!svg.contains("NaN") && svg.ends_with("</svg>"), "{svg}");
+        let svg = chart(vec![Panel::default()]).html().into_string();
+        assert!(!svg.contains("NaN") && svg.contains("</svg>"), "{svg}");
     }
 }

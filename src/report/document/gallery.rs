@@ -1,32 +1,56 @@
-//! Pictures of one frame: all in a row, and two of them under a slider where the page can run its script.
+//! Pictures of one frame: a grid of methods with one switch from what they drew to where that is wrong, and two of them under a slider
+//! where the page can run its script. The switch needs none.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{Markup, html};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+
+use super::Cell;
+use super::marker::badge;
+use crate::report::look::Look;
 
 /// Pictures of one frame.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Gallery {
     /// What they show.
     pub label: String,
-    /// The pictures, exact first.
+    /// One for each method, exact first.
     pub shots: Vec<Shot>,
     /// Which two lie under the slider at first, left and right.
     pub opens_at: [usize; 2],
-    /// What the colours of heat maps mean: `#rrggbb` and a name.
-    pub(crate) legend: Vec<(String, String)>,
+    /// What the colours of heat maps mean.
+    pub legend: Vec<Swatch>,
     /// Names of pictures that did not fit into the page.
     pub left_out: Vec<String>,
 }
 
-/// A picture.
+/// A colour of heat maps.
+#[derive(Clone, Debug)]
+pub(crate) struct Swatch {
+    /// `#rrggbb`.
+    pub color: String,
+    pub name: String,
+    /// What a pixel of this colour is.
+    pub meaning: String,
+}
+
+/// What a method drew.
 #[derive(Clone, Debug)]
 pub(crate) struct Shot {
-    /// Who drew it, and whether it is a heat map.
+    /// The method.
     pub name: String,
+    /// How it looks in charts; the reference is in none.
+    pub look: Option<Look>,
     /// What can be seen.
-    pub caption: String,
-    /// Where it is.
+    pub caption: Cell,
+    pub picture: Image,
+    /// Where it is wrong.
+    pub errors: Option<Image>,
+}
+
+/// A picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Image {
     pub source: Source,
     /// The file, as seen from the report.
     pub link: String,
@@ -41,7 +65,7 @@ pub(crate) enum Source {
     Beside,
 }
 
-impl Shot {
+impl Image {
     fn url(&self) -> String {
         match &self.source {
             Source::Inside(png) => {
@@ -65,28 +89,48 @@ pub(super) fn encoded(path: &str) -> String {
     utf8_percent_encode(path, PLAIN).to_string()
 }
 
+/// Colours with their names and what they mean.
+pub(super) fn swatches(all: &[Swatch]) -> Markup {
+    html! {
+        ul.swatches aria-label="colours of heat maps" {
+            @for swatch in all {
+                li { i style={ "background:" (swatch.color) } {} b { (swatch.name) } ": " (swatch.meaning) }
+            }
+        }
+    }
+}
+
 impl Gallery {
-    /// The pictures under each other; the script makes a slider of them.
-    pub(super) fn html(&self) -> Markup {
+    /// The pictures in a grid. The number tells the switches of a page apart.
+    pub(super) fn html(&self, number: usize) -> Markup {
         let [left, right] = self.opens_at;
+        let has_errors = self.shots.iter().any(|s| s.errors.is_some());
+        let group = format!("shown-{number}");
         html! {
             div.gallery role="group" data-left=(left) data-right=(right) aria-label=(self.label) {
-                @if !self.legend.is_empty() {
-                    ul.legend aria-label="colours of heat maps" {
-                        @for (color, name) in &self.legend {
-                            li { i style={ "background:" (color) } {} (name) }
-                        }
+                @if has_errors {
+                    div.switch role="radiogroup" aria-label="what the pictures show" {
+                        label { input type="radio" name=(group) value="picture" checked; " pictures" }
+                        label { input.errors type="radio" name=(group) value="errors"; " errors" }
                     }
                 }
                 div.shots {
                     @for shot in &self.shots {
                         figure {
-                            img loading="lazy" alt=(shot.name) src=(shot.url());
-                            figcaption { b { (shot.name) } " " (shot.caption) }
+                            img.picture loading="lazy" alt=(shot.name) src=(shot.picture.url());
+                            @if let Some(errors) = &shot.errors {
+                                img.errors loading="lazy" alt={ (shot.name) ", errors" } src=(errors.url());
+                            }
+                            figcaption {
+                                @if let Some(look) = shot.look { (badge(look)) }
+                                b { (shot.name) } " "
+                                span class=(shot.caption.tone.name()) { (shot.caption.text) }
+                            }
                         }
                         "\n"
                     }
                 }
+                @if !self.legend.is_empty() { (swatches(&self.legend)) }
             }
         }
     }
@@ -96,6 +140,19 @@ impl Gallery {
 mod tests {
     use super::*;
 
+    fn shot(source: Source, errors: Option<Image>) -> Shot {
+        Shot {
+            name: "<exact>".to_owned(),
+            look: None,
+            caption: Cell::default(),
+            picture: Image {
+                source,
+                link: "x/exact.png".to_owned(),
+            },
+            errors,
+        }
+    }
+
     #[test]
     fn paths_are_addresses() {
         assert_eq!(encoded("a b/grid-256+vds.png"), "a%20b/grid-256%2Bvds.png");
@@ -104,19 +161,32 @@ mod tests {
 
     #[test]
     fn pictures_are_in_the_page_or_beside_it() {
-        let shot = |source| Shot {
-            name: "<exact>".to_owned(),
-            caption: String::new(),
-            source,
-            link: "x/exact.png".to_owned(),
-        };
+        let inside = Source::Inside(b"foo".to_vec());
         let gallery = Gallery {
-            shots: vec![shot(Source::Inside(b"foo".to_vec())), shot(Source::Beside)],
+            shots: vec![shot(inside, None), shot(Source::Beside, None)],
             ..Gallery::default()
         };
-        let page = gallery.html().into_string();
+        let page = gallery.html(0).into_string();
         assert!(page.contains("data:image/png;base64,Zm9v"), "{page}");
         assert!(page.contains("src=\"x/exact.png\""), "{page}");
         assert!(!page.contains("<exact>"), "{page}");
+        assert!(!page.contains("radio"), "nothing to switch to");
+    }
+
+    #[test]
+    fn one_switch_shows_where_all_are_wrong() {
+        let errors = || {
+            let source = Source::Beside;
+            let link = "x/errors.png".to_owned();
+            Some(Image { source, link })
+        };
+        let gallery = Gallery {
+            shots: (0..3).map(|_| shot(Source::Beside, errors())).collect(),
+            ..Gallery::default()
+        };
+        let page = gallery.html(7).into_string();
+        assert_eq!(page.matches("name=\"shown-7\"").count(), 2, "{page}");
+        assert_eq!(page.matches("<figure").count(), 3, "one for each method");
+        assert_eq!(page.matches("src=\"x/errors.png\"").count(), 3);
     }
 }

@@ -100,4 +100,62 @@ impl Grid {
         cells.resize(self.heading.len(), Cell::default());
         self.rows.push(cells);
     }
+
+    /// Takes out the columns without words, and those in which every number is 0, but the first and those that are kept; returns the headings
+    /// of the latter.
+    pub(crate) fn without_zeros(&mut self, kept: &[&str]) -> Vec<String> {
+        let is_zero = |column: usize| {
+            let cells = || self.rows.iter().map(|row| &row[column]);
+            cells().any(|c| c.key.is_some())
+                && cells().all(|c| c.text.is_empty() || c.key == Some(0.0))
+        };
+        let zeros: Vec<usize> = (1..self.heading.len())
+            .filter(|c| !kept.contains(&self.heading[*c].text.as_str()) && is_zero(*c))
+            .collect();
+        let names = zeros.iter().map(|c| self.heading[*c].text.clone());
+        let names: Vec<String> = names.collect();
+        let is_empty = |c: &usize| self.rows.iter().all(|row| row[*c].text.is_empty());
+        let empty = (1..self.heading.len()).filter(is_empty);
+        let mut gone: Vec<usize> = zeros.into_iter().chain(empty).collect();
+        gone.sort_unstable();
+        for column in gone.into_iter().rev() {
+            self.heading.remove(column);
+            self.rows
+                .iter_mut()
+                .for_each(|row| drop(row.remove(column)));
+        }
+        names
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_of_zeros_are_named_and_left_out_as_empty_ones_are() {
+        let zero = || Cell::number("0", 0.0);
+        let mut grid = Grid::new("", ["name", "a", "b", "kept", "empty", "words"]);
+        let empty = Cell::default;
+        grid.row([
+            Cell::from("x"),
+            zero(),
+            zero(),
+            zero(),
+            empty(),
+            Cell::from("0"),
+        ]);
+        grid.row([
+            Cell::from("y"),
+            empty(),
+            Cell::number("1", 1.0),
+            zero(),
+            empty(),
+            empty(),
+        ]);
+        assert_eq!(grid.without_zeros(&["kept"]), ["a"]);
+        let left: Vec<&str> = grid.heading.iter().map(|c| c.text.as_str()).collect();
+        assert_eq!(left, ["name", "b", "kept", "words"]);
+        assert!(grid.rows.iter().all(|row| row.len() == left.len()));
+    }
 }

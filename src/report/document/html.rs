@@ -5,7 +5,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Block, Cell, Document, Grid, stretches};
+use super::{Block, Cell, Document, Grid, gallery, stretches, width};
 
 const PAGE_STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
@@ -15,8 +15,8 @@ const LONG_CELL: usize = 60;
 
 /// The report as a page.
 pub(crate) fn html(document: &Document) -> String {
-    let mut anchors = Anchors::default();
-    let body = all(&document.blocks, &mut anchors);
+    let mut writer = Writer::of(&document.blocks);
+    let body = writer.all(&document.blocks);
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -27,11 +27,9 @@ pub(crate) fn html(document: &Document) -> String {
                 title { (document.title) }
                 style { (PreEscaped(PAGE_STYLE)) }
             }
-            body {
-                header {
-                    h1 { (document.title) }
-                    nav aria-label="sections" { (anchors.links()) }
-                }
+            body id="top" {
+                nav.sections aria-label="sections" { (writer.sections()) }
+                header { h1 { (document.title) } }
                 main { (body) }
                 script { (PreEscaped(SCRIPT)) }
             }
@@ -40,63 +38,139 @@ pub(crate) fn html(document: &Document) -> String {
     page.into_string()
 }
 
-/// Headings so far, with their anchors.
-#[derive(Default)]
-struct Anchors(Vec<(u8, String, String)>);
+/// A heading with its anchor.
+struct Anchor {
+    level: u8,
+    id: String,
+    text: String,
+}
 
-impl Anchors {
-    /// An anchor that no other heading has.
-    fn add(&mut self, level: u8, text: &str) -> String {
-        let words: Vec<String> = text
-            .split(|c: char| !c.is_ascii_alphanumeric())
-            .filter(|w| !w.is_empty())
-            .map(str::to_lowercase)
-            .collect();
-        let base = format!("s-{}", words.join("-"));
-        let is_taken = |id: &str| self.0.iter().any(|(_, taken, _)| taken == id);
-        let id = (0..)
-            .map(|n| match n {
-                0 => base.clone(),
-                n => format!("{base}-{n}"),
-            })
-            .find(|id| !is_taken(id))
-            .unwrap_or(base);
-        self.0.push((level, id.clone(), text.to_owned()));
-        id
-    }
-
-    /// Links to the sections and to what is right below them.
-    fn links(&self) -> Markup {
-        html! {
-            @for (level, id, text) in self.0.iter().filter(|(level, ..)| *level <= 3) {
-                a class=[(*level > 2).then_some("deep")] href={ "#" (id) } { (text) } "\n"
+/// Anchors for all headings of some blocks, in order, each of its own.
+fn anchors(blocks: &[Block], found: &mut Vec<Anchor>) {
+    for block in blocks {
+        match block {
+            Block::Heading(level, text) => {
+                let words: Vec<String> = text
+                    .split(|c: char| !c.is_ascii_alphanumeric())
+                    .filter(|w| !w.is_empty())
+                    .map(str::to_lowercase)
+                    .collect();
+                let base = format!("s-{}", words.join("-"));
+                let is_taken = |id: &str| found.iter().any(|a| a.id == id);
+                let id = (0..)
+                    .map(|n| match n {
+                        0 => base.clone(),
+                        n => format!("{base}-{n}"),
+                    })
+                    .find(|id| !is_taken(id))
+                    .unwrap_or(base);
+                found.push(Anchor {
+                    level: *level,
+                    id,
+                    text: text.clone(),
+                });
             }
+            Block::Folded { blocks, .. } => anchors(blocks, found),
+            Block::Cards(cards) => cards.iter().for_each(|c| anchors(c, found)),
+            _ => {}
         }
     }
 }
 
-fn all(blocks: &[Block], anchors: &mut Anchors) -> Markup {
-    html! {
-        @for block in blocks { (one(block, anchors)) "\n" }
-    }
+/// Writes blocks in their order.
+struct Writer {
+    /// Of all headings.
+    anchors: Vec<Anchor>,
+    /// Headings that are written.
+    headings: usize,
+    /// Galleries that are written.
+    galleries: usize,
 }
 
-fn one(block: &Block, anchors: &mut Anchors) -> Markup {
-    match block {
-        Block::Heading(level, text) => {
-            let (id, text) = (anchors.add(*level, text), inline(text));
-            html! {
-                @match level {
-                    2 => { h2 id=(id) { (text) } }
-                    3 => { h3 id=(id) { (text) } }
-                    4 => { h4 id=(id) { (text) } }
-                    _ => { h5 id=(id) { (text) } }
+impl Writer {
+    fn of(blocks: &[Block]) -> Self {
+        let mut found = Vec::new();
+        anchors(blocks, &mut found);
+        Self {
+            anchors: found,
+            headings: 0,
+            galleries: 0,
+        }
+    }
+
+    /// Links to the sections, and back to where they are.
+    fn sections(&self) -> Markup {
+        html! {
+            a href="#top" { "↑ top" } "\n"
+            @for anchor in self.anchors.iter().filter(|a| a.level == 2) {
+                a href={ "#" (anchor.id) } { (anchor.text) } "\n"
+            }
+        }
+    }
+
+    fn all(&mut self, blocks: &[Block]) -> Markup {
+        html! {
+            @for block in blocks { (self.one(block)) "\n" }
+        }
+    }
+
+    fn heading(&mut self, level: u8, text: &str) -> Markup {
+        let place = self.headings;
+        self.headings += 1;
+        let (id, text) = (&self.anchors[place].id, inline(text));
+        let below = self.anchors[place + 1..].iter();
+        let below = below.take_while(|a| level == 2 && a.level > 2);
+        let below: Vec<&Anchor> = below.filter(|a| a.level == 3).collect();
+        html! {
+            @match level {
+                2 => { h2 id=(id) { (text) } }
+                3 => { h3 id=(id) { (text) } }
+                4 => { h4 id=(id) { (text) } }
+                _ => { h5 id=(id) { (text) } }
+            }
+            @if below.len() > 1 {
+                nav.below aria-label="in this section" {
+                    @for anchor in below { a href={ "#" (anchor.id) } { (anchor.text) } "\n" }
                 }
             }
         }
+    }
+
+    fn one(&mut self, block: &Block) -> Markup {
+        match block {
+            Block::Heading(level, text) => self.heading(*level, text),
+            Block::Gallery(gallery) => {
+                self.galleries += 1;
+                gallery.html(self.galleries)
+            }
+            Block::Cards(cards) => html! {
+                div.cards {
+                    @for card in cards { div.card { (self.all(card)) } }
+                }
+            },
+            Block::Folded {
+                summary,
+                open,
+                blocks,
+            } => html! {
+                details open[*open] {
+                    summary { (inline(summary)) }
+                    (self.all(blocks))
+                }
+            },
+            other => plain(other),
+        }
+    }
+}
+
+/// A block that has no others in it and no place among its like.
+fn plain(block: &Block) -> Markup {
+    match block {
         Block::Text(text) => html! { p { (inline(text)) } },
         Block::Prose(text) => html! { div.prose { (PreEscaped(super::prose::prose(text))) } },
-        Block::Grid(table) => grid(table),
+        Block::Grid(table) => html! {
+            @for piece in width::pieces(table) { (grid(&piece)) }
+        },
         Block::Notice(tone, text) => {
             html! { p class={ "notice " (tone.name()) } { (inline(text)) } }
         }
@@ -104,23 +178,16 @@ fn one(block: &Block, anchors: &mut Anchors) -> Markup {
         Block::Chart(chart) => html! {
             figure.chart {
                 figcaption { (inline(&chart.title)) }
-                div.scroll tabindex="0" role="region" aria-label="chart" { (chart.svg()) }
-                (chart.legend())
+                (chart.html())
                 @if let Some(note) = &chart.note { p { (inline(note)) } }
             }
         },
+        Block::Ranking(ranking) => ranking.html(),
         Block::Bars(bars) => bars.html(),
-        Block::Gallery(gallery) => gallery.html(),
-        Block::Folded {
-            summary,
-            open,
-            blocks,
-        } => html! {
-            details open[*open] {
-                summary { (inline(summary)) }
-                (all(blocks, anchors))
-            }
-        },
+        Block::Swatches(all) => gallery::swatches(all),
+        Block::Heading(..) | Block::Gallery(_) | Block::Cards(_) | Block::Folded { .. } => {
+            Markup::default()
+        }
     }
 }
 
@@ -143,7 +210,7 @@ fn grid(grid: &Grid) -> Markup {
                     tr {
                         @for (column, cell) in grid.heading.iter().enumerate() {
                             @let class = is_number(column).then_some("number");
-                            th scope="col" class=[class] title=[&cell.title] { (inline(&cell.text)) }
+                            th scope="col" class=[class] title=[&cell.title] { (breakable(&cell.text)) }
                         }
                     }
                 }
@@ -151,6 +218,16 @@ fn grid(grid: &Grid) -> Markup {
                     @for cells in &grid.rows { (row(cells)) "\n" }
                 }
             }
+        }
+    }
+}
+
+/// Words that may be broken where a method has a sign.
+pub(super) fn breakable(text: &str) -> Markup {
+    html! {
+        @for (index, piece) in width::breaks(text).enumerate() {
+            @if index > 0 { wbr; }
+            (inline(piece))
         }
     }
 }

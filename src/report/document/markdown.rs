@@ -1,6 +1,6 @@
 //! A report as Markdown, as code forges show it.
 
-use super::{Block, Cell, Document, Gallery, Grid, gallery, stretches};
+use super::{Block, Cell, Document, Gallery, Grid, Swatch, gallery, stretches, width};
 
 /// The report as text.
 pub(crate) fn markdown(document: &Document) -> String {
@@ -22,7 +22,11 @@ fn write(text: &mut String, blocks: &[Block]) {
                 let prose = super::prose::without_html(prose.trim());
                 text.push_str(&format!("{prose}\n"));
             }
-            Block::Grid(grid) => text.push_str(&table(grid)),
+            Block::Grid(grid) => {
+                let pieces = width::pieces(grid);
+                let tables: Vec<String> = pieces.iter().map(table).collect();
+                text.push_str(&tables.join("\n"));
+            }
             Block::Notice(tone, notice) => {
                 text.push_str(&format!("> **{}**: {}\n", mood(*tone), words(notice)));
             }
@@ -37,6 +41,29 @@ fn write(text: &mut String, blocks: &[Block]) {
                     words(note)
                 ));
             }
+            Block::Ranking(ranking) => {
+                text.push_str(&format!(
+                    "**{}**: {}\n\n",
+                    words(&ranking.title),
+                    words(&ranking.axis)
+                ));
+                text.push_str(&table(&ranking.grid()));
+            }
+            Block::Swatches(swatches) => {
+                for swatch in swatches {
+                    let Swatch {
+                        color,
+                        name,
+                        meaning,
+                    } = swatch;
+                    text.push_str(&format!(
+                        "- {} (`{color}`): {}\n",
+                        words(name),
+                        words(meaning)
+                    ));
+                }
+            }
+            Block::Cards(cards) => cards.iter().for_each(|blocks| write(text, blocks)),
             Block::Bars(bars) => text.push_str(&table(&bars.grid())),
             Block::Gallery(gallery) => pictures(text, gallery),
             Block::Folded {
@@ -105,11 +132,15 @@ fn fenced(command: &str) -> String {
 
 fn pictures(text: &mut String, gallery: &Gallery) {
     for shot in &gallery.shots {
+        let errors = shot.errors.as_ref();
+        let errors = errors.map_or_else(String::new, |e| {
+            format!(", [errors]({})", gallery::encoded(&e.link))
+        });
         text.push_str(&format!(
-            "- [{}]({}): {}\n",
+            "- [{}]({}){errors}: {}\n",
             words(&shot.name),
-            gallery::encoded(&shot.link),
-            words(&shot.caption)
+            gallery::encoded(&shot.picture.link),
+            words(&shot.caption.text)
         ));
     }
 }

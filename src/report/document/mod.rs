@@ -9,21 +9,28 @@
 mod axis;
 mod bars;
 mod chart;
+mod ends;
 mod gallery;
 mod grid;
 mod html;
 mod markdown;
+mod marker;
 mod prose;
+mod ranking;
+mod width;
 
 pub(super) use bars::{Bar, Bars, Segment};
-pub(in crate::report) use chart::word_of;
-pub(super) use chart::{Axis, Chart, Mark, Series};
-pub(super) use gallery::{Gallery, Shot, Source};
+pub(super) use chart::{Axis, Chart, Mark, Panel, Series};
+pub(super) use gallery::{Gallery, Image, Shot, Source, Swatch};
 pub(super) use grid::{Cell, Grid, Tone};
 pub(super) use html::html;
 pub(super) use markdown::markdown;
+pub(super) use ranking::{Line, Ranking};
 
 /// A report.
+///
+/// Its sections are headings of level 2, to which a row of links leads that stays in sight; what is right below them are headings of
+/// level 3, which each section lists where it begins.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Document {
     pub title: String,
@@ -47,10 +54,16 @@ pub(super) enum Block {
     /// A command line to copy.
     Command(String),
     Chart(Chart),
+    /// Methods under each other with what they cost.
+    Ranking(Ranking),
     /// Where time goes.
     Bars(Bars),
     /// Pictures of one frame.
     Gallery(Gallery),
+    /// What the colours of pictures mean.
+    Swatches(Vec<Swatch>),
+    /// Pieces of one width, beside each other where there is room.
+    Cards(Vec<Vec<Self>>),
     /// What is shown on demand.
     Folded {
         /// The line that is always shown.

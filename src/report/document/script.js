@@ -53,15 +53,17 @@
   }
 
   for (const chart of document.querySelectorAll(".chart")) {
-    const series = chart.querySelectorAll(".scroll > svg > g:not(.axes)");
-    chart.querySelectorAll(".legend li").forEach((item, index) => {
+    const series = [...chart.querySelectorAll("[data-series]")];
+    for (const item of series) {
       const single = (on) => {
         chart.classList.toggle("picked", on);
-        series[index].classList.toggle("chosen", on);
+        for (const other of series) {
+          other.classList.toggle("chosen", on && other.dataset.series === item.dataset.series);
+        }
       };
       item.addEventListener("pointerenter", () => single(true));
       item.addEventListener("pointerleave", () => single(false));
-    });
+    }
   }
 
   for (const gallery of document.querySelectorAll(".gallery")) {
@@ -81,26 +83,32 @@
     const range = make("input", { type: "range", min: "0", max: "100", step: "0.5", value: "50" });
     range.setAttribute("aria-label", "where the left picture ends, in percent");
     const compare = make("div", { className: "compare" }, under, over, range, make("div", { className: "line" }));
+    const errors = gallery.querySelector(".switch .errors");
     const show = () => {
       for (const [image, select] of [[over, left], [under, right]]) {
         const shot = shots[Number(select.value)];
-        image.src = shot.querySelector("img").src;
+        const wrong = errors?.checked ? shot.querySelector("img.errors") : null;
+        image.src = (wrong ?? shot.querySelector("img")).src;
         image.alt = name(shot);
       }
     };
     left.addEventListener("change", show);
     right.addEventListener("change", show);
+    gallery.querySelectorAll(".switch input").forEach((radio) => radio.addEventListener("change", show));
     range.addEventListener("input", () => compare.style.setProperty("--at", `${range.value}%`));
     shots.forEach((shot, i) => {
-      const image = shot.querySelector("img");
-      image.title = "click: to the left; with shift: to the right";
-      image.addEventListener("click", (event) => {
-        (event.shiftKey ? right : left).value = String(i);
-        show();
-      });
+      for (const image of shot.querySelectorAll("img")) {
+        image.title = "click: to the right; with shift: to the left";
+        image.addEventListener("click", (event) => {
+          (event.shiftKey ? left : right).value = String(i);
+          show();
+        });
+      }
     });
     gallery.classList.add("live");
-    gallery.prepend(make("div", { className: "picks" }, leftLabel, rightLabel), compare);
+    const switched = gallery.querySelector(".switch");
+    const picks = make("div", { className: "picks" }, leftLabel, rightLabel);
+    (switched ?? gallery.firstElementChild)[switched ? "after" : "before"](picks, compare);
     // Pictures are decoded when they come into view, for a report has hundreds.
     new IntersectionObserver((entries, observer) => {
       if (entries.some((e) => e.isIntersecting)) {

@@ -1,4 +1,4 @@
-//! One folder of a run, or of shares of one.
+//! One folder of a run, or of shares of one, or of outside baselines alone.
 
 use std::path::{Path, PathBuf};
 
@@ -13,8 +13,8 @@ use crate::{Error, Result};
 pub struct Folder {
     /// Where it is.
     pub path: PathBuf,
-    /// Where and by what the run was made.
-    pub run: Run,
+    /// Where and by what the run was made; none where there are outside baselines alone.
+    pub run: Option<Run>,
     /// By name.
     pub experiments: Vec<Experiment>,
     /// Outside baselines, by file name.
@@ -56,8 +56,17 @@ impl Folder {
         }
         let runs = runs(path)?;
         if runs.is_empty() {
+            let peers = peers_alone(path)?;
+            if !peers.is_empty() {
+                return Ok(vec![Self {
+                    path: path.to_owned(),
+                    run: None,
+                    experiments: Vec::new(),
+                    peers,
+                }]);
+            }
             let what = format!(
-                "there is no run in this folder: {} is missing",
+                "there is no run in this folder: {} is missing, and there are no outside baselines",
                 path.join(RUN_FILE).display()
             );
             return Err(Error::file(path, what, MISSING));
@@ -66,9 +75,7 @@ impl Folder {
         let mut peers = Vec::new();
         for entry in entries(path)?.into_iter().filter(|e| e.is_dir()) {
             if entry.file_name().is_some_and(|n| n == PEERS_FOLDER) {
-                for file in json_files(&entry)? {
-                    peers.push(read_numbered(&file, PeerRecord::FORMAT)?);
-                }
+                peers.extend(peers_in(&entry)?);
                 continue;
             }
             // Others are of something else, as of another report.
@@ -103,7 +110,7 @@ impl Folder {
                     0 => peers.clone(),
                     _ => Vec::new(),
                 },
-                run,
+                run: Some(run),
             }
         };
         Ok(runs.into_iter().enumerate().map(folder).collect())
@@ -111,7 +118,9 @@ impl Folder {
 
     /// The commands that measured it, the earliest first, each with the number of its points.
     pub(in crate::report) fn invocations(&self) -> Vec<(Invocation, usize)> {
-        invocations(&self.run, self.experiments.iter().flat_map(|e| &e.records))
+        let records = self.experiments.iter().flat_map(|e| &e.records);
+        let run = self.run.as_ref();
+        run.map_or_else(Vec::new, |run| invocations(run, records))
     }
 
     /// The folder of an experiment's pictures.
@@ -145,6 +154,34 @@ impl<'a> Maker<'a> {
             commit: invocation.commit.as_deref(),
         })
     }
+}
+
+/// The outside baselines in a folder of them.
+fn peers_in(folder: &Path) -> Result<Vec<PeerRecord>> {
+    let files = json_files(folder)?;
+    let read = files.iter().map(|f| read_numbered(f, PeerRecord::FORMAT));
+    read.collect()
+}
+
+/// The outside baselines of a folder without a run: those in its folder `peers`, or in itself, where it is such a folder. Points whose run
+/// is lost are not passed over.
+fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
+    let has_points = |entry: &PathBuf| entry.join(EXPERIMENT_FILE).is_file();
+    if entries(path)?.iter().any(has_points) {
+        return Ok(Vec::new());
+    }
+    let below = path.join(PEERS_FOLDER);
+    if below.is_dir() {
+        return peers_in(&below);
+    }
+    let is_baseline = |file: &PathBuf| {
+        let value = read_json::<serde_json::Value>(file);
+        value.is_ok_and(|v| v.get("what").is_some() && v.get("rows").is_some())
+    };
+    let files = json_files(path)?.into_iter().filter(is_baseline);
+    files
+        .map(|f| read_numbered(&f, PeerRecord::FORMAT))
+        .collect()
 }
 
 /// The runs of a folder, those of one device and program made one: that of the command that measured all of it, or of each share of it.

@@ -1,0 +1,73 @@
+//! Which marks of a chart belong together, and what that is called.
+
+use super::charts::Placed;
+use crate::experiment::ChartSynopsis;
+use crate::report::derived::Row;
+
+/// Figures of the scene: what is varied of it is what is along x.
+const OF_SCENE: [&str; 2] = ["triangles", "pixels"];
+
+/// A series has one strategy and one value of whatever is varied over the chart, but for what is along x: where that is a parameter,
+/// all other parameters are told apart; where it is a figure, the strategy's own parameters run along the series. Strategies share a
+/// drawing, and each value of the rest has one of its own; where there is one strategy alone, the values of what is varied last share one.
+pub(super) fn name_series(asked: &ChartSynopsis, placed: &mut [Placed<'_>]) {
+    let is_of_scene = OF_SCENE.contains(&asked.x.as_str());
+    let mut names: Vec<&String> = placed
+        .iter()
+        .flat_map(|p| p.row.record.parameters.keys())
+        .filter(|name| **name != asked.x && !is_of_scene)
+        .collect();
+    names.sort();
+    names.dedup();
+    let varies = |name: &&String| {
+        let first = placed[0].row.record.parameters.get(*name);
+        placed
+            .iter()
+            .any(|p| p.row.record.parameters.get(*name) != first)
+    };
+    let names: Vec<String> = names.into_iter().filter(|n| varies(n)).cloned().collect();
+    let has_runs = placed
+        .iter()
+        .any(|p| p.row.record.run != placed[0].row.record.run);
+    let only = |p: &Placed<'_>| p.row.found().name == placed[0].row.found().name;
+    let is_alone = placed.iter().all(only);
+    for p in placed {
+        let mut words = Vec::new();
+        if has_runs {
+            words.push(p.row.record.run.clone());
+        }
+        for name in &names {
+            if let Some(value) = p.row.record.parameters.get(name) {
+                words.push(format!("{name} = {value}"));
+            }
+        }
+        p.series = match is_alone {
+            true => words.pop(),
+            false => None,
+        }
+        .unwrap_or_else(|| method_of(asked, &p.row, is_of_scene));
+        p.panel = words.join(", ");
+    }
+}
+
+/// What a series calls its strategy.
+fn method_of(asked: &ChartSynopsis, row: &Row<'_>, is_of_scene: bool) -> String {
+    let own = &row.member.parameters;
+    let runs_along = own.contains_key(&asked.x);
+    let is_figure = row.parameter(&asked.x).is_none() && !is_of_scene;
+    let others = own.iter().filter(|(name, _)| **name != asked.x);
+    match (runs_along, is_figure) {
+        (false, true) => unbraced(&row.member.family),
+        (false, false) => row.found().name.clone(),
+        (true, _) => unbraced(
+            &others.fold(row.member.family.clone(), |family, (name, value)| {
+                family.replace(&format!("{{{name}}}"), &value.to_string())
+            }),
+        ),
+    }
+}
+
+/// A family as people write it: `grid:cells+vds:1024`.
+fn unbraced(family: &str) -> String {
+    family.replace(['{', '}'], "")
+}

@@ -1,0 +1,87 @@
+//! What a cutaway costs over the same picture without one, and what a style costs over plain light.
+
+use super::cards;
+use super::figures::times;
+use super::point::Points;
+use crate::experiment::Record;
+use crate::report::derived::{Situation, Variants, variants};
+use crate::report::document::{Block, Cell, Grid};
+use crate::report::number::milliseconds;
+
+/// A question with its answer and its table for each run whose points are variants of one picture; nothing where there is none.
+pub(super) fn blocks(points: &Points<'_>) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for setup in points.setups() {
+        let on_it = points.on(setup);
+        let mut runs: Vec<(&str, &str)> = Vec::new();
+        for point in &on_it {
+            let run = (point.record.experiment.as_str(), point.record.run.as_str());
+            if !runs.contains(&run) {
+                runs.push(run);
+            }
+        }
+        for (experiment, run) in runs {
+            let records = on_it.iter().map(|p| p.record);
+            let of_run = records.filter(|r| r.experiment == experiment && r.run == run);
+            let records: Vec<&Record> = of_run.collect();
+            // What has figures of its own asks something else, as whether frames flicker.
+            let asks_else = records
+                .iter()
+                .any(|r| r.figures.iter().any(|f| !f.is_empty()));
+            let Some(found) = variants(&records).filter(|_| !asks_else) else {
+                continue;
+            };
+            let question = match found.axis {
+                "cutaway" => "What does a cutaway cost over the picture without one?",
+                _ => "What does a style cost over plain light?",
+            };
+            let is_asked = |b: &Block| matches!(b, Block::Heading(_, text) if text == question);
+            if !blocks.iter().any(is_asked) {
+                blocks.push(Block::Heading(4, question.to_owned()));
+            }
+            let answer = cards::sentence(&records, Situation::Mesh);
+            let place = match points.setups().count() {
+                1 => String::new(),
+                _ => format!(" on {}", points.label(setup)),
+            };
+            blocks.push(Block::Text(format!(
+                "{answer} ({experiment}, run {run}{place})"
+            )));
+            blocks.push(Block::Folded {
+                summary: "Every picture".to_owned(),
+                open: false,
+                blocks: vec![Block::Grid(table(&found))],
+            });
+        }
+    }
+    blocks
+}
+
+/// A column for each value where there are several pictures, else a row.
+fn table(found: &Variants) -> Grid {
+    let factor =
+        |ratio: &Option<f64>| ratio.map_or_else(Cell::default, |r| Cell::number(times(r), r));
+    let ms = |ms: f64| Cell::number(milliseconds(ms), ms);
+    if let [only] = found.rows.as_slice() {
+        let mut grid = Grid::new("variants", [found.axis, "all clocks, ms", "×"]);
+        grid.row([
+            Cell::from(found.base.as_str()),
+            ms(only.base_ms),
+            Cell::number("×1.00", 1.0),
+        ]);
+        for (value, ratio) in found.values.iter().zip(&only.ratios) {
+            let time = ratio.map_or_else(Cell::default, |r| ms(r * only.base_ms));
+            grid.row([Cell::from(value.as_str()), time, factor(ratio)]);
+        }
+        return grid;
+    }
+    let base = format!("{}, all clocks, ms", found.base);
+    let heading = ["picture".to_owned(), base].into_iter();
+    let heading = heading.chain(found.values.iter().map(|v| format!("{v}, ×")));
+    let mut grid = Grid::new("variants", heading);
+    for row in &found.rows {
+        let first = [Cell::from(row.of.as_str()), ms(row.base_ms)];
+        grid.row(first.into_iter().chain(row.ratios.iter().map(factor)));
+    }
+    grid
+}

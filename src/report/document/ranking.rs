@@ -1,0 +1,138 @@
+//! Methods under each other with what they cost along one axis: a chart that names each line where it is.
+//!
+//! The axis is logarithmic. A mark is the median, the bar under it the range; what was not drawn has neither, and says why.
+
+use maud::{Markup, html};
+
+use super::axis::{Scale, apart};
+use super::html::breakable;
+use super::marker::{badge, marker};
+use super::{Cell, Grid, Tone};
+use crate::report::derived::Spread;
+use crate::report::look::Look;
+use crate::report::number::{figure, times};
+
+/// Least distance of two ticks, in percent of the axis.
+const BETWEEN_TICKS: f64 = 18.0;
+
+/// Methods under each other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Ranking {
+    /// What is compared.
+    pub title: String,
+    /// What the lines are: methods, or runs of one.
+    pub names: &'static str,
+    /// What the numbers are of.
+    pub axis: String,
+    /// Whether they are factors, and not times or bytes.
+    pub is_factor: bool,
+    /// What the words beside them say.
+    pub heading: String,
+    /// The ends of the axis: those of several rankings may be the same, so that they can be compared.
+    pub range: [f64; 2],
+    /// The best first.
+    pub lines: Vec<Line>,
+}
+
+/// A method.
+#[derive(Clone, Debug)]
+pub(crate) struct Line {
+    pub name: String,
+    pub look: Look,
+    /// What it costs; none where it was not drawn.
+    pub cost: Option<Spread>,
+    /// What to know of it.
+    pub words: Cell,
+}
+
+impl Ranking {
+    fn scale(&self) -> Scale {
+        Scale::of(&self.range, true, false, [0.0, 100.0])
+    }
+
+    fn word(&self, cost: f64) -> String {
+        match self.is_factor {
+            true => times(cost),
+            false => figure(cost),
+        }
+    }
+
+    /// A table with a mark on an axis in each line.
+    pub(super) fn html(&self) -> Markup {
+        let scale = self.scale();
+        let ticks = apart(scale.ticks(), |v| scale.place(v), BETWEEN_TICKS);
+        html! {
+            div.scroll tabindex="0" role="region" aria-label=(self.title) {
+                table.ranking {
+                    thead {
+                        tr {
+                            th scope="col" { (self.names) }
+                            th scope="col" { (self.axis) }
+                            th.number scope="col" { "median" }
+                            th scope="col" { (self.heading) }
+                        }
+                    }
+                    tbody {
+                        @for line in &self.lines { (self.row(line, &scale, &ticks)) "\n" }
+                    }
+                    tfoot aria-hidden="true" {
+                        tr {
+                            td {}
+                            td { div.track { @for (value, word) in &ticks { span style=(at(scale.place(*value))) { (word) } } } }
+                            td {}
+                            td {}
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same as a table of words.
+    pub(super) fn grid(&self) -> Grid {
+        let heading = [self.names, "median", "from", "to", &self.heading];
+        let mut grid = Grid::new(&self.title, heading);
+        for line in &self.lines {
+            let cost = |of: fn(Spread) -> f64| {
+                let cost = line.cost.map(of);
+                cost.map_or_else(Cell::default, |c| Cell::number(self.word(c), c))
+            };
+            grid.row([
+                Cell::from(line.name.as_str()),
+                cost(|s| s.median),
+                cost(|s| s.least),
+                cost(|s| s.most),
+                line.words.clone(),
+            ]);
+        }
+        grid
+    }
+
+    fn row(&self, line: &Line, scale: &Scale, ticks: &[(f64, String)]) -> Markup {
+        let is_wrong = line.words.tone != Tone::Good;
+        html! {
+            tr {
+                th scope="row" { (badge(line.look)) (breakable(&line.name)) }
+                @match line.cost {
+                    Some(cost) => {
+                        @let [least, median, most] = [cost.least, cost.median, cost.most].map(|c| scale.place(c));
+                        td {
+                            div class={ "track c" (line.look.color) } title={ (self.word(cost.least)) " to " (self.word(cost.most)) } {
+                                @for (value, _) in ticks { u style=(at(scale.place(*value))) {} }
+                                i style={ (at(least)) ";width:" (format!("{:.2}%", most - least)) } {}
+                                svg viewBox="0 0 14 14" style=(at(median)) aria-hidden="true" { (marker([7.0, 7.0], line.look.marker, is_wrong)) }
+                            }
+                        }
+                        td.number { (self.word(cost.median)) }
+                    }
+                    None => { td {} td.number { "-" } }
+                }
+                td class=(line.words.tone.name()) title=[&line.words.title] { (line.words.text) }
+            }
+        }
+    }
+}
+
+fn at(place: f64) -> String {
+    format!("left:{place:.2}%")
+}

@@ -1,0 +1,135 @@
+//! Tables that are no wider than a page.
+//!
+//! A table with more columns than fit is laid out as several under each other, each with the first column of all. How wide a column must
+//! be is estimated from its longest words, for the letters of a usual sans-serif: what may be broken into lines is as wide as its longest
+//! word, numbers and code are not broken.
+
+use super::{Cell, Grid};
+
+/// Width of the text of a page on a screen of 1280 pixels.
+pub(super) const PAGE: f64 = 1200.0;
+
+/// Width of a letter.
+const LETTER: f64 = 7.8;
+
+/// What a cell has on its left and right.
+const PADDING: f64 = 17.0;
+
+/// Room for the mark of a sorted column.
+const SORT_MARK: f64 = 12.0;
+
+/// Least width of a column of sentences, so that they are not set word under word.
+const SENTENCE: f64 = 190.0;
+
+/// As many letters make a sentence.
+const SENTENCE_LETTERS: usize = 60;
+
+fn width_of_cell(cell: &Cell) -> f64 {
+    let letters = |text: &str| text.chars().filter(|c| *c != '`').count();
+    let all = letters(&cell.text);
+    if cell.key.is_some() {
+        return all as f64 * LETTER;
+    }
+    let words = cell.text.split(' ').map(letters);
+    let longest = words.max().unwrap_or(0) as f64 * LETTER;
+    match all > SENTENCE_LETTERS {
+        true => longest.max(SENTENCE),
+        false => longest,
+    }
+}
+
+/// A heading is broken where a method has a sign, too.
+fn width_of_heading(cell: &Cell) -> f64 {
+    let words = cell.text.split(' ').flat_map(breaks);
+    let longest = words.map(|word| word.chars().count()).max();
+    longest.unwrap_or(0) as f64 * LETTER + SORT_MARK
+}
+
+/// The pieces of words that may stand in lines of their own, each with the sign that ends it. Code is left whole.
+pub(super) fn breaks(words: &str) -> impl Iterator<Item = &str> {
+    let is_code = words.contains('`');
+    words.split_inclusive(move |c| !is_code && matches!(c, '+' | '@' | ','))
+}
+
+fn width_of_column(grid: &Grid, column: usize) -> f64 {
+    let heading = width_of_heading(&grid.heading[column]);
+    let cells = grid.rows.iter().map(|row| width_of_cell(&row[column]));
+    cells.fold(heading, f64::max) + PADDING
+}
+
+/// Least width of a table.
+#[cfg(test)]
+pub(super) fn width(grid: &Grid) -> f64 {
+    let columns = 0..grid.heading.len();
+    columns.map(|column| width_of_column(grid, column)).sum()
+}
+
+/// The table in pieces that fit on a page; itself where it does.
+pub(super) fn pieces(grid: &Grid) -> Vec<Grid> {
+    let widths: Vec<f64> = (0..grid.heading.len())
+        .map(|column| width_of_column(grid, column))
+        .collect();
+    let Some((first, others)) = widths.split_first() else {
+        return vec![grid.clone()];
+    };
+    let count = (others.iter().sum::<f64>() / (PAGE - first).max(1.0)).ceil();
+    // Pieces of about one width read better than a full one and a rest.
+    let room = others.iter().sum::<f64>() / count.max(1.0) + first;
+    let mut pieces: Vec<Vec<usize>> = vec![vec![0]];
+    let mut used = *first;
+    for (index, width) in others.iter().enumerate() {
+        let is_alone = pieces.last().is_none_or(|p| p.len() == 1);
+        if !is_alone && (used + width > PAGE || used >= room) {
+            pieces.push(vec![0]);
+            used = *first;
+        }
+        if let Some(piece) = pieces.last_mut() {
+            piece.push(index + 1);
+        }
+        used += width;
+    }
+    let of = |columns: &Vec<usize>| Grid {
+        label: grid.label.clone(),
+        heading: columns.iter().map(|c| grid.heading[*c].clone()).collect(),
+        rows: (grid.rows.iter())
+            .map(|row| columns.iter().map(|c| row[*c].clone()).collect())
+            .collect(),
+    };
+    pieces.iter().map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(columns: usize) -> Grid {
+        let heading = (0..columns).map(|c| format!("column {c}"));
+        let mut grid = Grid::new("wide", heading);
+        grid.row((0..columns).map(|c| Cell::number("×1.29 ± 0.05", c as f64)));
+        grid
+    }
+
+    #[test]
+    fn what_fits_stays_whole_and_what_does_not_is_in_pieces() {
+        assert_eq!(pieces(&grid(4)), [grid(4)]);
+        let wide = grid(40);
+        assert!(width(&wide) > PAGE, "the control");
+        let pieces = pieces(&wide);
+        assert!(pieces.iter().all(|p| width(p) <= PAGE));
+        // Every column is in one piece, the first in all.
+        let columns: usize = pieces.iter().map(|p| p.heading.len() - 1).sum();
+        assert_eq!(columns, 39);
+        assert!(pieces.iter().all(|p| p.rows[0][0] == wide.rows[0][0]));
+        let [first, last] = [&pieces[0], &pieces[pieces.len() - 1]];
+        assert!(
+            first.heading.len() - last.heading.len() <= 2,
+            "of one width"
+        );
+    }
+
+    #[test]
+    fn words_are_broken_and_numbers_are_not() {
+        let text = "one two three four five";
+        assert!(width_of_cell(&Cell::from(text)) < width_of_cell(&Cell::number(text, 1.0)));
+    }
+}
