@@ -8,6 +8,7 @@ mod animate;
 mod auto;
 mod cli;
 mod compare;
+mod compressed;
 mod controls;
 mod cutaways;
 mod cuts;
