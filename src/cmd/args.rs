@@ -6,6 +6,7 @@ use super::camera::CameraArgs;
 use super::console::Console;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
@@ -35,6 +36,8 @@ pub(super) struct SceneArgs {
     split: SplitArgs,
     #[command(flatten)]
     pub(super) defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
     /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
@@ -63,6 +66,7 @@ impl SceneArgs {
         let mut document = document(&self.inputs, played_fps)?;
         self.split.amend(&mut document)?;
         self.defects.amend(&mut document)?;
+        self.holes.amend(&mut document)?;
         fill_by(&mut document, self.fill)?;
         self.camera.amend(&mut document)?;
         self.sections.amend(&mut document)?;

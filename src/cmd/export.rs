@@ -13,6 +13,7 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, Pending, begun_with};
 use super::places::{no_place_twice, paths_of};
@@ -57,6 +58,8 @@ pub(super) struct ExportArgs {
     split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf
     #[arg(
         long,
@@ -96,6 +99,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     let mut document = document(&args.inputs, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;

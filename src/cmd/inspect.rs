@@ -7,6 +7,7 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
@@ -28,6 +29,7 @@ Examples:
   cutaway inspect engine.stl --split                                  # each connected body by itself
   cutaway inspect engine.stl --split --roles                          # what lies inside, for --breakaway
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
+  cutaway inspect scan.ply --close-holes                              # which holes can be closed, and what is then left open
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
 Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
@@ -53,6 +55,8 @@ pub(super) struct InspectArgs {
     roles: bool,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// The same as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
@@ -72,6 +76,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let mut document = document(&args.inputs, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     args.when.amend(&mut document)?;
     roles::amend(&mut document, &[], args.roles)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;

@@ -20,6 +20,7 @@ mod drawer;
 mod edits;
 mod environment;
 mod export;
+mod holes;
 mod image_test;
 mod inspect;
 mod interrupt;

@@ -19,6 +19,7 @@ use super::args::fill_by;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
@@ -63,6 +64,8 @@ pub(super) struct SectionCommandArgs {
     split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = super::args::parse_fill)]
     fill: Option<Fill>,
@@ -126,6 +129,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let mut document = document(&args.inputs, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;

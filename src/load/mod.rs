@@ -129,7 +129,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
 }
 
 /// What makes inside and outside of parts a matter of opinion: open edges, how many, and of one part where one is.
-fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
+pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
     const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
     let edges = parts
         .iter()

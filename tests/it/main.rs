@@ -27,6 +27,7 @@ mod halves;
 mod hard_cases;
 mod height_filter;
 mod hidden_parts;
+mod holes;
 mod hostile_meshes;
 mod hostile_scenes;
 mod interference;
