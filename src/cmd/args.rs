@@ -10,6 +10,7 @@ use super::holes::HoleArgs;
 use super::look::Usual;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
@@ -25,9 +26,11 @@ const LARGEST_SIDE: u32 = 16_384;
 /// What is drawn, how it is cut, and where it is seen from.
 #[derive(Args)]
 pub(super) struct SceneArgs {
-    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
+    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "SCENE|MODEL")]
     pub(super) inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     pub(super) sections: SectionArgs,
     #[command(flatten)]
@@ -63,7 +66,7 @@ pub(super) struct SceneArgs {
 impl SceneArgs {
     /// The document of these options; numbered meshes are played at a rate, where the output has one.
     pub(super) fn document(&self, played_fps: Option<f64>) -> Result<Document> {
-        let mut document = document(&self.inputs, played_fps)?;
+        let mut document = document(&self.inputs, self.stdin, played_fps)?;
         self.split.amend(&mut document)?;
         self.defects.amend(&mut document)?;
         self.holes.amend(&mut document)?;

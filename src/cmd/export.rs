@@ -20,6 +20,7 @@ use super::places::{no_place_twice, paths_of};
 use super::section::Unit;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::save::{Format, Solid, encoded, material_library};
@@ -48,6 +49,8 @@ pub(super) struct ExportArgs {
     /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
@@ -96,7 +99,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.holes.amend(&mut document)?;

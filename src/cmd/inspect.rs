@@ -13,6 +13,7 @@ use super::output::{Output, write_stdout};
 use super::places::paths_of;
 use super::roles;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
@@ -29,6 +30,7 @@ Examples:
   cutaway inspect engine.stl --split                                  # each connected body by itself
   cutaway inspect engine.stl --split --roles                          # what lies inside, for --breakaway
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
+  curl -s https://example.org/scan.stl | cutaway inspect -             # a model from standard input
   cutaway inspect scan.ply --close-holes                              # which holes can be closed, and what is then left open
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
@@ -40,9 +42,11 @@ complexity is how often axis-parallel rays cross the surface.";
 /// Options of `inspect`.
 #[derive(Args)]
 pub(super) struct InspectArgs {
-    /// Meshes, `shape:NAME?param=value`, or one scene (.toml)
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
@@ -73,7 +77,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.holes.amend(&mut document)?;

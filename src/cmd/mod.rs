@@ -42,6 +42,7 @@ mod section;
 mod sections;
 mod shard;
 mod split;
+mod stdin;
 mod subject;
 mod view;
 mod when;

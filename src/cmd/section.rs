@@ -25,6 +25,7 @@ use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
@@ -51,9 +52,11 @@ closes.";
 /// Options of `section`.
 #[derive(Args)]
 pub(super) struct SectionCommandArgs {
-    /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
@@ -126,7 +129,7 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
     args.holes.amend(&mut document)?;

@@ -54,6 +54,7 @@ mod shards;
 mod sheets;
 mod slice;
 mod split;
+mod stdin;
 mod strategies;
 mod style;
 mod threemf;
