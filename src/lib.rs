@@ -47,7 +47,7 @@
 //!
 //! ```text
 //! data     file -> document -> scene -> plan -> passes -> layers -> image / comparison -> record -> report
-//! imports  scene <- generate <- load <- document <- hard_cases <- experiment <- report <- cmd
+//! imports  scene <- generate, slice <- load <- document <- hard_cases <- experiment <- report <- cmd
 //!          scene <- exact
 //!          scene <- slice <- shader <- plan <- passes <- effects <- strategies <- gpu <- session <- compare <- hard_cases <- experiment <- report <- save <- cmd
 //! ```

@@ -6,9 +6,11 @@ use super::camera::CameraArgs;
 use super::console::Console;
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use crate::Result;
 use crate::document::{Document, Node, Origin, Value};
@@ -24,9 +26,11 @@ const LARGEST_SIDE: u32 = 16_384;
 /// What is drawn, how it is cut, and where it is seen from.
 #[derive(Args)]
 pub(super) struct SceneArgs {
-    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `shape:NAME?param=value`, or one scene (.toml)
+    /// Meshes (.obj, .stl, .ply, .glb, .gltf, .3mf, .gz of the first three), `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "SCENE|MODEL")]
     pub(super) inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     pub(super) sections: SectionArgs,
     #[command(flatten)]
@@ -35,6 +39,8 @@ pub(super) struct SceneArgs {
     split: SplitArgs,
     #[command(flatten)]
     pub(super) defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// Which points each mesh encloses: even-odd, where an odd number of crossings lies before them, or nonzero, wherever it
     /// winds around them, which unites shells that overlap [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = parse_fill)]
@@ -60,9 +66,10 @@ pub(super) struct SceneArgs {
 impl SceneArgs {
     /// The document of these options; numbered meshes are played at a rate, where the output has one.
     pub(super) fn document(&self, played_fps: Option<f64>) -> Result<Document> {
-        let mut document = document(&self.inputs, played_fps)?;
+        let mut document = document(&self.inputs, self.stdin, played_fps)?;
         self.split.amend(&mut document)?;
         self.defects.amend(&mut document)?;
+        self.holes.amend(&mut document)?;
         fill_by(&mut document, self.fill)?;
         self.camera.amend(&mut document)?;
         self.sections.amend(&mut document)?;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::output::Output;
+use super::stdin;
 use crate::document::{Document, Node, Origin, Value};
 use crate::{Error, Result};
 
@@ -47,6 +48,7 @@ impl EditArgs {
         let Some(save) = &self.save else {
             return Ok(None);
         };
+        stdin::must_not_be_kept(&format!("--save {save}"))?;
         let Output::File(path) = Output::checked("--save", save, &["toml"])? else {
             let help = "give the name of a .toml file: what it names is found from there";
             let what = "a scene is saved to a file";

@@ -16,12 +16,14 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::interrupt::Interrupt;
 use super::look::Usual;
 use super::output::{Output, Pending, begun_with};
 use super::places::{no_place_twice, paths_of};
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::save::{Format, Solid, encoded, material_library, rounding};
@@ -51,6 +53,8 @@ pub(super) struct ExportArgs {
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
     #[command(flatten)]
+    stdin: StdinArgs,
+    #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
     sections: SectionArgs,
@@ -60,6 +64,8 @@ pub(super) struct ExportArgs {
     split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// What is left: .stl, .ply, .obj (with .mtl), .glb or .3mf
     #[arg(
         long,
@@ -98,9 +104,10 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     let interrupt = Interrupt::listen("export", "step")?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;

@@ -7,11 +7,13 @@ use super::Verdict;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::paths_of;
 use super::roles;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
@@ -28,6 +30,8 @@ Examples:
   cutaway inspect engine.stl --split                                  # each connected body by itself
   cutaway inspect engine.stl --split --roles                          # what lies inside, for --breakaway
   cutaway inspect shape:sphere --defect holes:amount=5%,patch=12      # what the defect does to edges and rays
+  curl -s https://example.org/scan.stl | cutaway inspect -             # a model from standard input
+  cutaway inspect scan.ply --close-holes                              # which holes can be closed, and what is then left open
   cutaway inspect engine.glb --json - | jq '.parts[] | select(.closed | not) | .name'
 
 Components share no vertex. A body could be taken away without tearing the surface, and has its cavities: --split makes each a part.
@@ -38,9 +42,11 @@ complexity is how often axis-parallel rays cross the surface.";
 /// Options of `inspect`.
 #[derive(Args)]
 pub(super) struct InspectArgs {
-    /// Meshes, `shape:NAME?param=value`, or one scene (.toml)
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml)
     #[arg(required = true, value_name = "MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
@@ -53,6 +59,8 @@ pub(super) struct InspectArgs {
     roles: bool,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// The same as JSON; with `-` instead of the table
     #[arg(long, value_name = "FILE|-", help_heading = "Output")]
     json: Option<String>,
@@ -69,9 +77,10 @@ pub(super) fn run(args: &InspectArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let console = Console::new(args.console, 2);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     args.when.amend(&mut document)?;
     roles::amend(&mut document, &[], args.roles)?;
     let subject = Subject::open(document, None, Usual::default(), &args.edits, &console)?;

@@ -18,11 +18,13 @@ use super::args::fill_by;
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
+use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
+use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
@@ -49,9 +51,11 @@ closes.";
 /// Options of `section`.
 #[derive(Args)]
 pub(super) struct SectionCommandArgs {
-    /// Meshes, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
+    /// Meshes, `-` for one from standard input, `shape:NAME?param=value`, or one scene (.toml), which brings its own cuts
     #[arg(required = true, value_name = "SCENE|MODEL")]
     inputs: Vec<String>,
+    #[command(flatten)]
+    stdin: StdinArgs,
     #[command(flatten)]
     edits: EditArgs,
     #[command(flatten)]
@@ -62,6 +66,8 @@ pub(super) struct SectionCommandArgs {
     split: SplitArgs,
     #[command(flatten)]
     defects: DefectArgs,
+    #[command(flatten)]
+    holes: HoleArgs,
     /// Which points each mesh encloses: even-odd or nonzero [default: that of the scene, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = super::args::parse_fill)]
     fill: Option<Fill>,
@@ -86,9 +92,10 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     let outputs = Outputs::checked(args)?;
     let console = Console::new(args.console, 3);
     console.step("opening");
-    let mut document = document(&args.inputs, None)?;
+    let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
     args.defects.amend(&mut document)?;
+    args.holes.amend(&mut document)?;
     fill_by(&mut document, args.fill)?;
     args.sections.amend(&mut document)?;
     args.when.amend(&mut document)?;

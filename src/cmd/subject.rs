@@ -10,6 +10,7 @@ use super::look::Usual;
 use super::output::write_file;
 use super::places::InputFiles;
 use super::sections::SectionArgs;
+use super::stdin::{self, StdinArgs};
 use crate::document::{Document, GuessedUp, Timeline, part};
 use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
@@ -47,7 +48,7 @@ impl Subject {
         console: &Console,
     ) -> Result<Self> {
         edits.amend(&mut document)?;
-        let mut assets = Assets::default();
+        let mut assets = stdin::assets();
         let guessed = match usual.guesses_up {
             true => document.guess_up(&mut assets)?,
             false => None,
@@ -173,8 +174,13 @@ fn said_of(GuessedUp { up, is_habit }: &GuessedUp) -> String {
 }
 
 /// The document of the positional inputs: one scene file, or models.
-pub(super) fn document(inputs: &[String], played_fps: Option<f64>) -> Result<Document> {
-    if let [one] = inputs
+pub(super) fn document(
+    inputs: &[String],
+    stdin: StdinArgs,
+    played_fps: Option<f64>,
+) -> Result<Document> {
+    let inputs = stdin.settle(inputs)?;
+    if let [one] = inputs.as_slice()
         && is_scene(one)
     {
         return Document::read(Path::new(one));
@@ -187,7 +193,7 @@ pub(super) fn document(inputs: &[String], played_fps: Option<f64>) -> Result<Doc
         ));
     }
     let mut document = Document::new();
-    for input in inputs {
+    for input in &inputs {
         check_model(input)?;
         let mut draft = part(input);
         if let (true, Some(fps)) = (
@@ -204,7 +210,8 @@ pub(super) fn document(inputs: &[String], played_fps: Option<f64>) -> Result<Doc
 /// Refuses a file that is not there; a built-in shape has its prefix forgotten more often than not.
 pub(super) fn check_model(input: &str) -> Result<()> {
     let path = Path::new(input);
-    if input.starts_with("shape:") || Pattern::is_in(input) || path.exists() {
+    if input.starts_with("shape:") || stdin::is_it(input) || Pattern::is_in(input) || path.exists()
+    {
         return Ok(());
     }
     let help = match shape(input) {

@@ -13,6 +13,7 @@ use clap::Args;
 use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::look::{LookArgs, Usual};
+use super::stdin;
 use super::when::TimeArgs;
 use super::{Verdict, exit_code};
 use crate::document::Document;
@@ -67,10 +68,23 @@ pub type Window = fn(Opened) -> Result<()>;
 
 /// Runs `view`, in a window if there is one.
 pub(super) fn run(args: &ViewArgs, window: Option<Window>) -> ExitCode {
+    if let Err(refused) = must_be_files(&args.scene.inputs) {
+        return exit_code(Err(refused));
+    }
     match window {
         Some(window) => exit_code(open(args).and_then(window).map(|()| Verdict::Done)),
         None => hand_over().unwrap_or_else(|e| exit_code(Err(e))),
     }
+}
+
+/// Refuses a model from standard input: a window reads files again, and saves scenes by their names.
+fn must_be_files(inputs: &[String]) -> Result<()> {
+    if inputs.iter().any(|input| input == stdin::WORD) {
+        let what = "a window reads its files again, and standard input is read once";
+        let help = "save the model to a file first, and give that";
+        return Err(Error::input(stdin::WORD, what, help));
+    }
+    Ok(())
 }
 
 fn open(args: &ViewArgs) -> Result<Opened> {

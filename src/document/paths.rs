@@ -218,6 +218,7 @@ pub const PATHS: &[Path] = &[
     fixed("part.*.mesh", File, "", "\"crank.obj\"", "a mesh, or numbered frames: \"walk_%04d.ply\""),
     fixed("part.*.shape", Text, "", "\"crank?throws=3\"", "a built-in shape; or a table of its name and its numbers"),
     fixed("part.*.split", Flag, "", "true", "whether connected bodies are parts of their own: NAME/1, NAME/2, ..."),
+    fixed("part.*.close_holes", Flag, "", "true", "whether planar and small holes of its mesh are closed"),
     fixed("part.*.only", Texts, "", "[\"gear*\"]", "solids of the file that are taken, by globs; bodies, where it is split"),
     fixed("part.*.except", Texts, "", "[\"bolt*\"]", "solids or bodies that are left out"),
     fixed("part.*.fps", SIZE, "1/s", "24", "frames a second"),

@@ -32,6 +32,11 @@ impl Identity {
         self.bytes(&[0xff]);
     }
 
+    /// Adds what comes from no file.
+    pub fn add_bytes(&mut self, bytes: &[u8]) {
+        self.bytes(bytes);
+    }
+
     /// Adds a file by its contents; one that cannot be read by its name.
     pub fn add_file(&mut self, path: &Path) {
         match std::fs::read(path) {

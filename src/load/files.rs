@@ -15,7 +15,7 @@ use std::path::{Component, Path, PathBuf};
 
 /// Most bytes of a file, and of what a packed one holds: some 100 million triangles of binary STL fit, and what is made of them
 /// still fits into the memory of a workstation.
-pub(super) const MOST_BYTES: u64 = 8 << 30;
+pub(crate) const MOST_BYTES: u64 = 8 << 30;
 
 /// Files by path.
 pub trait Files: fmt::Debug + Send + Sync {

@@ -39,6 +39,14 @@ pub(crate) fn read_unpacked<'a>(path: &Path, store: &'a dyn Files) -> Result<Cow
     }
 }
 
+/// Bytes from elsewhere, unpacked if they are gzipped; `path` is what errors call them.
+pub(crate) fn unpack(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
+    match bytes.starts_with(&[0x1f, 0x8b]) {
+        true => unpacked(path, &bytes),
+        false => Ok(bytes),
+    }
+}
+
 /// Most bytes that so many packed ones may hold.
 pub(super) fn most_unpacked(packed: u64) -> u64 {
     packed

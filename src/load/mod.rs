@@ -10,6 +10,7 @@
 
 mod assets;
 mod companions;
+mod content;
 mod draft;
 mod files;
 pub mod frames;
@@ -37,6 +38,8 @@ use glam::{DAffine3, Vec3};
 
 pub use assets::Assets;
 pub use companions::companions;
+pub(crate) use content::mesh_format;
+pub(crate) use files::MOST_BYTES;
 pub use files::{Disk, Files, Memory};
 pub use image::{read_offset_map, read_offset_map_from};
 pub use pat::read_patterns;
@@ -70,7 +73,7 @@ impl From<Vec<Part>> for Loaded {
 }
 
 /// Extensions of the formats that are read.
-const KNOWN: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
+pub(crate) const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
 /// Those of them that are read gzipped, too.
 const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
@@ -134,7 +137,7 @@ pub fn load_mesh_file_from(path: &Path, store: &dyn Files) -> Result<Loaded> {
 }
 
 /// What makes inside and outside of parts a matter of opinion: open edges, how many, and of one part where one is.
-fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
+pub(crate) fn doubt(path: &Path, parts: &[Part]) -> Option<String> {
     const DOUBT: &str = "where a ray passes a hole, inside and outside are a guess, and such pixels are marked as unreliable";
     let edges = parts
         .iter()
@@ -269,15 +272,15 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
         None => "",
     };
     let gzipped = unpacked.len() < lower.len();
-    if !KNOWN.contains(&format) || (gzipped && !GZIPPED.contains(&format)) {
-        let what = if gzipped && KNOWN.contains(&format) {
+    if !MESH_FORMATS.contains(&format) || (gzipped && !GZIPPED.contains(&format)) {
+        let what = if gzipped && MESH_FORMATS.contains(&format) {
             "only .obj, .stl and .ply are read gzipped".to_owned()
         } else if format.is_empty() {
             "the name has no extension that tells the format".to_owned()
         } else {
             format!("`.{format}` is not a mesh format that is read")
         };
-        return Err(Error::file(path, what, did_you_mean(format, KNOWN)));
+        return Err(Error::file(path, what, did_you_mean(format, MESH_FORMATS)));
     }
     let stem_length = unpacked.len() - format.len() - 1;
     let stem = name.get(..stem_length).unwrap_or(&name).to_owned();

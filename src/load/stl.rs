@@ -17,15 +17,19 @@ const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 const CUT_OFF: &str = "the file is cut off or damaged: export or download it again";
 
-pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
-    let stated = stated_facets(bytes);
+/// Whether bytes are as long as a binary file with their count of facets.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
     // Text read as a number of facets is too large for the product to fit where addresses have 32 bits.
-    let whole = stated.is_some_and(|n| {
+    stated_facets(bytes).is_some_and(|n| {
         let length = n.checked_mul(FACET_BYTES);
         length.and_then(|l| l.checked_add(HEADER_BYTES)) == Some(bytes.len())
-    });
+    })
+}
+
+pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
+    let stated = stated_facets(bytes);
     let text = without_mark(bytes);
-    if !whole && is_text(text) {
+    if !is_binary(bytes) && is_text(text) {
         return ascii(path, &String::from_utf8_lossy(text));
     }
     let Some(stated) = stated else {

@@ -19,7 +19,8 @@
 //! 4. A constrained Delaunay triangulation of the loops is flooded from outside, counting how often each edge is passed.
 //!    Loops that cross are cut where they do; only then edges move, by some 1e-14 of the section's size.
 //!
-//! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene.
+//! [`halves`] divides a mesh by planes into two that are closed by such caps, and [`capped`] all parts of a scene. [`close_holes`]
+//! finds what closes an open mesh.
 //!
 //! Cost: a parallel sort of the triangles once; then per section about what the plane meets, n log n in the points.
 //!
@@ -32,6 +33,7 @@ mod capped;
 mod cover;
 mod fill;
 mod half_plane;
+mod holes;
 mod loops;
 mod outline;
 mod plane;
@@ -45,6 +47,9 @@ pub(crate) use boolean::is_at_work;
 pub(crate) use capped::in_world;
 pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
+#[cfg(feature = "io")]
+pub(crate) use holes::close_holes_of;
+pub use holes::{Closing, Hole, HoleDefect, close_holes};
 pub use plane::SlicePlane;
 pub use section::{Loop, Section, SectionDefect};
 pub use slicer::Slicer;

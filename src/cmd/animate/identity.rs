@@ -1,6 +1,7 @@
 //! Which run a numbered frame is of: the words of the command, the files that it reads, the program and the device. A frame of the
 //! same run would be drawn to the same pixels, and need not be drawn again.
 
+use super::super::stdin;
 use super::super::subject::Subject;
 use super::AnimateArgs;
 use crate::experiment::Identity;
@@ -42,6 +43,9 @@ pub(super) fn of(args: &AnimateArgs, subject: &Subject, session: &Session) -> Id
         if !names_output(word) && !is_of_share(i) {
             run.add(word);
         }
+    }
+    if let Some(bytes) = stdin::bytes() {
+        run.add_bytes(bytes);
     }
     for file in subject.files.all() {
         run.add_file(&file);

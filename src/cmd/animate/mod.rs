@@ -31,11 +31,11 @@ use super::look::{LookArgs, Usual};
 use super::output::Output;
 use super::places::{no_place_twice, paths_of};
 use super::shard::Shard;
+use super::stdin;
 use super::subject::Subject;
 use super::when::ClipArgs;
 use crate::document::{Document, Value};
 use crate::experiment::{Identity, Renderer};
-use crate::load::Assets;
 use crate::load::frames::{Pattern, USUAL_FPS};
 use crate::session::Outcome;
 use crate::{Error, Result};
@@ -227,7 +227,7 @@ fn add_sweep(
     args: &AnimateArgs,
     target: &Target,
 ) -> Result<()> {
-    let timeline = document.timeline(&mut Assets::default())?;
+    let timeline = document.timeline(&mut stdin::assets())?;
     let bounds = timeline
         .stage()?
         .unwrap_or_else(|| timeline.rest().bounds());

@@ -234,13 +234,14 @@ fn movable(target: &Entry<'_>, path: &str) -> Result<()> {
     }
     // Of a shape that is a text it is said that it is one.
     let is_made = below.contains(".shape.");
-    let is_split = last == Some("split");
-    if root == "part" && (is_made || is_split || path.split('.').any(|word| word == "defects")) {
-        let how = match (is_made, is_split) {
-            (true, _) => "made",
-            (_, true) => "split",
-            _ => "broken",
-        };
+    let is_broken = path.split('.').any(|word| word == "defects");
+    let how = match last {
+        _ if is_made => Some("made"),
+        Some("split") => Some("split"),
+        Some("close_holes") => Some("closed"),
+        _ => is_broken.then_some("broken"),
+    };
+    if let Some(how) = how.filter(|_| root == "part") {
         let what = format!("the mesh is {how} once, when it is opened");
         return Err(target.fault(what, "move another number"));
     }

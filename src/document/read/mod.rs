@@ -137,7 +137,7 @@
 //! ```
 //!
 //! Of a file of several solids, bodies are `NAME/SOLID/1`, known as `SOLID/1`. A solid of one body keeps its name. Frames are split as
-//! the first one is, whose triangles all must have. `defects` come after all that.
+//! the first one is, whose triangles all must have. `defects` come after all that, and `close_holes = true` closes what they leave.
 //!
 //! A part with `enabled = false` is read and left out: bounds, and what is relative to them, are those of the others, which keep their
 //! colours. Globs may still name it. One part has to be enabled at every time.

@@ -15,9 +15,10 @@ use super::solids::{Solid, Splits, chosen};
 use super::{cap_materials, defects, hatches};
 use crate::document::Origin;
 use crate::error::{Error, Result};
-use crate::load::Assets;
 use crate::load::frames::{Pattern, Sequence, USUAL_FPS};
+use crate::load::{Assets, doubt};
 use crate::scene::{Bounds, Material, Part};
+use crate::slice::close_holes_of;
 
 /// What one entry `[[part]]` is made of.
 #[derive(Clone, Debug)]
@@ -231,7 +232,7 @@ impl Opening<'_> {
             }
         }
         let parts = if is_mesh {
-            self.mesh(&origin, &text)?
+            self.opened(&origin, &text, closes_holes(table)?)?
         } else {
             self.shape(&origin, &text)?
         };
@@ -248,20 +249,35 @@ impl Opening<'_> {
             }));
             solids = splits.applied(solids);
         }
-        let solids = self.taken(table, solids)?;
+        let solids = self.taken(table, solids, true)?;
         Ok(PartSource::of(vec![solids], None))
     }
 
-    /// The solids that an entry leaves, broken as it says.
-    fn taken(&mut self, table: &Table<'_>, solids: Vec<Solid>) -> Result<Vec<Solid>> {
+    /// The solids that an entry leaves, broken and closed as it says.
+    fn taken(
+        &mut self,
+        table: &Table<'_>,
+        solids: Vec<Solid>,
+        is_first: bool,
+    ) -> Result<Vec<Solid>> {
         let mut solids = chosen(table, solids)?;
         let parts = solids.iter_mut().map(|s| &mut s.part);
         defects::apply(table, parts, &mut self.notes)?;
+        if closes_holes(table)? {
+            let notes = close_holes_of(solids.iter_mut().map(|s| &mut s.part));
+            // Those of later frames say much the same.
+            self.notes.extend(notes.into_iter().filter(|_| is_first));
+        }
         Ok(solids)
     }
 
     /// The solids of a mesh file.
     pub(super) fn mesh(&mut self, origin: &Entry<'_>, name: &str) -> Result<Vec<Part>> {
+        self.opened(origin, name, false)
+    }
+
+    /// The same. Where holes are closed, what is doubtful about an open mesh is said when they are.
+    fn opened(&mut self, origin: &Entry<'_>, name: &str, closes_holes: bool) -> Result<Vec<Part>> {
         let path = self.folder.join(name);
         if !self.assets.has_mesh(&path) {
             return Err(missing(origin, &path));
@@ -269,7 +285,9 @@ impl Opening<'_> {
         let loaded = self.assets.mesh(&path)?;
         let parts = loaded.parts.clone();
         self.files.extend(loaded.files.iter().cloned());
-        let new = loaded.notes.iter().filter(|n| !self.notes.contains(n));
+        let doubt = closes_holes.then(|| doubt(&path, &parts)).flatten();
+        let is_new = |n: &&String| !self.notes.contains(n) && Some(*n) != doubt.as_ref();
+        let new = loaded.notes.iter().filter(is_new);
         let new: Vec<String> = new.cloned().collect();
         self.notes.extend(new);
         Ok(parts)
@@ -309,10 +327,15 @@ impl Opening<'_> {
             self.notes.push(splits.note(origin.text()?));
             frames = (frames.into_iter().map(|f| splits.applied(f))).collect();
         }
-        let frames = frames.into_iter().map(|f| self.taken(table, f));
+        let frames = (frames.into_iter().enumerate()).map(|(n, f)| self.taken(table, f, n == 0));
         let frames = frames.collect::<Result<_>>()?;
         Ok(PartSource::of(frames, Some(sequence)))
     }
+}
+
+/// Whether the planar and small holes of an entry are closed.
+fn closes_holes(table: &Table<'_>) -> Result<bool> {
+    table.get("close_holes").map_or(Ok(false), |e| e.flag())
 }
 
 /// A built-in shape as [`shape`](crate::generate::shapes::shape) takes it: a text, or a table of its name and its numbers.

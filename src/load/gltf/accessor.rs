@@ -18,10 +18,10 @@ pub(super) struct Wanted {
     pub(super) dimensions: Dimensions,
 }
 
-/// `POSITION` and `NORMAL`.
+/// `POSITION` and `NORMAL`, of vertices and of morph targets.
 pub(super) const VEC3: Wanted = Wanted {
     what: "positions or normals",
-    types: &[DataType::F32],
+    types: SHARES,
     dimensions: Dimensions::Vec3,
 };
 
@@ -80,7 +80,7 @@ pub(super) const TRIPLES: Wanted = Wanted {
     dimensions: Dimensions::Vec3,
 };
 
-/// Number types of rotations and weights of targets; whole numbers are shares of the greatest.
+/// Number types of positions, normals, rotations and weights of targets: floating-point, or whole numbers, as a rule shares of the greatest.
 const SHARES: &[DataType] = &[
     DataType::F32,
     DataType::I8,

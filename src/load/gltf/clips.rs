@@ -15,6 +15,7 @@ use gltf::{Accessor, Document};
 
 use super::accessor::{ROTATIONS, TARGET_WEIGHTS, TIMES, TRIPLES, items};
 use super::nodes::Nodes;
+use super::quantized::share;
 use crate::scene::motion::{Clip, Moment, NodeTracks, Rig, Track, Way};
 
 /// A rig that is complete but for its clips, and where to read them.
@@ -214,11 +215,6 @@ impl Reader<'_> {
                 .collect(),
         })
     }
-}
-
-/// A whole number as a share of the greatest of its type; the least of signed types is -1, too.
-fn share<T: Into<f64>>(number: T, most: T) -> f64 {
-    (number.into() / most.into()).max(-1.0)
 }
 
 /// How many morph targets a node's mesh has.

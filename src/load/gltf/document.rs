@@ -11,7 +11,7 @@ use gltf::{Document, Glb};
 use serde_json::Value;
 
 use super::super::{Files, without_mark};
-use super::{DAMAGED, uri};
+use super::{DAMAGED, packed, uri};
 use crate::error::{Error, Result};
 
 /// A file without faults that could be found so far.
@@ -35,6 +35,7 @@ pub(super) fn open(
     let broken = |e: gltf::Error| wrong(format!("glTF: {}", reason(&e)));
     let (mut root, blob) = root(bytes, notes).map_err(broken)?;
     check_attributes(&root).map_err(wrong)?;
+    packed::settle_required(path, &mut root, notes)?;
     for image in &mut root.images {
         // The crate looks for what such an image lacks; of this name there is nothing, which is said where it is asked for.
         let is_whole =
@@ -45,8 +46,9 @@ pub(super) fn open(
         }
     }
     let animations = std::mem::take(&mut root.animations);
+    let mut buffers = buffers(path, &root, blob, store, files)?;
+    packed::unpack(&mut root, &mut buffers).map_err(wrong)?;
     let document = Document::from_json(root).map_err(broken)?;
-    let buffers = buffers(path, &document, blob, store, files)?;
     Ok(Opened {
         document,
         buffers,
@@ -161,28 +163,28 @@ fn check_attributes(root: &Root) -> Result<(), String> {
     }
 }
 
+/// The bytes of all buffers, of those that only stand in for packed ones none.
 fn buffers(
     path: &Path,
-    document: &Document,
+    root: &Root,
     blob: Option<Vec<u8>>,
     store: &dyn Files,
     files: &mut Vec<PathBuf>,
 ) -> Result<Vec<Vec<u8>>> {
     let mut blob = blob;
-    document
-        .buffers()
-        .map(|buffer| {
-            let bytes = match buffer.source() {
-                gltf::buffer::Source::Bin => blob.take().unwrap_or_default(),
-                gltf::buffer::Source::Uri(at) => uri::read(path, ("buffer", at), store, files)?,
+    let all = root.buffers.iter().zip(packed::is_stand_in(root));
+    all.enumerate()
+        .map(|(number, (buffer, is_stand_in))| {
+            if is_stand_in {
+                return Ok(Vec::new());
+            }
+            let bytes = match &buffer.uri {
+                None => blob.take().unwrap_or_default(),
+                Some(at) => uri::read(path, ("buffer", at), store, files)?,
             };
-            if bytes.len() < buffer.length() {
-                let what = format!(
-                    "buffer {} holds {} of {} bytes",
-                    buffer.index(),
-                    bytes.len(),
-                    buffer.length()
-                );
+            let (held, stated) = (bytes.len(), buffer.byte_length.0);
+            if (held as u64) < stated {
+                let what = format!("buffer {number} holds {held} of {stated} bytes");
                 return Err(Error::file(path, what, DAMAGED));
             }
             Ok(bytes)

@@ -7,7 +7,7 @@
 use glam::DVec3;
 use gltf::Primitive;
 
-use super::accessor::{VEC3, items};
+use super::quantized::triples;
 use super::skin::Pulls;
 use crate::scene::motion::{Motion, Pull};
 use crate::scene::weld::thousands;
@@ -105,8 +105,8 @@ impl Followers {
                 continue;
             };
             let number = accessor.index();
-            let by: Vec<[f32; 3]> = items(accessor, VEC3, buffers)
-                .map_err(|why| format!("morph target {index}: {why}"))?;
+            let by: Vec<[f32; 3]> =
+                triples(accessor, buffers).map_err(|why| format!("morph target {index}: {why}"))?;
             let fault = if by.len() != vertices {
                 Some(format!("{} positions for {vertices} vertices", by.len()))
             } else if by.iter().flatten().any(|c| !c.is_finite()) {

@@ -6,16 +6,22 @@
 //! morph targets. Vertices are welded as they were bound, so that a mesh that is closed stays closed in every pose; what
 //! is welded follows the first of its vertices.
 //!
+//! Vertices may be quantized, and packed by meshopt or Draco (`packed`).
+//!
 //! What the still picture needs is refused if it is broken. What only motion needs is left out with a note.
 
 mod accessor;
 mod clips;
 mod document;
+mod draco;
 mod follow;
 mod images;
+mod meshopt;
 mod nodes;
+mod packed;
 mod paint;
 mod primitives;
+mod quantized;
 mod skin;
 mod uri;
 

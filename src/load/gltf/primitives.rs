@@ -6,10 +6,11 @@ use gltf::{Primitive, Semantic};
 
 use super::super::painted::coat;
 use super::super::{Draft, Group};
-use super::accessor::{INDICES, VEC3, check, items};
+use super::accessor::{INDICES, check};
 use super::follow::Followers;
 use super::images::Images;
 use super::paint;
+use super::quantized::triples;
 use super::skin;
 
 /// All primitives of a mesh as groups of one draft. `joints` is how many joints its skin has, if it hangs on one.
@@ -37,14 +38,14 @@ pub(super) fn draft(
         let accessor = primitive
             .get(&Semantic::Positions)
             .ok_or_else(|| at("it has no positions".to_owned()))?;
-        let positions: Vec<[f32; 3]> = items(accessor, VEC3, buffers).map_err(at)?;
+        let positions: Vec<[f32; 3]> = triples(accessor, buffers).map_err(at)?;
         let Some(triangles) = triangles(&primitive, positions.len(), buffers).map_err(at)? else {
             left_out += 1;
             continue;
         };
         let normal_of: Option<Vec<[f32; 3]>> = primitive
             .get(&Semantic::Normals)
-            .map(|accessor| items(accessor, VEC3, buffers).map_err(at))
+            .map(|accessor| triples(accessor, buffers).map_err(at))
             .transpose()?
             .filter(|n| n.len() >= positions.len());
         normals = normals.zip(normal_of).map(|(mut all, of)| {

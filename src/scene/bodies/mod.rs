@@ -28,6 +28,7 @@ mod shells;
 use rayon::prelude::*;
 
 use self::inside::Insides;
+pub(super) use self::pieces::bound_of;
 pub(crate) use self::pieces::{Pieces, body_name};
 use self::shells::{Facing, Shells};
 use super::Mesh;

@@ -112,7 +112,7 @@ impl Piece {
 }
 
 /// What the file of a part bound, if the part still has the triangles of it.
-fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
+pub(in crate::scene) fn bound_of(part: &Part) -> Option<&Arc<Bound>> {
     let driver = part.driver.as_ref()?;
     let has_its_mesh = [driver.rest_mesh(), &driver.bound().mesh]
         .into_iter()

@@ -1,0 +1,125 @@
+//! The filters: unit vectors by octahedra, unit quaternions by their three lesser components, and floating-point numbers with exponents
+//! that are chosen by hand.
+//!
+//! Arithmetic is in f64, results are within half a unit of what the specification allows one for.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Unit vectors from octahedra, in four components of one or two bytes; the fourth stays.
+pub(super) fn octahedral(bytes: &mut [u8], stride: usize) {
+    if stride == 4 {
+        for element in bytes.chunks_exact_mut(4) {
+            let [x, y, one] = [0, 1, 2].map(|i| f64::from(element[i] as i8));
+            let unit = unit(x / one, y / one);
+            for (byte, c) in element.iter_mut().zip(unit) {
+                *byte = (c * f64::from(i8::MAX)).round() as i8 as u8;
+            }
+        }
+    } else {
+        for element in bytes.chunks_exact_mut(8) {
+            let [x, y, one, _] = words(element).map(f64::from);
+            for (word, c) in element.chunks_exact_mut(2).zip(unit(x / one, y / one)) {
+                word.copy_from_slice(&in_16_bits(c));
+            }
+        }
+    }
+}
+
+fn unit(x: f64, y: f64) -> [f64; 3] {
+    let z = 1.0 - x.abs() - y.abs();
+    let folded = z.min(0.0);
+    let (x, y) = (x - folded.copysign(x), y - folded.copysign(y));
+    let length = (x * x + y * y + z * z).sqrt();
+    [x, y, z].map(|c| c / length)
+}
+
+/// Unit quaternions in four components of two bytes: three and the scale of them, in whose lowest bits is which one is missing.
+pub(super) fn quaternion(bytes: &mut [u8]) {
+    for element in bytes.chunks_exact_mut(8) {
+        let [x, y, z, scale] = words(element);
+        let one = f64::from(scale | 3);
+        let [x, y, z] = [x, y, z].map(|c| f64::from(c) / one * FRAC_1_SQRT_2);
+        let w = (1.0 - x * x - y * y - z * z).max(0.0).sqrt();
+        let greatest = usize::from(scale as u16 & 3);
+        for (step, c) in [w, x, y, z].into_iter().enumerate() {
+            let at = 2 * ((greatest + step) % 4);
+            element[at..at + 2].copy_from_slice(&in_16_bits(c));
+        }
+    }
+}
+
+/// Floating-point numbers from 8 bits of exponent and 24 of mantissa, both signed.
+pub(super) fn exponential(bytes: &mut [u8]) {
+    for word in bytes.as_chunks_mut::<4>().0 {
+        let packed = i32::from_le_bytes(*word);
+        let (exponent, mantissa) = (packed >> 24, packed << 8 >> 8);
+        let number = 2_f64.powi(exponent) * f64::from(mantissa);
+        *word = (number as f32).to_le_bytes();
+    }
+}
+
+fn words(element: &[u8]) -> [i16; 4] {
+    std::array::from_fn(|i| i16::from_le_bytes([element[2 * i], element[2 * i + 1]]))
+}
+
+fn in_16_bits(share: f64) -> [u8; 2] {
+    ((share * f64::from(i16::MAX)).round() as i16).to_le_bytes()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn octants_fold_to_unit_vectors() {
+        // In 8 bits of which 7 are used: 63 is 1.
+        let mut bytes = [0, 0, 63, 5, 63_i8 as u8, 0, 63, 0, -63_i8 as u8, 63, 63, 0];
+        octahedral(&mut bytes, 4);
+        let found = bytes.map(|b| b as i8);
+        assert_eq!(found[..4], [0, 0, 127, 5]);
+        assert_eq!(found[4..8], [127, 0, 0, 0]);
+        // The corner of the square is the lower pole.
+        assert_eq!(found[8..], [0, 0, -127, 0]);
+        let mut wide: Vec<u8> = [16_383_i16, -16_384, 32_767, 9]
+            .iter()
+            .flat_map(|w| w.to_le_bytes())
+            .collect();
+        octahedral(&mut wide, 8);
+        let [x, y, z, w] = words(&wide);
+        assert!(
+            (x - 23_169).abs() <= 2 && (y + 23_171).abs() <= 2,
+            "{x}, {y}"
+        );
+        assert!(z.abs() <= 2 && w == 9, "{z}, {w}");
+    }
+
+    #[test]
+    fn the_missing_component_is_the_greatest() {
+        for greatest in 0..4_i16 {
+            let scale = (2047 & !3) | greatest;
+            let mut bytes: Vec<u8> = [0, 1024, 0, scale]
+                .iter()
+                .flat_map(|w: &i16| w.to_le_bytes())
+                .collect();
+            quaternion(&mut bytes);
+            let q = words(&bytes).map(|c| f64::from(c) / 32_767.0);
+            let at = |step: i16| q[((greatest + step) % 4) as usize];
+            assert!(
+                (at(2) - 1024.0 / 2047.0 * FRAC_1_SQRT_2).abs() < 1e-4,
+                "{q:?}"
+            );
+            assert!((at(0) - (1.0 - at(2) * at(2)).sqrt()).abs() < 1e-4, "{q:?}");
+            assert_eq!((at(1), at(3)), (0.0, 0.0), "{q:?}");
+        }
+    }
+
+    #[test]
+    fn exponents_are_signed() {
+        for (exponent, mantissa, number) in [(0, 5, 5.0_f32), (-3, -12, -1.5), (10, 1, 1024.0)] {
+            let packed: i32 = (exponent << 24) | (mantissa & 0xff_ffff);
+            let mut bytes = packed.to_le_bytes();
+            exponential(&mut bytes);
+            assert_eq!(f32::from_le_bytes(bytes), number);
+        }
+    }
+}

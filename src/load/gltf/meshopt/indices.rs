@@ -1,0 +1,243 @@
+//! The index codecs: mode 1, triangles by the edges and vertices that were met last, and mode 2, indices as differences.
+
+use super::{cut_off, parted, too_long};
+
+/// The first byte of a stream of triangles.
+const TRIANGLES: u8 = 0xe1;
+
+/// The first byte of a stream of indices.
+const INDICES: u8 = 0xd1;
+
+/// Length of the table that ends a stream of triangles.
+const TABLE_BYTES: usize = 16;
+
+/// Length of what ends a stream of indices.
+const TAIL_BYTES: usize = 4;
+
+/// The last 16 of something.
+struct Recent<T> {
+    all: [T; 16],
+    next: usize,
+}
+
+impl<T: Copy + Default> Recent<T> {
+    fn new() -> Self {
+        Self {
+            all: [T::default(); 16],
+            next: 0,
+        }
+    }
+
+    fn push(&mut self, one: T) {
+        self.all[self.next] = one;
+        self.next = (self.next + 1) % 16;
+    }
+
+    /// The one before so many others.
+    fn get(&self, back: usize) -> T {
+        self.all[(self.next + 15 - back % 16) % 16]
+    }
+}
+
+/// What is known while triangles are read.
+struct Reader<'a> {
+    data: &'a [u8],
+    /// The index that no triangle has had yet.
+    next: u32,
+    /// The last index that was written out.
+    last: u32,
+    edges: Recent<[u32; 2]>,
+    vertices: Recent<u32>,
+}
+
+impl Reader<'_> {
+    fn fresh(&mut self) -> u32 {
+        let fresh = self.next;
+        self.next = fresh.wrapping_add(1);
+        fresh
+    }
+
+    /// An index that is written out, as its difference to the last such.
+    fn written(&mut self) -> Result<u32, String> {
+        let folded = varint(&mut self.data)?;
+        self.last = self.last.wrapping_add(unfolded(folded));
+        Ok(self.last)
+    }
+
+    /// What half a byte stands for: a fresh index, or one of the last vertices.
+    fn by_half_byte(&mut self, half: u8) -> u32 {
+        match half {
+            0 => self.fresh(),
+            back => self.vertices.get(usize::from(back) - 1),
+        }
+    }
+
+    /// A triangle at one of the last edges.
+    fn at_edge(&mut self, [a, b]: [u32; 2], half: u8) -> Result<[u32; 3], String> {
+        let c = match half {
+            0 => self.fresh(),
+            13 | 14 => {
+                let step = if half == 13 { u32::MAX } else { 1 };
+                self.last = self.last.wrapping_add(step);
+                self.last
+            }
+            15 => self.written()?,
+            _ => self.vertices.get(usize::from(half)),
+        };
+        if matches!(half, 0 | 13..) {
+            self.vertices.push(c);
+        }
+        self.edges.push([c, b]);
+        self.edges.push([a, c]);
+        Ok([a, b, c])
+    }
+
+    /// A triangle by itself: whether its first index is fresh, what stands for the others, and whether those may be written out.
+    fn alone(
+        &mut self,
+        is_fresh: bool,
+        halves: u8,
+        may_be_written: bool,
+    ) -> Result<[u32; 3], String> {
+        let (of_b, of_c) = (halves >> 4, halves & 15);
+        // Fresh indices are counted before those that are written out are read.
+        let a = if is_fresh { Some(self.fresh()) } else { None };
+        let mut others = [None; 2];
+        for (other, half) in others.iter_mut().zip([of_b, of_c]) {
+            if half != 15 || !may_be_written {
+                *other = Some(self.by_half_byte(half));
+            }
+        }
+        let mut known = |index: Option<u32>| index.map_or_else(|| self.written(), Ok);
+        let (a, b, c) = (known(a)?, known(others[0])?, known(others[1])?);
+        self.edges.push([b, a]);
+        self.edges.push([c, b]);
+        self.edges.push([a, c]);
+        self.vertices.push(a);
+        for (vertex, half) in [(b, of_b), (c, of_c)] {
+            if half == 0 || (half == 15 && may_be_written) {
+                self.vertices.push(vertex);
+            }
+        }
+        Ok([a, b, c])
+    }
+}
+
+/// Unpacks `count` indices of triangles.
+pub(super) fn triangles(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
+    if !count.is_multiple_of(3) {
+        return Err(format!("{count} indices are no whole number of triangles"));
+    }
+    let (body, table) = parted(stream, TRIANGLES, TABLE_BYTES)?;
+    let (codes, data) = body.split_at_checked(count / 3).ok_or_else(cut_off)?;
+    let mut reader = Reader {
+        data,
+        next: 0,
+        last: 0,
+        edges: Recent::new(),
+        vertices: Recent::new(),
+    };
+    let mut indices = Vec::with_capacity(count);
+    for code in codes {
+        let triangle = match (code >> 4, code & 15) {
+            (15, row @ 0..14) => reader.alone(true, table[usize::from(row)], false)?,
+            (15, row) => {
+                let (halves, rest) = reader.data.split_first().ok_or_else(cut_off)?;
+                reader.data = rest;
+                if *halves == 0 {
+                    reader.next = 0;
+                }
+                reader.alone(row == 14, *halves, true)?
+            }
+            (back, half) => {
+                let edge = reader.edges.get(usize::from(back));
+                reader.at_edge(edge, half)?
+            }
+        };
+        indices.extend(triangle);
+    }
+    match reader.data.len() {
+        0 => Ok(indices),
+        more => Err(too_long(more)),
+    }
+}
+
+/// Unpacks `count` indices.
+pub(super) fn indices(stream: &[u8], count: usize) -> Result<Vec<u32>, String> {
+    let (mut data, _) = parted(stream, INDICES, TAIL_BYTES)?;
+    if data.len() < count {
+        return Err(cut_off());
+    }
+    // Each index differs from the last of one of two sequences.
+    let mut last = [0_u32; 2];
+    let mut indices = Vec::with_capacity(count);
+    for _ in 0..count {
+        let word = varint(&mut data)?;
+        let of = &mut last[(word & 1) as usize];
+        *of = of.wrapping_add(unfolded(word >> 1));
+        indices.push(*of);
+    }
+    match data.len() {
+        0 => Ok(indices),
+        more => Err(too_long(more)),
+    }
+}
+
+/// A number in groups of seven bits, the lowest first.
+fn varint(data: &mut &[u8]) -> Result<u32, String> {
+    let mut number = 0;
+    for shift in (0..35).step_by(7) {
+        let (byte, rest) = data.split_first().ok_or_else(cut_off)?;
+        *data = rest;
+        number |= u64::from(byte & 0x7f) << shift;
+        if byte & 0x80 == 0 {
+            let number = u32::try_from(number);
+            return number.map_err(|_| "it holds an index of more than 4 bytes".to_owned());
+        }
+    }
+    Err("it holds an index that does not end".to_owned())
+}
+
+/// A difference whose sign is in its lowest bit.
+fn unfolded(folded: u32) -> u32 {
+    match folded & 1 {
+        0 => folded >> 1,
+        _ => !(folded >> 1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_the_specification() {
+        for (bytes, number) in [
+            (&[0x7f][..], 0x7f),
+            (&[0x81, 0x04], 0x201),
+            (&[0xff, 0xa0, 0x05], 0x1_5_07f),
+            (&[0xff, 0xff, 0xff, 0xff, 0x0f], u32::MAX),
+        ] {
+            assert_eq!(varint(&mut &*bytes), Ok(number), "{bytes:x?}");
+        }
+        for bytes in [&[][..], &[0x80], &[0xff; 5], &[0x80; 9]] {
+            assert!(varint(&mut &*bytes).is_err(), "{bytes:x?}");
+        }
+    }
+
+    #[test]
+    fn two_sequences_are_spliced() {
+        // +10 in the first, +100 in the second, -1 in the first, +1 in the second.
+        let words = [20_u32 << 1, (200 << 1) | 1, 1 << 1, (2 << 1) | 1];
+        let mut stream = vec![INDICES];
+        for word in words {
+            match word {
+                0..128 => stream.push(word as u8),
+                _ => stream.extend([(word & 0x7f) as u8 | 0x80, (word >> 7) as u8]),
+            }
+        }
+        stream.extend([0; 4]);
+        assert_eq!(indices(&stream, 4).unwrap(), [10, 100, 9, 101]);
+        assert!(indices(&stream, 3).is_err() && indices(&stream, 5).is_err());
+    }
+}

@@ -1,0 +1,312 @@
+//! Buffer views packed by `EXT_meshopt_compression`, unpacked by its specification: attributes, triangles and indices, and the filters
+//! octahedral, quaternion and exponential.
+//!
+//! A stream states no length: how many elements of how many bytes come out is said beside it, and the stream must be used up by exactly
+//! those. Each element costs at least some bits of the stream, which is looked at before room is made: a short stream that promises
+//! gigabytes is refused.
+//!
+//! Cost: one pass over what comes out, some hundred megabytes a second. Not read: the second version of the attribute codec, which
+//! `KHR_meshopt_compression` brings.
+
+mod attributes;
+mod filters;
+mod indices;
+
+/// What a packed view holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    Attributes,
+    Triangles,
+    Indices,
+}
+
+impl Mode {
+    pub(super) const NAMED: [(&'static str, Self); 3] = [
+        ("ATTRIBUTES", Self::Attributes),
+        ("TRIANGLES", Self::Triangles),
+        ("INDICES", Self::Indices),
+    ];
+}
+
+/// What turns unpacked attributes into those that accessors read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Filter {
+    None,
+    Octahedral,
+    Quaternion,
+    Exponential,
+}
+
+impl Filter {
+    pub(super) const NAMED: [(&'static str, Self); 4] = [
+        ("NONE", Self::None),
+        ("OCTAHEDRAL", Self::Octahedral),
+        ("QUATERNION", Self::Quaternion),
+        ("EXPONENTIAL", Self::Exponential),
+    ];
+}
+
+/// How a view is packed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Packing {
+    pub(super) mode: Mode,
+    pub(super) filter: Filter,
+    /// Bytes of an element.
+    pub(super) stride: usize,
+    /// How many elements there are.
+    pub(super) count: usize,
+}
+
+impl Packing {
+    /// The bytes of the view.
+    pub(super) fn unpack(&self, stream: &[u8]) -> Result<Vec<u8>, String> {
+        let (stride, count) = (self.stride, self.count);
+        let (is_stride_right, is_filtered) = match (self.mode, self.filter) {
+            (Mode::Attributes, Filter::None | Filter::Exponential) => {
+                (stride % 4 == 0 && (4..=256).contains(&stride), true)
+            }
+            (Mode::Attributes, Filter::Octahedral) => (stride == 4 || stride == 8, true),
+            (Mode::Attributes, Filter::Quaternion) => (stride == 8, true),
+            (_, filter) => (stride == 2 || stride == 4, filter == Filter::None),
+        };
+        if !is_stride_right || !is_filtered {
+            let (mode, filter) = (self.mode, self.filter);
+            return Err(format!(
+                "{mode:?} with the filter {filter:?} are not packed in elements of {stride} bytes"
+            ));
+        }
+        match self.mode {
+            Mode::Attributes => {
+                let mut bytes = attributes::unpack(stream, count, stride)?;
+                match self.filter {
+                    Filter::None => {}
+                    Filter::Octahedral => filters::octahedral(&mut bytes, stride),
+                    Filter::Quaternion => filters::quaternion(&mut bytes),
+                    Filter::Exponential => filters::exponential(&mut bytes),
+                }
+                Ok(bytes)
+            }
+            Mode::Triangles => to_bytes(&indices::triangles(stream, count)?, stride),
+            Mode::Indices => to_bytes(&indices::indices(stream, count)?, stride),
+        }
+    }
+}
+
+/// Indices in 2 or 4 bytes each.
+fn to_bytes(indices: &[u32], stride: usize) -> Result<Vec<u8>, String> {
+    if stride == 4 {
+        return Ok(indices.iter().flat_map(|i| i.to_le_bytes()).collect());
+    }
+    let mut bytes = Vec::with_capacity(indices.len() * stride);
+    for index in indices {
+        let index = u16::try_from(*index)
+            .map_err(|_| format!("it holds the index {index}, which has more than 2 bytes"))?;
+        bytes.extend(index.to_le_bytes());
+    }
+    Ok(bytes)
+}
+
+/// A stream whose first byte says what it is, and which ends in a tail of so many bytes: what is between, and the tail.
+fn parted(stream: &[u8], header: u8, tail: usize) -> Result<(&[u8], &[u8]), String> {
+    match stream.split_first() {
+        Some((first, _)) if *first != header => Err(format!(
+            "its stream begins with {first:#04x}, not with {header:#04x}"
+        )),
+        Some((_, rest)) if rest.len() >= tail => Ok(rest.split_at(rest.len() - tail)),
+        _ => Err(cut_off()),
+    }
+}
+
+fn cut_off() -> String {
+    "its stream is cut off".to_owned()
+}
+
+fn too_long(bytes: usize) -> String {
+    format!("its stream has {bytes} bytes that belong to no element")
+}
+
+#[cfg(test)]
+mod tests {
+    use base64::Engine as _;
+    use base64::engine::general_purpose::STANDARD;
+
+    use super::*;
+
+    // What meshoptimizer 1.3.0 of npm makes of 40 vectors, quaternions and triples that the functions below give, and of the triangles of a
+    // tetrahedron.
+    const OCTAHEDRAL_8: &str = "oB8AXzguncB1F67xtA2n4fc+kqytgWungOgqwHXMAMlmjf//AAAZyFFUsS5EIx8ALIOeVyWq2ZQGrffTJKDK3V2BmYa4SLZ78BHHcKsPzP//AABbcCC7RjmCJQAfAP79/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v3+/f7//wAA/f79/v3+/f4AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAGAB/AA==";
+    const OCTAHEDRAL_12: &str = "oB8AB3PqACaEgv++r9eXA1oLxZqxS71ZMZqsI9KkAY0sr///AABkTtvr89AeGx4FQpxRraCf9BIPCBMUBwUWFw4CExgRABQZFn//AAARGhkUBBseHwDOTw1mXcAuoWjrnJ5KBno6FCWCOl+Qx3Lg0E22memS//8AAHTaBmQqnh9RHgJ6Ua2gn9KvEBESBQcWFwwEExgRABQZFgER+/0AABoZFBkcFwAAFRmZmZmZmZmZmZkAAB8A/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v3+/f79/v//AAD9/v3+/f79/gAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAHwBAAD/BwAA";
+    const QUATERNIONS: &str = "oB8Ar/RhRWX0ery1vYNxllE+VR+8L2rYKYnSfQrRfrmm6f//AADJabd2UiNdCB8AEQMCFhkQAhMYExoXEBMUBQsYGRQAERIEBw8aEQISFf//AAAQFxgPFBkUER8AsdOL3Blk6DK7tDCVi1shjub56+b+YcDUUm1xWerXHf//AADqY6imkFwMtx4P//2CH13k/xkYGRIQFRgHDxYHDxoAGRgZEg0QBQAO/v8AAAUNDhMWBQ8fAL+UZHin9y7sv8aKFQkYQohAIPTAM4QZKyewMkaaSar//wAAvfuCMsA1pr4qCP6UPxG4v3ETEBj/nD9l7/Mv4xEaDw8SFc3/w/EAAAAAEhUQFgECQDEGBWBUJAUw0wYDBjzwAAAFBgUEAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAMgF3wYAAP0H";
+    const EXPONENTIAL: &str = "oBQAA/////////////////8AAP//////////Kg8P//zMz2ZmYBcYGC81ZmZm8kJCQkI7QkJCQgAAAAAABToIAgDKAAgAAB8AqgCpqqyqqaupqQCqqqyqqqyqqqyqqaupqaupqaupqf//AACrqamrqamrqRYPBlXDETwBEBVRTBBBDAQQAAABEAAAAAU6CAIAygAIAAAfABAQBB4kGxogIiZPGBoaHiAiJCYoKssWGBoaHBwcHiD//wAAICIiJCQkKCYQgAAAAAAFOggCAMoACAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAACOAAAAjgAAAI4=";
+    const TRIANGLES: &str = "4f4OEgPwBAB2h1ZneKmGZYlomAFpAAA=";
+    const INDICES: &str = "0QAIAgIECAYEBAoMAgAAAAA=";
+
+    const COUNT: usize = 40;
+
+    fn unit_vector(i: usize) -> [f64; 4] {
+        let i = i as f64;
+        let z = 1.0 - 2.0 * (i + 0.5) / COUNT as f64;
+        let (angle, radius) = (i * 2.39996, (1.0 - z * z).sqrt());
+        [radius * angle.cos(), radius * angle.sin(), z, i % 2.0]
+    }
+
+    fn quaternion(i: usize) -> [f64; 4] {
+        let i = i as f64;
+        let q = [
+            i.sin(),
+            (2.0 * i).cos(),
+            (3.0 * i + 1.0).sin(),
+            (i * i).cos(),
+        ];
+        let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+        q.map(|c| c / length)
+    }
+
+    fn triple(i: usize) -> [f64; 3] {
+        let i = i as f64;
+        [i * 1.5, -i / 3.0, 1e-3 * i * i]
+    }
+
+    fn packing(mode: Mode, filter: Filter, stride: usize, count: usize) -> Packing {
+        Packing {
+            mode,
+            filter,
+            stride,
+            count,
+        }
+    }
+
+    fn unpacked(filter: Filter, stride: usize, stream: &str) -> Vec<u8> {
+        let stream = STANDARD.decode(stream).unwrap();
+        let packing = packing(Mode::Attributes, filter, stride, COUNT);
+        packing.unpack(&stream).unwrap()
+    }
+
+    fn shares(bytes: &[u8]) -> Vec<f64> {
+        let words = bytes.as_chunks::<2>().0.iter();
+        words
+            .map(|w| f64::from(i16::from_le_bytes(*w)) / 32_767.0)
+            .collect()
+    }
+
+    #[test]
+    fn what_another_program_packs_comes_out() {
+        let short = unpacked(Filter::Octahedral, 4, OCTAHEDRAL_8);
+        let long = shares(&unpacked(Filter::Octahedral, 8, OCTAHEDRAL_12));
+        let quaternions = shares(&unpacked(Filter::Quaternion, 8, QUATERNIONS));
+        let floats = unpacked(Filter::Exponential, 12, EXPONENTIAL);
+        let floats: Vec<f32> = floats
+            .as_chunks::<4>()
+            .0
+            .iter()
+            .map(|w| f32::from_le_bytes(*w))
+            .collect();
+        for i in 0..COUNT {
+            let expected = unit_vector(i);
+            for k in 0..4 {
+                let c = f64::from(short[4 * i + k] as i8) / 127.0;
+                assert!(
+                    (c - expected[k]).abs() < 0.02,
+                    "vector {i}: {c}, {expected:?}"
+                );
+                let c = long[4 * i + k];
+                assert!(
+                    (c - expected[k]).abs() < 2e-3,
+                    "vector {i}: {c}, {expected:?}"
+                );
+            }
+            let (found, expected) = (&quaternions[4 * i..4 * i + 4], quaternion(i));
+            let cosine: f64 = found.iter().zip(expected).map(|(a, b)| a * b).sum();
+            let is_near = |(a, b): (&f64, f64)| (a - b * cosine.signum()).abs() < 1e-3;
+            let is_it = found.iter().zip(expected).all(is_near);
+            assert!(is_it, "{i}: {found:?}, {expected:?}");
+            let (found, expected) = (&floats[3 * i..3 * i + 3], triple(i));
+            let is_near =
+                |(a, b): (&f32, f64)| (f64::from(*a) - b).abs() < 1e-4 * (1.0 + i as f64 * 1.5);
+            assert!(
+                found.iter().zip(expected).all(is_near),
+                "{i}: {found:?}, {expected:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn triangles_come_out_in_their_order() {
+        let words = |bytes: Vec<u8>| -> Vec<u16> {
+            bytes
+                .as_chunks::<2>()
+                .0
+                .iter()
+                .map(|w| u16::from_le_bytes(*w))
+                .collect()
+        };
+        let sequence = STANDARD.decode(INDICES).unwrap();
+        let sequence = packing(Mode::Indices, Filter::None, 2, 12).unpack(&sequence);
+        assert_eq!(
+            words(sequence.unwrap()),
+            [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]
+        );
+        // Each triangle may begin with another of its corners.
+        let stream = STANDARD.decode(TRIANGLES).unwrap();
+        let triangles = packing(Mode::Triangles, Filter::None, 2, 12).unpack(&stream);
+        assert_eq!(
+            words(triangles.unwrap()),
+            [0, 2, 1, 0, 1, 3, 3, 1, 2, 3, 2, 0]
+        );
+    }
+
+    #[test]
+    fn streams_that_are_cut_off_or_changed_are_errors_or_other_numbers() {
+        for (mode, filter, stride, count, stream) in [
+            (
+                Mode::Attributes,
+                Filter::Octahedral,
+                8,
+                COUNT,
+                OCTAHEDRAL_12,
+            ),
+            (Mode::Attributes, Filter::Quaternion, 8, COUNT, QUATERNIONS),
+            (
+                Mode::Attributes,
+                Filter::Exponential,
+                12,
+                COUNT,
+                EXPONENTIAL,
+            ),
+            (Mode::Triangles, Filter::None, 4, 12, TRIANGLES),
+            (Mode::Indices, Filter::None, 2, 12, INDICES),
+        ] {
+            let stream = STANDARD.decode(stream).unwrap();
+            let packing = packing(mode, filter, stride, count);
+            assert!(packing.unpack(&stream).is_ok(), "the control");
+            for length in 0..stream.len() {
+                assert!(
+                    packing.unpack(&stream[..length]).is_err(),
+                    "{mode:?}: {length} bytes"
+                );
+            }
+            for at in 0..stream.len() {
+                for change in [0x01, 0x80, 0xff] {
+                    let mut changed = stream.clone();
+                    changed[at] ^= change;
+                    // No panic, and if not an error all the bytes.
+                    let bytes = packing.unpack(&changed);
+                    assert!(bytes.is_err() || bytes.is_ok_and(|b| b.len() == stride * count));
+                }
+            }
+            for (stride, count) in [
+                (stride, count + 48),
+                (stride, usize::MAX / 16 * 3),
+                (3, count),
+                (0, count),
+            ] {
+                let other = Packing {
+                    stride,
+                    count,
+                    ..packing
+                };
+                assert!(other.unpack(&stream).is_err(), "{other:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression`, primitives by
+//! `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that no reader knows of it.
+//!
+//! What comes out is limited as what archives unpack to is: by a multiple of what is packed.
+
+use std::path::Path;
+
+use gltf::json::buffer::{Buffer, View};
+use gltf::json::validation::USize64;
+use gltf::json::{Index, Root};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use super::draco;
+use super::meshopt::{Filter, Mode, Packing};
+use crate::error::{Error, Result};
+use crate::load::input_file::most_unpacked;
+
+const MESHOPT: &str = "EXT_meshopt_compression";
+const DRACO: &str = "KHR_draco_mesh_compression";
+
+/// Extensions that are read.
+const READ: [&str; 3] = [MESHOPT, DRACO, "KHR_mesh_quantization"];
+
+/// Beginnings of the names of extensions that change looks alone.
+const LOOKS: [&str; 3] = ["KHR_materials_", "KHR_texture_transform", "KHR_lights_"];
+
+/// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
+pub(super) fn settle_required(path: &Path, root: &mut Root, notes: &mut Vec<String>) -> Result<()> {
+    for name in std::mem::take(&mut root.extensions_required) {
+        if READ.contains(&name.as_str()) {
+            continue;
+        }
+        if LOOKS.iter().any(|looks| name.starts_with(looks)) {
+            notes.push(format!("shown without {name}"));
+            continue;
+        }
+        let what = format!("it requires the extension {name}, which is not read");
+        let help = match name.ends_with("_compression") {
+            true => "unpack it, for example with `gltf-transform copy packed.glb plain.glb`",
+            false => "export it again as plain glTF 2.0, without that extension",
+        };
+        return Err(Error::file(path, what, help));
+    }
+    Ok(())
+}
+
+/// The buffers of a document that hold nothing of their own: what refers to them is packed elsewhere.
+pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
+    let mut is_named = vec![false; root.buffers.len()];
+    let mut is_needed = vec![false; root.buffers.len()];
+    let mark = |flags: &mut Vec<bool>, buffer: usize| {
+        if let Some(flag) = flags.get_mut(buffer) {
+            *flag = true;
+        }
+    };
+    for view in &root.buffer_views {
+        mark(&mut is_named, view.buffer.value());
+        match meshopt_of(view) {
+            None => mark(&mut is_needed, view.buffer.value()),
+            Some(packed) => {
+                let source = packed.get("buffer").and_then(Value::as_u64);
+                mark(&mut is_needed, source.map_or(0, |b| b as usize));
+            }
+        }
+    }
+    let both = is_named.iter().zip(&is_needed);
+    both.map(|(named, needed)| *named && !needed).collect()
+}
+
+/// Unpacks all views and primitives; what comes out is in buffers that are added.
+pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), String> {
+    let packed = buffers.iter().map(|b| b.len() as u64).sum();
+    let mut room = Room(most_unpacked(packed));
+    for number in 0..root.buffer_views.len() {
+        let Some(packed) = meshopt_of(&root.buffer_views[number]) else {
+            continue;
+        };
+        let at = |what: String| format!("buffer view {number} ({MESHOPT}): {what}");
+        let packed: PackedView = said(packed).map_err(at)?;
+        let view = &root.buffer_views[number];
+        let bytes = packed.unpack(view, buffers, &mut room).map_err(at)?;
+        let buffer = add_buffer(root, buffers, bytes);
+        let view = &mut root.buffer_views[number];
+        view.buffer = buffer;
+        view.byte_offset = None;
+    }
+    for mesh in 0..root.meshes.len() {
+        for primitive in 0..root.meshes[mesh].primitives.len() {
+            let of = &root.meshes[mesh].primitives[primitive];
+            let others = of.extensions.as_ref().map(|e| &e.others);
+            let Some(packed) = others.and_then(|others| others.get(DRACO)) else {
+                continue;
+            };
+            let at = |what: String| format!("mesh {mesh}, primitive {primitive} ({DRACO}): {what}");
+            let packed: draco::Packed = said(packed).map_err(at)?;
+            let place = [mesh, primitive];
+            draco::unpack(root, buffers, place, &packed, &mut room).map_err(at)?;
+        }
+    }
+    Ok(())
+}
+
+/// How many bytes may still come out.
+pub(super) struct Room(pub(super) u64);
+
+impl Room {
+    pub(super) fn take(&mut self, bytes: usize) -> Result<(), String> {
+        self.0 = self.0.checked_sub(bytes as u64).ok_or(
+            "it unpacks to more bytes than are read for a file of its size: unpack it by another program",
+        )?;
+        Ok(())
+    }
+}
+
+/// Puts bytes into a buffer of their own.
+pub(super) fn add_buffer(
+    root: &mut Root,
+    buffers: &mut Vec<Vec<u8>>,
+    bytes: Vec<u8>,
+) -> Index<Buffer> {
+    let buffer = Index::new(buffers.len() as u32);
+    root.buffers.push(Buffer {
+        byte_length: USize64::from(bytes.len()),
+        name: None,
+        uri: None,
+        extensions: None,
+        extras: None,
+    });
+    buffers.push(bytes);
+    buffer
+}
+
+/// The bytes of a range of a buffer.
+pub(super) fn range(
+    buffers: &[Vec<u8>],
+    buffer: usize,
+    from: usize,
+    length: usize,
+) -> Result<&[u8], String> {
+    let held = buffers.get(buffer);
+    held.and_then(|held| held.get(from..from.checked_add(length)?))
+        .ok_or_else(|| format!("its {length} bytes are not in buffer {buffer}"))
+}
+
+fn meshopt_of(view: &View) -> Option<&Value> {
+    let others: &Map<String, Value> = &view.extensions.as_ref()?.others;
+    others.get(MESHOPT)
+}
+
+/// What an extension says.
+fn said<'a, T: Deserialize<'a>>(value: &'a Value) -> Result<T, String> {
+    T::deserialize(value).map_err(|e| e.to_string())
+}
+
+/// What the extension says of a view.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct PackedView {
+    buffer: usize,
+    #[serde(default)]
+    byte_offset: usize,
+    byte_length: usize,
+    byte_stride: usize,
+    count: usize,
+    mode: String,
+    filter: Option<String>,
+}
+
+impl PackedView {
+    fn unpack(&self, view: &View, buffers: &[Vec<u8>], room: &mut Room) -> Result<Vec<u8>, String> {
+        let packing = Packing {
+            mode: named("mode", &self.mode, &Mode::NAMED)?,
+            filter: named(
+                "filter",
+                self.filter.as_deref().unwrap_or("NONE"),
+                &Filter::NAMED,
+            )?,
+            stride: self.byte_stride,
+            count: self.count,
+        };
+        let length = self.count.checked_mul(self.byte_stride);
+        if length.map(|n| n as u64) != Some(view.byte_length.0) {
+            let (count, stride, view) = (self.count, self.byte_stride, view.byte_length.0);
+            return Err(format!(
+                "{count} elements of {stride} bytes are not the {view} bytes of the view"
+            ));
+        }
+        room.take(length.unwrap_or(usize::MAX))?;
+        let stream = range(buffers, self.buffer, self.byte_offset, self.byte_length)?;
+        packing.unpack(stream)
+    }
+}
+
+fn named<T: Copy>(what: &str, name: &str, known: &[(&str, T)]) -> Result<T, String> {
+    let found = known.iter().find(|(known, _)| *known == name);
+    found
+        .map(|(_, value)| *value)
+        .ok_or_else(|| format!("its {what} {name:?} is not known"))
+}

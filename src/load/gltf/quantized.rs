@@ -1,0 +1,39 @@
+//! Triples of numbers: floating-point ones, or whole ones as `KHR_mesh_quantization` has them, as they are or as shares of the greatest.
+
+use gltf::Accessor;
+use gltf::accessor::{DataType, Item};
+
+use super::accessor::{VEC3, items};
+
+/// The triples of an accessor.
+pub(super) fn triples(
+    accessor: Accessor<'_>,
+    buffers: &[Vec<u8>],
+) -> Result<Vec<[f32; 3]>, String> {
+    match accessor.data_type() {
+        DataType::I8 => whole(accessor, buffers, i8::MAX),
+        DataType::U8 => whole(accessor, buffers, u8::MAX),
+        DataType::I16 => whole(accessor, buffers, i16::MAX),
+        DataType::U16 => whole(accessor, buffers, u16::MAX),
+        _ => items(accessor, VEC3, buffers),
+    }
+}
+
+fn whole<T: Item + Copy + Into<f64>>(
+    accessor: Accessor<'_>,
+    buffers: &[Vec<u8>],
+    most: T,
+) -> Result<Vec<[f32; 3]>, String> {
+    let are_shares = accessor.normalized();
+    let triples: Vec<[T; 3]> = items(accessor, VEC3, buffers)?;
+    let number = |c: T| match are_shares {
+        true => share(c, most) as f32,
+        false => c.into() as f32,
+    };
+    Ok(triples.into_iter().map(|t| t.map(number)).collect())
+}
+
+/// A whole number as a share of the greatest of its type; the least of signed types is -1, too.
+pub(super) fn share<T: Into<f64>>(number: T, most: T) -> f64 {
+    (number.into() / most.into()).max(-1.0)
+}

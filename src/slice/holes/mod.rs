@@ -1,0 +1,285 @@
+//! Holes of open meshes, closed by triangles between the vertices that they have: planar ones of any size, and small ones.
+//!
+//! A hole is a closed way along edges that one triangle has. It is
+//! - *planar* where no vertex of it is further from a plane than [`PLANAR`] of the hole's size. Its triangles are those of the constrained
+//!   Delaunay triangulation that caps have; holes in one plane are filled together, so that the end of a pipe is a ring. Where edges
+//!   cross, or pass through vertices, nothing is filled.
+//! - *small* where it has [`SMALL_EDGES`] edges at most, or is no longer around than [`SMALL_SHARE`] of the diagonal of the mesh's box and
+//!   has [`MOST_EDGES`] edges at most. Its triangles are those of least area in all (Barequet & Sharir, *Filling gaps in the boundary of
+//!   a polyhedron*, 1995).
+//!
+//! What is neither stays open. No triangle is added that folds back onto its neighbour, which is what would close a sheet, or that
+//! has an edge between two vertices that have one already, where three or four triangles would meet. So each open edge of a closed hole
+//! has two triangles, turned alike, and all other edges of them too. Vertices stay as they are, and so do the triangles that there are.
+//!
+//! Cost: a sort of the edges; for planar holes n log n in their edges, for small ones their cube, some ten milliseconds for 256 edges.
+//! Limits: edges between triangles that disagree which side is out, and edges of three triangles, are around no hole. Whether what closes
+//! a small hole meets other triangles further away is not looked at. Triangles that stand alone within a hole that is not planar stay alone.
+
+mod parts;
+mod planar;
+mod rims;
+mod small;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec3;
+
+use crate::scene::topology::EdgeUses;
+use crate::scene::{Bounds, Mesh};
+
+#[cfg(feature = "io")]
+pub(crate) use parts::close_holes_of;
+use planar::Plane;
+
+/// How far from a plane vertices of a planar hole may be, as a share of the diagonal of the hole's box: the rounding of a small hole
+/// far from the origin, in f32.
+const PLANAR: f64 = 1e-4;
+
+/// Edges of a small hole, however long.
+const SMALL_EDGES: usize = 12;
+
+/// Length of the edges of a small hole together, as a share of the diagonal of the mesh's box.
+const SMALL_SHARE: f64 = 0.5;
+
+/// Most edges of a hole that is closed because it is short.
+const MOST_EDGES: usize = 256;
+
+/// Cosine of the angle between the normals of neighbours beyond which one is folded back onto the other: 179 degrees.
+const FOLDED: f64 = -0.999_85;
+
+/// A closed way along open edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hole {
+    /// Its vertices in order, so that triangles inside of it are turned as their neighbours are.
+    pub vertices: Vec<u32>,
+    /// Why it stays open, if it does.
+    pub defect: Option<HoleDefect>,
+}
+
+/// Why a hole is not closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum HoleDefect {
+    /// It is neither planar nor small.
+    #[error("neither planar nor small")]
+    Large,
+    /// What would close it lies on its neighbours, as for the rim of a sheet.
+    #[error("closed it would lie on its own surface")]
+    Folded,
+    /// It is planar, and its edges cross, or pass through vertices.
+    #[error("its edges cross or touch")]
+    Crossing,
+    /// Every way to close it needs an edge that there is already.
+    #[error("what closes it would meet other triangles in an edge")]
+    Taken,
+}
+
+/// What closes a mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Closing {
+    /// Triangles to be added.
+    pub triangles: Vec<[u32; 3]>,
+    /// All holes, in the order of their least vertices.
+    pub holes: Vec<Hole>,
+    /// Open edges that are around no hole.
+    pub loose_edges: usize,
+}
+
+/// What closes the planar and small holes of a mesh. Indices must be in range ([`Mesh::defect`]).
+///
+/// ```
+/// use cutaway::generate::shapes::shape;
+/// use cutaway::slice::close_holes;
+///
+/// let cube = shape("cube")?.remove(0);
+/// let mut mesh = (*cube.mesh).clone();
+/// assert_eq!(close_holes(&mesh).triangles.len(), 0);
+/// mesh.triangles.truncate(10);
+/// let closing = close_holes(&mesh);
+/// mesh.triangles.extend(closing.triangles);
+/// assert!(mesh.open_edges().is_empty() && (mesh.volume() - cube.mesh.volume()).abs() < 1e-12);
+/// # Ok::<(), cutaway::Error>(())
+/// ```
+pub fn close_holes(mesh: &Mesh) -> Closing {
+    let rims = rims::rims(&mesh.triangles);
+    if rims.loops.is_empty() {
+        return Closing {
+            loose_edges: rims.loose,
+            ..Closing::default()
+        };
+    }
+    let mut surface = Surface::around(mesh, &rims);
+    let planes: Vec<Option<Plane>> = (rims.loops.iter())
+        .map(|rim| Plane::of(mesh, rim))
+        .collect();
+    let mut closing = Closing {
+        holes: (rims.loops.into_iter())
+            .map(|vertices| Hole {
+                vertices,
+                defect: Some(HoleDefect::Large),
+            })
+            .collect(),
+        loose_edges: rims.loose,
+        ..Closing::default()
+    };
+    let diagonal = mesh.bounds().size().length();
+    for group in planar::groups(&planes, diagonal) {
+        let together = group.len() > 1 && surface.close(&mut closing, &group, &planes).is_ok();
+        if !together {
+            for hole in group {
+                let closed = surface.close(&mut closing, &[hole], &planes);
+                closing.holes[hole].defect = closed.err();
+            }
+        }
+    }
+    for hole in 0..closing.holes.len() {
+        let may_be_small = matches!(
+            closing.holes[hole].defect,
+            Some(HoleDefect::Large | HoleDefect::Taken)
+        );
+        let rim = &closing.holes[hole].vertices;
+        if !may_be_small || !small::is_small(mesh, rim, diagonal) {
+            continue;
+        }
+        let found = small::triangles(mesh, rim, |ends| surface.has(ends));
+        let closed = match found {
+            Some(triangles) => {
+                surface.add(&mut closing.triangles, &[hole], &closing.holes, triangles)
+            }
+            None => Err(HoleDefect::Taken),
+        };
+        closing.holes[hole].defect = closed.err();
+    }
+    closing
+}
+
+/// What is known of the surface at its holes.
+struct Surface<'a> {
+    mesh: &'a Mesh,
+    /// The normals of triangles at open edges, by the edges as holes have them.
+    normals: BTreeMap<[u32; 2], DVec3>,
+    /// Edges between vertices of holes, the lesser vertex first.
+    edges: BTreeSet<[u32; 2]>,
+}
+
+impl<'a> Surface<'a> {
+    fn around(mesh: &'a Mesh, rims: &rims::Rims) -> Self {
+        let mut is_rim = vec![false; mesh.positions.len()];
+        for vertex in rims.loops.iter().flatten() {
+            is_rim[*vertex as usize] = true;
+        }
+        let mut surface = Self {
+            mesh,
+            normals: BTreeMap::new(),
+            edges: BTreeSet::new(),
+        };
+        for ([low, high], uses) in EdgeUses::of(&mesh.triangles).runs() {
+            if !(is_rim[low as usize] && is_rim[high as usize]) {
+                continue;
+            }
+            surface.edges.insert([low, high]);
+            let mut uses = uses;
+            if let (Some(only), None) = (uses.next(), uses.next()) {
+                let edge = if only.is_down {
+                    [low, high]
+                } else {
+                    [high, low]
+                };
+                let corners = mesh.corners(only.triangle as usize);
+                surface.normals.insert(edge, normal(corners));
+            }
+        }
+        surface
+    }
+
+    fn has(&self, ends: [u32; 2]) -> bool {
+        self.edges.contains(&sorted(ends))
+    }
+
+    /// Closes holes in one plane.
+    fn close(
+        &mut self,
+        closing: &mut Closing,
+        holes: &[usize],
+        planes: &[Option<Plane>],
+    ) -> Result<(), HoleDefect> {
+        let plane = planes[holes[0]].as_ref().ok_or(HoleDefect::Large)?;
+        let rims: Vec<&[u32]> = (holes.iter())
+            .map(|hole| closing.holes[*hole].vertices.as_slice())
+            .collect();
+        let triangles = plane.triangles(self.mesh, &rims)?;
+        self.add(&mut closing.triangles, holes, &closing.holes, triangles)?;
+        for hole in holes {
+            closing.holes[*hole].defect = None;
+        }
+        Ok(())
+    }
+
+    /// Adds the triangles of some holes, if they close exactly those and agree with the surface.
+    fn add(
+        &mut self,
+        all: &mut Vec<[u32; 3]>,
+        numbers: &[usize],
+        holes: &[Hole],
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<(), HoleDefect> {
+        let mut open: BTreeSet<[u32; 2]> = BTreeSet::new();
+        for number in numbers {
+            open.extend(edges_of(&holes[*number].vertices));
+        }
+        let mut inner: BTreeMap<[u32; 2], i32> = BTreeMap::new();
+        for t in &triangles {
+            for [a, b] in edges_of(t) {
+                if open.remove(&[a, b]) {
+                    let folded = self.normals[&[a, b]].dot(normal(t.map(|i| self.at(i))));
+                    if folded < FOLDED {
+                        return Err(HoleDefect::Folded);
+                    }
+                } else {
+                    *inner.entry(sorted([a, b])).or_default() += if a < b { 1 } else { -1 };
+                }
+            }
+        }
+        let is_whole = open.is_empty() && inner.values().all(|net| *net == 0);
+        if !is_whole || inner.keys().any(|ends| self.edges.contains(ends)) {
+            return Err(HoleDefect::Taken);
+        }
+        self.edges.extend(inner.into_keys());
+        all.extend(triangles);
+        Ok(())
+    }
+
+    fn at(&self, vertex: u32) -> DVec3 {
+        self.mesh.positions[vertex as usize]
+    }
+}
+
+/// The edges of a closed way.
+fn edges_of(rim: &[u32]) -> impl Iterator<Item = [u32; 2]> {
+    let next = rim.iter().cycle().skip(1);
+    rim.iter().zip(next).map(|(a, b)| [*a, *b])
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The unit normal of a triangle, zero where it has none.
+fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a).normalize_or_zero()
+}
+
+/// Length of all edges of a closed way together.
+fn perimeter(points: &[DVec3]) -> f64 {
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
+}
+
+fn points_of(mesh: &Mesh, rim: &[u32]) -> Vec<DVec3> {
+    rim.iter().map(|i| mesh.positions[*i as usize]).collect()
+}
+
+fn box_of(points: &[DVec3]) -> Bounds {
+    Bounds::from_points(points.iter().copied())
+}

@@ -1,0 +1,155 @@
+//! The holes of parts closed, and what is to be said of it: how many, where, how large.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{
+    Closing, Hole, HoleDefect, MOST_EDGES, SMALL_EDGES, SMALL_SHARE, box_of, close_holes, perimeter,
+};
+use crate::scene::numbers::round;
+use crate::scene::weld::thousands;
+use crate::scene::{Grown, Mesh, Part};
+
+/// Holes that are told of one by one, of each sort of a part.
+const MOST_TOLD: usize = 4;
+
+/// Parts that are told of one by one.
+const MOST_PARTS_TOLD: usize = 16;
+
+/// Closes the planar and small holes of parts, and says which. Parts that share a mesh share what closes it; closed ones stay as they
+/// are.
+pub(crate) fn close_holes_of<'a>(parts: impl IntoIterator<Item = &'a mut Part>) -> Vec<String> {
+    let mut known: Vec<(Arc<Mesh>, Closing, Option<Grown>)> = Vec::new();
+    let mut notes = Vec::new();
+    let (mut untold, mut holes, mut closed) = (0, 0, 0);
+    for part in parts {
+        let found = (known.iter()).position(|(mesh, _, grown)| {
+            Arc::ptr_eq(mesh, &part.mesh) && grown.as_ref().is_none_or(|g| g.is_of(part))
+        });
+        let found = found.unwrap_or_else(|| {
+            let closing = close_holes(&part.mesh);
+            let triangles = Some(&closing.triangles).filter(|t| !t.is_empty());
+            let grown = triangles.map(|triangles| Grown::of(part, triangles));
+            known.push((Arc::clone(&part.mesh), closing, grown));
+            known.len() - 1
+        });
+        let (_, closing, grown) = &known[found];
+        let Some(note) = note(part, closing) else {
+            continue;
+        };
+        if notes.len() < MOST_PARTS_TOLD {
+            notes.push(note);
+        } else {
+            untold += 1;
+            holes += closing.holes.len();
+            closed += closing.closed();
+        }
+        if let Some(grown) = grown {
+            grown.apply(part);
+        }
+    }
+    if untold > 0 {
+        notes.push(format!(
+            "{} more parts: closed {} of {} holes",
+            thousands(untold),
+            thousands(closed),
+            thousands(holes)
+        ));
+    }
+    notes
+}
+
+impl Closing {
+    fn closed(&self) -> usize {
+        self.holes.iter().filter(|h| h.defect.is_none()).count()
+    }
+}
+
+/// What is said of a part, if it is open.
+fn note(part: &Part, closing: &Closing) -> Option<String> {
+    let loose = match closing.loose_edges {
+        0 => String::new(),
+        edges => format!("; {} open edges are around no hole", thousands(edges)),
+    };
+    if closing.holes.is_empty() {
+        return (closing.loose_edges > 0).then(|| format!("{}: closed no hole{loose}", part.name));
+    }
+    let (all, closed) = (closing.holes.len(), closing.closed());
+    let mut text = format!(
+        "{}: closed {} of {} {} with {} triangles",
+        part.name,
+        thousands(closed),
+        thousands(all),
+        if all == 1 { "hole" } else { "holes" },
+        thousands(closing.triangles.len())
+    );
+    let place = |hole: &&Hole| Place::of(part, hole);
+    let closed = closing.holes.iter().filter(|h| h.defect.is_none());
+    text.push_str(&list(": ", closed.map(|h| place(&h)).collect()));
+    for why in [
+        HoleDefect::Large,
+        HoleDefect::Folded,
+        HoleDefect::Crossing,
+        HoleDefect::Taken,
+    ] {
+        let left = closing.holes.iter().filter(|h| h.defect == Some(why));
+        let left: Vec<Place> = left.map(|h| place(&h)).collect();
+        if !left.is_empty() {
+            text.push_str(&list(&format!("; left open, {why}: "), left));
+        }
+        if why == HoleDefect::Large && closing.holes.iter().any(|h| h.defect == Some(why)) {
+            text.push_str(&format!(
+                " (small: {SMALL_EDGES} edges at most, or {MOST_EDGES} and {} % of the model's diagonal around)",
+                round(100.0 * SMALL_SHARE)
+            ));
+        }
+    }
+    text.push_str(&loose);
+    Some(text)
+}
+
+/// Where a hole is in the world, and how large.
+struct Place {
+    edges: usize,
+    around: f64,
+    middle: DVec3,
+}
+
+impl Place {
+    fn of(part: &Part, hole: &Hole) -> Self {
+        let at = |i: &u32| {
+            let p = part.mesh.positions[*i as usize];
+            part.world_from_part.transform_point3(p)
+        };
+        let points: Vec<DVec3> = hole.vertices.iter().map(at).collect();
+        Self {
+            edges: points.len(),
+            around: perimeter(&points),
+            middle: box_of(&points).centre(),
+        }
+    }
+}
+
+/// The longest of some holes, and how many there are beside.
+fn list(before: &str, mut places: Vec<Place>) -> String {
+    if places.is_empty() {
+        return String::new();
+    }
+    places.sort_by(|a, b| b.around.total_cmp(&a.around));
+    let told: Vec<String> = (places.iter().take(MOST_TOLD))
+        .map(|p| {
+            let [x, y, z] = p.middle.to_array().map(round);
+            format!(
+                "{} edges, {} around, at {x},{y},{z}",
+                p.edges,
+                round(p.around)
+            )
+        })
+        .collect();
+    let more = match places.len() - told.len() {
+        0 => String::new(),
+        more => format!(" and {} shorter ones", thousands(more)),
+    };
+    format!("{before}{}{more}", told.join("; "))
+}
