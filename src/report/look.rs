@@ -42,7 +42,7 @@ impl Look {
 }
 
 /// Kinds of methods with their looks.
-const TABLE: [(&str, Look); 20] = [
+const LOOKS: [(&str, Look); 20] = [
     ("raycast+mask", Look::new(0, Marker::Circle)),
     ("raycast+mask@compute", Look::new(5, Marker::Up)),
     ("raycast+mask@compute,32-bit", Look::new(5, Marker::Down)),
@@ -68,7 +68,7 @@ const TABLE: [(&str, Look); 20] = [
 /// How a method looks, by the name that records, experiments and charts have for it.
 pub(super) fn look(name: &str) -> Look {
     let kind = kind(name);
-    let found = TABLE.iter().find(|(known, _)| *known == kind);
+    let found = LOOKS.iter().find(|(known, _)| *known == kind);
     found.map_or_else(Look::default, |(_, look)| *look)
 }
 
@@ -94,11 +94,11 @@ mod tests {
 
     #[test]
     fn no_two_methods_look_alike() {
-        let mut looks: Vec<Look> = TABLE.iter().map(|(_, look)| *look).collect();
+        let mut looks: Vec<Look> = LOOKS.iter().map(|(_, look)| *look).collect();
         looks.push(Look::default());
         looks.sort();
         looks.dedup();
-        assert_eq!(looks.len(), TABLE.len() + 1);
+        assert_eq!(looks.len(), LOOKS.len() + 1);
     }
 
     #[test]

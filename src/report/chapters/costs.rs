@@ -25,12 +25,12 @@ const HEADING: [&str; 11] = [
 ];
 
 /// Columns before those of [`HEADING`]: the name, the outcome, and the errors.
-const BEFORE: usize = 2 + ERRORS.len();
+const COLUMNS_BEFORE: usize = 2 + ERRORS.len();
 
 /// Columns of [`HEADING`], counted from the first of all, that a scene with nothing cut has too.
-const RATIO: usize = BEFORE + 2;
-const RATIO_UNCUT: usize = BEFORE + 3;
-const FRAME: usize = BEFORE + 5;
+const RATIO: usize = COLUMNS_BEFORE + 2;
+const RATIO_UNCUT: usize = COLUMNS_BEFORE + 3;
+const FRAME: usize = COLUMNS_BEFORE + 5;
 
 /// A point, and what a row calls it beside the method; nothing where there is no other.
 pub(super) type Labelled<'a> = (String, &'a Record);
@@ -107,7 +107,7 @@ fn finished(mut grid: Grid) -> Vec<Block> {
 
 /// The cells of a scene with nothing cut, after the first.
 fn uncut(ratio: Cell, uncut: Cell, time: &Samples) -> Vec<Cell> {
-    let mut plain = vec![Cell::default(); BEFORE + HEADING.len() - 1];
+    let mut plain = vec![Cell::default(); COLUMNS_BEFORE + HEADING.len() - 1];
     plain[RATIO - 1] = ratio;
     plain[RATIO_UNCUT - 1] = uncut;
     plain[FRAME - 1] = timed(time);
@@ -135,7 +135,7 @@ fn strategy(found: &StrategyMeasurement, warnings: &[Warning]) -> Vec<Cell> {
     let mut cells = vec![outcome];
     let Some(c) = &found.comparison else {
         cells[0].tone = Tone::Faint;
-        cells.resize(BEFORE + HEADING.len() - 1, Cell::default());
+        cells.resize(COLUMNS_BEFORE + HEADING.len() - 1, Cell::default());
         return cells;
     };
     cells.extend(

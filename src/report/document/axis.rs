@@ -103,10 +103,10 @@ impl Scale {
                 if few.len() >= 3 {
                     return few;
                 }
-                linear_ticks([10_f64.powf(least), 10_f64.powf(most)], 4.0)
+                linear_ticks([10_f64.powf(least), 10_f64.powf(most)], 6.0)
             }
             ..2.5 => within(&[1.0, 2.0, 5.0], 1),
-            ..4.0 => within(&[1.0, 3.0], 1),
+            ..3.0 => within(&[1.0, 3.0], 1),
             ..9.0 => within(&[1.0], 1),
             _ => within(&[1.0], 2),
         }

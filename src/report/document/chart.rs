@@ -97,7 +97,7 @@ const SMALL: Frame = Frame {
 };
 
 /// Width of a letter of a name at the end of a line.
-const LETTER: f64 = 7.0;
+const NAME_LETTER: f64 = 7.0;
 
 impl Chart {
     fn marks(&self) -> impl Iterator<Item = &Mark> {
@@ -156,7 +156,7 @@ impl Chart {
         let longest = names.iter().map(|(name, _)| name.chars().count()).max();
         let [left, mut right, top, bottom] = LARGE.sides;
         if names.len() > 1 {
-            right -= (longest.unwrap_or(0) as f64 * LETTER).min(200.0);
+            right -= (longest.unwrap_or(0) as f64 * NAME_LETTER).min(200.0);
         }
         let frame = Frame {
             sides: [left, right, top, bottom],
@@ -181,7 +181,7 @@ impl Chart {
         let [left, _, _, bottom] = frame.sides;
         // Not over the words of the axes.
         let within = [left, frame.size[0], 0.0, bottom + 3.0];
-        ends::placed(&placed.collect::<Vec<_>>(), within, LETTER)
+        ends::placed(&placed.collect::<Vec<_>>(), within, NAME_LETTER)
     }
 
     fn svg(
@@ -239,7 +239,7 @@ impl Chart {
         let room = (right - left) / along_x.len().max(1) as f64;
         // Words that are longer than their room are slanted.
         let is_slanted = !self.x.categories.is_empty()
-            && widest.unwrap_or(0) as f64 * LETTER > room.max(frame.between_ticks);
+            && widest.unwrap_or(0) as f64 * NAME_LETTER > room.max(frame.between_ticks);
         let middle = (top + bottom) * 0.5;
         let along_x = if is_slanted || !self.x.categories.is_empty() {
             along_x

@@ -72,22 +72,25 @@ pub(super) fn pieces(grid: &Grid) -> Vec<Grid> {
     let Some((first, others)) = widths.split_first() else {
         return vec![grid.clone()];
     };
-    let count = (others.iter().sum::<f64>() / (PAGE - first).max(1.0)).ceil();
-    // Pieces of about one width read better than a full one and a rest.
-    let room = others.iter().sum::<f64>() / count.max(1.0) + first;
-    let mut pieces: Vec<Vec<usize>> = vec![vec![0]];
-    let mut used = *first;
-    for (index, width) in others.iter().enumerate() {
-        let is_alone = pieces.last().is_none_or(|p| p.len() == 1);
-        if !is_alone && (used + width > PAGE || used >= room) {
-            pieces.push(vec![0]);
-            used = *first;
+    let split = |room: f64| {
+        let mut pieces: Vec<Vec<usize>> = vec![vec![0]];
+        let mut used = *first;
+        for (index, width) in others.iter().enumerate() {
+            let is_alone = pieces.last().is_none_or(|p| p.len() == 1);
+            if !is_alone && (used + width > PAGE || used >= room) {
+                pieces.push(vec![0]);
+                used = *first;
+            }
+            if let Some(piece) = pieces.last_mut() {
+                piece.push(index + 1);
+            }
+            used += width;
         }
-        if let Some(piece) = pieces.last_mut() {
-            piece.push(index + 1);
-        }
-        used += width;
-    }
+        pieces
+    };
+    // Pieces of about one width read better than full ones and a rest.
+    let count = split(PAGE).len() as f64;
+    let pieces = split(others.iter().sum::<f64>() / count + first);
     let of = |columns: &Vec<usize>| Grid {
         label: grid.label.clone(),
         heading: columns.iter().map(|c| grid.heading[*c].clone()).collect(),
