@@ -5,10 +5,8 @@
 
 use std::cmp::Reverse;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
-use glam::DVec3;
 use rayon::prelude::*;
 
 mod planes;
@@ -28,7 +26,7 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{self, Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
 use crate::scene::numbers::round;
-use crate::scene::{Bounds, Fill, Part, Scene, doubts, who_wins};
+use crate::scene::{Fill, Part, Scene, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
@@ -221,7 +219,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
             if !planes.iter().any(|p| is_cut(&p)) {
                 return planes.iter().map(|_| Sliced::Missed).collect();
             }
-            let (slicer, bounds) = slicer_of(part);
+            let (slicer, bounds) = (Slicer::of_part(part), part.bounds_in_world());
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
                 if !is_cut(&p) {
                     return Sliced::Missed;
@@ -286,26 +284,6 @@ impl Sliced {
 
 fn is_nothing(section: &Section) -> bool {
     section.is_empty() && section.defects.is_empty()
-}
-
-/// The slicer of a part as it stands in the world, and its bounds.
-fn slicer_of(part: &Part) -> (Slicer, Bounds) {
-    let mesh = part.posed_mesh();
-    let placed = part.world_from_part;
-    let positions: Vec<DVec3> = (mesh.positions.par_iter())
-        .map(|p| placed.transform_point3(*p))
-        .collect();
-    let bounds = Bounds::from_points(positions.iter().copied());
-    if placed.matrix3.determinant() >= 0.0 {
-        return (Slicer::new(Arc::new(positions), &mesh.triangles), bounds);
-    }
-    // What a placement mirrors is turned round, so that outside stays outside.
-    let turned: Vec<[u32; 3]> = mesh
-        .triangles
-        .iter()
-        .map(|[a, b, c]| [*a, *c, *b])
-        .collect();
-    (Slicer::new(Arc::new(positions), &turned), bounds)
 }
 
 fn to_text(report: &SectionReport) -> String {

@@ -109,6 +109,11 @@ pub fn encoded(format: Format, solids: &[Solid<'_>], stem: &str, unit: &str) -> 
     }
 }
 
+/// The bytes of a PLY file of a mesh alone, without a name and without colours, as [`load`](crate::load) reads it back to the last bit.
+pub fn plain_ply(mesh: &Mesh) -> Vec<u8> {
+    ply::plain(mesh)
+}
+
 /// The material library of an OBJ file.
 pub fn material_library(solids: &[Solid<'_>]) -> Vec<u8> {
     obj::material_library(solids).into_bytes()

@@ -26,7 +26,6 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-#[cfg(feature = "boolean")]
 pub(super) use self::scene::in_world;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
