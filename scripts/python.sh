@@ -1,9 +1,8 @@
 #!/bin/sh
 # Builds the Python module as a wheel, installs it into a fresh environment, and tests it there.
 #
-# Wheel and environments are in target/python. The profile is `dev`, of which dependencies are likely to be built already: on two cores it
-# takes some 3 minutes then, and tests draw real frames all the same. For a wheel that is to be kept: PYTHON_PROFILE=release, some
-# 10 minutes. `pip install ./python` builds by `release` too.
+# Wheel and environments are in target/python. The profile is `dev`, of which dependencies are likely to be built already; a wheel that is
+# to be kept is built by PYTHON_PROFILE=release, as `pip install ./python` does by itself.
 set -eu
 
 cd "$(dirname "$0")/.."

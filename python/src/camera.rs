@@ -22,7 +22,7 @@ pub(crate) fn aim(document: &mut Document, values: Vec<(String, Value)>) -> Resu
     } else {
         Vec::new()
     };
-    for key in contradicted.iter().filter(|key| !says(&[key])) {
+    for key in contradicted.iter().filter(|key| !says(&[**key])) {
         document.remove(&format!("camera.{key}"))?;
     }
     if says(&["projection"]) {

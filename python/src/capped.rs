@@ -2,7 +2,7 @@
 
 use cutaway::scene::Mesh;
 use cutaway::slice::{CappedPart, Half, capped_with};
-use cutaway::{Error, Scene as Cut};
+use cutaway::{Error, Scene as Shown};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -59,11 +59,11 @@ impl Flat {
         }
     }
 
-    fn to_python<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn into_python<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let half = PyDict::new(py);
-        half.set_item("vertices", rows(py, self.vertices.clone())?)?;
-        half.set_item("faces", rows(py, self.faces.clone())?)?;
-        half.set_item("caps", self.caps.clone().into_pyarray(py))?;
+        half.set_item("vertices", rows(py, self.vertices)?)?;
+        half.set_item("faces", rows(py, self.faces)?)?;
+        half.set_item("caps", self.caps.into_pyarray(py))?;
         half.set_item("volume", self.volume)?;
         half.set_item("cap_area", self.cap_area)?;
         half.set_item("open", self.open)?;
@@ -86,13 +86,13 @@ pub(crate) fn capped<'py>(
 ) -> PyResult<Bound<'py, PyList>> {
     let divided = detached(py, || divided(scene, relief_cells, asked))?;
     let parts = PyList::empty(py);
-    for part in &divided {
+    for part in divided {
         let entry = PyDict::new(py);
-        entry.set_item("name", &part.name)?;
-        entry.set_item("kept", part.kept.to_python(py)?)?;
-        entry.set_item("removed", part.removed.to_python(py)?)?;
+        entry.set_item("name", part.name)?;
+        entry.set_item("kept", part.kept.into_python(py)?)?;
+        entry.set_item("removed", part.removed.into_python(py)?)?;
         entry.set_item("relief_off", part.relief_off)?;
-        entry.set_item("doubts", &part.doubts)?;
+        entry.set_item("doubts", part.doubts)?;
         parts.append(entry)?;
     }
     Ok(parts)
@@ -112,7 +112,7 @@ fn divided(scene: &Scene, relief_cells: u32, asked: Asked) -> Result<Vec<Divided
     Ok(parts.iter().map(|part| of_part(&shown, part)).collect())
 }
 
-fn of_part(shown: &Cut, part: &CappedPart) -> Divided {
+fn of_part(shown: &Shown, part: &CappedPart) -> Divided {
     // Clip-surfaces are numbered through all cuts, a cutter after the others of its cut.
     let before = |cut: usize| -> usize {
         let cuts = shown.cuts[..cut].iter();

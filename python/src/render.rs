@@ -165,7 +165,7 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     }
     let fineness = settings.supersample.unwrap_or(USUAL_SUPERSAMPLE);
     let image = picture::draw(session, at, &view, renderer, fineness)?.image;
-    let of_cut = |number: usize| scene.cuts.get(number).map(|cut| cut.name.clone());
+    let of_cut = |number: usize| prepared.cuts.get(number).map(|cut| cut.name.clone());
     Ok(Drawn {
         size_px: view.size_px,
         rgba: image.into_raw(),

@@ -117,7 +117,7 @@ fn sliced(scene: &Scene, spec: &str, asked: Asked) -> Result<Sliced> {
             let at: DVec2 = found.points[*number as usize];
             axes.uv(near.point(at))
         };
-        let ring = |points: &Vec<u32>| points.iter().map(point).collect();
+        let ring = |points: &Vec<u32>| -> Ring { points.iter().map(point).collect() };
         for polygon in found.polygons() {
             let holes = polygon.holes.iter().map(ring).collect();
             let named = (ring(&polygon.outer), holes, part.name.clone());

@@ -53,7 +53,8 @@ fn value_within(object: &Bound<'_, PyAny>, room: usize) -> PyResult<Value> {
     if object.hasattr("tolist")? {
         return value_within(&object.call_method0("tolist")?, room);
     }
-    let Ok(items) = object.try_iter() else {
+    // What has a length ends.
+    let (Ok(_), Ok(items)) = (object.len(), object.try_iter()) else {
         return Err(refused(object, "it is no value of a scene"));
     };
     let node = |item: PyResult<Bound<'_, PyAny>>| Ok(Node::new(value_within(&item?, room)?));
