@@ -17,10 +17,10 @@ class CutawayWarning(UserWarning):
     """A doubt about a result: an open mesh, a cut that misses, a buffer that was too small."""
 
 
-def warn(doubts: Sequence[str], stacklevel: int = 3) -> None:
-    """Warns of doubts on behalf of the caller of a public method."""
+def warn(doubts: Sequence[str]) -> None:
+    """Warns of doubts, for a public method: of the line that called it."""
     for doubt in doubts:
-        warnings.warn(doubt, CutawayWarning, stacklevel=stacklevel + 1)
+        warnings.warn(doubt, CutawayWarning, stacklevel=3)
 
 
 @dataclass(frozen=True, repr=False)
@@ -166,7 +166,7 @@ class Solid:
         return self.vertices, self.faces
 
     def __repr__(self) -> str:
-        return f"Solid({self.name!r}, {len(self.faces)} faces, volume={self.volume:.6g}, cap_area={self.cap_area:.6g})"
+        return f"{type(self).__name__}({self.name!r}, {len(self.faces)} faces, volume={self.volume:.6g}, cap_area={self.cap_area:.6g})"
 
 
 def together(solids: Sequence[Solid]) -> Solid:
