@@ -1,11 +1,11 @@
-# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`, `make web`, `make check-web`, `make archive`. All install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. All install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: archive check-web demo gallery test setup web
+.PHONY: archive check-web demo gallery python test setup web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
@@ -24,6 +24,10 @@ web:
 check-web: setup web
 	$(CARGO) build --release --quiet
 	scripts/check-web.sh
+
+# The Python module: its wheel in target/python/wheels, installed into a fresh environment and tested there. See scripts/python.sh.
+python: setup
+	CARGO="$(CARGO)" scripts/python.sh
 
 # What a release offers for download: target/archive/cutaway-VERSION-TARGET.tgz.
 archive:

@@ -54,11 +54,13 @@ fn sources() -> BTreeMap<String, String> {
     sources
 }
 
-/// Sources of the library and of the window.
+/// Sources of the library, of the window and of the Python module.
 fn all_sources() -> BTreeMap<String, String> {
-    let of_viewer = files("viewer/src", "rs").into_iter();
-    let named = of_viewer.map(|(name, text)| (format!("viewer/src/{name}"), text));
-    sources().into_iter().chain(named).collect()
+    let of_others = ["viewer/src", "python/src"].into_iter().flat_map(|folder| {
+        let named = move |(name, text)| (format!("{folder}/{name}"), text);
+        files(folder, "rs").into_iter().map(named)
+    });
+    sources().into_iter().chain(of_others).collect()
 }
 
 /// Source without comments and without what `#[cfg(test)]` guards to the end of its item.

@@ -11,17 +11,15 @@ use super::console::{Console, ConsoleArgs};
 use super::judge::{self, judge};
 use super::look::Usual;
 use super::output::{Output, checked_folder, write_file, write_stdout};
-use super::picture;
 use super::places::paths_of;
 use super::subject::Subject;
 use super::when::TimeArgs;
+use crate::Result;
 use crate::compare::legend;
-use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime};
-use crate::layers::Layer;
+use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime, check_memory, picture};
 use crate::report;
 use crate::session::Session;
 use crate::strategies::Means;
-use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -120,29 +118,6 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
         write_stdout(report::text(report).as_bytes())?;
     }
     Ok(verdict(report, args.max_decided_wrong, &console))
-}
-
-/// Most bytes of layers that a comparison may keep: those of exact, and of one frame for each renderer.
-const MOST_LAYER_BYTES: u64 = 8 << 30;
-
-/// Refuses what would take minutes to run out of memory.
-fn check_memory(size_px: [u32; 2], renderers: usize) -> Result<()> {
-    let [width, height] = size_px.map(u64::from);
-    let frames = renderers as u64 + 1;
-    let bytes = width * height * size_of::<Layer>() as u64 * frames;
-    if bytes <= MOST_LAYER_BYTES {
-        return Ok(());
-    }
-    let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
-    Err(Error::input(
-        format!("--resolution {width},{height}"),
-        format!(
-            "the layers of {frames} frames, exact and each strategy, would take {:.1} GiB of memory, and at most {:.0} are used",
-            gib(bytes),
-            gib(MOST_LAYER_BYTES)
-        ),
-        "lower --resolution, or name fewer --strategies",
-    ))
 }
 
 fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verdict {
@@ -295,20 +270,6 @@ mod tests {
         ];
         assert_eq!(names, expected);
         assert!(parse_renderers("stencil,").is_err(), "a name is missing");
-    }
-
-    #[test]
-    fn what_no_memory_would_hold_is_refused_at_once() {
-        assert!(check_memory([1024, 768], 40).is_ok(), "a usual comparison");
-        assert!(check_memory([8192, 8192], 1).is_ok(), "a large one");
-        let refused = check_memory([16_384, 16_384], 12).unwrap_err().to_string();
-        for phrase in [
-            "--resolution 16384,16384",
-            "13 frames",
-            "fewer --strategies",
-        ] {
-            assert!(refused.contains(phrase), "{refused}");
-        }
     }
 
     #[test]

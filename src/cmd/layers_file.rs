@@ -3,7 +3,7 @@
 //! `depth` is in the units of the model and infinite where there is nothing, `kind` is 0 for background, 1 for surface, 2
 //! for cap, `part` and `clip_surface` count from 0 in the order of the scene and are -1 where there is none,
 //! `normal.X`, `.Y`, `.Z` is a unit vector in the axes of the model, and `unreliable` is 1 where the pixel may be wrong
-//! ([`super::doubt`]). Numbers are exact: no channel is quantised.
+//! ([`may_be_wrong`](crate::compare::may_be_wrong)). Numbers are exact: no channel is quantised.
 //!
 //! A style that draws more than colours adds what it drew: `stroke` and `hatch` are the share of the pixel that strokes and lines of hatches
 //! cover, `cap.U` and `cap.V` where the pixel is on the plane that carries its hatch, to the right and up, and `occlusion` the share of the

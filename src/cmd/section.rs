@@ -5,7 +5,6 @@
 
 use std::cmp::Reverse;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::Args;
 use rayon::prelude::*;
@@ -29,8 +28,8 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
 use crate::scene::numbers::round;
-use crate::scene::{Bounds, Fill, LengthUnit, Part, Scene, doubts, who_wins};
-use crate::slice::{Section, Slicer, Trim, in_world};
+use crate::scene::{Fill, LengthUnit, Part, Scene, doubts, who_wins};
+use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -190,7 +189,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
             if !planes.iter().any(|p| is_cut(&p)) {
                 return planes.iter().map(|_| Sliced::Missed).collect();
             }
-            let (slicer, bounds) = slicer_of(part);
+            let (slicer, bounds) = (Slicer::of_part(part), part.bounds_in_world());
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
                 if !is_cut(&p) {
                     return Sliced::Missed;
@@ -255,16 +254,6 @@ impl Sliced {
 
 fn is_nothing(section: &Section) -> bool {
     section.is_empty() && section.defects.is_empty()
-}
-
-/// The slicer of a part as it stands in the world, and its bounds.
-fn slicer_of(part: &Part) -> (Slicer, Bounds) {
-    let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
-    let bounds = mesh.bounds();
-    (
-        Slicer::new(Arc::new(mesh.positions), &mesh.triangles),
-        bounds,
-    )
 }
 
 fn to_text(report: &SectionReport) -> String {

@@ -24,8 +24,10 @@
 //! Errors of depth and normal are taken where the pixel is right and decided, in depth too: where sampling is ambiguous,
 //! both answers are right and lie far apart.
 
+mod doubt;
 mod heatmap;
 
+pub use doubt::may_be_wrong;
 pub use heatmap::{Class, LegendEntry, heatmap, heatmap_overlay, legend};
 
 use serde::{Deserialize, Serialize};

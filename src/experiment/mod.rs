@@ -11,7 +11,9 @@ pub mod figures;
 mod identity;
 mod judge;
 mod measurement;
+mod memory;
 mod parameter;
+pub mod picture;
 mod picture_flicker;
 mod record;
 mod renderer;
@@ -29,6 +31,7 @@ pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_s
 pub use measurement::{
     Ending, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
 };
+pub use memory::check_memory;
 pub use parameter::{Parameter, Parameters};
 pub use record::{
     Bound, CaseRecord, CaseRecords, Expectation, FamilyMember, Invocation, Machine, Picture,

@@ -159,6 +159,11 @@ fn rounded(positions: &[Vec3], triangle: &[u32; 3]) -> Option<[Vec3; 3]> {
     (a != b && b != c && c != a).then_some([a, b, c])
 }
 
+/// The bytes of a PLY file of a mesh alone, without a name and without colours, as [`load`](crate::load) reads it back to the last bit.
+pub fn plain_ply(mesh: &Mesh) -> Vec<u8> {
+    ply::plain(mesh)
+}
+
 /// The material library of an OBJ file.
 pub fn material_library(solids: &[Solid<'_>]) -> Vec<u8> {
     obj::material_library(solids).into_bytes()

@@ -1,6 +1,10 @@
-//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap.
+//! Binary PLY, little-endian: vertices as `double`, faces with their colour, the number of their part, and whether they are a cap. And
+//! without any of that, for meshes that have no look of their own.
+
+use glam::DVec3;
 
 use super::{Solid, bytes_of};
+use crate::scene::Mesh;
 
 pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
     let total = |of: fn(&Solid<'_>) -> usize| solids.iter().map(of).sum::<usize>();
@@ -10,28 +14,17 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
         let name: String = solid.name.chars().filter(|c| !c.is_control()).collect();
         format!("comment part {i} {name}\n")
     });
-    let header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment written by cutaway\n{}element vertex {vertices}\n\
-         property double x\nproperty double y\nproperty double z\nelement face {faces}\n\
-         property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
-         property int part\nproperty uchar cap\nend_header\n",
-        names.collect::<String>()
-    );
+    let of_faces = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int part\nproperty uchar cap\n";
+    let header = header(&names.collect::<String>(), vertices, faces, of_faces);
     let mut bytes = Vec::with_capacity(header.len() + 24 * vertices + 21 * faces);
     bytes.extend_from_slice(header.as_bytes());
-    let coordinates = solids.iter().flat_map(|s| &s.mesh.positions);
-    for coordinate in coordinates.flat_map(|p| p.to_array()) {
-        bytes.extend_from_slice(&coordinate.to_le_bytes());
-    }
+    put_vertices(&mut bytes, solids.iter().flat_map(|s| &s.mesh.positions));
     let mut first = 0;
     for (part, solid) in (0_i32..).zip(solids) {
         let colors = [solid.color, solid.cap_color].map(bytes_of);
         for (index, triangle) in solid.mesh.triangles.iter().enumerate() {
             let is_cap = index >= solid.faces;
-            bytes.push(3);
-            for corner in triangle {
-                bytes.extend_from_slice(&(first + corner).to_le_bytes());
-            }
+            put_face(&mut bytes, triangle.map(|corner| first + corner));
             let own = solid.face_colors.as_ref().and_then(|c| c.get(index));
             bytes.extend_from_slice(own.unwrap_or(&colors[usize::from(is_cap)]));
             bytes.extend_from_slice(&part.to_le_bytes());
@@ -40,4 +33,63 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
         first += solid.mesh.positions.len() as u32;
     }
     bytes
+}
+
+/// A mesh alone.
+pub(super) fn plain(mesh: &Mesh) -> Vec<u8> {
+    let (vertices, faces) = (mesh.positions.len(), mesh.triangles.len());
+    let mut bytes = header("", vertices, faces, "").into_bytes();
+    bytes.reserve(24 * vertices + 13 * faces);
+    put_vertices(&mut bytes, mesh.positions.iter());
+    (mesh.triangles.iter()).for_each(|corners| put_face(&mut bytes, *corners));
+    bytes
+}
+
+fn header(comments: &str, vertices: usize, faces: usize, of_faces: &str) -> String {
+    format!(
+        "ply\nformat binary_little_endian 1.0\ncomment written by cutaway\n{comments}element vertex {vertices}\n\
+         property double x\nproperty double y\nproperty double z\nelement face {faces}\n\
+         property list uchar int vertex_indices\n{of_faces}end_header\n"
+    )
+}
+
+fn put_vertices<'a>(bytes: &mut Vec<u8>, positions: impl Iterator<Item = &'a DVec3>) {
+    for coordinate in positions.flat_map(|p| p.to_array()) {
+        bytes.extend_from_slice(&coordinate.to_le_bytes());
+    }
+}
+
+fn put_face(bytes: &mut Vec<u8>, corners: [u32; 3]) {
+    bytes.push(3);
+    for corner in corners {
+        bytes.extend_from_slice(&corner.to_le_bytes());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::*;
+    use crate::generate::shapes::shape;
+    use crate::load::{Memory, load_mesh_file_from};
+
+    #[test]
+    fn a_plain_mesh_is_read_back_to_the_last_bit() {
+        let mut mesh = Mesh::clone(&shape("knot").expect("a shape")[0].mesh);
+        mesh.positions.iter_mut().for_each(|p| *p *= 1.0 / 3.0);
+        mesh.corner_normals = None;
+        let mut store = Memory::default();
+        store.insert("knot.ply", plain(&mesh));
+        let path = PathBuf::from("knot.ply");
+        let loaded = load_mesh_file_from(&path, &store).expect("a mesh");
+        let read = &loaded.parts[0].mesh;
+        assert_eq!(
+            (&read.positions, &read.triangles),
+            (&mesh.positions, &mesh.triangles)
+        );
+        assert!(read.coat.is_none(), "it has no colours");
+        mesh.positions[0].x = mesh.positions[0].x.next_up();
+        assert_ne!(read.positions, mesh.positions, "one bit is seen");
+    }
 }

@@ -37,20 +37,20 @@ mod holes;
 mod loops;
 mod outline;
 mod plane;
+mod polygons;
 mod section;
 mod slicer;
 mod trim;
 
 #[cfg(feature = "boolean")]
 pub(crate) use boolean::is_at_work;
-#[cfg(feature = "cli")]
-pub(crate) use capped::in_world;
 pub use capped::{Cap, CappedPart, Half, Halves, RELIEF_CELLS, capped, capped_with, halves};
 pub use half_plane::HalfPlane;
 #[cfg(feature = "io")]
 pub(crate) use holes::close_holes_of;
 pub use holes::{Closing, Hole, HoleDefect, close_holes};
 pub use plane::SlicePlane;
+pub use polygons::Polygon;
 pub use section::{Loop, Section, SectionDefect};
 pub use slicer::Slicer;
 pub use trim::Trim;

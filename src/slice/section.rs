@@ -128,8 +128,13 @@ impl Section {
 
     /// Signed area within a loop, counter-clockwise positive, each point counted as often as the loop winds around it.
     pub fn loop_area(&self, one: &Loop) -> f64 {
-        let next = one.points.iter().cycle().skip(1);
-        let edges = one.points.iter().zip(next);
+        self.ring_area(&one.points)
+    }
+
+    /// [`Section::loop_area`] of points in a circle.
+    pub(super) fn ring_area(&self, ring: &[u32]) -> f64 {
+        let next = ring.iter().cycle().skip(1);
+        let edges = ring.iter().zip(next);
         self.shoelace(edges.map(|(a, b)| [*a, *b].map(|i| self.points[i as usize])))
     }
 

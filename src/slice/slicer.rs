@@ -5,12 +5,13 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use super::capped::in_world;
 use super::fill::{Filled, fill};
 use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::tree::{BRANCHES, Tree, sort};
-use crate::scene::{Bounds, Fill, Side};
+use crate::scene::{Bounds, Fill, Part, Side};
 
 /// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.
 #[derive(Debug)]
@@ -43,6 +44,12 @@ impl Slicer {
             triangles: usable,
             positions,
         }
+    }
+
+    /// Makes a part ready as it stands in the world, in its pose.
+    pub fn of_part(part: &Part) -> Self {
+        let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
+        Self::new(mesh.positions, &mesh.triangles)
     }
 
     /// The section by a plane, of the points that an odd number of crossings encloses.

@@ -6,8 +6,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::cmd::output::{checked_folder, write_file};
-use crate::cmd::picture;
 use crate::cmd::shard::Shard;
+use crate::experiment::picture;
 use crate::experiment::run::Measured;
 use crate::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis};
 use crate::gpu::AdapterReport;

@@ -139,7 +139,7 @@ fn divided<'a>(
 }
 
 /// A mesh as it stands in the world; what a placement mirrors is turned round, so that outside stays outside.
-pub(crate) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
+pub(in crate::slice) fn in_world(mesh: &Mesh, placed: &DAffine3) -> Mesh {
     let is_mirrored = placed.matrix3.determinant() < 0.0;
     let positions: Vec<DVec3> = (mesh.positions.par_iter())
         .map(|p| placed.transform_point3(*p))

@@ -32,7 +32,7 @@ fn is_nowhere(stretch: Stretch) -> bool {
 }
 
 /// For each pixel, whether it is marked and may be wrong.
-pub(super) fn may_be_wrong(layers: &Layers, prepared: &Prepared, view: &View) -> Vec<bool> {
+pub fn may_be_wrong(layers: &Layers, prepared: &Prepared, view: &View) -> Vec<bool> {
     let width = layers.size_px[0] as usize;
     let pixels = layers.pixels.par_iter().enumerate();
     let doubted = pixels.map(|(i, pixel)| {

@@ -18,15 +18,15 @@ use crate::strategies::{Refusal, Strategy};
 use crate::{Error, Result};
 
 /// A picture, and the frames that it was made of.
-pub(super) struct Picture {
+pub struct Picture {
     /// What it shows.
-    pub(super) image: RgbaImage,
+    pub image: RgbaImage,
     /// One for each sample, in order; none of exact.
-    pub(super) frames: Vec<Drawn>,
+    pub frames: Vec<Drawn>,
 }
 
 /// Draws a picture.
-pub(super) fn draw(
+pub fn draw(
     session: &mut Session,
     shown: &SceneAtTime,
     view: &View,
@@ -108,7 +108,7 @@ impl Samples {
 }
 
 /// The strategy of a renderer, by whatever means, as JSON names it.
-pub(super) fn strategy_name(renderer: Renderer) -> String {
+pub fn strategy_name(renderer: Renderer) -> String {
     match renderer.method() {
         Some(method) => method.strategy.to_string(),
         None => renderer.to_string(),
@@ -116,7 +116,7 @@ pub(super) fn strategy_name(renderer: Renderer) -> String {
 }
 
 /// The error of a strategy that does not draw what it was asked to.
-pub(super) fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
+pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
     let help = if renderer
         .method()
         .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
@@ -129,7 +129,7 @@ pub(super) fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
 }
 
 /// A picture as PNG.
-pub(super) fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
+pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
     let mut bytes = Cursor::new(Vec::new());
     picture
         .write_to(&mut bytes, ImageFormat::Png)
@@ -144,7 +144,7 @@ pub(super) fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
 }
 
 /// A picture of RGBA8 words, as they come from a session.
-pub(super) fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
+pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
     let mut samples = Samples::new(size_px, 1);
     samples.add([0, 0], rgba);
     filtered(&samples)

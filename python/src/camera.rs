@@ -1,0 +1,39 @@
+//! Where a picture is taken from: values for `camera`, which take the place of what contradicts them.
+
+use cutaway::document::{Document, Node, Origin, Value};
+
+use crate::door::Result;
+
+/// Keys that say where the eye is, in each of the three ways.
+const BY_VIEW: [&str; 1] = ["view"];
+const BY_PLACE: [&str; 3] = ["position", "focal_point", "view_up"];
+const BY_ANGLES: [&str; 2] = ["azimuth_deg", "elevation_deg"];
+
+/// Sets values of the camera; angles that nobody gives are found.
+pub(crate) fn aim(document: &mut Document, values: Vec<(String, Value)>) -> Result<()> {
+    let is_new = document.root().get("camera").is_none();
+    let says = |keys: &[&str]| values.iter().any(|(key, _)| keys.contains(&key.as_str()));
+    let contradicted: Vec<&str> = if says(&BY_VIEW) {
+        [&BY_PLACE[..], &BY_ANGLES].concat()
+    } else if says(&BY_PLACE[..1]) {
+        [&BY_VIEW[..], &BY_ANGLES].concat()
+    } else if says(&BY_ANGLES) {
+        [&BY_VIEW[..], &BY_PLACE].concat()
+    } else {
+        Vec::new()
+    };
+    for key in contradicted.iter().filter(|key| !says(&[**key])) {
+        document.remove(&format!("camera.{key}"))?;
+    }
+    if says(&["projection"]) {
+        document.remove("camera.fov_y_deg")?;
+    }
+    for (key, value) in values {
+        let origin = Origin::Option(format!("camera {key}").into());
+        document.set_node(&format!("camera.{key}"), Node::new(value).said(&origin))?;
+    }
+    if is_new {
+        document.find_angles()?;
+    }
+    Ok(())
+}

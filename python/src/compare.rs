@@ -1,0 +1,98 @@
+//! Strategies judged on a scene: the numbers of `cutaway compare`, as its JSON has them.
+
+use std::sync::Mutex;
+
+use cutaway::Error;
+use cutaway::experiment::{Question, Renderer, check_memory, errors, means, times};
+use pyo3::prelude::*;
+
+use crate::device::with_session;
+use crate::door::{Result, detached};
+use crate::opened::{Opened, Purpose, view};
+use crate::scene::{Asked, Scene};
+
+/// Judges strategies, and gives JSON. An interrupt of Python ends it after the present round.
+pub(crate) fn compare(
+    scene: &Scene,
+    py: Python<'_>,
+    strategies: &[String],
+    rounds: usize,
+    asked: Asked,
+    command: String,
+) -> PyResult<String> {
+    let interrupt: Mutex<Option<PyErr>> = Mutex::new(None);
+    let goes_on = || {
+        let signal = Python::attach(|py| py.check_signals().err());
+        let goes_on = signal.is_none();
+        if let (Some(signal), Ok(mut slot)) = (signal, interrupt.lock()) {
+            *slot = Some(signal);
+        }
+        goes_on
+    };
+    let judged = detached(py, || {
+        let renderers = renderers(strategies)?;
+        let mut state = scene.state();
+        let opened = state.open(asked, Purpose::Measurement)?;
+        judged(opened, &renderers, rounds, command, &goes_on)
+    });
+    match interrupt.into_inner().ok().flatten() {
+        Some(signal) => Err(signal),
+        None => judged,
+    }
+}
+
+/// The renderers of some names, each once.
+fn renderers(names: &[String]) -> Result<Vec<Renderer>> {
+    let mut renderers: Vec<Renderer> = Vec::new();
+    for name in names {
+        for renderer in Renderer::named(name)? {
+            if !renderers.contains(&renderer) {
+                renderers.push(renderer);
+            }
+        }
+    }
+    match renderers.is_empty() {
+        false => Ok(renderers),
+        true => {
+            let help =
+                "name some, for example [\"raycast+mask\", \"grid:256+vds:1024\"], or \"all\"";
+            Err(Error::input("strategies", "there is none to compare", help))
+        }
+    }
+}
+
+fn judged(
+    opened: &Opened,
+    renderers: &[Renderer],
+    rounds: usize,
+    command: String,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<String> {
+    let settings = opened.timeline.settings();
+    check_memory(settings.size_px(), renderers.len())?;
+    let question = Question {
+        name: opened.scene.name.clone(),
+        shown: &opened.at,
+        view: view(opened)?,
+        truth: None,
+        command,
+        means: means(settings)?,
+    };
+    let mut silent = |_: String| {};
+    let judgement = with_session(|session| {
+        let mut judgement = errors(session, &question, renderers, &mut silent)?;
+        times(
+            session,
+            &question,
+            &mut judgement,
+            rounds,
+            &mut silent,
+            goes_on,
+        )?;
+        Ok(judgement)
+    })?;
+    serde_json::to_string(&judgement.measurement).map_err(|e| {
+        let help = "please report this with the scene that it happened with";
+        Error::input("comparison", format!("cannot be encoded: {e}"), help)
+    })
+}

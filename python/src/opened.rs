@@ -1,0 +1,95 @@
+//! A document opened: what it shows, kept from call to call as long as it says the same.
+
+use cutaway::document::{Document, Timeline, named_style};
+use cutaway::experiment::SceneAtTime;
+use cutaway::load::Assets;
+use cutaway::scene::{Fit, Scene, View};
+use cutaway::{Error, Outcome};
+
+use crate::door::Result;
+
+/// The style of pictures of scenes that name none.
+const USUAL_STYLE: &str = "technical";
+
+/// What a document is opened for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// To be looked at: as `cutaway render` has it where nothing is said.
+    Picture,
+    /// To be measured, sliced or divided: without looks, and framed as strategies are compared.
+    Measurement,
+}
+
+/// A document and what it shows.
+pub(crate) struct Opened {
+    document: Document,
+    purpose: Purpose,
+    pub(crate) timeline: Timeline,
+    pub(crate) scene: Scene,
+    pub(crate) at: SceneAtTime,
+}
+
+impl Opened {
+    /// Opens a document at the moment that it asks for. What it has in common with the last one is not prepared again.
+    pub(crate) fn of(
+        mut document: Document,
+        assets: &mut Assets,
+        purpose: Purpose,
+        last: Option<Self>,
+    ) -> Result<Self> {
+        if purpose == Purpose::Picture {
+            document.guess_up(assets)?;
+        }
+        let last = match last {
+            Some(last) if last.document == document && last.purpose == purpose => return Ok(last),
+            last => last,
+        };
+        let mut timeline = document.timeline(assets)?;
+        if purpose == Purpose::Picture {
+            timeline = timeline
+                .with_usual_style(named_style(USUAL_STYLE)?)?
+                .with_usual_fit(Fit::Kept);
+        }
+        let scene = timeline.scene()?;
+        // Hatches hang on where parts are at the beginning.
+        let begins = match timeline.moves() && scene.style.hatch.is_drawn() {
+            true => Some(timeline.at(0.0)?),
+            false => None,
+        };
+        let first = begins.as_ref().unwrap_or(&scene);
+        let at = last.map_or_else(|| SceneAtTime::new(first), |last| last.at.anew(first));
+        let at = match begins {
+            Some(_) => at.updated(&scene),
+            None => at,
+        };
+        Ok(Self {
+            document,
+            purpose,
+            timeline,
+            scene,
+            at,
+        })
+    }
+}
+
+/// What is seen in a picture of the size that is asked for; refused where its rays would be no numbers.
+pub(crate) fn view(opened: &Opened) -> Result<View> {
+    let view = (opened.at.model.prepared).view(opened.timeline.settings().size_px());
+    match view.defect() {
+        None => Ok(view),
+        Some(what) => {
+            let help = "move it nearer to the model, and let it look at another point than its own";
+            Err(Error::input("camera", what, help))
+        }
+    }
+}
+
+/// What is to be said of a frame that is not all there.
+pub(crate) fn shortfall(outcome: &Outcome) -> Option<String> {
+    match outcome {
+        Outcome::Complete => None,
+        _ => outcome
+            .reason()
+            .map(|reason| format!("not all of it was drawn: {reason}")),
+    }
+}

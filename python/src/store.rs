@@ -1,0 +1,56 @@
+//! Arrays as files: what Python adds is kept as the bytes of a PLY file, so that it is read, welded, doubted and saved as a file of the
+//! same numbers would be.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+use std::sync::{Arc, PoisonError, RwLock};
+
+use cutaway::load::{Disk, Files};
+
+/// The folder that arrays are named in. No file system has one of this name by accident.
+const FOLDER: &str = "<arrays>";
+
+/// The files of the disk, and those of arrays.
+#[derive(Debug, Default)]
+pub(crate) struct Store(RwLock<BTreeMap<String, Arc<[u8]>>>);
+
+impl Store {
+    /// Keeps bytes under a new name, by which documents call them.
+    pub(crate) fn keep(&self, bytes: Vec<u8>) -> String {
+        let mut held = self.0.write().unwrap_or_else(PoisonError::into_inner);
+        let name = format!("{}.ply", held.len() + 1);
+        held.insert(name.clone(), bytes.into());
+        format!("{FOLDER}/{name}")
+    }
+
+    /// The bytes of arrays, if the name is that of some.
+    pub(crate) fn held(&self, path: &Path) -> Option<Arc<[u8]>> {
+        let name = path.file_name()?.to_str()?;
+        let held = self.0.read().unwrap_or_else(PoisonError::into_inner);
+        held.get(name).filter(|_| is_virtual(path)).cloned()
+    }
+}
+
+/// Whether a name is that of arrays. It may have become one from another folder.
+pub(crate) fn is_virtual(path: &Path) -> bool {
+    path.parent().is_some_and(|folder| folder.ends_with(FOLDER))
+}
+
+impl Files for Store {
+    fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
+        match self.held(path) {
+            Some(bytes) => Ok(bytes.to_vec().into()),
+            None => Disk.read(path).map(|bytes| bytes.into_owned().into()),
+        }
+    }
+
+    fn is_file(&self, path: &Path) -> bool {
+        self.held(path).is_some() || Disk.is_file(path)
+    }
+
+    fn leads_out(&self, path: &Path, from: &Path) -> bool {
+        Disk.leads_out(path, from)
+    }
+}
