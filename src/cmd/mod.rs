@@ -32,6 +32,7 @@ mod output;
 mod picture;
 mod places;
 mod plan;
+mod reference;
 mod relief;
 mod render;
 mod report;
