@@ -55,8 +55,8 @@ fn command_section(command: &Command) -> String {
     let arguments: Vec<&Arg> = command.get_positionals().collect();
     text.push_str(&list("Arguments", &arguments));
     for heading in headings(command) {
-        let options: Vec<&Arg> = (command.get_opts().chain(flags(command)))
-            .filter(|a| heading_of(a) == heading && !a.is_hide_set())
+        let options: Vec<&Arg> = options(command)
+            .filter(|a| heading_of(a) == heading)
             .collect();
         text.push_str(&list(heading, &options));
     }
@@ -66,11 +66,11 @@ fn command_section(command: &Command) -> String {
     text
 }
 
-/// Options without a value; help is in each command and is left out.
-fn flags(command: &Command) -> impl Iterator<Item = &Arg> {
-    let is_flag = |a: &&Arg| !a.get_action().takes_values() && !a.is_positional();
+/// All options but help, which each command has.
+fn options(command: &Command) -> impl Iterator<Item = &Arg> {
+    let is_shown = |a: &&Arg| !a.is_positional() && !a.is_hide_set();
     let known = ["help", "version"];
-    (command.get_arguments()).filter(move |a| is_flag(a) && !known.contains(&a.get_id().as_str()))
+    (command.get_arguments()).filter(move |a| is_shown(a) && !known.contains(&a.get_id().as_str()))
 }
 
 fn heading_of(arg: &Arg) -> &str {
@@ -80,7 +80,7 @@ fn heading_of(arg: &Arg) -> &str {
 /// Headings of a command's options, in the order in which help shows them.
 fn headings(command: &Command) -> Vec<&str> {
     let mut found = vec![OPTIONS];
-    for arg in command.get_opts().chain(flags(command)) {
+    for arg in options(command) {
         let heading = heading_of(arg);
         if !found.contains(&heading) {
             found.push(heading);

@@ -164,7 +164,7 @@ fn scenes(folder: &Scratch, text: &str) -> Vec<String> {
             )
         });
         folder.write(name, &block);
-        if block.contains("part") {
+        if block.contains("[[part]]") || block.contains("part = [") {
             scenes.push(name.to_owned());
         }
     }
