@@ -2,7 +2,7 @@
 # Draws the pictures of the documents by the commands of their pages, with the program that is given: `scripts/gallery.sh target/release/cutaway`.
 set -eu
 program=$1
-for page in docs/gallery/README.md docs/images/README.md; do
+for page in docs/gallery/index.md docs/images/README.md; do
     grep '^cutaway ' "$page" | while IFS= read -r line; do
         echo "$line"
         # What the page says is what is run, quotes and all.

@@ -8,7 +8,7 @@ use crate::cli::command::Scratch;
 use crate::documents::commands::{run, small, words};
 
 /// Pages that have commands which draw pictures into their folder.
-const PAGES: [&str; 2] = ["docs/gallery/README.md", "docs/images/README.md"];
+const PAGES: [&str; 2] = ["docs/gallery/index.md", "docs/images/README.md"];
 
 /// Pictures below `docs/images` that no command of its page draws; the page says where they are from.
 const OTHERS: [&str; 5] = [

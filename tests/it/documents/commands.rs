@@ -10,7 +10,7 @@ use super::{blocks, documents, root, stand_ins};
 /// Pages whose commands other tests run (`cli::gallery`), or that are lists made from tables.
 const ELSEWHERE: [&str; 4] = [
     "docs/SUMMARY.md",
-    "docs/gallery/README.md",
+    "docs/gallery/index.md",
     "docs/images/README.md",
     "docs/reference/",
 ];
