@@ -1,17 +1,21 @@
-# Two commands on a fresh machine: `make demo` and `make test`; and `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. All install the software Vulkan driver if there is none.
+# Two commands on a fresh machine: `make demo` and `make test`; and `make docs`, `make gallery`, `make web`, `make check-web`, `make python`, `make archive`. Those that draw install the software Vulkan driver if there is none.
 
 CARGO ?= cargo
 
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: archive check-web demo gallery python test setup web
+.PHONY: archive check-web demo docs gallery python test setup web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
 	$(CARGO) run --release --quiet -- demo --out target/demo
 
-# The pictures of docs/gallery anew, by the commands of its page.
+# The book in target/book, every link of it checked. The first time it builds mdBook for some minutes.
+docs:
+	CARGO="$(CARGO)" scripts/docs.sh
+
+# The pictures of the documents anew, by the commands of their pages.
 gallery: setup
 	$(CARGO) build --release --quiet
 	scripts/gallery.sh target/release/cutaway

@@ -64,6 +64,16 @@
     )
 )]
 
+/// Examples of README, which run as tests.
+#[cfg(all(doctest, feature = "cli"))]
+#[doc = include_str!("../README.md")]
+struct OfReadme;
+
+/// Examples of the book.
+#[cfg(all(doctest, feature = "cli"))]
+#[doc = include_str!("../docs/library.md")]
+struct OfTheBook;
+
 #[cfg(feature = "cli")]
 pub mod cmd;
 #[cfg(feature = "lab")]

@@ -10,6 +10,7 @@ use clap_complete::Shell;
 
 use super::Verdict;
 use super::output::write_stdout;
+use super::reference;
 use crate::{Error, Result};
 
 pub(super) const EXAMPLES: &str = "\
@@ -20,7 +21,8 @@ Examples:
 
 pub(super) const MAN_EXAMPLES: &str = "\
 Examples:
-  cutaway man ~/.local/share/man/man1 && man cutaway-render";
+  cutaway man ~/.local/share/man/man1 && man cutaway-render
+  cutaway man --markdown docs/reference       # commands.md and scene.md, as the book has them";
 
 /// Options of `completions`.
 #[derive(Args)]
@@ -34,6 +36,9 @@ pub(super) struct CompletionsArgs {
 pub(super) struct ManArgs {
     /// Folder for cutaway.1 and a page for each command; made if it is not there
     folder: PathBuf,
+    /// Write Markdown instead: commands.md with all commands, scene.md with all values of a scene file
+    #[arg(long)]
+    markdown: bool,
 }
 
 /// Runs `completions`.
@@ -54,6 +59,16 @@ pub(super) fn man(args: &ManArgs, command: Command) -> Result<Verdict> {
         )
     };
     fs::create_dir_all(&args.folder).map_err(fault)?;
-    clap_mangen::generate_to(command, &args.folder).map_err(fault)?;
+    if args.markdown {
+        let pages = [
+            ("commands.md", reference::commands(command)),
+            ("scene.md", reference::scene()),
+        ];
+        for (name, text) in pages {
+            fs::write(args.folder.join(name), text).map_err(fault)?;
+        }
+    } else {
+        clap_mangen::generate_to(command, &args.folder).map_err(fault)?;
+    }
     Ok(Verdict::Done)
 }

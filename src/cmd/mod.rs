@@ -31,6 +31,7 @@ mod notes;
 mod output;
 mod places;
 mod plan;
+mod reference;
 mod relief;
 mod render;
 mod report;

@@ -8,7 +8,7 @@
 //!
 //! 1. Who is asked for rasterises.
 //! 2. A software adapter is the CPU, to which fixed functions are code like any other: there the compute rasteriser, which cuts, caps and
-//!    finds what is nearest in one sweep, takes less time in all that was measured (README, "What accuracy costs").
+//!    finds what is nearest in one sweep, takes less time in all that was measured (docs/results.md).
 //! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does however few rows are drawn at
 //!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
 //! 4. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.

@@ -1,7 +1,7 @@
 //! Rows of the table of strategies: what is known of a cap surface or an inside test, in one place.
 //!
 //! A row is a `static` in the file that records its passes, and is listed in [`table`](super::table). Names, parameters, help texts,
-//! refusals, the README's tables and the hard cases follow from it.
+//! refusals, the tables of the book and the hard cases follow from it.
 
 use std::cmp::Ordering;
 use std::fmt;

@@ -14,6 +14,7 @@ mod cutaways;
 mod cuts;
 mod cutters;
 mod defects;
+mod documents;
 mod doubled_faces;
 mod embedding;
 mod exact;

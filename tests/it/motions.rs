@@ -11,7 +11,7 @@
 mod bounds;
 use crate::common::command;
 use crate::common::data;
-mod document;
+pub(crate) mod document;
 mod exact;
 mod hostile;
 mod oracle;

@@ -1,4 +1,4 @@
-//! The report of the committed record, and the figures that README takes from it.
+//! The report of the committed record, and the figures that the book takes from it.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
@@ -14,8 +14,8 @@ use serde_json::Value;
 use crate::report::fetches;
 use crate::report::form::faults;
 
-#[path = "report/readme.rs"]
-mod readme;
+#[path = "report/book.rs"]
+mod book;
 
 const RECORD: &str = "experiments/record/2026-11-23-llvmpipe";
 

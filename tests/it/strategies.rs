@@ -1,4 +1,4 @@
-//! The table of strategies is what the README says, and every row of it can be asked for.
+//! The table of strategies is what the book says, and every row of it can be asked for.
 
 use std::fs;
 use std::path::Path;
@@ -7,14 +7,16 @@ use cutaway::Strategy;
 use cutaway::strategies::table::{self, CAP_SURFACES, INSIDE_TESTS};
 
 #[test]
-fn the_readme_holds_the_table() {
-    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
-    let readme = fs::read_to_string(readme).expect("a README");
+fn the_book_holds_the_table() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/strategies.md");
+    let page = fs::read_to_string(page).expect("the page of strategies");
     let table = table::markdown();
     assert!(
-        readme.contains(&table),
-        "the README has other tables of strategies than these:\n\n{table}"
+        page.contains(&table),
+        "docs/strategies.md has other tables of strategies than these:\n\n{table}"
     );
+    let planted = page.replacen("| `raycast` |", "| `raycaster` |", 1);
+    assert!(!planted.contains(&table), "the control");
 }
 
 #[test]

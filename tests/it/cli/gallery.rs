@@ -1,34 +1,65 @@
-//! The gallery: its page shows pictures that are there, small enough for the repository, and its commands draw.
+//! The gallery, and the pictures of the other pages: they are there, small enough for the repository, and the commands beside them draw
+//! them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::command::Scratch;
+use crate::documents::commands::{run, small, words};
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery")
+/// Pages that have commands which draw pictures into their folder.
+const PAGES: [&str; 2] = ["docs/gallery/index.md", "docs/images/README.md"];
+
+/// Pictures below `docs/images` that no command of its page draws; the page says where they are from.
+const OTHERS: [&str; 5] = [
+    "crank.png",
+    "grid-256-wrong.png",
+    "page.png",
+    "window.png",
+    "wipe.gif",
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn page() -> String {
-    fs::read_to_string(folder().join("README.md")).expect("the page of the gallery")
-}
-
-/// Commands of the page, without the name of the program and quotes.
-fn commands() -> Vec<String> {
-    let page = page();
-    let lines = page
+/// Commands of a page, as words without the name of the program.
+fn commands(page: &str) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(root().join(page)).expect("a page");
+    let lines = text
         .lines()
         .filter_map(|line| line.strip_prefix("cutaway "));
-    lines.map(|line| line.replace('\'', "")).collect()
+    lines.map(words).collect()
 }
 
-/// The pictures that the page shows, from its folder.
-fn shown() -> Vec<String> {
-    let page = page();
-    let pieces = page.split("](").skip(1);
-    let names = pieces.filter_map(|piece| piece.split(')').next());
-    let pictures = names.filter(|name| name.ends_with(".png"));
-    pictures.map(str::to_owned).collect()
+/// What a command draws: a file, or a folder of files.
+fn drawn(command: &[String]) -> &str {
+    let mut options = command.windows(2);
+    let found = options.find(|w| ["-o", "--maps", "--heatmaps"].contains(&w[0].as_str()));
+    &found.unwrap_or_else(|| panic!("{command:?} draws nothing"))[1]
+}
+
+/// The pictures that the pages of a folder show, from the root.
+fn shown(folder: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root().join(folder)).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|e| e != "md") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("a page");
+        let pieces = text.split("](").skip(1);
+        let names = pieces.filter_map(|piece| piece.split(')').next());
+        let is_picture = |n: &&str| [".png", ".gif", ".svg"].iter().any(|e| n.ends_with(e));
+        found.extend(names.filter(is_picture).map(|n| Path::new(folder).join(n)));
+    }
+    found
+}
+
+/// Whether a command draws a picture.
+fn draws(command: &[String], picture: &Path) -> bool {
+    let target = Path::new(drawn(command));
+    target == picture || picture.parent() == Some(target)
 }
 
 fn bytes_below(folder: &Path) -> u64 {
@@ -44,51 +75,53 @@ fn bytes_below(folder: &Path) -> u64 {
 }
 
 #[test]
-fn every_picture_is_there_and_drawn_by_a_command_of_the_page() {
-    let commands = commands();
-    let shown = shown();
-    assert!(shown.len() > 30, "{} pictures", shown.len());
-    for name in &shown {
-        assert!(folder().join(name).is_file(), "{name} is not there");
-        let drawn = format!("-o docs/gallery/{name} ");
-        let maps = name
-            .rsplit_once('/')
-            .map(|(maps, _)| format!("--maps docs/gallery/{maps}"));
-        let is_drawn = |c: &String| {
-            c.contains(&drawn) || maps.as_ref().is_some_and(|maps| c.ends_with(maps.as_str()))
-        };
-        assert!(commands.iter().any(is_drawn), "no command draws {name}");
+fn every_picture_is_there_and_drawn_by_a_command_of_its_page() {
+    let all: Vec<_> = PAGES.iter().flat_map(|page| commands(page)).collect();
+    let mut pictures = shown("docs/gallery");
+    assert!(pictures.len() > 30, "{} pictures", pictures.len());
+    pictures.extend(shown("docs"));
+    assert!(pictures.len() > 55, "{} pictures", pictures.len());
+    let others = OTHERS.map(|name| Path::new("docs/images").join(name));
+    let is_drawn = |picture: &Path| all.iter().any(|command| draws(command, picture));
+    for picture in &pictures {
+        assert!(root().join(picture).is_file(), "{picture:?} is not there");
+        let by_hand = picture.starts_with("docs/images/algorithm");
+        assert!(
+            is_drawn(picture) || others.contains(picture) || by_hand,
+            "no command draws {picture:?}"
+        );
     }
     assert!(
-        bytes_below(&folder()) < 6_000_000,
-        "the gallery is too large"
+        !is_drawn(Path::new("docs/gallery/nothing.png")),
+        "the control"
     );
+    for (folder, most) in [("docs/gallery", 6_000_000), ("docs/images", 4_500_000)] {
+        let bytes = bytes_below(&root().join(folder));
+        assert!(bytes < most, "{folder} holds {bytes} bytes");
+    }
 }
 
 #[test]
-fn every_command_of_the_page_draws() {
+fn every_command_of_the_pages_draws() {
     let scratch = Scratch::new("gallery");
-    for command in commands() {
-        let (said, target) = match command.split_once(" -o docs/gallery/") {
-            Some((said, rest)) => {
-                let (name, _) = rest.split_once(' ').unwrap_or((rest, ""));
-                (
-                    format!("{said} -o {name} --resolution 64,48 --supersample 1"),
-                    name.to_owned(),
-                )
+    for folder in ["docs/gallery", "experiments/scenes"] {
+        fs::create_dir_all(scratch.path(folder)).expect("a folder");
+        for entry in fs::read_dir(root().join(folder)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|e| e == "toml") {
+                let name = path.file_name().expect("a name");
+                fs::copy(&path, scratch.path(folder).join(name)).expect("a copy");
             }
-            None => {
-                let (said, maps) = command.split_once(" --maps docs/gallery/").expect("maps");
-                (
-                    format!("{said} --maps {maps}"),
-                    format!("{maps}/normal.png"),
-                )
-            }
+        }
+    }
+    for command in PAGES.iter().flat_map(|page| commands(page)) {
+        let ran = run(&scratch, &small(&command));
+        assert_eq!(ran.code, Some(0), "{command:?}: {}", ran.stderr);
+        let target = scratch.path(drawn(&command));
+        let is_there = match target.extension() {
+            Some(_) => target.is_file(),
+            None => fs::read_dir(&target).is_ok_and(|files| files.count() > 2),
         };
-        // From wherever it is run.
-        let scenes = format!("{}/", folder().display());
-        let ran = scratch.run(&said.replace("docs/gallery/", &scenes));
-        assert_eq!(ran.code, Some(0), "{command}: {}", ran.stderr);
-        assert!(scratch.path(&target).is_file(), "{command}: no {target}");
+        assert!(is_there, "{command:?}: no {target:?}");
     }
 }

@@ -177,7 +177,15 @@ fn what_is_saved_draws_the_same_picture_to_the_bit() {
     fill(&folder);
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut all: Vec<String> = MORE.iter().map(|l| (*l).to_owned()).collect();
-    for file in ["README.md", "experiments/README.md"] {
+    for file in [
+        "README.md",
+        "experiments/README.md",
+        "docs/scenes.md",
+        "docs/sections.md",
+        "docs/styles.md",
+        "docs/cutaways.md",
+        "docs/animation.md",
+    ] {
         all.extend(lines(&fs::read_to_string(root.join(file)).unwrap()));
     }
     for scene in ["bitten-crank", "earth-shells", "twisting-knot"] {

@@ -1,4 +1,4 @@
-//! The table of README, worked out again from the committed record.
+//! The tables of the book, worked out again from the committed record; that of README is held against them (`documents::figures`).
 
 use std::fs;
 
@@ -79,24 +79,48 @@ fn range(values: &[f64], digits: usize) -> String {
     }
 }
 
-/// The row of README that begins with a text holds texts in this order.
+/// A page of the book, on one line where texts are looked for.
+fn page(name: &str) -> String {
+    fs::read_to_string(root().join("docs").join(name)).unwrap()
+}
+
+/// The first of the texts that is not in a row, in this order.
+fn missing<'a>(row: &str, texts: &'a [String]) -> Option<&'a String> {
+    let mut rest = row;
+    texts.iter().find(|text| match rest.find(text.as_str()) {
+        Some(at) => {
+            rest = &rest[at + text.len()..];
+            false
+        }
+        None => true,
+    })
+}
+
+/// The row of the results that begins with a text holds texts in this order.
 fn check(start: &str, texts: &[String]) {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let row = readme
+    let page = page("results.md");
+    let row = page
         .lines()
         .find(|l| l.starts_with(&format!("| {start} |")));
-    let row = row.unwrap_or_else(|| panic!("README has no row {start}"));
-    let mut rest = row;
-    for text in texts {
-        let Some(at) = rest.find(text.as_str()) else {
-            panic!("`{text}` is by the record, and not in its place in README: {row}");
-        };
-        rest = &rest[at + text.len()..];
+    let row = row.unwrap_or_else(|| panic!("docs/results.md has no row {start}"));
+    if let Some(text) = missing(row, texts) {
+        panic!("`{text}` is by the record, and not in its place in docs/results.md: {row}");
+    }
+}
+
+/// The text under a heading of the results holds texts in this order.
+fn check_prose(heading: &str, texts: &[String]) {
+    let page = page("results.md");
+    let from = page.find(&format!("## {heading}\n")).unwrap();
+    let section = page[from + 3..].split("\n## ").next().unwrap();
+    let section = section.split_whitespace().collect::<Vec<_>>().join(" ");
+    if let Some(text) = missing(&section, texts) {
+        panic!("`{text}` is by the record, and not in its place in docs/results.md: {section}");
     }
 }
 
 #[test]
-fn readme_has_the_figures_of_planes_and_reliefs() {
+fn the_book_has_the_figures_of_planes_and_reliefs() {
     let one = points("06-planar", "", "", &[]);
     let [compute, stencil] = [COMPUTE, "stencil"].map(|name| range(&frames(&one, name), 1));
     let ratio = format!("| {compute}, {stencil} |");
@@ -140,7 +164,7 @@ fn readme_has_the_figures_of_planes_and_reliefs() {
 }
 
 #[test]
-fn readme_has_the_figures_of_moving_deep_and_huge_meshes() {
+fn the_book_has_the_figures_of_moving_deep_and_huge_meshes() {
     let moving = points("04-moving", "faces", "", &[]);
     let [stencil, compute, paper] =
         ["stencil", COMPUTE, PAPER].map(|name| range(&all_clocks(&moving, name), 1));
@@ -194,7 +218,7 @@ fn readme_has_the_figures_of_moving_deep_and_huge_meshes() {
 }
 
 #[test]
-fn readme_has_the_figures_of_meshes_with_holes() {
+fn the_book_has_the_figures_of_meshes_with_holes() {
     let holes = points("09-broken", "holes", "amount", &["1%", "5%", "10%"]);
     let all = |c: &Comparison| c.decided_wrong_px;
     let unmarked = |c: &Comparison| c.unmarked_wrong_px;
@@ -213,4 +237,100 @@ fn readme_has_the_figures_of_meshes_with_holes() {
             ),
         ],
     );
+}
+
+/// Wrong pixels of strategies at one point, as a list.
+fn wrong_of(point: &[&Record], names: &[String]) -> String {
+    let px = names.iter().map(|name| range(&wrong(point, name), 0));
+    px.collect::<Vec<_>>().join(", ")
+}
+
+fn cracks(points: &[&Record], name: &str) -> Vec<String> {
+    let all = of(points, name).into_iter();
+    all.map(|(_, s)| s.comparison.unwrap().crack_px.to_string())
+        .collect()
+}
+
+#[test]
+fn the_book_has_the_figures_of_the_paper_and_of_its_gap() {
+    let paper = points("01-paper", "", "", &[]);
+    let found = of(&paper, PAPER)[0].1;
+    let comparison = found.comparison.unwrap();
+    check_prose(
+        "What the paper's path costs and misses",
+        &[
+            format!("× {:.1} and", found.frame_over_draw_only.unwrap()),
+            format!("{} decided wrong pixels", comparison.decided_wrong_px),
+            format!("{} of them holes", comparison.crack_px),
+            format!("{:.0} ms more", found.time_ms.solid.median),
+            format!("`{MASK}` × {}", range(&frames(&paper, MASK), 1)),
+            format!("`{COMPUTE}` × {}", range(&frames(&paper, COMPUTE), 1)),
+        ],
+    );
+    let accuracy = points("02-accuracy", "", "", &[]);
+    let grids = [64, 128, 256, 512].map(|n| format!("grid:{n}+mask"));
+    let adaptive = ["2", "1", "0.5", "0.25"].map(|tau| format!("adaptive:{tau}+mask"));
+    check_prose(
+        "What a tenth of the error costs",
+        &[
+            format!("`grid:N+mask` {} px", wrong_of(&accuracy, &grids)),
+            format!("`adaptive:TAU+mask` {} px", wrong_of(&accuracy, &adaptive)),
+        ],
+    );
+    let density = points("03-gaps", "density", "", &[]);
+    let falls = [32, 64, 128, 256, 512].map(|n| cracks(&density, &format!("grid:{n}+vds:1024")));
+    let grows = ["10", "3", "1", "0.1"].map(|tilt| {
+        let point = points("03-gaps", "tangency", "tilt_deg", &[tilt]);
+        cracks(&point, PAPER).concat()
+    });
+    check_prose(
+        "What the gap does",
+        &[
+            format!("{} px", falls.concat().join(", ")),
+            format!("{} px", grows.join(", ")),
+        ],
+    );
+    let wrong = ["holes".to_owned(), "× 3.1".to_owned()];
+    assert!(
+        missing("× 3.1, holes", &wrong).is_some(),
+        "the control: another order"
+    );
+}
+
+#[test]
+fn the_book_has_what_each_strategy_costs() {
+    let relief = points("01-paper", "", "", &[]);
+    let plane = points("06-planar", "one", "model", &["crank"]);
+    let page = page("strategies.md");
+    let rows = page
+        .lines()
+        .skip_while(|l| !l.starts_with("| method | × uncut"));
+    let rows: Vec<&str> = rows.skip(2).take_while(|l| l.starts_with('|')).collect();
+    assert!(rows.len() > 10, "{rows:?}");
+    let measured = |points: &[&'static Record], name: &str| {
+        let mut strategies = points[0].measurement.strategies.iter();
+        strategies.find(|s| s.name == name)
+    };
+    let row = |name: &str| {
+        let ratio = |s: Option<&StrategyMeasurement>, missing: &str| {
+            let ratio = s.and_then(|s| s.frame_over_draw_only);
+            ratio.map_or(missing.to_owned(), |x| format!("{x:.1}"))
+        };
+        let of_relief = measured(&relief, name);
+        let errors = of_relief.and_then(|s| s.comparison);
+        let px = |count: Option<usize>| count.map_or(String::new(), |px| px.to_string());
+        format!(
+            "| `{name}` | {} | {} | {} | {} |",
+            ratio(measured(&plane, name), ""),
+            ratio(of_relief, "refused"),
+            px(errors.map(|c| c.decided_wrong_px)),
+            px(errors.map(|c| c.crack_px)),
+        )
+    };
+    for found in &rows {
+        let name = found.split('`').nth(1).unwrap();
+        assert_eq!(*found, row(name), "by the record");
+    }
+    let planted = rows[0].replacen("1.", "2.", 1);
+    assert_ne!(planted, row("raycast+mask@compute"), "the control");
 }
