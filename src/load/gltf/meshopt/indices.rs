@@ -215,7 +215,7 @@ mod tests {
         for (bytes, number) in [
             (&[0x7f][..], 0x7f),
             (&[0x81, 0x04], 0x201),
-            (&[0xff, 0xa0, 0x05], 0x1_5_07f),
+            (&[0xff, 0xa0, 0x05], 0x1_507f),
             (&[0xff, 0xff, 0xff, 0xff, 0x0f], u32::MAX),
         ] {
             assert_eq!(varint(&mut &*bytes), Ok(number), "{bytes:x?}");
