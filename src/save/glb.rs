@@ -1,7 +1,7 @@
 //! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices.
 //!
 //! Without normals viewers shade each triangle flat, as the format has it. Units and axes are those of the model; the format means metres,
-//! and +Y up. The mesh of a solid that is farther from the origin than [`FAR`] of its sizes is around the origin of its node, whose
+//! and +Y up. The mesh of a solid that is farther from the origin than [`FAR_FROM_ORIGIN`] of its sizes is around the origin of its node, whose
 //! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
 
 use serde_json::{Value, json};
@@ -68,13 +68,13 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
 }
 
 /// So many of its sizes from the origin a mesh loses four of the 24 bits of f32.
-const FAR: f64 = 16.0;
+const FAR_FROM_ORIGIN: f64 = 16.0;
 
 /// The point that is the origin of the node of a mesh: that of the world, but far from it the middle of the mesh.
 pub(super) fn origin(mesh: &Mesh) -> DVec3 {
     let bounds = mesh.bounds();
     let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    match farthest > FAR * bounds.size().max_element() {
+    match farthest > FAR_FROM_ORIGIN * bounds.size().max_element() {
         true => bounds.centre(),
         false => DVec3::ZERO,
     }

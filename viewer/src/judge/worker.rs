@@ -141,8 +141,7 @@ impl Judge {
     }
 
     fn try_send(&self, state: &State, question: &QuestionMessage) -> Result<(), String> {
-        let worker = self.worker.as_ref();
-        let worker = worker.ok_or("the browser started no worker to judge by")?;
+        let worker = (self.worker.as_ref()).ok_or("the browser started no worker to judge by")?;
         if self.is_lost.get() {
             return Err(LOST.to_owned());
         }
