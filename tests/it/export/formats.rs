@@ -294,7 +294,7 @@ fn what_is_far_from_the_origin_keeps_its_shape_in_glb() {
     // Smaller than one step of f32 there.
     folder.write(
         "dust.toml",
-        "[[part]]\nshape = \"sphere\"\nscale = 0.001\ntranslate = [500000, 4600000, 100]\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n",
+        "[[part]]\nshape = \"sphere\"\nscale = 0.000001\ntranslate = [500000, 4600000, 100]\n[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n",
     );
     folder
         .run("export dust.toml -o dust.stl")

@@ -40,7 +40,7 @@ fn what_is_left_holds_the_points_that_are_kept() {
     ];
     document.add_cut(cut(surfaces)).unwrap();
     document
-        .add_cut(cut([section("y=80%").relief("waves:amplitude=3%")]))
+        .add_cut(cut([section("-y=80%").relief("waves:amplitude=3%")]))
         .unwrap();
     let scene = scene(&document);
     let parts = cutaway::slice::capped_with(&scene, 48).unwrap();
