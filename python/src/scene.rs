@@ -19,6 +19,9 @@ use crate::opened::{Opened, Purpose};
 use crate::store::Store;
 use crate::{arrays, camera, values};
 
+/// The name of a file, and what it holds.
+type NamedBytes = (String, Arc<[u8]>);
+
 /// A scene: parts, cuts, a camera and a look, as a document has them.
 #[pyclass(frozen, module = "cutaway._native")]
 pub(crate) struct Scene {
@@ -102,7 +105,7 @@ impl State {
     }
 
     /// The document as a file of some name, and what is to lie beside it: meshes that were arrays, by their names in that file.
-    fn saved(&mut self, path: &Path) -> Result<(String, Vec<(String, Arc<[u8]>)>)> {
+    fn saved(&mut self, path: &Path) -> Result<(String, Vec<NamedBytes>)> {
         let mut document = self.document.clone();
         document.guess_up(&mut self.assets)?;
         let mut document = document.moved_to(path)?;
