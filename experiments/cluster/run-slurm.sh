@@ -126,7 +126,8 @@ until_idle
 
 "$program" measure cubes.toml --out one -q
 "$program" animate "${scene[@]}" -o one.gif -q
-"$program" animate "${scene[@]}" -o 'whole/%04d.png' -q
+# The words of animate.sbatch: frames say of which command they are.
+"$program" animate "${scene[@]}" --output 'whole/%04d.png' --quiet
 python3 - <<'PY'
 import json
 from pathlib import Path
