@@ -14,7 +14,7 @@ use super::look::Usual;
 use super::measure::{self, MeasureArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::report::{self, ReportArgs};
-use crate::experiment::{Record, Renderer, SceneAtTime, means, picture};
+use crate::experiment::{Record, Renderer, Run, SceneAtTime, means, picture};
 use crate::load::Assets;
 use crate::report::{Recorded, text};
 use crate::{Error, Result};
@@ -78,7 +78,7 @@ impl DemoArgs {
 pub(super) fn run(args: &DemoArgs) -> Result<Verdict> {
     let out = &args.out;
     checked_folder("--out", out)?;
-    if out.join("run.json").exists() && !out.join(NAME).is_dir() {
+    if out.join(Run::FILE).exists() && !out.join(NAME).is_dir() {
         let help = "choose another folder with --out";
         return Err(Error::file(out, "the folder holds another run", help));
     }

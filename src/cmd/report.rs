@@ -9,6 +9,7 @@ use super::console::{Console, ConsoleArgs};
 use super::output::{checked_folder, write_file, write_stdout};
 use super::places::InputFiles;
 use crate::Result;
+use crate::experiment::Run;
 use crate::report::{PictureOptions, Recorded, method_pages, pages};
 
 pub(super) const EXAMPLES: &str = "\
@@ -62,10 +63,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         |path: &PathBuf| path.ends_with("peers") || path.join("experiment.json").is_file();
     let folders = of(folder).into_iter().filter(is_read);
     let records = folders.flat_map(|folder| of(&folder));
-    let is_run = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        name.starts_with("run.") && name.ends_with(".json")
-    };
+    let is_run = |path: &PathBuf| Run::is_file(path);
     let is_alone = !of(folder).iter().any(is_run);
     // A folder without a run may be one of outside baselines.
     let is_baseline = |path: &PathBuf| is_alone && path.extension().is_some_and(|e| e == "json");

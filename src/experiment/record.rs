@@ -349,6 +349,22 @@ pub struct Run {
     pub limits: BTreeMap<String, u64>,
 }
 
+impl Run {
+    /// The file of a run that is not divided into shards.
+    pub const FILE: &str = "run.json";
+
+    /// The file of one shard of so many.
+    pub fn file_of_shard(index: u32, count: u32) -> String {
+        format!("run.{index}-of-{count}.json")
+    }
+
+    /// Whether a file is that of a run or of a shard, by its name.
+    pub fn is_file(path: &Path) -> bool {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("run.") && name.ends_with(".json")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

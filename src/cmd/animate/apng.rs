@@ -10,8 +10,8 @@ use png::{BitDepth, BlendOp, ColorType, Compression, DisposeOp, Writer};
 
 use super::super::console::Console;
 use super::super::output::Pending;
-use super::Plays;
 use super::encoder::{Encoder, Rectangle, cannot_encode};
+use super::plays::Plays;
 use super::times::Times;
 use crate::Result;
 

@@ -15,10 +15,11 @@ use super::super::console::{Console, ConsoleArgs};
 use super::super::interrupt::Interrupt;
 use super::super::places::InputFiles;
 use super::encoder::encoder;
+use super::plays::LoopArgs;
 use super::stamp::Stamp;
 use super::target::Target;
 use super::times::{Times, parse_fps};
-use super::{Plays, gif, note_of_even_size};
+use super::{gif, note_of_even_size};
 use crate::experiment::Identity;
 use crate::load::frames::{Pattern, USUAL_FPS};
 use crate::load::{Disk, input_file};
@@ -44,14 +45,8 @@ pub(in crate::cmd) struct EncodeArgs {
     /// Pictures per second; delays of a GIF are hundredths of a second
     #[arg(long, value_name = "N", value_parser = parse_fps, default_value_t = USUAL_FPS, allow_hyphen_values = true, help_heading = "Output")]
     fps: f64,
-    /// How often a GIF or an animated PNG plays [default: forever]
-    #[arg(
-        long = "loop",
-        value_name = "N|forever",
-        allow_hyphen_values = true,
-        help_heading = "Output"
-    )]
-    plays: Option<Plays>,
+    #[command(flatten)]
+    loops: LoopArgs,
     #[command(flatten)]
     console: ConsoleArgs,
 }
@@ -68,14 +63,7 @@ pub(in crate::cmd) fn run(args: &EncodeArgs) -> Result<Verdict> {
             help,
         ));
     }
-    if args.plays.is_some() && !target.counts_plays() {
-        let what = "only a GIF or an animated PNG says how often it plays";
-        return Err(Error::input(
-            "--loop",
-            what,
-            "leave it out, or write a .gif or a .png",
-        ));
-    }
+    args.loops.must_fit(&target)?;
     let pattern = Pattern::parse(&args.frames)?;
     let (files, gap) = pattern.files(None, &Disk)?;
     let (first, stamp) = picture(&files[0])?;
@@ -98,7 +86,7 @@ pub(in crate::cmd) fn run(args: &EncodeArgs) -> Result<Verdict> {
     };
     let size_px = [first.width(), first.height()];
     note_of_even_size(&target, size_px, &console);
-    let plays = args.plays.unwrap_or(Plays::Forever);
+    let plays = args.loops.plays();
     let interrupt = Interrupt::listen("encode", "picture")?;
     let mut encoder = encoder(&target, size_px, &times, plays, Identity::default())?;
     console.expect_frames(times.count);

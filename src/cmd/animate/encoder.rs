@@ -5,11 +5,11 @@ use std::path::Path;
 use image::RgbaImage;
 
 use super::super::console::Console;
-use super::Plays;
 use super::apng::Apng;
 use super::ffmpeg::Ffmpeg;
 use super::gif::Gif;
 use super::numbered::Numbered;
+use super::plays::Plays;
 use super::target::Target;
 use super::times::Times;
 use crate::Result;

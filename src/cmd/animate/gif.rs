@@ -16,9 +16,9 @@ use image::RgbaImage;
 
 use super::super::console::Console;
 use super::super::output::Pending;
-use super::Plays;
 use super::encoder::{Encoder, Rectangle, cannot_encode};
 use super::palette::{MOST_COLORS, Palette, Sampler, is_opaque};
+use super::plays::Plays;
 use super::times::Times;
 use crate::Result;
 

@@ -41,7 +41,7 @@ use crate::session::Outcome;
 use crate::{Error, Result};
 use encoder::encoder;
 use film::Film;
-use plays::Plays;
+use plays::LoopArgs;
 use report::FrameReport;
 use sweep::{Sweep, parse_sweep};
 use target::Target;
@@ -99,14 +99,8 @@ pub(super) struct AnimateArgs {
     /// Draw one share of numbered frames, a row of them: 0/8 to 7/8, or auto for that of a task of an array (Slurm and others), auto/8 where some of 8 tasks are submitted again
     #[arg(long, value_name = "I/N|auto", help_heading = "Output")]
     shard: Option<Shard>,
-    /// How often a GIF or an animated PNG plays [default: forever]
-    #[arg(
-        long = "loop",
-        value_name = "N|forever",
-        allow_hyphen_values = true,
-        help_heading = "Output"
-    )]
-    plays: Option<Plays>,
+    #[command(flatten)]
+    loops: LoopArgs,
     #[command(flatten)]
     look: LookArgs,
     /// Outcome, clocks and times of every frame as JSON
@@ -149,7 +143,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     note_of_even_size(&target, subject.size_px(), &console);
 
     let drawer = subject.drawer()?;
-    let plays = args.plays.unwrap_or(Plays::Forever);
+    let plays = args.loops.plays();
     let files = target.files(times.count).into_iter();
     let files = files.map(|file| ("--output", file));
     let json_file = [("--json", json.as_ref())];
@@ -258,18 +252,11 @@ fn outputs(args: &AnimateArgs) -> Result<(Target, Option<Output>)> {
             "write -o 'frames/%04d.png', and when all shares are there: cutaway encode 'frames/%04d.png' -o run.gif",
         ));
     }
-    let refuse = |culprit: &str, what: &str| {
-        let help = "leave it out, or write a .gif or a .png";
-        Err(Error::input(culprit, what, help))
-    };
-    if args.plays.is_some() && !target.counts_plays() {
-        return refuse(
-            "--loop",
-            "only a GIF or an animated PNG says how often it plays",
-        );
-    }
+    args.loops.must_fit(&target)?;
     if args.look.no_background && matches!(target, Target::Mp4(..)) {
-        return refuse("--no-background", "an MP4 has no transparent pixels");
+        let help = "leave it out, or write a .gif or a .png";
+        let what = "an MP4 has no transparent pixels";
+        return Err(Error::input("--no-background", what, help));
     }
     Ok((target, json))
 }

@@ -2,6 +2,41 @@
 
 use std::str::FromStr;
 
+use clap::Args;
+
+use super::target::Target;
+use crate::Error;
+
+/// How often an animation plays, as an option.
+#[derive(Args, Clone, Copy)]
+pub(in crate::cmd) struct LoopArgs {
+    /// How often a GIF or an animated PNG plays [default: forever]
+    #[arg(
+        long = "loop",
+        value_name = "N|forever",
+        allow_hyphen_values = true,
+        help_heading = "Output"
+    )]
+    plays: Option<Plays>,
+}
+
+impl LoopArgs {
+    /// Refuses to count the plays of what does not say them.
+    pub(super) fn must_fit(self, target: &Target) -> crate::Result<()> {
+        if self.plays.is_none() || target.counts_plays() {
+            return Ok(());
+        }
+        let what = "only a GIF or an animated PNG says how often it plays";
+        let help = "leave it out, or write a .gif or a .png";
+        Err(Error::input("--loop", what, help))
+    }
+
+    /// How often it plays.
+    pub(super) fn plays(self) -> Plays {
+        self.plays.unwrap_or(Plays::Forever)
+    }
+}
+
 /// How often an animation plays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::cmd) enum Plays {

@@ -13,9 +13,6 @@ use crate::experiment::{CaseRecords, Definition, Picture, Record, Run, Synopsis}
 use crate::gpu::AdapterReport;
 use crate::{Error, Result};
 
-/// The file that says by what a run was made that is no shard.
-const WHOLE_RUN: &str = "run.json";
-
 const OTHER_FOLDER: &str = "choose another folder with --out, or measure all again with --force";
 
 /// The folder of a run.
@@ -32,8 +29,8 @@ impl Folder {
         Ok(Self {
             path: path.to_owned(),
             run_file: match shard {
-                Some(Shard { index, count }) => format!("run.{index}-of-{count}.json"),
-                None => WHOLE_RUN.to_owned(),
+                Some(Shard { index, count }) => Run::file_of_shard(index, count),
+                None => Run::FILE.to_owned(),
             },
         })
     }
@@ -67,14 +64,14 @@ impl Folder {
         force: bool,
     ) -> Result<Option<Run>> {
         let own = self.path.join(&self.run_file);
-        let is_shard = self.run_file != WHOLE_RUN;
+        let is_shard = self.run_file != Run::FILE;
         let replaces_all = force && !is_shard;
         for path in self.run_files().filter(|path| *path != own) {
             // Each takes its place whole, and one that is none says nothing.
             let Some(run) = read::<Run>(&path) else {
                 continue;
             };
-            let is_of_shards = is_shard && !path.ends_with(WHOLE_RUN);
+            let is_of_shards = is_shard && !path.ends_with(Run::FILE);
             let is_other_device = run.adapter != *adapter && !is_of_shards;
             if !replaces_all && (run.is_quick != is_quick || is_other_device) {
                 let help = match is_shard {
@@ -107,10 +104,8 @@ impl Folder {
     /// The files that say by what the folder was made.
     fn run_files(&self) -> impl Iterator<Item = PathBuf> {
         let entries = std::fs::read_dir(&self.path).into_iter().flatten();
-        entries.flatten().map(|entry| entry.path()).filter(|path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            name.starts_with("run.") && name.ends_with(".json")
-        })
+        let files = entries.flatten().map(|entry| entry.path());
+        files.filter(|path| Run::is_file(path))
     }
 
     /// Writes what is said of the run.

@@ -97,19 +97,20 @@ pub(super) fn run(args: &MeasureArgs) -> Result<Verdict> {
     let steps: usize = jobs.iter().map(|j| steps(j, args)).sum();
     let console = Console::new(args.console, steps);
     console.show_what_is_left();
+    let run = run_of(&gpu, earlier, machine.clone(), args.quick);
     let mut work = Work {
         invocation: Invocation {
             began: machine::now(),
             load: machine.load,
-            command: command_line(),
-            adapter: Some(gpu.report().clone()),
-            version: Some(env!("CARGO_PKG_VERSION").to_owned()),
-            commit: machine::commit(),
+            command: run.command.clone(),
+            adapter: Some(run.adapter.clone()),
+            version: Some(run.version.clone()),
+            commit: run.commit.clone(),
             ..machine::place(args.shard)
         },
         args,
         folder,
-        run: run_of(&gpu, earlier, machine.clone(), args.quick),
+        run,
         machine,
         program: jobs::program(),
         interrupt: Interrupt::listen("measure", "round")?,

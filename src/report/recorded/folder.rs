@@ -35,10 +35,6 @@ pub struct Experiment {
     pub missing: Vec<String>,
 }
 
-/// The file that says that a folder holds a run.
-const RUN_FILE: &str = "run.json";
-/// How it begins, and those of shares of a run: `run.3-of-16.json`.
-const RUN_PREFIX: &str = "run.";
 /// The file that says that a folder holds an experiment.
 const EXPERIMENT_FILE: &str = "experiment.json";
 /// The folder of outside baselines.
@@ -67,7 +63,7 @@ impl Folder {
             }
             let what = format!(
                 "there is no run in this folder: {} is missing, and there are no outside baselines",
-                path.join(RUN_FILE).display()
+                path.join(Run::FILE).display()
             );
             return Err(Error::file(path, what, MISSING));
         }
@@ -186,12 +182,8 @@ fn peers_alone(path: &Path) -> Result<Vec<PeerRecord>> {
 
 /// The runs of a folder, those of one device and program made one: that of the command that measured all of it, or of each share of it.
 fn runs(path: &Path) -> Result<Vec<Run>> {
-    let is_run = |file: &&PathBuf| {
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        name.starts_with(RUN_PREFIX)
-    };
     let mut runs: Vec<Run> = Vec::new();
-    for file in json_files(path)?.iter().filter(is_run) {
+    for file in json_files(path)?.iter().filter(|file| Run::is_file(file)) {
         let run: Run = read_numbered(file, Record::FORMAT)?;
         match runs
             .iter_mut()

@@ -14,8 +14,6 @@
 mod sheet;
 mod solid;
 
-use glam::DVec3;
-
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
 pub(crate) use self::solid::is_at_work;
@@ -222,7 +220,7 @@ fn around(bounds: &Bounds) -> Bounds {
 
 /// A block.
 fn block_mesh(bounds: &Bounds) -> Mesh {
-    // Corners of a cube by the bits of their numbers, x first; each face from outside, counter-clockwise.
+    // Corners in the order of `Bounds::corners`; each face from outside, counter-clockwise.
     const FACES: [[u32; 4]; 6] = [
         [0, 4, 6, 2],
         [1, 3, 7, 5],
@@ -231,10 +229,8 @@ fn block_mesh(bounds: &Bounds) -> Mesh {
         [0, 2, 3, 1],
         [4, 5, 7, 6],
     ];
-    let ends = [bounds.min, bounds.max];
-    let corner = |n: usize| DVec3::new(ends[n & 1].x, ends[n >> 1 & 1].y, ends[n >> 2].z);
     Mesh {
-        positions: (0..8).map(corner).collect(),
+        positions: bounds.corners().to_vec(),
         triangles: (FACES.iter())
             .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]])
             .collect(),

@@ -35,6 +35,19 @@ impl Scratch {
         path
     }
 
+    /// A scene file of cubes in a row, called by names as TOML writes them, that a plane halves.
+    pub(crate) fn write_cubes(&self, file: &str, names: &[&str]) {
+        let part = |(i, name): (usize, &&str)| {
+            format!(
+                "[[part]]\nname = \"{name}\"\nshape = \"cube\"\ntranslate = [{}, 0, 0]\n",
+                3 * i
+            )
+        };
+        let parts: String = names.iter().enumerate().map(part).collect();
+        let cut = "[[cut]]\nsurfaces = [{ section = \"z=50%\" }]\n";
+        self.write(file, format!("{parts}{cut}"));
+    }
+
     /// A scene file of this text, opened.
     pub(crate) fn load(&self, text: &str) -> cutaway::Result<Timeline> {
         self.load_with(text, &mut Assets::default())

@@ -219,17 +219,7 @@ fn three_mf_is_a_package_with_units_objects_and_materials() {
 fn obj_names_are_read_back_whatever_they_were() {
     let folder = Scratch::new("export-obj-names");
     let names = ["a\\\\", "#1", "#2", "plain"];
-    let part = |(i, name): (usize, &&str)| {
-        format!(
-            "[[part]]\nname = \"{name}\"\nshape = \"cube\"\ntranslate = [{}, 0, 0]\n",
-            3 * i
-        )
-    };
-    let parts: String = names.iter().enumerate().map(part).collect();
-    folder.write(
-        "parts.toml",
-        format!("{parts}[[cut]]\nsurfaces = [{{ section = \"z=50%\" }}]\n"),
-    );
+    folder.write_cubes("parts.toml", &names);
     folder.run("export parts.toml -o cut.obj").exits(0);
     let found: Vec<String> = read(&folder, "cut.obj")
         .parts

@@ -90,17 +90,7 @@ fn loops_are_closed_polylines_on_the_layers_of_their_parts() {
 fn no_two_parts_share_a_layer() {
     let folder = Scratch::new("section-dxf-names");
     let names = ["Bolt", "bolt", "a/b", "a:b", "0", "part"];
-    let part = |(i, name): (usize, &&str)| {
-        format!(
-            "[[part]]\nname = \"{name}\"\nshape = \"cube\"\ntranslate = [{}, 0, 0]\n",
-            3 * i
-        )
-    };
-    let parts: String = names.iter().enumerate().map(part).collect();
-    folder.write(
-        "parts.toml",
-        format!("{parts}[[cut]]\nsurfaces = [{{ section = \"z=50%\" }}]\n"),
-    );
+    folder.write_cubes("parts.toml", &names);
     folder.run("section parts.toml -o parts.dxf").exits(0);
     let text = fs::read_to_string(folder.path("parts.dxf")).unwrap();
     let mut layers: Vec<String> = polylines(&text)
