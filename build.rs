@@ -1,4 +1,6 @@
 //! Embeds the files of `shaders/`: each as its path in the tree and its text, modules of `lib/` apart from whole shaders.
+//!
+//! Lines of comments are embedded as empty lines: a third of the text, which a page in a browser would send, and lines keep their numbers.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -30,12 +32,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .to_string_lossy()
                 .replace('\\', "/");
             if path.starts_with("lib/") == is_library {
-                // Of this package wherever it lies, whichever copy of it a shared target folder was filled from.
-                let place = format!("/shaders/{path}");
-                writeln!(
-                    source,
-                    "    ({path:?}, include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {place:?}))),"
-                )?;
+                let text = without_comments(&fs::read_to_string(file)?);
+                writeln!(source, "    ({path:?}, {text:?}),")?;
             }
         }
         writeln!(source, "];")?;
@@ -45,6 +43,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         source,
     )?;
     Ok(())
+}
+
+fn without_comments(text: &str) -> String {
+    let is_comment = |line: &str| line.trim_start().starts_with("//");
+    let lines = text.lines();
+    lines
+        .map(|line| {
+            if is_comment(line) {
+                "\n".to_owned()
+            } else {
+                format!("{line}\n")
+            }
+        })
+        .collect()
 }
 
 /// Adds the files of WGSL below a folder.

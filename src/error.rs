@@ -34,6 +34,9 @@ pub enum Error {
         /// What the user can do about it.
         help: String,
     },
+    /// A file that is named and is not there. The error within says who names it, and has the words.
+    #[error("{0}")]
+    Missing(Box<Self>),
     /// No adapter, or one that lacks what a plan needs.
     #[error("{what}\n  help: {help}")]
     Adapter {
@@ -98,6 +101,7 @@ impl Error {
     pub(crate) fn into_what(self) -> String {
         match self {
             Self::File { what, .. } => what,
+            Self::Missing(error) => error.into_what(),
             other => other.to_string(),
         }
     }
@@ -130,8 +134,14 @@ impl Error {
                 let culprit = format!("{place}: {}{line}{column}", path.display());
                 Self::input(culprit, what, help)
             }
+            Self::Missing(error) => error.within(place).missing(),
             other => other,
         }
+    }
+
+    /// The same, which is so because a file is not there.
+    pub(crate) fn missing(self) -> Self {
+        Self::Missing(Box::new(self))
     }
 
     /// An option, key or value that makes no sense.

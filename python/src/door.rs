@@ -5,15 +5,12 @@
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use cutaway::Error;
 use pyo3::exceptions::{PyFileNotFoundError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-
-use crate::store;
 
 /// Result of what is asked of the library.
 pub(crate) type Result<T> = cutaway::Result<T>;
@@ -54,14 +51,10 @@ fn must_be_owner() -> PyResult<()> {
 pub(crate) fn raised(error: Error) -> PyErr {
     let words = error.to_string();
     match &error {
-        Error::File { path, .. } if is_missing(path) => PyFileNotFoundError::new_err(words),
+        Error::Missing(_) => PyFileNotFoundError::new_err(words),
         Error::File { .. } | Error::Input { .. } | Error::Limit(_) => PyValueError::new_err(words),
         _ => PyRuntimeError::new_err(words),
     }
-}
-
-fn is_missing(path: &Path) -> bool {
-    !store::is_virtual(path) && !path.exists()
 }
 
 fn words_of(panic: &(dyn Any + Send)) -> &str {

@@ -130,6 +130,11 @@ impl Subject {
         self.assets.unit()
     }
 
+    /// What all options amount to.
+    pub(super) fn document(&self) -> &Document {
+        &self.document
+    }
+
     /// The document, and what was read for it.
     pub(super) fn into_document(self) -> (Document, Assets) {
         (self.document, self.assets)
@@ -218,7 +223,7 @@ pub(super) fn check_model(input: &str) -> Result<()> {
         Ok(_) => format!("write shape:{input} for the built-in shape"),
         Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
     };
-    Err(Error::file(path, "there is no such file", help))
+    Err(Error::file(path, "there is no such file", help).missing())
 }
 
 /// Whether an input is a scene file by its name.

@@ -89,5 +89,9 @@ fn unreadable(path: &Path, e: &io::Error) -> Error {
         ErrorKind::Unsupported => "where there is no file system, give the files as bytes",
         _ => "check that it is a file that can be read",
     };
-    Error::file(path, format!("cannot be read: {e}"), help)
+    let error = Error::file(path, format!("cannot be read: {e}"), help);
+    match e.kind() {
+        ErrorKind::NotFound => error.missing(),
+        _ => error,
+    }
 }

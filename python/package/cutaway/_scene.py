@@ -261,7 +261,7 @@ class Scene:
 
         ``rounds``: how often time is taken, after one to warm up. ``Ctrl-C`` ends it after the present frame.
         """
-        names = _texts("strategies", strategies if isinstance(strategies, str) else list(strategies))
+        names = _texts("strategies", strategies)
         try:
             count = int(rounds)
         except (TypeError, ValueError, OverflowError):

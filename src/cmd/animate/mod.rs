@@ -151,7 +151,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
     let mut session = args.device.session(args.json.is_some())?;
     // Its files are read once more for it, which only numbered frames have any use for.
     let run = match target {
-        Target::Numbered(_) => identity::of(args, &subject, &session),
+        Target::Numbered(_) => identity::of(&subject, &times, args.turn_deg, &session),
         _ => Identity::default(),
     };
     // Before the encoder begins a file, which Ctrl-C would leave behind half written.

@@ -355,8 +355,12 @@ pub(super) fn spec_of(entry: &Entry<'_>) -> Result<String> {
     })
 }
 
-/// There is no such file.
+/// There is no such file, or it is a folder.
 pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
+    if path.is_dir() {
+        let what = format!("{} is a folder", path.display());
+        return origin.fault(what, "give the name of a file in it");
+    }
     let what = format!("there is no file {}", path.display());
     let help = match origin.node.origin {
         Origin::Text { .. } => {
@@ -364,5 +368,5 @@ pub(super) fn missing(origin: &Entry<'_>, path: &Path) -> Error {
         }
         _ => "check the path; built-in shapes are written shape:NAME",
     };
-    origin.fault(what, help)
+    origin.fault(what, help).missing()
 }

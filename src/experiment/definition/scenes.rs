@@ -207,7 +207,7 @@ fn scene(table: &Table<'_>, path: &Path) -> Result<Document> {
     if !file.is_file() {
         let what = format!("there is no file {}", file.display());
         let help = "check the name, which is relative to the experiment, or write the scene as a table: [run.scene]";
-        return Err(entry.fault(what, help));
+        return Err(entry.fault(what, help).missing());
     }
     Document::read(&file)
 }

@@ -134,7 +134,7 @@ impl Pattern {
                     "check the folder and the digits: %04d is four of them; in a scene file `first` may be any number",
                 ),
             };
-            return Err(Error::input(format!("`{}`", self.text), what, help));
+            return Err(Error::input(format!("`{}`", self.text), what, help).missing());
         };
         let files: Vec<PathBuf> = (start..)
             .take_while(is_there)
