@@ -7,8 +7,9 @@
 # shown by itself: a program that says it is ready and draws nothing must not pass.
 set -eu
 
-program=${1:-target/release/cutaway-viewer}
-out=${CARGO_TARGET_DIR:-target}/check-viewer
+target=${CARGO_TARGET_DIR:-target}
+program=${1:-$target/release/cutaway-viewer}
+out=$target/check-viewer
 mkdir -p "$out"
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"
 # Whenever this file is there, the program destroys its device. Scenes that it keeps stay here as well.

@@ -2,9 +2,9 @@
 # Builds the page: static files in target/page (or $1), for any static host.
 set -eu
 
-out=${1:-target/page}
 cargo=${CARGO:-cargo}
 target=${CARGO_TARGET_DIR:-target}
+out=${1:-$target/page}
 # Most bytes of the program, and of what a host sends of it when it compresses by gzip. By brotli it is a quarter less.
 most=8000000
 most_sent=3000000
