@@ -167,7 +167,7 @@ fn every_file_says_what_it_is_for() {
         .map(|(name, _)| format!("{name} does not begin with //!"))
         .collect();
     none(&without);
-    for (name, text) in shader::FILES.iter().copied().flatten() {
+    for (name, text) in files("shaders", "wgsl") {
         assert!(
             text.starts_with("// "),
             "{name} does not begin with a comment"
