@@ -82,6 +82,7 @@ fn one_slip_is_named_with_its_line_and_a_mend() {
             assert!(scene.contains(intact), "{intact} is not in the scene");
             count += 1;
             let error = match load(&folder, &scene.replacen(intact, broken, 1)) {
+                Err(Error::Missing(error)) => *error,
                 Err(error) => error,
                 Ok(_) => {
                     missed.push(format!("`{broken}` was taken instead of `{intact}`"));

@@ -65,6 +65,7 @@ impl<'a> Entry<'a> {
     /// An error from elsewhere, placed at this value. Errors about other files already name their place.
     pub(crate) fn place(&self, error: Error) -> Error {
         match (error, &self.node.origin) {
+            (Error::Missing(error), _) => self.place(*error).missing(),
             // The words of an option are named already.
             (
                 Error::Input {
