@@ -47,16 +47,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn without_comments(text: &str) -> String {
     let is_comment = |line: &str| line.trim_start().starts_with("//");
-    let lines = text.lines();
-    lines
-        .map(|line| {
-            if is_comment(line) {
-                "\n".to_owned()
-            } else {
-                format!("{line}\n")
-            }
-        })
-        .collect()
+    let kept = text
+        .lines()
+        .map(|line| if is_comment(line) { "" } else { line });
+    kept.flat_map(|line| [line, "\n"]).collect()
 }
 
 /// Adds the files of WGSL below a folder.
