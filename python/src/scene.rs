@@ -3,6 +3,8 @@
 //! A change is made on a copy of the document, which takes the place of the other only if it still opens. So an error is raised by the call
 //! that is at fault, and leaves the scene as it was.
 
+use std::collections::HashSet;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -113,12 +115,19 @@ impl State {
         let parts = document.root().get("part").map_or(&[] as &[_], Node::items);
         let mesh = |node: &Node| node.get("mesh").and_then(Node::text).map(PathBuf::from);
         let meshes: Vec<Option<PathBuf>> = parts.iter().map(mesh).collect();
+        // Names of files that the scene has of an earlier time stay theirs.
+        let files = document.files(&*self.store);
+        let names = files.iter().filter_map(|file| file.file_name());
+        let mut taken: HashSet<OsString> = names.map(OsStr::to_owned).collect();
         let mut beside = Vec::new();
         for (number, mesh) in meshes.into_iter().enumerate() {
             let Some(bytes) = mesh.and_then(|mesh| self.store.held(&mesh)) else {
                 continue;
             };
-            let name = format!("{stem}.{}.ply", number + 1);
+            let mut names = (number + 1..).map(|n| format!("{stem}.{n}.ply"));
+            let Some(name) = names.find(|name| taken.insert(name.into())) else {
+                continue;
+            };
             document.set(&format!("part.{number}.mesh"), name.as_str())?;
             beside.push((name, bytes));
         }

@@ -192,6 +192,23 @@ def test_no_file_is_lost(scene, tmp_path):
         scene.save(tmp_path / "scene.png")
 
 
+def test_a_mesh_saved_before_keeps_its_file(tmp_path):
+    """The third array of a scene once took the file of the second, which another part still named."""
+    scene = cutaway.Scene()
+    for name in ("a", "b"):
+        scene.add(name, *box())
+    file = tmp_path / "s.toml"
+    scene.save(file)
+    again = cutaway.Scene.open(file)
+    again.remove("part.0")
+    vertices, faces = box()
+    again.add("c", np.asarray(vertices) + 1.0, faces)
+    again.save(file, overwrite=True)
+    last = cutaway.Scene.open(file)
+    assert last.parts == ["b", "c"]
+    assert last.get("part.0.mesh") != last.get("part.1.mesh")
+
+
 def test_scenes_are_used_from_several_threads(scene):
     failures = []
 

@@ -185,6 +185,9 @@ impl Drop for Pending {
     }
 }
 
+/// Characters of a file's name, of four bytes at most, that its temporary name begins with.
+const MOST_OF_NAME: usize = 50;
+
 /// A new file beside a place, under a name that no other process takes: process numbers repeat on several machines, and in containers.
 fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -192,7 +195,9 @@ fn unnamed(path: &Path, folder: &Path) -> std::io::Result<(fs::File, PathBuf)> {
     // As any other file: the mask of the process decides.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let prefix = format!(".{name}.");
+    // A name of 255 bytes is the longest that file systems take.
+    let begin: String = name.chars().take(MOST_OF_NAME).collect();
+    let prefix = format!(".{begin}.");
     let file = builder.prefix(&prefix).suffix(".tmp").tempfile_in(folder)?;
     Ok(file.keep()?)
 }

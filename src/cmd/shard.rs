@@ -154,6 +154,9 @@ impl Shard {
             };
             let name = scheduler.name;
             return match (index, count) {
+                (_, Some(count)) if !(1..=MOST).contains(&count) => Err(format!(
+                    "{name} speaks of {count} tasks, and shares are 1 to {MOST}\n  help: say how many there are, for example --shard auto/8"
+                )),
                 (_, None) => Err(format!(
                     "{name} does not say how many tasks there are\n  help: say it, for example --shard auto/8"
                 )),
@@ -271,6 +274,16 @@ mod tests {
             (&[], "1", "no share"),
             (&[], "auto", "no scheduler"),
             (&[("HQ_TASK_ID", "7")], "auto", "how many"),
+            (
+                &[("CI_NODE_INDEX", "1"), ("CI_NODE_TOTAL", "4000000000")],
+                "auto",
+                "shares are 1 to",
+            ),
+            (
+                &[("CI_NODE_INDEX", "1"), ("CI_NODE_TOTAL", "0")],
+                "auto",
+                "shares are 1 to",
+            ),
             (&[("SLURM_ARRAY_TASK_ID", "x")], "auto", "no number"),
             (&[("SLURM_ARRAY_TASK_ID", "9")], "auto/8", "none of 8 tasks"),
             (

@@ -106,6 +106,9 @@ pub enum Unwritable {
     /// No triangle is left: there is none, or all have corners that are one in f32.
     #[error("the numbers of the format are so coarse that no triangle is left of it")]
     Collapsed,
+    /// Coordinates beyond what f32 holds, 3.4e38.
+    #[error("the format has coordinates of 32 bits, and some are too large for that")]
+    Infinite,
     /// Sizes and counts are numbers of 32 bits.
     #[error("the format holds at most 4 GiB")]
     TooLarge,
@@ -125,6 +128,11 @@ pub fn encoded(
     stem: &str,
     unit: LengthUnit,
 ) -> Result<Vec<u8>, Unwritable> {
+    let is_of_f32 = matches!(format, Format::Stl | Format::Glb);
+    let mut positions = solids.iter().flat_map(|s| &s.mesh.positions);
+    if is_of_f32 && positions.any(|p| !p.as_vec3().is_finite()) {
+        return Err(Unwritable::Infinite);
+    }
     match format {
         Format::Stl => stl::encoded(solids),
         Format::Ply => Ok(ply::encoded(solids)),

@@ -162,6 +162,13 @@ fn shares_of_an_experiment_are_the_whole_of_it() {
     folder.run("report many").exits(0);
     let report = json(&folder, "many/report.json");
     assert_eq!(report["folders"].as_array().unwrap().len(), 3);
+    // A point of a run that is not there any more is put to none of those that are.
+    let name = "many/cubes/cube.1_.json";
+    let mut point = json(&folder, name);
+    point["sitting"]["commit"] = Value::from("fedcba9");
+    folder.write(name, point.to_string());
+    let ran = folder.run("report many --complete").exits(1);
+    assert!(ran.stderr.contains("cubes/cube.1_"), "{}", ran.stderr);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import os
 import tempfile
 from collections.abc import Iterable, Sequence
@@ -219,8 +220,8 @@ class Scene:
         ``watertight``: raise ``ValueError`` where a half is open, with the part and a place; without it that is a warning.
         """
         try:
-            relief_cells = min(max(int(relief_cells), 0), 2**32 - 1)
-        except (TypeError, ValueError, OverflowError):
+            relief_cells = min(max(operator.index(relief_cells), 0), 2**32 - 1)
+        except TypeError:
             raise refuse("relief_cells", f"{relief_cells!r} is no whole number", "256 is usual") from None
         divided = self._scene.capped(relief_cells, _asked(None, time, None))
         halves: dict[str, list[Solid]] = {"kept": [], "removed": []}
@@ -263,8 +264,8 @@ class Scene:
         """
         names = _texts("strategies", strategies)
         try:
-            count = int(rounds)
-        except (TypeError, ValueError, OverflowError):
+            count = operator.index(rounds)
+        except TypeError:
             count = 0
         if not 1 <= count <= 10_000:
             raise refuse("rounds", f"{rounds!r} is not from 1 to 10000", "9 is usual")

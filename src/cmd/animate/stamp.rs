@@ -4,6 +4,8 @@
 
 use std::io::{BufRead, Seek};
 
+use super::times::MOST_FRAMES;
+
 /// The keyword of the chunk that names the run.
 const RUN: &str = "cutaway run";
 
@@ -37,10 +39,39 @@ impl Stamp {
         let texts = &reader.info().uncompressed_latin1_text;
         let text = |keyword: &str| Some(texts.iter().find(|t| t.keyword == keyword)?.text.as_str());
         let (number, count) = text(FRAME)?.split_once(" of ")?;
-        Some(Self {
+        let (number, count) = (number.parse().ok()?, count.parse().ok()?);
+        let is_sound = (1..=MOST_FRAMES).contains(&count) && (1..=count).contains(&number);
+        is_sound.then_some(Self {
             run: text(RUN)?.to_owned(),
-            number: number.parse().ok()?,
-            count: count.parse().ok()?,
+            number,
+            count,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stamped(frame: &str) -> Option<Stamp> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+        for (keyword, text) in [(RUN, "a run"), (FRAME, frame)] {
+            let added = encoder.add_text_chunk(keyword.to_owned(), text.to_owned());
+            added.expect("a chunk");
+        }
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(&[0]).expect("a pixel");
+        writer.finish().expect("an end");
+        Stamp::of_whole(std::io::Cursor::new(bytes))
+    }
+
+    #[test]
+    fn numbers_that_no_animation_has_are_no_stamp() {
+        let sound = stamped("3 of 24").expect("a stamp");
+        assert_eq!((sound.number, sound.count), (3, 24));
+        for frame in ["1 of 4000000000", "0 of 24", "25 of 24", "3", "a of b"] {
+            assert_eq!(stamped(frame), None, "{frame}");
+        }
     }
 }

@@ -12,7 +12,7 @@ use crate::{Error, Result};
 const USUAL_TURN_S: f64 = 4.0;
 
 /// Frames that are no slip: half an hour at 50 a second.
-const MOST_FRAMES: f64 = 90_000.0;
+pub(super) const MOST_FRAMES: u32 = 90_000;
 
 /// Which times are shown.
 #[derive(Args)]
@@ -59,7 +59,7 @@ impl TimesArgs {
                 (duration_s * fps).round().max(1.0)
             }
         };
-        if count > MOST_FRAMES {
+        if count > f64::from(MOST_FRAMES) {
             let culprit = if self.frames.is_some() {
                 "--frames"
             } else {

@@ -20,10 +20,15 @@ const MESHOPT: &str = "EXT_meshopt_compression";
 const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// Extensions that are read.
-const READ: [&str; 3] = [MESHOPT, DRACO, "KHR_mesh_quantization"];
+const READ: [&str; 4] = [
+    MESHOPT,
+    DRACO,
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
 
 /// Beginnings of the names of extensions that change looks alone.
-const LOOKS: [&str; 3] = ["KHR_materials_", "KHR_texture_transform", "KHR_lights_"];
+const LOOKS: [&str; 2] = ["KHR_materials_", "KHR_lights_"];
 
 /// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
 pub(super) fn settle_required(path: &Path, root: &mut Root, notes: &mut Vec<String>) -> Result<()> {

@@ -1,10 +1,11 @@
-//! What a glTF primitive is painted with: base colour and its image, and colours of vertices. Wrapping is always a repeat, and
-//! transforms of texture coordinates are passed over.
+//! What a glTF primitive is painted with: base colour and its image, and colours of vertices. Wrapping is always a repeat.
+//! Texture coordinates are moved and scaled by `KHR_texture_transform`; a rotation by it is passed over, with a note.
 
 use glam::{Vec2, Vec3};
 use gltf::Accessor;
-use gltf::accessor::Dimensions;
+use gltf::accessor::{DataType, Dimensions};
 use gltf::material::AlphaMode;
+use gltf::texture::{Info, TextureTransform};
 use gltf::{Primitive, Semantic};
 
 use super::super::painted::{Paint, PaintedTriangle};
@@ -42,10 +43,20 @@ pub(super) fn triangles(
         checked.is_some_and(|checked| checked.is_ok())
     };
     let mut places: Option<Vec<Vec2>> = None;
-    if let Some(set) = texture.map(|info| info.tex_coord())
-        && is_right(primitive.get(&Semantic::TexCoords(set)), PLACES)
+    let transform = texture.as_ref().and_then(Info::texture_transform);
+    let moved_set = transform.as_ref().and_then(TextureTransform::tex_coord);
+    let set = moved_set.or_else(|| texture.as_ref().map(Info::tex_coord));
+    let stored = set.and_then(|set| primitive.get(&Semantic::TexCoords(set)));
+    if let Some(set) = set
+        && is_right(stored.clone(), PLACES)
     {
-        let finite = |place: [f32; 2]| Some(Vec2::from(place)).filter(|p| p.is_finite());
+        let unit = stored.map_or(1.0, |accessor| stored_unit(&accessor));
+        let [scale, offset] = match &transform {
+            Some(transform) => [transform.scale(), transform.offset()].map(Vec2::from),
+            None => [Vec2::ONE, Vec2::ZERO],
+        };
+        let placed = |place: [f32; 2]| Vec2::from(place) * unit * scale + offset;
+        let finite = |place| Some(placed(place)).filter(|p| p.is_finite());
         let read = reader.read_tex_coords(set);
         places =
             read.map(|read| (read.into_f32().map(|p| finite(p).unwrap_or_default())).collect());
@@ -65,6 +76,9 @@ pub(super) fn triangles(
         let read = reader.read_colors(0);
         colors = read.map(|read| read.into_rgb_f32().map(encoded).collect());
     }
+    if transform.is_some_and(|transform| transform.rotation() != 0.0) {
+        notes.push("shown without the rotation of KHR_texture_transform".into());
+    }
     // Those that lack some vertices are no use.
     let places = places.filter(|all| all.len() >= vertices);
     let colors = colors.filter(|all| all.len() >= vertices);
@@ -73,6 +87,16 @@ pub(super) fn triangles(
         uv: places.as_ref().map(|all| t.map(|i| all[i as usize])),
         colors: colors.as_ref().map(|all| t.map(|i| all[i as usize])),
     }));
+}
+
+/// What a coordinate is worth that the reader takes for a normalized one: whole numbers that are not normalized, as
+/// `KHR_mesh_quantization` has them, are meant as they are.
+fn stored_unit(accessor: &Accessor<'_>) -> f32 {
+    match accessor.data_type() {
+        DataType::U8 if !accessor.normalized() => f32::from(u8::MAX),
+        DataType::U16 if !accessor.normalized() => f32::from(u16::MAX),
+        _ => 1.0,
+    }
 }
 
 /// The base colour as sRGB. A textured material with a white factor says nothing about its colour.

@@ -78,7 +78,7 @@ impl Folder {
             if !entry.join(EXPERIMENT_FILE).is_file() {
                 continue;
             }
-            experiments.push(Experiment::read(&entry)?);
+            experiments.push(Experiment::read(&entry, &runs)?);
         }
         experiments.sort_by(|a, b| a.synopsis.name.cmp(&b.synopsis.name));
         let several = runs.len() > 1;
@@ -203,24 +203,39 @@ fn runs(path: &Path) -> Result<Vec<Run>> {
 }
 
 impl Experiment {
-    fn read(path: &Path) -> Result<Self> {
+    /// Reads it as far as it is of some runs. Of several each has its own points, and points of others, whose run was written over, are
+    /// missing.
+    fn read(path: &Path, runs: &[Run]) -> Result<Self> {
+        let is_of_a_run = |invocation: &Option<Invocation>| {
+            let maker = invocation.as_ref().and_then(Maker::of_invocation);
+            let mut makers = runs.iter().map(Maker::of_run);
+            runs.len() == 1 || maker.is_none_or(|maker| makers.any(|run| run == maker))
+        };
         let synopsis: Synopsis = read_json(&path.join(EXPERIMENT_FILE))?;
         let mut records: Vec<(usize, Record)> = Vec::new();
         let mut cases: Vec<CaseRecords> = Vec::new();
         let mut missing = synopsis.points.clone();
         for file in json_files(path)? {
             let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-            missing.retain(|point| *point != stem);
             let place = synopsis.points.iter().position(|point| *point == stem);
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             if name == EXPERIMENT_FILE {
                 continue;
             }
             let experiment = if name.ends_with(".cases.json") {
-                cases.push(read_numbered(&file, Record::FORMAT)?);
+                let found: CaseRecords = read_numbered(&file, Record::FORMAT)?;
+                if !is_of_a_run(&found.invocation) {
+                    continue;
+                }
+                missing.retain(|point| *point != stem);
+                cases.push(found);
                 cases.last().map(|c| &c.experiment)
             } else {
-                let record = read_numbered(&file, Record::FORMAT)?;
+                let record: Record = read_numbered(&file, Record::FORMAT)?;
+                if !is_of_a_run(&record.invocation) {
+                    continue;
+                }
+                missing.retain(|point| *point != stem);
                 is_at_one(&file, &record)?;
                 records.push((place.unwrap_or(synopsis.points.len()), record));
                 records.last().map(|(_, r)| &r.experiment)

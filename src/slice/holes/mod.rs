@@ -125,12 +125,9 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
     };
     let diagonal = mesh.bounds().size().length();
     for group in planar::groups(&planes, diagonal) {
-        let together = group.len() > 1 && surface.close(&mut closing, &group, &planes).is_ok();
-        if !together {
-            for hole in group {
-                let closed = surface.close(&mut closing, &[hole], &planes);
-                closing.holes[hole].defect = closed.err();
-            }
+        for hole in surface.close_together(&mut closing, group, &planes) {
+            let closed = surface.close(&mut closing, &[hole], &planes);
+            closing.holes[hole].defect = closed.err();
         }
     }
     for hole in 0..closing.holes.len() {
@@ -144,9 +141,8 @@ pub fn close_holes(mesh: &Mesh) -> Closing {
         }
         let found = small::triangles(mesh, rim, |ends| surface.has(ends));
         let closed = match found {
-            Some(triangles) => {
-                surface.add(&mut closing.triangles, &[hole], &closing.holes, triangles)
-            }
+            Some(triangles) => (surface.checked(&closing.holes, &[hole], triangles))
+                .map(|filling| surface.add(&mut closing.triangles, filling)),
             None => Err(HoleDefect::Taken),
         };
         closing.holes[hole].defect = closed.err();
@@ -197,6 +193,30 @@ impl<'a> Surface<'a> {
         self.edges.contains(&sorted(ends))
     }
 
+    /// Closes those holes in one plane that can be closed together, and says which are left.
+    fn close_together(
+        &mut self,
+        closing: &mut Closing,
+        group: Vec<usize>,
+        planes: &[Option<Plane>],
+    ) -> Vec<usize> {
+        if group.len() < 2 {
+            return group;
+        }
+        if self.close(closing, &group, planes).is_ok() {
+            return Vec::new();
+        }
+        // What cannot be closed by itself must not keep others from being closed together: alone, the two rims at the end of a pipe
+        // would be two disks.
+        let can_alone = |hole: &usize| self.filling(&closing.holes, &[*hole], planes).is_ok();
+        let (able, unable): (Vec<usize>, Vec<usize>) = group.iter().partition(|h| can_alone(h));
+        let is_subset = able.len() > 1 && !unable.is_empty();
+        match is_subset && self.close(closing, &able, planes).is_ok() {
+            true => unable,
+            false => group,
+        }
+    }
+
     /// Closes holes in one plane.
     fn close(
         &mut self,
@@ -204,26 +224,36 @@ impl<'a> Surface<'a> {
         holes: &[usize],
         planes: &[Option<Plane>],
     ) -> Result<(), HoleDefect> {
-        let plane = planes[holes[0]].as_ref().ok_or(HoleDefect::Large)?;
-        let rims: Vec<&[u32]> = (holes.iter())
-            .map(|hole| closing.holes[*hole].vertices.as_slice())
-            .collect();
-        let triangles = plane.triangles(self.mesh, &rims)?;
-        self.add(&mut closing.triangles, holes, &closing.holes, triangles)?;
+        let filling = self.filling(&closing.holes, holes, planes)?;
+        self.add(&mut closing.triangles, filling);
         for hole in holes {
             closing.holes[*hole].defect = None;
         }
         Ok(())
     }
 
-    /// Adds the triangles of some holes, if they close exactly those and agree with the surface.
-    fn add(
-        &mut self,
-        all: &mut Vec<[u32; 3]>,
-        numbers: &[usize],
+    /// What closes some holes in one plane.
+    fn filling(
+        &self,
         holes: &[Hole],
+        numbers: &[usize],
+        planes: &[Option<Plane>],
+    ) -> Result<Filling, HoleDefect> {
+        let plane = planes[numbers[0]].as_ref().ok_or(HoleDefect::Large)?;
+        let rims: Vec<&[u32]> = (numbers.iter())
+            .map(|hole| holes[*hole].vertices.as_slice())
+            .collect();
+        let triangles = plane.triangles(self.mesh, &rims)?;
+        self.checked(holes, numbers, triangles)
+    }
+
+    /// Triangles that close exactly some holes and agree with the surface.
+    fn checked(
+        &self,
+        holes: &[Hole],
+        numbers: &[usize],
         triangles: Vec<[u32; 3]>,
-    ) -> Result<(), HoleDefect> {
+    ) -> Result<Filling, HoleDefect> {
         let mut open: BTreeSet<[u32; 2]> = BTreeSet::new();
         for number in numbers {
             open.extend(edges_of(&holes[*number].vertices));
@@ -245,14 +275,27 @@ impl<'a> Surface<'a> {
         if !is_whole || inner.keys().any(|ends| self.edges.contains(ends)) {
             return Err(HoleDefect::Taken);
         }
-        self.edges.extend(inner.into_keys());
-        all.extend(triangles);
-        Ok(())
+        Ok(Filling {
+            triangles,
+            edges: inner.into_keys().collect(),
+        })
+    }
+
+    fn add(&mut self, all: &mut Vec<[u32; 3]>, filling: Filling) {
+        self.edges.extend(filling.edges);
+        all.extend(filling.triangles);
     }
 
     fn at(&self, vertex: u32) -> DVec3 {
         self.mesh.positions[vertex as usize]
     }
+}
+
+/// What closes some holes.
+struct Filling {
+    triangles: Vec<[u32; 3]>,
+    /// Its edges that are of no hole, the lesser vertex first.
+    edges: Vec<[u32; 2]>,
 }
 
 /// The edges of a closed way.

@@ -9,6 +9,10 @@ fn what_cannot_be_written_is_refused_with_help() {
         "bracket.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
     );
+    folder.write(
+        "vast.obj",
+        "v 0 0 0\nv 1e39 0 0\nv 0 1e39 0\nv 0 0 1e39\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+    );
     for (line, said) in [
         (
             "shape:cube --section z=0 -o half.step",
@@ -27,6 +31,8 @@ fn what_cannot_be_written_is_refused_with_help() {
             "nothing of the model is removed",
         ),
         ("bracket.obj --section z=50% -o bracket.obj", "input"),
+        ("vast.obj --section z=50% -o half.stl", "32 bits"),
+        ("vast.obj --section z=50% -o half.glb", "32 bits"),
         (
             "bracket.obj --section z=50% -o half.stl --json half.stl",
             "--json",
@@ -147,4 +153,15 @@ fn the_material_library_of_an_input_is_not_replaced() {
         .exits(0);
     let color = read(&folder, "b.obj").parts[0].material.color;
     assert!(color.x > 0.9 && color.y < 0.1, "{color}");
+}
+
+/// The name beside it, under which a file is begun, was once longer than file systems take.
+#[test]
+fn a_name_may_be_as_long_as_the_file_system_takes() {
+    let folder = Scratch::new("export-long-name");
+    let name = format!("{}.stl", "a".repeat(251));
+    folder
+        .run(&format!("export shape:cube --section z=0 -o {name}"))
+        .exits(0);
+    assert!(folder.path(&name).is_file());
 }

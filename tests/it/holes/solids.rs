@@ -84,6 +84,23 @@ fn the_ends_of_a_pipe_are_rings() {
     assert_eq!(deepest, 4, "no disc lies on another");
 }
 
+/// What lies in the plane of an end, and cannot be closed itself, once had each rim of the end closed alone: two disks across the bore.
+#[test]
+fn a_sheet_beside_the_end_of_a_pipe_leaves_the_end_a_ring() {
+    let mut pipe = mesh(Vec::new(), Vec::new());
+    wall(&mut pipe, &polygon(48, 2.0));
+    let inner: Vec<_> = polygon(36, 1.0).into_iter().rev().collect();
+    wall(&mut pipe, &inner);
+    let first = pipe.positions.len() as u32;
+    let sheet = [[3.0, 0.0], [4.0, 0.0], [4.0, 1.0], [3.0, 1.0]];
+    (pipe.positions).extend(sheet.map(|[x, y]| DVec3::new(x, y, 1.0)));
+    (pipe.triangles).extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|i: u32| first + i)));
+    let closing = close_holes(&pipe);
+    assert_eq!(closing.triangles.len(), 2 * (48 + 36));
+    let open = closing.holes.iter().filter(|hole| hole.defect.is_some());
+    assert_eq!(open.count(), 1, "the rim of the sheet");
+}
+
 #[test]
 fn outlines_that_cross_themselves_are_refused() {
     let mut tie = mesh(Vec::new(), Vec::new());

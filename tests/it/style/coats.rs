@@ -4,7 +4,7 @@ use super::*;
 use cutaway::load::{Memory, load_mesh_file_from};
 use cutaway::scene::style::Shading;
 use cutaway::scene::{Coat, CoatedTriangle, Mesh, Projection, Viewpoint};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -309,4 +309,57 @@ fn odd_images_of_a_gltf_are_said_and_its_mesh_is_read() {
         let is_said = loaded.notes.iter().any(|n| n.contains("shown without it"));
         assert!(is_said, "{image}: {:?}", loaded.notes);
     }
+}
+
+/// As packers write them: whole numbers of 12 bits that a transform brings to the image.
+#[test]
+fn texture_coordinates_of_a_gltf_are_moved_and_scaled() {
+    let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+    let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let uv: [[u16; 2]; 4] = [[0, 0], [4095, 0], [0, 4095], [4095, 4095]];
+    let read = |is_normalized: bool, transform: serde_json::Value| {
+        let bytes: Vec<u8> = (triangles
+            .as_flattened()
+            .iter()
+            .flat_map(|i| i.to_le_bytes()))
+        .chain((places.as_flattened().iter()).flat_map(|c| c.to_le_bytes()))
+        .chain(uv.as_flattened().iter().flat_map(|c| c.to_le_bytes()))
+        .collect();
+        let gltf = serde_json::json!({
+            "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+            "extensionsUsed": ["KHR_mesh_quantization", "KHR_texture_transform"],
+            "extensionsRequired": ["KHR_mesh_quantization", "KHR_texture_transform"],
+            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1, "TEXCOORD_0": 2 }, "indices": 0, "material": 0 }] }],
+            "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "extensions": { "KHR_texture_transform": transform } } } }],
+            "textures": [{ "source": 0 }], "images": [{ "uri": "four.png" }],
+            "buffers": [{ "uri": "it.bin", "byteLength": 88 }],
+            "bufferViews": [
+                { "buffer": 0, "byteLength": 24 },
+                { "buffer": 0, "byteOffset": 24, "byteLength": 48 },
+                { "buffer": 0, "byteOffset": 72, "byteLength": 16 },
+            ],
+            "accessors": [
+                { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
+                { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
+                { "bufferView": 2, "componentType": 5123, "count": 4, "type": "VEC2", "normalized": is_normalized },
+            ],
+        });
+        let mut files = Memory::default();
+        files.insert("it.gltf", gltf.to_string().into_bytes());
+        files.insert("it.bin", bytes);
+        files.insert("four.png", four_png());
+        let loaded = load_mesh_file_from(Path::new("it.gltf"), &files).expect("a mesh");
+        let coat = loaded.parts[0].mesh.coat.clone().expect("a coat");
+        (coat.triangles[0].uv, loaded.notes)
+    };
+    let twelve_bits =
+        serde_json::json!({ "scale": [1.0 / 4095.0, 0.5 / 4095.0], "offset": [0.25, 0.0] });
+    let (uv, notes) = read(false, twelve_bits);
+    let expected = [[0.25, 0.0], [0.25, 0.5], [1.25, 0.0]].map(Vec2::from);
+    let is_near = uv.iter().zip(expected).all(|(a, b)| a.distance(b) < 1e-6);
+    assert!(is_near, "{uv:?}");
+    assert!(notes.is_empty(), "{notes:?}");
+    let (uv, notes) = read(true, serde_json::json!({ "rotation": 1.0 }));
+    assert!((uv[2].x - 4095.0 / 65535.0).abs() < 1e-6, "{uv:?}");
+    assert!(notes.iter().any(|n| n.contains("rotation")), "{notes:?}");
 }

@@ -252,7 +252,9 @@ impl eframe::App for App {
             self.viewer.borrow_mut().show(ui);
             return;
         };
-        if let Some(call) = self.on_lost.borrow_mut().take() {
+        // Taken before it is called: what it does may be to set another.
+        let call = self.on_lost.borrow_mut().take();
+        if let Some(call) = call {
             let kept = self.viewer.borrow().state().as_seen().and_then(keep);
             // Where it cannot be kept either, nothing is promised.
             let kept = kept.map_or(JsValue::UNDEFINED, |link| {
