@@ -126,8 +126,7 @@ until_idle
 
 "$program" measure cubes.toml --out one -q
 "$program" animate "${scene[@]}" -o one.gif -q
-# The words of animate.sbatch: frames say of which command they are.
-"$program" animate "${scene[@]}" --output 'whole/%04d.png' --quiet
+"$program" animate "${scene[@]}" -o 'whole/%04d.png' -q
 python3 - <<'PY'
 import json
 from pathlib import Path

@@ -4,7 +4,7 @@
 //! that is at fault, and leaves the scene as it was.
 
 use std::collections::HashSet;
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -118,7 +118,7 @@ impl State {
         // Names of files that the scene has of an earlier time stay theirs.
         let files = document.files(&*self.store);
         let names = files.iter().filter_map(|file| file.file_name());
-        let mut taken: HashSet<OsString> = names.map(OsStr::to_owned).collect();
+        let mut taken: HashSet<OsString> = names.map(Into::into).collect();
         let mut beside = Vec::new();
         for (number, mesh) in meshes.into_iter().enumerate() {
             let Some(bytes) = mesh.and_then(|mesh| self.store.held(&mesh)) else {
@@ -144,8 +144,7 @@ fn must_have_parts(document: &Document) -> Result<()> {
     if has_parts(document) {
         return Ok(());
     }
-    let help =
-        "add a part first: scene.add(\"tube\", vertices, faces), or scene.add(\"bracket.stl\")";
+    let help = "add a part: scene.add(\"tube\", vertices, faces), or scene.add(\"bracket.stl\")";
     Err(cutaway::Error::input("scene", "it has no parts", help))
 }
 

@@ -22,7 +22,7 @@ pub(super) fn warn_of_doubt(may_be_wrong: &[bool], renderer: Renderer, console: 
     };
     console.warn(format!(
         "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \
-         none\n  help: close the holes (`cutaway inspect` says where they are){other}"
+         none\n  help: --close-holes closes planar and small holes (`cutaway inspect` says where holes are){other}"
     ));
 }
 

@@ -19,7 +19,7 @@ struct Words {
     /// `nx,ny,nz,d`. Repeatable
     #[arg(long, value_name = "SPEC", allow_hyphen_values = true, help_heading = HEADING)]
     section: Vec<String>,
-    /// Makes the section before it a relief: sawtooth, waves, fractal, cracks, steps, constant or an image, with
+    /// Makes the section before it (no other, and no box or wedge) a relief: sawtooth, waves, fractal, cracks, steps, constant or an image, with
     /// `:amplitude=5%,period=40%,seed=7,size=256,wrap=mirror` and the like
     #[arg(long, value_name = "SPEC", help_heading = HEADING)]
     relief: Vec<String>,
@@ -108,6 +108,15 @@ impl Stray {
             help: "add --section SPEC before it, for example --section z=50%",
         }
     }
+
+    fn relief_of_region(relief: &str) -> Self {
+        Self {
+            option: format!("--relief {relief}"),
+            what: "it goes on sections, and there is none",
+            help: "faces of boxes and wedges take theirs from a scene file, or by --set relief.ragged.kind=fractal --set \
+                   cut.0.wedge.relief=ragged --set cut.0.wedge.amplitude=4%",
+        }
+    }
 }
 
 /// The cuts of the command line.
@@ -169,7 +178,10 @@ impl FromArgMatches for SectionArgs {
                         help: "leave one out, or add another --section SPEC before it",
                     });
                 }
-                None => stray = Some(Stray::without_section(format!("--relief {relief}"))),
+                None if words.boxes.is_empty() && words.wedges.is_empty() => {
+                    stray = Some(Stray::without_section(format!("--relief {relief}")));
+                }
+                None => stray = Some(Stray::relief_of_region(&relief)),
             }
         }
         for place in places("flip").into_iter().take(words.flip.len()) {

@@ -11,7 +11,7 @@ use super::output::write_file;
 use super::places::InputFiles;
 use super::sections::SectionArgs;
 use super::stdin::{self, StdinArgs};
-use crate::document::{Document, GuessedUp, Timeline, part};
+use crate::document::{Document, GuessedUp, Timeline, UpReason, part};
 use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
 use crate::load::Assets;
@@ -62,9 +62,8 @@ impl Subject {
             name => format!("{name}: {note}"),
         });
         console.notes(&notes.collect::<Vec<_>>());
-        guessed
-            .iter()
-            .for_each(|guessed| console.note(said_of(guessed)));
+        let said = guessed.as_ref().and_then(said_of);
+        said.into_iter().for_each(|said| console.note(said));
         let scene = match at_s {
             Some(time_s) => timeline.at(time_s)?,
             None => timeline.scene()?,
@@ -168,14 +167,21 @@ impl Subject {
     }
 }
 
-/// What is to be said of an axis that was guessed.
-fn said_of(GuessedUp { up, is_habit }: &GuessedUp) -> String {
-    let why = match is_habit {
-        true => "the habit of the format",
-        false => "it stands on a flat base that way",
+/// What is to be said of an axis that was guessed, if anything.
+fn said_of(guessed: &GuessedUp) -> Option<String> {
+    let why = match guessed.reason {
+        UpReason::Specification if guessed.is_set => return None,
+        UpReason::Specification => "the specification of the format",
+        UpReason::Habit => "the habit of the format",
+        UpReason::Base => "it stands on a flat base that way",
     };
-    let [own, other] = [*up, up.other()].map(Up::name);
-    format!("up is guessed: {own} ({why}); --up {other} changes it")
+    let [own, other] = [guessed.up, guessed.up.other()].map(Up::name);
+    Some(match guessed.is_set {
+        true => format!("up is guessed: {own} ({why}); --up {other} changes it"),
+        false => format!(
+            "up is {other}, for the scene file does not say it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
+        ),
+    })
 }
 
 /// The document of the positional inputs: one scene file, or models.
@@ -221,6 +227,10 @@ pub(super) fn check_model(input: &str) -> Result<()> {
     }
     let help = match shape(input) {
         Ok(_) => format!("write shape:{input} for the built-in shape"),
+        // As in `--cutout 90`.
+        Err(_) if input.parse::<f64>().is_ok() => format!(
+            "check the path; the value of an option that can stand alone is written with `=`: --cutout={input}"
+        ),
         Err(_) => "check the path; built-in shapes are written shape:NAME".to_owned(),
     };
     Err(Error::file(path, "there is no such file", help).missing())

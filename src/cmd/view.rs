@@ -127,7 +127,7 @@ fn hand_over() -> Result<ExitCode> {
         Error::input(
             "view",
             format!("{} cannot be started: {e}", program.display()),
-            "build it beside this program with `cargo build --release -p cutaway-viewer`, or put it into a folder of $PATH",
+            "install it from the folder of cutaway with `cargo install --path viewer`, or put it beside this program or into a folder of $PATH",
         )
     })?;
     // A process that a signal has ended has no code of its own.

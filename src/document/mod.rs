@@ -50,7 +50,7 @@ pub(crate) use paths::Keys;
 pub(crate) use read::reader;
 pub use read::{Interpolation, Key, RoleBy, Settings, named_style, style_names};
 pub use timeline::Timeline;
-pub use upright::GuessedUp;
+pub use upright::{GuessedUp, UpReason};
 
 use crate::error::{Error, Result};
 use crate::load::{Assets, Disk, Files, input_file};

@@ -1,9 +1,10 @@
 //! Which way is up in meshes that do not say it, guessed by what they stand on, and from where a camera without angles looks.
 //!
-//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody has said it; a scene file says it, or
-//! means +Y. Of 3MF it is +Z by its specification, which is taken where nothing but 3MF is drawn.
+//! STL and PLY have no up axis. It is guessed only where nothing but such meshes is drawn and nobody has said it. Of 3MF it is +Z by its
+//! specification, which is taken where nothing but 3MF is drawn. A scene file that does not say it means +Y, whatever its meshes are: a
+//! better guess than today's must not turn its picture. What would be guessed there is found all the same, for the user to be told.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use super::{Document, Node};
 use crate::Result;
@@ -15,12 +16,26 @@ use crate::scene::{Part, Up, standing_up};
 pub struct GuessedUp {
     /// The axis.
     pub up: Up,
-    /// Whether it is the habit of the format, for want of a base to stand on.
-    pub is_habit: bool,
+    /// What speaks for it.
+    pub reason: UpReason,
+    /// Whether the document has it now. A scene file stays as it is, and means +Y.
+    pub is_set: bool,
+}
+
+/// What speaks for an axis to be up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UpReason {
+    /// The specification of the format.
+    Specification,
+    /// A flat base to stand on.
+    Base,
+    /// The habit of the format, for want of a base.
+    Habit,
 }
 
 impl Document {
-    /// Puts the axis that is up into a document of meshes alone that do not say it; what was guessed, if anything.
+    /// Puts the axis that is up into a document of meshes alone that do not say it, unless it is a file; what was found, if anything. Of a
+    /// file that is an axis other than the one that it means.
     ///
     /// # Errors
     ///
@@ -29,14 +44,23 @@ impl Document {
         let camera = self.root().get("camera");
         // A picture whose own direction up is given needs no axis.
         let is_said = camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some());
-        if is_said || !self.path().as_os_str().is_empty() {
+        if is_said {
             return Ok(None);
         }
         let is_new = camera.is_none();
         let entries = self.root().get("part").map_or(&[] as &[_], Node::items);
-        let meshes: Option<Vec<&Path>> = entries
+        // What an entry turns stands on something else than its file does.
+        let is_turned = |entry: &Node| {
+            ["rotate_deg", "matrix"]
+                .iter()
+                .any(|k| entry.get(k).is_some())
+        };
+        let meshes: Option<Vec<PathBuf>> = entries
             .iter()
-            .map(|entry| Some(Path::new(entry.get("mesh")?.text()?)))
+            .map(|entry| {
+                let mesh = entry.get("mesh").filter(|_| !is_turned(entry))?;
+                Some(self.folder().join(mesh.text()?))
+            })
             .collect();
         let meshes = meshes.unwrap_or_default();
         let habits: Option<Vec<Up>> = meshes.iter().map(|path| up_by_habit(path)).collect();
@@ -48,21 +72,23 @@ impl Document {
         }
         let is_defined = meshes.iter().all(|path| has_z_up(path));
         let mut parts: Vec<Part> = Vec::new();
-        for path in meshes {
+        for path in &meshes {
             parts.extend(assets.mesh(path)?.parts.iter().cloned());
         }
-        let up = match is_defined {
-            true => Up::PlusZ,
-            false => standing_up(&parts, habit),
+        let (up, reason) = match (is_defined, standing_up(&parts, habit)) {
+            (true, _) => (Up::PlusZ, UpReason::Specification),
+            (false, up) if up == habit => (up, UpReason::Habit),
+            (false, up) => (up, UpReason::Base),
         };
-        self.set("camera.up", up.name())?;
-        if is_new {
-            self.find_angles()?;
+        let is_set = self.path().as_os_str().is_empty();
+        if is_set {
+            self.set("camera.up", up.name())?;
+            if is_new {
+                self.find_angles()?;
+            }
         }
-        Ok((!is_defined).then_some(GuessedUp {
-            up,
-            is_habit: up == habit,
-        }))
+        let guessed = GuessedUp { up, reason, is_set };
+        Ok(Some(guessed).filter(|_| is_set || up != Up::default()))
     }
 
     /// Lets the angles be found that a camera does not say, as they are where there is none.

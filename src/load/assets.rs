@@ -4,6 +4,7 @@
 //! again gets the same [`Arc`]s. A program that has a mesh already puts it in under the name that documents call it by. Files that
 //! change are not noticed: take new assets then.
 
+use std::any::{Any, TypeId};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,6 +26,8 @@ pub struct Assets {
     shapes: BTreeMap<String, Vec<Part>>,
     images: BTreeMap<PathBuf, Arc<OffsetMap>>,
     textures: BTreeMap<(PathBuf, bool), Arc<Texture>>,
+    /// What readers of documents have made of all this, by type.
+    kept: BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>,
 }
 
 impl Default for Assets {
@@ -42,6 +45,7 @@ impl Assets {
             shapes: BTreeMap::new(),
             images: BTreeMap::new(),
             textures: BTreeMap::new(),
+            kept: BTreeMap::new(),
         }
     }
 
@@ -53,16 +57,19 @@ impl Assets {
     /// Puts parts in the place of a mesh file, under the path that a document comes to: its folder and the name that it says.
     pub fn insert_mesh(&mut self, path: impl Into<PathBuf>, mesh: impl Into<Loaded>) {
         self.meshes.insert(path.into(), mesh.into());
+        self.kept.clear();
     }
 
     /// Puts parts in the place of a built-in shape, under all that a document says of it.
     pub fn insert_shape(&mut self, spec: impl Into<String>, parts: Vec<Part>) {
         self.shapes.insert(spec.into(), parts);
+        self.kept.clear();
     }
 
     /// Puts a map in the place of an image file.
     pub fn insert_image(&mut self, path: impl Into<PathBuf>, map: impl Into<Arc<OffsetMap>>) {
         self.images.insert(path.into(), map.into());
+        self.kept.clear();
     }
 
     /// Puts a texture in the place of an image file.
@@ -72,6 +79,7 @@ impl Assets {
             self.textures
                 .insert((path.clone(), is_color), texture.clone());
         }
+        self.kept.clear();
     }
 
     /// Whether there is a texture of this name, put in or to be read.
@@ -153,6 +161,17 @@ impl Assets {
             self.textures.insert(key.clone(), Arc::new(texture));
         }
         Ok(self.textures[&key].clone())
+    }
+
+    /// What a reader of documents has kept of this type, so as not to make it again for the next document. Gone as soon as anything is put
+    /// into the place of what it may be made of.
+    pub(crate) fn kept<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        self.kept.get(&TypeId::of::<T>())?.clone().downcast().ok()
+    }
+
+    /// Keeps it in the place of what was kept of its type.
+    pub(crate) fn keep<T: Any + Send + Sync>(&mut self, made: T) {
+        self.kept.insert(TypeId::of::<T>(), Arc::new(made));
     }
 
     /// All files that were read, with those that they name.

@@ -42,7 +42,9 @@ impl Outline {
     /// Takes in what is kept of some parts of a scene.
     pub(crate) fn add_parts<'a>(&mut self, scene: &Scene, parts: impl Iterator<Item = &'a Part>) {
         // A ghost shows what is hidden.
-        let is_seen = |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, part);
+        let world = scene.bounds();
+        let is_seen =
+            |part: &&Part| scene.style.ghost.is_drawn() || !is_removed_whole(scene, &world, part);
         let parts: Vec<&Part> = parts.filter(is_seen).collect();
         let kept = parts.par_iter().flat_map_iter(|part| {
             let regions = Regions::of(scene, part);

@@ -161,7 +161,7 @@ impl Prepared {
             .map(|(index, part)| place(index, part, &space, table.cuts_of(scene, part)))
             .collect();
         for part in &mut parts {
-            part.is_hidden = is_removed_whole(scene, &scene.parts[part.part]);
+            part.is_hidden = is_removed_whole(scene, world, &scene.parts[part.part]);
             if part.is_hidden {
                 part.triangles = Arc::default();
             }

@@ -6,6 +6,7 @@ use crate::common::command;
 
 mod deformers;
 mod frames;
+mod kept;
 mod keys;
 mod stages;
 

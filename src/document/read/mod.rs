@@ -152,6 +152,7 @@ mod defects;
 mod deform;
 mod hatches;
 mod keys;
+mod known;
 mod parts;
 pub(crate) mod reader;
 mod regions;
@@ -172,6 +173,7 @@ pub(super) use check::check;
 pub(super) use cutaways::cutouts;
 pub use keys::{Interpolation, Key};
 pub(super) use keys::{Keyed, Moment};
+pub(super) use known::sights_of;
 pub(super) use parts::all as parts_with_roles;
 use reader::{Entry, Source, Table};
 pub(super) use reliefs::{Images, Resolved};
@@ -390,10 +392,8 @@ pub(super) fn surface(
 /// Names tell entries apart in globs, errors and animation keys.
 fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
     let mut seen = BTreeSet::new();
-    match entries
-        .iter()
-        .find(|entry| !seen.insert(entry.key.as_str()))
-    {
+    let is_taken = |entry: &&Entry<'_>| !seen.insert(entry.key.as_str());
+    match entries.iter().find(is_taken) {
         Some(entry) => Err(entry.fault("the name is taken", "give every entry its own name")),
         None => Ok(()),
     }

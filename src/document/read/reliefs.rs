@@ -50,7 +50,7 @@ impl Images {
 }
 
 /// Reliefs as they were when they were last computed.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Resolved {
     described: BTreeMap<String, Relief>,
     maps: Maps,

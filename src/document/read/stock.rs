@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DAffine3;
 
+use super::known::AllKnown;
 use super::parts::{KEYS, MATERIAL};
 use super::reader::{Entry, Table};
 use super::solids::{Solid, Splits, chosen};
@@ -28,6 +29,8 @@ pub(crate) struct PartSource {
     sequence: Option<Sequence>,
     /// What each solid is called in its file, at any time, and what its part is called.
     names: BTreeMap<String, String>,
+    /// Of the solids by their index, each as the first frame has it that has so many.
+    forms: Vec<Form>,
     /// Bounds of all solids at all times, in the space of the file where they share it, else in the world.
     pub(super) rest: Bounds,
     /// Whether the file puts all solids in one space.
@@ -37,6 +40,11 @@ pub(crate) struct PartSource {
 impl PartSource {
     fn of(mut frames: Vec<Vec<Solid>>, sequence: Option<Sequence>) -> Self {
         frames.iter_mut().flatten().for_each(Solid::measure);
+        let mut forms: Vec<Form> = Vec::new();
+        for frame in &frames {
+            let new = frame.iter().skip(forms.len());
+            forms.extend(new.map(|solid| Form::of(&solid.part)));
+        }
         let solids = || frames.iter().flatten();
         let share_a_space = solids().all(|s| s.part.world_from_part == DAffine3::IDENTITY);
         let bounds = |s: &Solid| match share_a_space {
@@ -46,6 +54,7 @@ impl PartSource {
         let rest = solids().map(bounds).fold(Bounds::EMPTY, Bounds::union);
         Self {
             names: BTreeMap::new(),
+            forms,
             frames,
             sequence,
             rest,
@@ -106,17 +115,16 @@ impl PartSource {
     /// Colours the parts that their file has not by their shape, of which `shapes` are known: a hundred equal screws are alike. Later
     /// frames have the colours of the first.
     fn colour(&mut self, shapes: &mut Vec<Form>) {
-        let mut colours = Vec::new();
+        let mut colours = Vec::with_capacity(self.forms.len());
+        for form in &self.forms {
+            let known = shapes.iter().position(|known| known.is_like(form));
+            colours.push(known.unwrap_or(shapes.len()));
+            shapes.extend(known.is_none().then(|| form.clone()));
+        }
         for frame in &mut self.frames {
-            for (i, solid) in frame.iter_mut().enumerate() {
-                if i == colours.len() {
-                    let form = Form::of(&solid.part);
-                    let known = shapes.iter().position(|known| known.is_like(&form));
-                    colours.push(known.unwrap_or(shapes.len()));
-                    shapes.extend(known.is_none().then_some(form));
-                }
+            for (solid, colour) in frame.iter_mut().zip(&colours) {
                 if solid.is_plain {
-                    solid.part.material = Material::of_index(colours[i]);
+                    solid.part.material = Material::of_index(*colour);
                 }
             }
         }
@@ -124,6 +132,7 @@ impl PartSource {
 }
 
 /// What equal solids have in common wherever they are.
+#[derive(Clone, Debug)]
 struct Form {
     triangles: usize,
     volume: f64,
@@ -153,6 +162,8 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
     let mut stock = Vec::with_capacity(entries.len());
     let mut given = Vec::with_capacity(entries.len());
     let mut of_caps = Vec::with_capacity(entries.len());
+    let before = opening.assets.kept::<AllKnown>().unwrap_or_default();
+    let mut all_known = AllKnown::with_capacity(entries.len());
     for entry in entries {
         let table = entry.table(KEYS.all())?;
         let name = table.get("name");
@@ -162,13 +173,16 @@ pub(super) fn open(entries: &[Entry<'_>], opening: &mut Opening<'_>) -> Result<V
             return Err(name.fault("it is empty", "give the part a name, or leave the key out"));
         }
         given.push(name.map(|n| n.text()).transpose()?);
-        stock.push(opening.entry(&table)?);
+        let known = opening.known(&table, &before)?;
+        stock.push(known.source.clone());
+        all_known.push(known);
         let hatch = of_material(&table, "hatch")?;
         let hatch = hatch.map(|hatch| hatches::open(&hatch, opening));
         let cap = of_material(&table, "cap")?;
         let cap = cap.map(|cap| cap_materials::open(&cap, opening));
         of_caps.push((hatch.transpose()?, cap.transpose()?));
     }
+    opening.assets.keep(all_known);
     let mut taken = BTreeSet::new();
     // What the document calls its parts counts before what files call them.
     for is_given in [true, false] {
@@ -209,7 +223,8 @@ pub(super) struct Opening<'a> {
 }
 
 impl Opening<'_> {
-    fn entry(&mut self, table: &Table<'_>) -> Result<PartSource> {
+    /// Opens an entry.
+    pub(super) fn entry(&mut self, table: &Table<'_>) -> Result<PartSource> {
         let (origin, text, is_mesh) = match (table.get("mesh"), table.get("shape")) {
             (Some(mesh), None) => (mesh.clone(), mesh.text()?.to_owned(), true),
             (None, Some(shape)) => (shape.clone(), spec_of(&shape)?, false),

@@ -25,9 +25,7 @@ use super::{Document, Node};
 use crate::error::{Error, Result, did_you_mean};
 use crate::load::Assets;
 use crate::load::frames::Sequence;
-use crate::scene::{
-    Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint, sights,
-};
+use crate::scene::{Bounds, Clip, Fit, Outline, Outwards, Part, Scene, Style, View, Viewpoint};
 
 /// Shares of the whole at which it is asked which cuts are seen.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -70,15 +68,18 @@ impl Timeline {
         let mut stock = read::open(&root, document.folder(), assets)?;
         let settings = read::settings(&root)?;
         let mut notes = stock.notes.clone();
-        let (outwards, mut reliefs) = (Outwards::default(), Resolved::default());
+        let outwards = Outwards::default();
+        let reliefs = assets.kept::<Resolved>();
+        let mut reliefs = reliefs.as_deref().cloned().unwrap_or_default();
         let mut parts = read::parts(&root, &stock, 0.0, &outwards)?;
         if read::finds_roles(&root)? {
             let names = parts.iter().map(|p| p.name.clone());
-            stock.sights = Some(names.zip(sights(&parts)).collect());
+            stock.sights = Some(names.zip(read::sights_of(&parts, assets)).collect());
             parts = read::parts(&root, &stock, 0.0, &outwards)?;
         }
         notes.extend(read::role_notes(&root, &stock, &parts)?);
         let (mut rest, seen) = read::scene(&root, &stock, (parts, None), &mut reliefs, &mut notes)?;
+        assets.keep(reliefs.clone());
         if seen.is_free() {
             rest.camera.viewpoint = seen.turned(rest.cuts.iter());
         }

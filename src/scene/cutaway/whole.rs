@@ -13,19 +13,21 @@ use crate::scene::{Bounds, ClipSurface, Cut, Cutter, Part, Role, Scene};
 /// What lies within this share of the size of the scene of a clip-surface lies on it: nothing without thickness is left.
 const FLUSH: f64 = 1e-9;
 
-/// Whether each triangle of a part that is whole lies in what some cut removes.
-pub(crate) fn is_removed_whole(scene: &Scene, part: &Part) -> bool {
+/// Whether each triangle of a part that is whole lies in what some cut removes. `world` is what [`Scene::bounds`] says, which may have to
+/// look at every vertex.
+pub(crate) fn is_removed_whole(scene: &Scene, world: &Bounds, part: &Part) -> bool {
     if part.role != Role::Whole {
         return false;
     }
-    let flush = FLUSH * scene.bounds().size().length();
-    let cuts: Vec<Removed> = (scene.cuts.iter())
-        .filter(|cut| cut.is_on() && cut.names(part) && !cut.shows.contains(&part.name))
-        .map(|cut| Removed::of(cut, part, flush))
-        .collect();
+    let hides = |cut: &&Cut| cut.is_on() && cut.names(part) && !cut.shows.contains(&part.name);
+    let cuts: Vec<&Cut> = scene.cuts.iter().filter(hides).collect();
     if cuts.is_empty() {
         return false;
     }
+    let flush = FLUSH * world.size().length();
+    let cuts: Vec<Removed> = (cuts.iter())
+        .map(|cut| Removed::of(cut, part, flush))
+        .collect();
     let mesh = part.posed_mesh();
     let place = |i: u32| {
         part.world_from_part
@@ -141,17 +143,20 @@ mod tests {
         };
         let mut pin = cube_at(0.0);
         pin.world_from_part = DAffine3::from_scale(DVec3::new(6.0, 0.2, 0.2));
-        assert!(!is_removed_whole(&scene, &pin), "its middle is kept");
+        assert!(
+            !is_removed_whole(&scene, &scene.bounds(), &pin),
+            "its middle is kept"
+        );
         // A face of the cube lies in the plane.
         scene.cuts = vec![cut(0.5, 1.0)];
         scene.parts = vec![cube_at(0.0)];
         assert!(
-            is_removed_whole(&scene, &cube_at(0.0)),
+            is_removed_whole(&scene, &scene.bounds(), &cube_at(0.0)),
             "nothing without thickness is left"
         );
         scene.cuts[0].shows = vec![cube_at(0.0).name];
         assert!(
-            !is_removed_whole(&scene, &cube_at(0.0)),
+            !is_removed_whole(&scene, &scene.bounds(), &cube_at(0.0)),
             "it is what an opening shows"
         );
     }
@@ -178,12 +183,19 @@ mod tests {
             (14.0, false),
         ] {
             let part = cube_at(x);
-            assert_eq!(is_removed_whole(&scene, &part), is_hidden, "at {x}");
+            assert_eq!(
+                is_removed_whole(&scene, &scene.bounds(), &part),
+                is_hidden,
+                "at {x}"
+            );
             let exterior = Part {
                 role: Role::Exterior,
                 ..part
             };
-            assert!(!is_removed_whole(&scene, &exterior), "it is cut");
+            assert!(
+                !is_removed_whole(&scene, &scene.bounds(), &exterior),
+                "it is cut"
+            );
         }
     }
 }

@@ -58,6 +58,7 @@ pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
 ///
 /// By name, a part that is open and cut by a relief or a cutter; without the feature `boolean`, a cut with either.
 pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> {
+    let world = scene.bounds();
     let capped = |(index, part): (usize, &Part)| {
         let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
         let cuts: Vec<usize> = (0..scene.cuts.len())
@@ -66,7 +67,7 @@ pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> 
         let applied = cuts.iter().map(|c| &scene.cuts[*c]);
         let planes: Option<Vec<Vec<SlicePlane>>> =
             applied.clone().map(|cut| planes_of(cut, part)).collect();
-        let (halves, relief_off) = match (is_removed_whole(scene, part), planes) {
+        let (halves, relief_off) = match (is_removed_whole(scene, &world, part), planes) {
             (true, _) => {
                 let removed = Half {
                     sources: (0..mesh.triangles.len() as u32).collect(),

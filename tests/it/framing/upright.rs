@@ -64,6 +64,23 @@ fn up_is_guessed_by_the_base_and_said() {
             }
         }
     }
+    // A scene file means +Y, and stays as it is; where its meshes look otherwise, that is said.
+    for (part, more, said) in [
+        ("mesh = 'flat_z.ply'", "", true),
+        ("mesh = 'flat_y.ply'", "", false),
+        ("mesh = 'flat_z.ply'", "camera = { up = '+Y' }", false),
+        ("mesh = 'flat_z.ply', rotate_deg = [-90, 0, 0]", "", false),
+    ] {
+        let text = format!("{more}\npart = [{{ {part} }}]\n");
+        folder.write("file.toml", &text);
+        let ran = folder
+            .run("render file.toml -o file.png --force --resolution 32,24")
+            .exits(0);
+        let note = ran.stderr.lines().find(|l| l.contains("look like +Z"));
+        assert_eq!(note.is_some(), said, "{text}{}", ran.stderr);
+        let kept = std::fs::read_to_string(folder.path("file.toml")).expect("a scene");
+        assert_eq!(kept, text);
+    }
     let compared = folder
         .run("compare flat_z.ply --strategies raycast+mask --resolution 16,12 --json -")
         .exits(0);
