@@ -74,7 +74,7 @@ fn up_is_guessed_by_the_base_and_said() {
         let text = format!("{more}\npart = [{{ {part} }}]\n");
         folder.write("file.toml", &text);
         let ran = folder
-            .run("render file.toml -o file.png --force --resolution 32,24")
+            .run("render file.toml -o file.png --resolution 32,24")
             .exits(0);
         let note = ran.stderr.lines().find(|l| l.contains("look like +Z"));
         assert_eq!(note.is_some(), said, "{text}{}", ran.stderr);

@@ -164,6 +164,31 @@ fn a_vertex_in_an_edge_that_one_side_knows_is_closed_by_a_flat_triangle() {
     );
 }
 
+/// Whether a triangle shares no edge with another.
+fn has_lone_triangles(mesh: &Mesh) -> bool {
+    let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
+    let directed: BTreeSet<[u32; 2]> = mesh.triangles.iter().flat_map(|t| edges(*t)).collect();
+    let is_alone = |t: &[u32; 3]| edges(*t).iter().all(|[a, b]| !directed.contains(&[*b, *a]));
+    mesh.triangles.iter().any(is_alone)
+}
+
+#[test]
+fn a_triangle_that_stands_alone_in_a_hole_stays_alone_and_is_told() {
+    let whole = (*shape("sphere").unwrap()[0].mesh).clone();
+    let out = [9543, 9544, 9584, 9585, 10055, 10056];
+    let kept = (whole.triangles.iter().enumerate()).filter(|(t, _)| !out.contains(t));
+    let open = Mesh {
+        triangles: kept.map(|(_, t)| *t).collect(),
+        corner_normals: None,
+        ..whole.clone()
+    };
+    assert!(has_lone_triangles(&open) && !has_lone_triangles(&whole));
+    let (closed, closing) = closed(&open);
+    assert_eq!(Topology::new(&closed).boundary_edges, 3);
+    let defects = closing.holes.iter().filter_map(|hole| hole.defect);
+    assert_eq!(defects.collect::<Vec<_>>(), [HoleDefect::Folded]);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
@@ -178,6 +203,8 @@ proptest! {
         let out: BTreeSet<usize> = first.flat_map(|t| [t, (t + 1) % faces]).collect();
         let kept = whole.triangles.iter().enumerate().filter(|(t, _)| !out.contains(t));
         let open = Mesh { triangles: kept.map(|(_, t)| *t).collect(), corner_normals: None, ..whole.clone() };
+        // Triangles that stand alone in such a hole stay alone: that is a limit which is told.
+        prop_assume!(!has_lone_triangles(&open));
         let (closed, closing) = closed(&open);
         let facts = Topology::new(&closed);
         prop_assert!(is_sound(&facts), "{:?}\n{:?}", facts, closing);
