@@ -392,9 +392,10 @@ pub(super) fn surface(
 /// Names tell entries apart in globs, errors and animation keys.
 fn names_differ(entries: &[Entry<'_>]) -> Result<()> {
     let mut seen = BTreeSet::new();
-    let is_taken = |entry: &&Entry<'_>| !seen.insert(entry.key.as_str());
-    match entries.iter().find(is_taken) {
-        Some(entry) => Err(entry.fault("the name is taken", "give every entry its own name")),
-        None => Ok(()),
+    for entry in entries {
+        if !seen.insert(entry.key.as_str()) {
+            return Err(entry.fault("the name is taken", "give every entry its own name"));
+        }
     }
+    Ok(())
 }

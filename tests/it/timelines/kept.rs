@@ -45,9 +45,9 @@ fn bodies_closed_holes_and_reliefs_are_not_made_again() {
     assert!(Arc::ptr_eq(&map(&first), &map(&moved)), "the relief");
 
     // What a change concerns is made anew.
-    document.set("relief.fractal.seed", 3.0).expect("a seed");
+    document.set("relief.fractal.seed", 3_i64).expect("a seed");
     document
-        .set("part.1.defects.0.seed", 5.0)
+        .set("part.1.defects.0.seed", 5_i64)
         .expect("another seed");
     let changed = scene(&document, &mut assets);
     assert!(!Arc::ptr_eq(&map(&moved), &map(&changed)));
