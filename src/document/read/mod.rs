@@ -369,10 +369,8 @@ pub(super) fn surface(
     (bounds, up): (&Bounds, Up),
     assets: &mut Assets,
 ) -> Result<ClipSurface> {
-    let table = Node::new(super::Value::Table(vec![(
-        "relief".into(),
-        reliefs.clone(),
-    )]));
+    let reliefs = vec![("relief".into(), reliefs.clone())];
+    let table = Node::new(super::Value::Table(reliefs));
     let root = root(Path::new(""), &table, None)?;
     let images = reliefs::open(&root, Path::new(""), assets)?;
     let maps = match root.get("relief") {
