@@ -17,7 +17,7 @@ use crate::report::form::faults;
 #[path = "report/book.rs"]
 mod book;
 
-const RECORD: &str = "experiments/record/2026-11-23-llvmpipe";
+const RECORD: &str = "experiments/record/2026-11-24-llvmpipe";
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -150,7 +150,7 @@ fn all_commands_are_there_and_missing_pictures_are_said_once() {
         .collect();
     assert_eq!(points, ["166"], "of one command");
     assert!(page.contains("01-paper.toml experiments/curated/02-accuracy.toml"));
-    assert!(page.contains("| took, all commands together | 1698 s |"));
+    assert!(page.contains("| took, all commands together | 1340 s |"));
     let pictures: usize = (RECORDED.folders[0].experiments.iter())
         .flat_map(|e| &e.records)
         .flat_map(|r| r.pictures.iter().map(|p| p.files().count()))
