@@ -1,6 +1,7 @@
 //! Points of a part whose convex hull is that of what is kept of it.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::region::Regions;
 use super::rim;
@@ -18,6 +19,9 @@ const MEETING_STEPS: u32 = 8;
 /// By how much of its corners a point may lie beside a triangle and is taken for one on its edge.
 const ON_EDGE: f64 = 1e-9;
 
+/// Triangles that one thread takes at a time.
+const CHUNK: usize = 4096;
+
 /// Heights up to this, in lengths of the part, are those of faces that lie in a clip-surface, which keeps nothing of them.
 const FLUSH: f64 = 1e-9;
 
@@ -33,28 +37,26 @@ pub(super) fn kept_of(part: &Part, regions: &Regions) -> Vec<DVec3> {
     let most = placed
         .iter()
         .fold(0.0, |most: f64, p| most.max(p.distance(placed[0])));
-    let mut gather = Gather {
+    let gather = Gather {
         regions,
         brackets: (placed.iter())
             .flat_map(|p| regions.sides.iter().map(|s| s.bracket(*p)))
             .collect(),
-        is_taken: vec![false; placed.len()],
         placed,
         least: FLUSH * most,
-        more: Vec::new(),
-        rims: vec![Vec::new(); regions.sides.len()],
     };
-    for triangle in &mesh.triangles {
-        gather.take_triangle(triangle.map(|i| i as usize));
+    let chunks = mesh.triangles.par_chunks(CHUNK);
+    let found: Vec<Found> = chunks.map(|chunk| gather.found(chunk)).collect();
+    let Gather { placed, least, .. } = gather;
+    let (mut more, mut is_taken) = (Vec::new(), vec![false; placed.len()]);
+    let mut rims = vec![Vec::new(); regions.sides.len()];
+    for found in found {
+        more.extend(found.more);
+        found.taken.iter().for_each(|v| is_taken[*v] = true);
+        for (rim, more) in rims.iter_mut().zip(found.rims) {
+            rim.extend(more);
+        }
     }
-    let Gather {
-        placed,
-        is_taken,
-        mut more,
-        rims,
-        least,
-        ..
-    } = gather;
     for (side, rim) in rims.iter().enumerate() {
         more.extend(rim::risen(regions, side, rim, least));
     }
@@ -80,8 +82,13 @@ struct Gather<'a> {
     placed: Vec<DVec3>,
     /// Least and greatest height of each vertex over each side.
     brackets: Vec<[f64; 2]>,
-    is_taken: Vec<bool>,
     least: f64,
+}
+
+/// What some triangles give.
+struct Found {
+    /// Vertices that are kept, some of them more than once.
+    taken: Vec<usize>,
     more: Vec<DVec3>,
     /// Of each side where edges cross it.
     rims: Vec<Vec<DVec3>>,
@@ -114,9 +121,22 @@ impl Gather<'_> {
         cuts.any(|[first, end]| (*first..*end).all(is_under))
     }
 
-    fn take_triangle(&mut self, corners: [usize; 3]) {
+    /// What is kept of some triangles.
+    fn found(&self, triangles: &[[u32; 3]]) -> Found {
+        let mut found = Found {
+            taken: Vec::new(),
+            more: Vec::new(),
+            rims: vec![Vec::new(); self.regions.sides.len()],
+        };
+        for triangle in triangles {
+            self.take_triangle(triangle.map(|i| i as usize), &mut found);
+        }
+        found
+    }
+
+    fn take_triangle(&self, corners: [usize; 3], found: &mut Found) {
         if self.is_whole(&corners) {
-            corners.iter().for_each(|v| self.is_taken[*v] = true);
+            found.taken.extend(corners);
             return;
         }
         if self.is_gone(&corners) {
@@ -124,13 +144,13 @@ impl Gather<'_> {
         }
         let [a, b, c] = corners;
         for [a, b] in [[a, b], [b, c], [c, a]] {
-            self.take_edge(a, b);
+            self.take_edge(a, b, found);
         }
-        self.take_meetings(corners);
+        self.take_meetings(corners, found);
     }
 
     /// Takes the pieces of an edge that are kept.
-    fn take_edge(&mut self, a: usize, b: usize) {
+    fn take_edge(&self, a: usize, b: usize, found: &mut Found) {
         if self.is_gone(&[a, b]) {
             return;
         }
@@ -148,11 +168,11 @@ impl Gather<'_> {
             for (share, side) in ends {
                 let point = from.lerp(to, *share);
                 match side {
-                    Some(side) => self.rims[*side].push(point),
-                    None => self.is_taken[if *share == 0.0 { a } else { b }] = true,
-                }
-                if side.is_some() {
-                    self.more.push(point);
+                    Some(side) => {
+                        found.rims[*side].push(point);
+                        found.more.push(point);
+                    }
+                    None => found.taken.push(if *share == 0.0 { a } else { b }),
                 }
             }
         }
@@ -195,7 +215,7 @@ impl Gather<'_> {
     }
 
     /// Takes where two sides of different cuts meet in a triangle.
-    fn take_meetings(&mut self, corners: [usize; 3]) {
+    fn take_meetings(&self, corners: [usize; 3], found: &mut Found) {
         let regions = self.regions;
         for second in 0..regions.sides.len() {
             for first in 0..second {
@@ -215,7 +235,7 @@ impl Gather<'_> {
                     }
                 };
                 if regions.keep(is_over) {
-                    self.more.push(point);
+                    found.more.push(point);
                 }
             }
         }
