@@ -49,9 +49,11 @@ impl Subject {
     ) -> Result<Self> {
         edits.amend(&mut document)?;
         let mut assets = stdin::assets();
-        let guessed = match usual.guesses_up {
-            true => document.guess_up(&mut assets)?,
-            false => None,
+        let is_file = !document.path().as_os_str().is_empty();
+        let likely_up = match (usual.guesses_up, is_file) {
+            (true, false) => document.guess_up(&mut assets)?,
+            (true, true) => document.likely_up(&mut assets)?,
+            (false, _) => None,
         };
         let saved = edits.place(&document)?;
         let timeline = document.timeline(&mut assets)?;
@@ -62,8 +64,9 @@ impl Subject {
             name => format!("{name}: {note}"),
         });
         console.notes(&notes.collect::<Vec<_>>());
-        let said = guessed.as_ref().and_then(said_of);
-        said.into_iter().for_each(|said| console.note(said));
+        if let Some(said) = likely_up.and_then(|likely| said_of(&likely, !is_file)) {
+            console.note(said);
+        }
         let scene = match at_s {
             Some(time_s) => timeline.at(time_s)?,
             None => timeline.scene()?,
@@ -167,21 +170,23 @@ impl Subject {
     }
 }
 
-/// What is to be said of an axis that was guessed, if anything.
-fn said_of(guessed: &GuessedUp) -> Option<String> {
-    let why = match guessed.reason {
-        UpReason::Specification if guessed.is_set => return None,
+/// What is to be said of an axis that is likely to be up, where the document has it now, and where it is a file, which means its own.
+fn said_of(likely: &GuessedUp, is_set: bool) -> Option<String> {
+    let why = match likely.reason {
+        UpReason::Specification if is_set => return None,
         UpReason::Specification => "the specification of the format",
         UpReason::Habit => "the habit of the format",
         UpReason::Base => "it stands on a flat base that way",
     };
-    let [own, other] = [guessed.up, guessed.up.other()].map(Up::name);
-    Some(match guessed.is_set {
-        true => format!("up is guessed: {own} ({why}); --up {other} changes it"),
-        false => format!(
-            "up is {other}, for the scene file does not say it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
-        ),
-    })
+    let [own, other] = [likely.up, likely.up.other()].map(Up::name);
+    if is_set {
+        return Some(format!(
+            "up is guessed: {own} ({why}); --up {other} changes it"
+        ));
+    }
+    (likely.up != Up::default()).then(|| format!(
+        "up is {other}, for the scene file does not say it; its meshes look like {own} ({why}): `up = \"{own}\"` under [camera], or --up {own}"
+    ))
 }
 
 /// The document of the positional inputs: one scene file, or models.

@@ -18,8 +18,6 @@ pub struct GuessedUp {
     pub up: Up,
     /// What speaks for it.
     pub reason: UpReason,
-    /// Whether the document has it now. A scene file stays as it is, and means +Y.
-    pub is_set: bool,
 }
 
 /// What speaks for an axis to be up.
@@ -34,35 +32,52 @@ pub enum UpReason {
 }
 
 impl Document {
-    /// Puts the axis that is up into a document of meshes alone that do not say it, unless it is a file; what was found, if anything. Of a
-    /// file that is an axis other than the one that it means.
+    /// Puts the axis that is up into a document of meshes alone that do not say it, unless it is a file; what was found, if anything.
     ///
     /// # Errors
     ///
     /// A mesh that cannot be read.
     pub fn guess_up(&mut self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
-        let camera = self.root().get("camera");
-        // A picture whose own direction up is given needs no axis.
-        let is_said = camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some());
-        if is_said {
+        if !self.path().as_os_str().is_empty() {
             return Ok(None);
         }
-        let is_new = camera.is_none();
+        let guessed = self.likely_up(assets)?;
+        if let Some(GuessedUp { up, .. }) = guessed {
+            let is_new = self.root().get("camera").is_none();
+            self.set("camera.up", up.name())?;
+            if is_new {
+                self.find_angles()?;
+            }
+        }
+        Ok(guessed)
+    }
+
+    /// The axis that is likely to be up in a document of meshes alone that do not say it.
+    ///
+    /// # Errors
+    ///
+    /// A mesh that cannot be read.
+    pub fn likely_up(&self, assets: &mut Assets) -> Result<Option<GuessedUp>> {
+        let camera = self.root().get("camera");
+        // A picture whose own direction up is given needs no axis.
+        if camera.is_some_and(|c| c.get("up").is_some() || c.get("view_up").is_some()) {
+            return Ok(None);
+        }
         let entries = self.root().get("part").map_or(&[] as &[_], Node::items);
         // What an entry turns stands on something else than its file does.
         let is_turned = |entry: &Node| {
-            ["rotate_deg", "matrix"]
-                .iter()
-                .any(|k| entry.get(k).is_some())
+            let mut turns = ["rotate_deg", "matrix"].iter();
+            turns.any(|key| entry.get(key).is_some())
         };
-        let meshes: Option<Vec<PathBuf>> = entries
+        let mesh = |entry: &Node| {
+            let mesh = entry.get("mesh").filter(|_| !is_turned(entry))?;
+            Some(self.folder().join(mesh.text()?))
+        };
+        let meshes: Vec<PathBuf> = entries
             .iter()
-            .map(|entry| {
-                let mesh = entry.get("mesh").filter(|_| !is_turned(entry))?;
-                Some(self.folder().join(mesh.text()?))
-            })
-            .collect();
-        let meshes = meshes.unwrap_or_default();
+            .map(mesh)
+            .collect::<Option<_>>()
+            .unwrap_or_default();
         let habits: Option<Vec<Up>> = meshes.iter().map(|path| up_by_habit(path)).collect();
         let Some(habit) = habits.and_then(|habits| habits.first().copied()) else {
             return Ok(None);
@@ -70,25 +85,22 @@ impl Document {
         if !meshes.iter().all(|path| assets.has_mesh(path)) {
             return Ok(None);
         }
-        let is_defined = meshes.iter().all(|path| has_z_up(path));
+        if meshes.iter().all(|path| has_z_up(path)) {
+            return Ok(Some(GuessedUp {
+                up: Up::PlusZ,
+                reason: UpReason::Specification,
+            }));
+        }
         let mut parts: Vec<Part> = Vec::new();
         for path in &meshes {
             parts.extend(assets.mesh(path)?.parts.iter().cloned());
         }
-        let (up, reason) = match (is_defined, standing_up(&parts, habit)) {
-            (true, _) => (Up::PlusZ, UpReason::Specification),
-            (false, up) if up == habit => (up, UpReason::Habit),
-            (false, up) => (up, UpReason::Base),
+        let up = standing_up(&parts, habit);
+        let reason = match up == habit {
+            true => UpReason::Habit,
+            false => UpReason::Base,
         };
-        let is_set = self.path().as_os_str().is_empty();
-        if is_set {
-            self.set("camera.up", up.name())?;
-            if is_new {
-                self.find_angles()?;
-            }
-        }
-        let guessed = GuessedUp { up, reason, is_set };
-        Ok(Some(guessed).filter(|_| is_set || up != Up::default()))
+        Ok(Some(GuessedUp { up, reason }))
     }
 
     /// Lets the angles be found that a camera does not say, as they are where there is none.

@@ -63,13 +63,18 @@ fn a_missing_side_is_closed_in_its_plane_whatever_its_size() {
     assert_eq!(closed.triangles[..open.triangles.len()], open.triangles);
 }
 
-#[test]
-fn the_ends_of_a_pipe_are_rings() {
+/// A pipe of 48 sides around a bore of 36, open at both ends.
+fn pipe() -> Mesh {
     let mut pipe = mesh(Vec::new(), Vec::new());
     wall(&mut pipe, &polygon(48, 2.0));
     let inner: Vec<_> = polygon(36, 1.0).into_iter().rev().collect();
     wall(&mut pipe, &inner);
-    let (closed, closing) = closed(&pipe);
+    pipe
+}
+
+#[test]
+fn the_ends_of_a_pipe_are_rings() {
+    let (closed, closing) = closed(&pipe());
     assert_eq!(closing.holes.len(), 4);
     // A ring between n and m corners has n + m triangles.
     assert_eq!(closing.triangles.len(), 2 * (48 + 36));
@@ -87,10 +92,7 @@ fn the_ends_of_a_pipe_are_rings() {
 /// What lies in the plane of an end, and cannot be closed itself, once had each rim of the end closed alone: two disks across the bore.
 #[test]
 fn a_sheet_beside_the_end_of_a_pipe_leaves_the_end_a_ring() {
-    let mut pipe = mesh(Vec::new(), Vec::new());
-    wall(&mut pipe, &polygon(48, 2.0));
-    let inner: Vec<_> = polygon(36, 1.0).into_iter().rev().collect();
-    wall(&mut pipe, &inner);
+    let mut pipe = pipe();
     let first = pipe.positions.len() as u32;
     let sheet = [[3.0, 0.0], [4.0, 0.0], [4.0, 1.0], [3.0, 1.0]];
     (pipe.positions).extend(sheet.map(|[x, y]| DVec3::new(x, y, 1.0)));

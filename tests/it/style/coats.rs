@@ -5,6 +5,7 @@ use cutaway::load::{Memory, load_mesh_file_from};
 use cutaway::scene::style::Shading;
 use cutaway::scene::{Coat, CoatedTriangle, Mesh, Projection, Viewpoint};
 use glam::{Vec2, Vec3};
+use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -258,51 +259,70 @@ fn vertex_colours_of_a_ply_are_a_coat_unless_they_are_all_alike() {
     assert_eq!(coat.triangles[1].colors[2][..3], [10, 20, 30]);
 }
 
+/// A textured tetrahedron as glTF: bytes of its texture coordinates and how they are told, its texture and its image.
+fn textured_gltf(uv: &[u8], mut told: Value, texture: &Value, image: &Value) -> Memory {
+    let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+    let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let indices = triangles
+        .as_flattened()
+        .iter()
+        .flat_map(|i| i.to_le_bytes());
+    let numbers = places.as_flattened().iter().flat_map(|c| c.to_le_bytes());
+    let bytes: Vec<u8> = indices.chain(numbers).chain(uv.iter().copied()).collect();
+    for (key, value) in [
+        ("bufferView", json!(2)),
+        ("count", json!(4)),
+        ("type", json!("VEC2")),
+    ] {
+        told[key] = value;
+    }
+    let gltf = json!({
+        "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+        "extensionsUsed": ["KHR_mesh_quantization", "KHR_texture_transform"],
+        "extensionsRequired": ["KHR_mesh_quantization", "KHR_texture_transform"],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1, "TEXCOORD_0": 2 }, "indices": 0, "material": 0 }] }],
+        "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": texture } }],
+        "textures": [{ "source": 0 }], "images": [image],
+        "buffers": [{ "uri": "it.bin", "byteLength": bytes.len() }],
+        "bufferViews": [
+            { "buffer": 0, "byteLength": 24 },
+            { "buffer": 0, "byteOffset": 24, "byteLength": 48 },
+            { "buffer": 0, "byteOffset": 72, "byteLength": uv.len() },
+        ],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
+            { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
+            told,
+        ],
+    });
+    let mut files = Memory::default();
+    files.insert("it.gltf", gltf.to_string().into_bytes());
+    files.insert("it.bin", bytes);
+    files
+}
+
 #[test]
 fn odd_images_of_a_gltf_are_said_and_its_mesh_is_read() {
+    let uv: [[f32; 2]; 4] = [
+        [f32::NAN, 0.0],
+        [f32::INFINITY, 1.0],
+        [0.0, 1.0],
+        [1e30, 0.0],
+    ];
+    let uv: Vec<u8> = uv
+        .as_flattened()
+        .iter()
+        .flat_map(|c| c.to_le_bytes())
+        .collect();
     for image in [
-        serde_json::json!({}),
-        serde_json::json!({ "bufferView": 0 }),
-        serde_json::json!({ "bufferView": 0, "mimeType": "image/png" }),
-        serde_json::json!({ "uri": "../../etc/passwd" }),
-        serde_json::json!({ "uri": "not there.png" }),
+        json!({}),
+        json!({ "bufferView": 0 }),
+        json!({ "bufferView": 0, "mimeType": "image/png" }),
+        json!({ "uri": "../../etc/passwd" }),
+        json!({ "uri": "not there.png" }),
     ] {
-        let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
-        let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let uv: [[f32; 2]; 4] = [
-            [f32::NAN, 0.0],
-            [f32::INFINITY, 1.0],
-            [0.0, 1.0],
-            [1e30, 0.0],
-        ];
-        let indices = triangles
-            .as_flattened()
-            .iter()
-            .flat_map(|i| i.to_le_bytes());
-        let numbers = places.as_flattened().iter().chain(uv.as_flattened());
-        let bytes: Vec<u8> = indices
-            .chain(numbers.flat_map(|c| c.to_le_bytes()))
-            .collect();
-        let gltf = serde_json::json!({
-            "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
-            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1, "TEXCOORD_0": 2 }, "indices": 0, "material": 0 }] }],
-            "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } }],
-            "textures": [{ "source": 0 }], "images": [image],
-            "buffers": [{ "uri": "it.bin", "byteLength": 104 }],
-            "bufferViews": [
-                { "buffer": 0, "byteLength": 24 },
-                { "buffer": 0, "byteOffset": 24, "byteLength": 48 },
-                { "buffer": 0, "byteOffset": 72, "byteLength": 32 },
-            ],
-            "accessors": [
-                { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
-                { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
-                { "bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2" },
-            ],
-        });
-        let mut files = Memory::default();
-        files.insert("it.gltf", gltf.to_string().into_bytes());
-        files.insert("it.bin", bytes);
+        let told = json!({ "componentType": 5126 });
+        let files = textured_gltf(&uv, told, &json!({ "index": 0 }), &image);
         let loaded = load_mesh_file_from(Path::new("it.gltf"), &files);
         let loaded = loaded.unwrap_or_else(|e| panic!("{image}: {e}"));
         assert_eq!(loaded.parts[0].mesh.triangles.len(), 4, "{image}");
@@ -314,52 +334,28 @@ fn odd_images_of_a_gltf_are_said_and_its_mesh_is_read() {
 /// As packers write them: whole numbers of 12 bits that a transform brings to the image.
 #[test]
 fn texture_coordinates_of_a_gltf_are_moved_and_scaled() {
-    let triangles: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
-    let places: [[f32; 3]; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let uv: [[u16; 2]; 4] = [[0, 0], [4095, 0], [0, 4095], [4095, 4095]];
-    let read = |is_normalized: bool, transform: serde_json::Value| {
-        let bytes: Vec<u8> = (triangles
-            .as_flattened()
-            .iter()
-            .flat_map(|i| i.to_le_bytes()))
-        .chain((places.as_flattened().iter()).flat_map(|c| c.to_le_bytes()))
-        .chain(uv.as_flattened().iter().flat_map(|c| c.to_le_bytes()))
+    let uv: Vec<u8> = uv
+        .as_flattened()
+        .iter()
+        .flat_map(|c| c.to_le_bytes())
         .collect();
-        let gltf = serde_json::json!({
-            "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
-            "extensionsUsed": ["KHR_mesh_quantization", "KHR_texture_transform"],
-            "extensionsRequired": ["KHR_mesh_quantization", "KHR_texture_transform"],
-            "meshes": [{ "primitives": [{ "attributes": { "POSITION": 1, "TEXCOORD_0": 2 }, "indices": 0, "material": 0 }] }],
-            "materials": [{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "extensions": { "KHR_texture_transform": transform } } } }],
-            "textures": [{ "source": 0 }], "images": [{ "uri": "four.png" }],
-            "buffers": [{ "uri": "it.bin", "byteLength": 88 }],
-            "bufferViews": [
-                { "buffer": 0, "byteLength": 24 },
-                { "buffer": 0, "byteOffset": 24, "byteLength": 48 },
-                { "buffer": 0, "byteOffset": 72, "byteLength": 16 },
-            ],
-            "accessors": [
-                { "bufferView": 0, "componentType": 5123, "count": 12, "type": "SCALAR" },
-                { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1] },
-                { "bufferView": 2, "componentType": 5123, "count": 4, "type": "VEC2", "normalized": is_normalized },
-            ],
-        });
-        let mut files = Memory::default();
-        files.insert("it.gltf", gltf.to_string().into_bytes());
-        files.insert("it.bin", bytes);
+    let read = |is_normalized: bool, transform: Value| {
+        let told = json!({ "componentType": 5123, "normalized": is_normalized });
+        let texture = json!({ "index": 0, "extensions": { "KHR_texture_transform": transform } });
+        let mut files = textured_gltf(&uv, told, &texture, &json!({ "uri": "four.png" }));
         files.insert("four.png", four_png());
         let loaded = load_mesh_file_from(Path::new("it.gltf"), &files).expect("a mesh");
         let coat = loaded.parts[0].mesh.coat.clone().expect("a coat");
         (coat.triangles[0].uv, loaded.notes)
     };
-    let twelve_bits =
-        serde_json::json!({ "scale": [1.0 / 4095.0, 0.5 / 4095.0], "offset": [0.25, 0.0] });
+    let twelve_bits = json!({ "scale": [1.0 / 4095.0, 0.5 / 4095.0], "offset": [0.25, 0.0] });
     let (uv, notes) = read(false, twelve_bits);
     let expected = [[0.25, 0.0], [0.25, 0.5], [1.25, 0.0]].map(Vec2::from);
     let is_near = uv.iter().zip(expected).all(|(a, b)| a.distance(b) < 1e-6);
     assert!(is_near, "{uv:?}");
     assert!(notes.is_empty(), "{notes:?}");
-    let (uv, notes) = read(true, serde_json::json!({ "rotation": 1.0 }));
+    let (uv, notes) = read(true, json!({ "rotation": 1.0 }));
     assert!((uv[2].x - 4095.0 / 65535.0).abs() < 1e-6, "{uv:?}");
     assert!(notes.iter().any(|n| n.contains("rotation")), "{notes:?}");
 }
