@@ -15,7 +15,7 @@
 #import cutaway::share::{pixel_at, turns}
 #import cutaway::shown::{first_word_of, is_in_frame}
 #import cutaway::style::style
-#import cutaway::touched::TILE_PX
+#import cutaway::touched::{MOST_TURNS, TILE_PX}
 
 @group(1) @binding(0) var<storage, read> layers: array<u32>;
 @group(1) @binding(1) var<storage, read_write> borders: array<u32>;
@@ -169,7 +169,7 @@ fn main(
     if is_first {
         turns_of_group = turns(group, groups);
     }
-    let end = workgroupUniformLoad(&turns_of_group);
+    let end = min(workgroupUniformLoad(&turns_of_group), MOST_TURNS);
     for (var turn = 0u; turn < end; turn++) {
         if is_first {
             atomicStore(&found, 0u);

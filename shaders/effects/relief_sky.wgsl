@@ -2,7 +2,7 @@
 //
 // The map of the sky lies texel by texel as the heights do, and is read as they are.
 
-#import cutaway::cuts::{cut_table, NO_RELIEF}
+#import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::frame::{centre_of, frame, pixel_index, ray_through}
 #import cutaway::layers::{CAP, WORDS_PER_PIXEL, clip_surface_of, kind_of}
 #import cutaway::relief::height_at
@@ -22,7 +22,7 @@ struct ReliefSky {
 
 // What the relief leaves of the light at a point of a cap.
 fn light_of(number: u32, point: vec4<f32>) -> f32 {
-    for (var slot = 0u; slot < cut_table.surface_count; slot++) {
+    for (var slot = 0u; slot < min(cut_table.surface_count, MAX_SURFACES); slot++) {
         if cut_table.surfaces[slot].surface != number || cut_table.surfaces[slot].first_texel == NO_RELIEF {
             continue;
         }

@@ -27,6 +27,10 @@ fn word_of_tile(tile: vec2<u32>) -> u32 {
 }
 
 // The first and the last tile within a distance of a pixel.
+// How far strokes reach, at most, and the tiles within that distance along one axis.
+const MOST_REACH_PX: i32 = 96;
+const MOST_TILES_AROUND: u32 = 14u;
+
 fn tiles_around(at: vec2<u32>, reach_px: i32, size_px: vec2<u32>) -> vec4<u32> {
     let first = max(vec2<i32>(at) - reach_px, vec2<i32>(0));
     let last = min(vec2<i32>(at) + reach_px, vec2<i32>(size_px) - 1);

@@ -5,6 +5,9 @@
 
 #import cutaway::frame::pixel_count
 
+// Fragments that are kept of a pixel and part, at most.
+const MOST_SLOTS: u32 = 32u;
+
 struct Cascade {
     // How many are kept of each pixel and part.
     slots: u32,

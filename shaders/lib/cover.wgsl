@@ -1,9 +1,12 @@
-// Covers the samples of a triangle of any size, tile by tile. A workgroup takes every eighth row of tiles, an invocation one
-// row of samples of each tile.
+// Covers the samples of one piece of a triangle (`pieces.wgsl`): every n-th tile of those that the triangle meets in a row of tiles. An
+// invocation owns one line of samples.
+//
+// Work of an invocation: at most 256 tiles are tested, and `piece_px` + 192 samples are covered.
 
 #define_import_path cutaway::cover
 
 #import cutaway::flat::{depth_at, flat_through}
+#import cutaway::piece::{MOST_TILES, Piece, tiles_of}
 #import cutaway::sample::take
 #import cutaway::screen::{Point, first_pixel, last_pixel}
 #import cutaway::sweep::{Sample, drawn_parts}
@@ -12,11 +15,10 @@
 #import cutaway::wide::{wide_cross, wide_float, wide_is_negative}
 
 struct Where {
-    triangle: u32,
+    piece: Piece,
     // Row of the part in the table of drawn parts.
     row: u32,
-    // Which rows of tiles, and which line of samples of a tile.
-    tiles: i32,
+    // Which line of samples of a tile.
     line: i32,
     // Of the mask.
     lane_bits: u32,
@@ -25,14 +27,9 @@ struct Where {
 fn cover(a: Point, second: Point, third: Point, at: Where) {
     let first = first_pixel(min(a.steps, min(second.steps, third.steps)));
     let last = last_pixel(max(a.steps, max(second.steps, third.steps)));
-    let last_tile = last >> vec2<u32>(6u);
-    let first_tile = first >> vec2<u32>(6u);
-    let first_row = first_tile.y + ((at.tiles - first_tile.y) & 7);
-    if any(first > last) || first_row > last_tile.y {
-        return;
-    }
     let whole = wide_cross(second.steps - a.steps, third.steps - a.steps);
-    if (whole.x | whole.y) == 0u {
+    let tiles = tiles_of(at.piece, a.steps, second.steps, third.steps, first, last);
+    if tiles.count == 0 || (whole.x | whole.y) == 0u {
         return;
     }
     let part = drawn_parts.parts[at.row];
@@ -44,29 +41,28 @@ fn cover(a: Point, second: Point, third: Point, at: Where) {
         c = second;
     }
     let plane = flat_through(a, b, c, abs(wide_float(whole)));
-    for (var tile_y = first_row; tile_y <= last_tile.y; tile_y += 8) {
-        for (var tile_x = first_tile.x; tile_x <= last_tile.x; tile_x++) {
-            let from_px = max(64 * vec2<i32>(tile_x, tile_y), first);
-            let span = min(64 * vec2<i32>(tile_x, tile_y) + 63, last) - from_px;
-            let sample = 256 * from_px + 128;
-            let bc = tile_edge(b.steps, c.steps, sample);
-            let ca = tile_edge(c.steps, a.steps, sample);
-            let ab = tile_edge(a.steps, b.steps, sample);
-            if !(reaches(bc, span) && reaches(ca, span) && reaches(ab, span)) {
-                continue;
-            }
-            var row = vec2<i32>(0, select(span.x, -1, at.line > span.y));
-            row = row_inside(bc, at.line, row);
-            row = row_inside(ca, at.line, row);
-            row = row_inside(ab, at.line, row);
-            if row.x <= row.y {
-                touch(from_px + vec2<i32>(row.x, at.line), from_px + vec2<i32>(row.y, at.line));
-            }
-            for (var x = row.x; x <= row.y; x++) {
-                let step = vec2<i32>(x, at.line);
-                let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
-                _ = take(Sample(vec2<u32>(from_px + step), depth_at(plane, weights), at.triangle, at.row, part, turned, at.lane_bits));
-            }
+    for (var turn = 0; turn < min(tiles.count, MOST_TILES); turn++) {
+        let tile = vec2<i32>(tiles.first + turn * at.piece.columns, at.piece.tile_row);
+        let from_px = max(64 * tile, first);
+        let span = min(64 * tile + 63, last) - from_px;
+        let sample = 256 * from_px + 128;
+        let bc = tile_edge(b.steps, c.steps, sample);
+        let ca = tile_edge(c.steps, a.steps, sample);
+        let ab = tile_edge(a.steps, b.steps, sample);
+        if !(reaches(bc, span) && reaches(ca, span) && reaches(ab, span)) {
+            continue;
+        }
+        var row = vec2<i32>(0, select(span.x, -1, at.line > span.y));
+        row = row_inside(bc, at.line, row);
+        row = row_inside(ca, at.line, row);
+        row = row_inside(ab, at.line, row);
+        if row.x <= row.y {
+            touch(from_px + vec2<i32>(row.x, at.line), from_px + vec2<i32>(row.y, at.line));
+        }
+        for (var n = 0; n < min(row.y - row.x + 1, 64); n++) {
+            let step = vec2<i32>(row.x + n, at.line);
+            let weights = vec2<f32>(edge_value(ca, step), edge_value(ab, step));
+            _ = take(Sample(vec2<u32>(from_px + step), depth_at(plane, weights), at.piece.triangle, at.row, part, turned, at.lane_bits));
         }
     }
 }

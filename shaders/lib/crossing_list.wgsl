@@ -7,6 +7,7 @@
 #define_import_path cutaway::crossing_list
 
 #import cutaway::frame::{is_behind, pixel_count}
+#import cutaway::lanes::MOST_CROSSINGS
 #import cutaway::surfaces::keeps_words
 
 @group(1) @binding(0) var<storage, read_write> crossing_heads: array<vec2<u32>>;
@@ -28,7 +29,7 @@ struct List {
 // A list that was finished, to be gone on with.
 fn resume(pixel: u32, capacity: u32) -> List {
     let head = crossing_heads[pixel];
-    return List(pixel, capacity, head.x & 0xffffu, head.y, (head.x & 0x80000000u) != 0u);
+    return List(pixel, capacity, head.x & MOST_CROSSINGS, head.y, (head.x & 0x80000000u) != 0u);
 }
 
 fn put(at: u32, z: f32, word: u32) {
@@ -47,7 +48,7 @@ fn comes_before(z: f32, enters_kept: bool, listed: f32) -> bool {
 // leaves what is kept come first: two cuts that share a plane leave no sheet between them.
 fn add(list: ptr<function, List>, z: f32, word: u32, enters_kept: bool) {
     let stride = pixel_count();
-    let stored = min((*list).found, (*list).capacity);
+    let stored = min(min((*list).found, (*list).capacity), MOST_CROSSINGS);
     (*list).found++;
     // Insertion from the far end; a full list drops its farthest crossing.
     var i = stored;

@@ -31,6 +31,9 @@ struct ClipSurface {
     surface: u32,
 }
 
+// Cells of a relief that a ray is followed through, at most: `cell_limit` in `src/plan/pack.rs`.
+const MOST_CELLS: u32 = 32768u;
+
 const NO_RELIEF: u32 = 0xffffffffu;
 
 struct CutTable {

@@ -10,7 +10,7 @@
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_blank, next_inside, next_starting}
-#import cutaway::lanes::Lanes
+#import cutaway::lanes::{Lanes, MOST_CROSSINGS, MOST_LANES}
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
@@ -45,10 +45,10 @@ struct Cap {
 fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
     var sides = start;
     var cap = Cap(false, 0u, 0u, false);
-    for (var i = 0u; i < limit; i++) {
+    for (var i = 0u; i < min(limit, MOST_CROSSINGS); i++) {
         let after = sides ^ (1u << surface_at(i, at));
         var place = 0u;
-        for (var n = 0u; n < lanes.count; n++) {
+        for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
             place = next_inside(lanes, place, pixel_index(at), i);
             if place >= lanes.count {
                 break;
@@ -107,7 +107,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
     var odd = false;
     var near_caps = 0u;
     var place = 0u;
-    for (var n = 0u; n < lanes.count; n++) {
+    for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
         place = next_starting(lanes, place, pixel);
         if place >= lanes.count {
             break;

@@ -25,8 +25,10 @@ struct Deformer {
     phase: f32,
 }
 
+const MOST_DEFORMERS: u32 = 16u;
+
 struct Deformers {
-    rows: array<Deformer, 16>,
+    rows: array<Deformer, MOST_DEFORMERS>,
 }
 
 @group(0) @binding(1) var<uniform> deformers: Deformers;

@@ -5,6 +5,9 @@
 #import cutaway::frame::frame
 #import cutaway::layers::{BACKGROUND, kind_of}
 
+// How far a blur reaches, at most: half of the largest picture.
+const MOST_BLUR_PX: i32 = 4096;
+
 struct Unsharp {
     // The length that is 1.
     diagonal: f32,

@@ -6,6 +6,9 @@
 
 @group(1) @binding(5) var<storage, read> fragments: array<u32>;
 
+// Fragments of a list that are looked at: what is beyond them does not fit.
+const MOST_FRAGMENTS: u32 = 4096u;
+
 struct Run {
     // Fragments from `first` up to but not including `end` were kept.
     first: u32,
@@ -20,7 +23,8 @@ fn run_of(list: u32) -> Run {
         first = fragments[list - 1u];
     }
     let end = fragments[list];
-    return Run(first, min(end, pool.capacity), end <= pool.capacity || first == end);
+    let fits = (end <= pool.capacity && end - first <= MOST_FRAGMENTS) || first == end;
+    return Run(first, min(end, pool.capacity), fits);
 }
 
 fn depth_of(fragment: u32) -> f32 {

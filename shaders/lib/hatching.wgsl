@@ -30,6 +30,10 @@ struct PartHatch {
     end: vec4<f32>,
 }
 
+// Dashes of a line, and families of lines of a hatch, at most.
+const MOST_DASHES: u32 = 4u;
+const MOST_LINES: u32 = 64u;
+
 struct HatchLine {
     across: vec2<f32>,
     along: vec2<f32>,
@@ -93,7 +97,7 @@ fn line_cover(hatch_line: HatchLine, footing: Footing, width_px: f32) -> f32 {
     // A dot is as long as a line is wide.
     let least = width_px * length(along_steps);
     var dashed = 0.0;
-    for (var i = 0u; i < hatch_line.dash_count; i++) {
+    for (var i = 0u; i < min(hatch_line.dash_count, MOST_DASHES); i++) {
         let drawn = min(max(hatch_line.dash_lengths[i], least), 1.0);
         dashed += pulse_cover(along - hatch_line.dash_centres[i], drawn, along_steps / style.fineness);
     }
@@ -111,7 +115,7 @@ fn has_hatch(word: u32, place: u32) -> bool {
 fn hatch_cover(hatch: PartHatch, footing: Footing) -> f32 {
     // Without lines it is filled.
     var bare = select(1.0, 0.0, hatch.line_count == 0u);
-    for (var i = 0u; i < hatch.line_count; i++) {
+    for (var i = 0u; i < min(hatch.line_count, MOST_LINES); i++) {
         bare *= 1.0 - line_cover(hatch_lines[hatch.first_line + i], footing, hatch.width_px);
     }
     return 1.0 - bare;

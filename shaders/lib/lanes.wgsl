@@ -3,6 +3,12 @@
 
 #define_import_path cutaway::lanes
 
+// Crossings that a list holds at most: its head counts them in ten bits.
+const MOST_CROSSINGS: u32 = 1023u;
+// Words of a pixel, and parts that have a lane in them: `src/passes/lanes.rs`.
+const MOST_LANE_WORDS: u32 = 1024u;
+const MOST_LANES: u32 = 16384u;
+
 // In the place of a shift: the part is filled by the nonzero rule, and its lane is words of counts.
 const WINDING: u32 = 32u;
 

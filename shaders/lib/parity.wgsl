@@ -6,7 +6,7 @@
 
 #import cutaway::cuts::parts
 #import cutaway::frame::pixel_count
-#import cutaway::lanes::Lanes
+#import cutaway::lanes::{Lanes, MOST_LANES, MOST_LANE_WORDS}
 
 @group(1) @binding(2) var<storage, read> mask: array<u32>;
 
@@ -17,7 +17,7 @@ fn word_at(word: u32, pixel: u32) -> u32 {
 
 // Whether the words of a pixel hold nothing.
 fn is_zero(pixel: u32) -> bool {
-    let words = arrayLength(&mask) / pixel_count();
+    let words = min(arrayLength(&mask) / pixel_count(), MOST_LANE_WORDS + 1u);
     var any = 0u;
     for (var w = 0u; w < words; w++) {
         any |= word_at(w, pixel);
@@ -40,7 +40,7 @@ fn is_odd_in_all(lanes: Lanes, place: u32, pixel: u32) -> bool {
 fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     if lanes.bits > 32u {
         let words = lanes.bits / 32u;
-        for (var p = place; p < lanes.count; p++) {
+        for (var p = place; p < min(lanes.count, MOST_LANES); p++) {
             if ((word_at(p * words + bit / 32u, pixel) >> (bit % 32u)) & 1u) != 0u {
                 return p;
             }
@@ -50,7 +50,7 @@ fn next_odd(lanes: Lanes, place: u32, pixel: u32, bit: u32) -> u32 {
     let of_word = 32u / lanes.bits;
     // The bit in each lane of a word.
     let pattern = select(0xffffffffu / ((1u << lanes.bits) - 1u), 1u, lanes.bits == 32u) << bit;
-    let end = (lanes.count + of_word - 1u) / of_word;
+    let end = min((lanes.count + of_word - 1u) / of_word, MOST_LANE_WORDS);
     let first = place / of_word;
     for (var w = first; w < end; w++) {
         let passed = select(0u, (place % of_word) * lanes.bits, w == first);

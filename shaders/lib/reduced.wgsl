@@ -4,6 +4,7 @@
 #define_import_path cutaway::reduced
 
 #import cutaway::frame::pixel_count
+#import cutaway::lanes::MOST_LANE_WORDS
 
 @group(1) @binding(4) var<storage, read_write> mask: array<u32>;
 
@@ -12,7 +13,7 @@ fn doubt_plane() -> u32 {
 }
 
 fn clear_words(pixel: u32) {
-    let last = doubt_plane();
+    let last = min(doubt_plane(), MOST_LANE_WORDS);
     for (var word = 0u; word <= last; word++) {
         mask[word * pixel_count() + pixel] = 0u;
     }

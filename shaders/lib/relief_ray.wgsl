@@ -214,7 +214,7 @@ fn walk_cell(
 // Adds to the list what a cell holds.
 fn add_found(list: ptr<function, List>, way: Way, found: Found) {
     var kept = found.kept;
-    for (var i = 0u; i < found.count; i++) {
+    for (var i = 0u; i < min(found.count, 2u); i++) {
         kept = !kept;
         let depth = way.start + select(found.at.y, found.at.x, i == 0u);
         add(list, buffer_from_depth(depth), way.surface, kept);

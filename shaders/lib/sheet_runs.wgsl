@@ -27,10 +27,8 @@ fn fragment_at(fragment: u32) -> Fragment {
     return Fragment(bitcast<f32>(sheets[first]), sheets[first + 1u], sheets[first + 2u]);
 }
 
-// No list has more.
-fn most_fragments() -> u32 {
-    return arrayLength(&sheets);
-}
+// Fragments of a list that are looked at: a longer one is marked. Each is looked for among all, so that the rounds are its square.
+const MOST_SHEET_FRAGMENTS: u32 = 240u;
 
 // How many came in all, whether they found room or not.
 fn fragment_count() -> u32 {

@@ -3,7 +3,7 @@
 
 #define_import_path cutaway::sides
 
-#import cutaway::cuts::{cut_table, NO_RELIEF}
+#import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::height_filter::filtered_height
 
 // By how much a point is on the kept side: height over the plane plus the relief's; negative where removed.
@@ -20,7 +20,7 @@ fn kept_height(surface: u32, point: vec3<f32>) -> f32 {
 // Sides of a point with respect to all clip-surfaces.
 fn sides_of(point: vec3<f32>) -> u32 {
     var sides = 0u;
-    for (var s = 0u; s < cut_table.surface_count; s++) {
+    for (var s = 0u; s < min(cut_table.surface_count, MAX_SURFACES); s++) {
         if kept_height(s, point) < 0.0 {
             sides |= 1u << s;
         }

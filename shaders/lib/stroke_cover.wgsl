@@ -7,7 +7,7 @@
 
 #define_import_path cutaway::stroke_cover
 
-#import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
+#import cutaway::borders::{MOST_REACH_PX, MOST_TILES_AROUND, NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::shown::is_in_frame
 #import cutaway::stroke_place::ends_of
@@ -47,9 +47,11 @@ fn nearer(nearest: Nearest, border: u32, ends: array<vec2<f32>, 2>, off: vec2<f3
 fn has_border_near(at: vec2<u32>, reach_px: i32) -> bool {
     let tiles = tiles_around(at, reach_px, frame.size_px);
     var found = 0u;
-    for (var y = tiles.y; y <= tiles.w; y++) {
-        for (var x = tiles.x; x <= tiles.z; x++) {
-            found |= strokes[word_of_tile(vec2<u32>(x, y))];
+    let across = min(tiles.zw - tiles.xy + 1u, vec2<u32>(MOST_TILES_AROUND));
+    for (var v = 0u; v < across.y; v++) {
+        for (var u = 0u; u < across.x; u++) {
+            let tile = tiles.xy + vec2<u32>(u, v);
+            found |= strokes[word_of_tile(tile)];
         }
     }
     return found != 0u;
@@ -67,8 +69,9 @@ fn stroke_cover(at: vec2<u32>) -> f32 {
         return 0.0;
     }
     var nearest = Nearest(FAR_AWAY, 0.0);
-    for (var y = -style.stroke_reach_px - 1; y <= style.stroke_reach_px; y++) {
-        for (var x = -style.stroke_reach_px - 1; x <= style.stroke_reach_px; x++) {
+    let reach_px = min(style.stroke_reach_px, MOST_REACH_PX);
+    for (var y = -reach_px - 1; y <= reach_px; y++) {
+        for (var x = -reach_px - 1; x <= reach_px; x++) {
             let near = vec2<i32>(at) + vec2<i32>(x, y);
             if !is_in_frame(near) {
                 continue;

@@ -46,11 +46,14 @@ fn bilinear(first: u32, size: vec2<u32>, place: vec2<f32>, is_color: bool) -> ve
     return mix(above, below, share.y);
 }
 
+// Halvings of the largest texture.
+const MOST_LEVELS: f32 = 16.0;
+
 // Between two sizes.
 fn at_level(texture: Texture, level: f32, place: vec2<f32>) -> vec4<f32> {
     var first = texture.first;
     var size = texture.size;
-    let whole = u32(max(level, 0.0));
+    let whole = u32(clamp(level, 0.0, MOST_LEVELS));
     for (var i = 0u; i < whole && any(size > vec2<u32>(1u)); i++) {
         first += size.x * size.y;
         size = max(size / 2u, vec2<u32>(1u));

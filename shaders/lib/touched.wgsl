@@ -38,9 +38,12 @@ fn tile_at(place: vec2<u32>) -> u32 {
     return place.y * tiles_of_row() + place.x;
 }
 
+// Tiles that one workgroup takes, at most: `src/passes/touched.rs` gives each eight, and one more where they do not go up.
+const MOST_TURNS: u32 = 16u;
+
 // How many of `count` tiles a workgroup takes, where of N workgroups each takes every N-th.
 fn turns_among(count: u32, group: u32, groups: u32) -> u32 {
-    return (count + groups - 1u - group) / groups;
+    return min((count + groups - 1u - group) / groups, MOST_TURNS);
 }
 
 // The place of a tile. By floats, which are exact here: integers divide slowly.

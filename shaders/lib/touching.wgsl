@@ -31,13 +31,43 @@ fn touch_tile(tile: u32) {
     }
 }
 
-// Touches the tiles of a box of pixels of the picture.
-fn touch_box(first: vec2<i32>, last: vec2<i32>) {
+// Tiles along a side of a box that one invocation touches.
+const MOST_SIDE: u32 = 6u;
+
+// The tiles of a box of pixels of the picture: the first, and how many along each axis.
+struct Box {
+    first: vec2<u32>,
+    size: vec2<u32>,
+}
+
+fn box_of(first: vec2<i32>, last: vec2<i32>) -> Box {
     let first_tile = vec2<u32>(first) / TILE_PX;
-    let last_tile = vec2<u32>(last) / TILE_PX;
-    for (var y = first_tile.y; y <= last_tile.y; y++) {
-        for (var x = first_tile.x; x <= last_tile.x; x++) {
-            touch_tile(tile_at(vec2<u32>(x, y)));
+    return Box(first_tile, min(vec2<u32>(last) / TILE_PX - first_tile + 1u, vec2<u32>(MOST_SIDE)));
+}
+
+// Touches the tiles of a box of pixels of the picture, of at most 65 pixels a side.
+fn touch_box(first: vec2<i32>, last: vec2<i32>) {
+    let box = box_of(first, last);
+    for (var y = 0u; y < box.size.y; y++) {
+        for (var x = 0u; x < box.size.x; x++) {
+            touch_tile(tile_at(box.first + vec2<u32>(x, y)));
         }
     }
+}
+
+// Widens the range of depths of a tile, of depths as they are kept.
+fn widen(tile: u32, nearest: u32, farthest: u32) {
+    if nearest > atomicLoad(&touched.tiles[tile].nearest) {
+        atomicMax(&touched.tiles[tile].nearest, nearest);
+    }
+    if farthest > atomicLoad(&touched.tiles[tile].farthest) {
+        atomicMax(&touched.tiles[tile].farthest, farthest);
+    }
+}
+
+// The nearest and the farthest of three depth-buffer values, as they are kept.
+fn reach_of(z: vec3<f32>) -> vec2<u32> {
+    let nearest = max(max(z.x, max(z.y, z.z)), 0.0);
+    let farthest = max(min(z.x, min(z.y, z.z)), 0.0);
+    return vec2<u32>(bitcast<u32>(nearest), ~bitcast<u32>(farthest));
 }

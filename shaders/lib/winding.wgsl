@@ -15,7 +15,7 @@ fn ones(count: u32) -> u32 {
 fn count_at(word: u32, index: u32) -> i32 {
     var rest = word;
     var count = 0;
-    for (var i = 0u; i <= index; i++) {
+    for (var i = 0u; i <= min(index, 3u); i++) {
         count = (bitcast<i32>(rest) << 24u) >> 24u;
         rest = (rest - bitcast<u32>(count)) >> 8u;
     }

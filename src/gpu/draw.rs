@@ -23,7 +23,7 @@ pub(super) struct Step {
     reason = "a plan has a dozen steps, not thousands"
 )]
 enum RealWork {
-    Compute([u32; 3]),
+    Compute(Groups),
     Draw {
         color: Option<(wgpu::TextureView, bool)>,
         depth: Depth,
@@ -31,6 +31,14 @@ enum RealWork {
         indices: wgpu::Buffer,
         draws: Vec<RealDraw>,
     },
+}
+
+/// The workgroups of a dispatch.
+enum Groups {
+    /// In x, y, z.
+    Listed([u32; 3]),
+    /// A buffer of arguments, and where in it.
+    Indirect(wgpu::Buffer, u64),
 }
 
 enum RealDraw {
@@ -56,7 +64,11 @@ impl Step {
         let (pipeline, composed) = gpu.pipelines().get(gpu, plan, pass)?;
         let groups = bind_groups(gpu, plan, pass, &pipeline, &composed.bindings, real)?;
         let work = match &pass.work {
-            Work::Compute { groups } => RealWork::Compute(*groups),
+            Work::Compute { groups } => RealWork::Compute(Groups::Listed(*groups)),
+            Work::ComputeIndirect { arguments } => RealWork::Compute(Groups::Indirect(
+                buffer(plan, arguments.resource, real)?.clone(),
+                arguments.offset,
+            )),
             Work::Draw {
                 color,
                 depth,
@@ -117,7 +129,7 @@ impl Step {
     ) {
         let (begin, end) = (Some(index as u32 * 2), Some(index as u32 * 2 + 1));
         match (&self.work, &*self.pipeline) {
-            (RealWork::Compute([x, y, z]), Pipeline::Compute(pipeline)) => {
+            (RealWork::Compute(dispatched), Pipeline::Compute(pipeline)) => {
                 let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                     label: Some(&self.name),
                     timestamp_writes: stopwatch.map(|s| wgpu::ComputePassTimestampWrites {
@@ -130,7 +142,12 @@ impl Step {
                 for (i, group) in self.groups.iter().enumerate() {
                     pass.set_bind_group(i as u32, group, &[]);
                 }
-                pass.dispatch_workgroups(*x, *y, *z);
+                match dispatched {
+                    Groups::Listed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
+                    Groups::Indirect(arguments, offset) => {
+                        pass.dispatch_workgroups_indirect(arguments, *offset);
+                    }
+                }
             }
             (
                 RealWork::Draw {

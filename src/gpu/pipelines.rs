@@ -56,7 +56,7 @@ struct DrawState {
 impl Recipe {
     fn of(plan: &Plan, pass: &Pass) -> Self {
         let draw = match &pass.work {
-            Work::Compute { .. } => None,
+            Work::Compute { .. } | Work::ComputeIndirect { .. } => None,
             Work::Draw {
                 color,
                 depth,
@@ -104,16 +104,17 @@ impl Pipelines {
             let module = gpu.module(pass.shader.path, resolved.into_owned());
             Ok(match pass.work {
                 Work::Draw { .. } => Pipeline::Render(render_pipeline(gpu, plan, pass, &module)),
-                Work::Compute { .. } => Pipeline::Compute(gpu.device.create_compute_pipeline(
-                    &wgpu::ComputePipelineDescriptor {
-                        label: Some(&pass.name),
-                        layout: None,
-                        module: &module,
-                        entry_point: Some("main"),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        cache: None,
-                    },
-                )),
+                Work::Compute { .. } | Work::ComputeIndirect { .. } => Pipeline::Compute(
+                    gpu.device
+                        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                            label: Some(&pass.name),
+                            layout: None,
+                            module: &module,
+                            entry_point: Some("main"),
+                            compilation_options: wgpu::PipelineCompilationOptions::default(),
+                            cache: None,
+                        }),
+                ),
             })
         };
         let mut preparing = gpu.preparing();

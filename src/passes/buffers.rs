@@ -6,6 +6,7 @@
 
 use bytemuck::Zeroable;
 
+use super::lanes::MOST_LANE_WORDS;
 use super::pose::pose_parts;
 use super::{Input, Lanes, OnScreen, Refusal};
 use crate::plan::pack::{self, CutTable, MAX_SURFACES, Part};
@@ -53,6 +54,12 @@ impl<'a> SceneBuffers<'a> {
         input: &'a Input<'a>,
         lanes: Lanes,
     ) -> Result<Self, Refusal> {
+        if lanes.words > MOST_LANE_WORDS {
+            return Err(Refusal::amount(format!(
+                "{} words of crossings for each pixel are more than the {MOST_LANE_WORDS} that passes go over",
+                lanes.words
+            )));
+        }
         let scene = Self::unposed(plan, input, lanes);
         pose_parts(plan, input, scene.vertices)?;
         Ok(scene)

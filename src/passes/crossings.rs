@@ -1,7 +1,7 @@
 //! The crossings of each pixel's ray with the clip-surfaces, as passes ask for them: who makes the one list is a cap surface, who reads it
 //! is everybody. Where the only clip-surface is a plane there need be none: each asks the plane.
 
-use super::SceneBuffers;
+use super::{Input, SceneBuffers};
 use crate::plan::{Binding, ResourceId};
 
 /// The list of crossings.
@@ -27,6 +27,10 @@ pub(crate) struct AskedCrossings {
     pub(super) surfaces_file: &'static str,
     /// What it binds.
     pub bindings: Vec<Binding>,
+    /// Rounds of a loop until the crossings before a fragment are counted.
+    pub(super) rounds: u32,
+    /// Crossings of a list.
+    pub(super) capacity: u32,
 }
 
 impl Crossings {
@@ -42,14 +46,35 @@ impl Crossings {
     /// The list, for who may as well ask a plane.
     pub(crate) fn asked(&self) -> AskedCrossings {
         AskedCrossings {
-            file: LIST,
-            surfaces_file: self.surfaces_file,
             bindings: self.bindings().into(),
+            ..AskedCrossings::of_capacity(self.capacity, self.surfaces_file)
         }
     }
 }
 
 impl AskedCrossings {
+    /// Lists of so many crossings that are not there yet, to find out what fragments will cost.
+    pub(crate) fn to_come(input: &Input<'_>, capacity: u32) -> Self {
+        let surfaces_file = match input.has_one_surface() {
+            true => ONE_SURFACE,
+            false => ANY_SURFACES,
+        };
+        Self::of_capacity(capacity, surfaces_file)
+    }
+
+    fn of_capacity(capacity: u32, surfaces_file: &'static str) -> Self {
+        Self {
+            file: LIST,
+            surfaces_file,
+            bindings: Vec::new(),
+            rounds: match surfaces_file {
+                ONE_SURFACE => capacity.min(SHORT).max(capacity.max(1).ilog2() + 1),
+                _ => capacity,
+            },
+            capacity,
+        }
+    }
+
     /// The file that fills `cutaway::crossings`, and that which it asks for.
     pub(super) fn files(&self) -> [&'static str; 2] {
         [self.file, self.surfaces_file]
@@ -61,6 +86,8 @@ impl AskedCrossings {
             file: "lib/crossings/nothing.wgsl",
             surfaces_file: ONE_SURFACE,
             bindings: Vec::new(),
+            rounds: 0,
+            capacity: 0,
         }
     }
 
@@ -70,9 +97,14 @@ impl AskedCrossings {
             file: "lib/crossings/plane.wgsl",
             surfaces_file: ONE_SURFACE,
             bindings: vec![scene.ray_table.clone()],
+            rounds: 0,
+            capacity: 0,
         }
     }
 }
+
+/// Lists up to this length are looked through one by one: `shaders/lib/crossings/list.wgsl`.
+const SHORT: u32 = 8;
 
 /// The file that reads the list.
 const LIST: &str = "lib/crossings/list.wgsl";

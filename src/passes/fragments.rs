@@ -8,7 +8,8 @@
 
 use super::need::NEED_OF_FRAGMENTS;
 use super::{
-    Fresh, Input, Rasteriser, Refusal, Scan, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    Fresh, Input, Rasteriser, Refusal, Run, Scan, SceneBuffers, Screen, ScreenOf, Share, Store,
+    Sweep, Total,
 };
 use crate::plan::pack::FragmentPool;
 use crate::plan::{
@@ -40,6 +41,7 @@ impl FragmentLists {
         Store {
             file,
             bindings: self.updated().into(),
+            rounds: 0,
         }
     }
 
@@ -132,8 +134,8 @@ impl FragmentLists {
             what,
             clock: Clock::Frame,
             items: self.fragments,
-            length: self.layout.lists,
-            total: (need, NEED_OF_FRAGMENTS),
+            run: Run::known(self.layout.lists),
+            total: Total::Word(need, NEED_OF_FRAGMENTS),
         }
         .record(plan);
     }
@@ -164,6 +166,7 @@ pub(crate) fn leave_fragments(
                 clock: Clock::Frame,
                 ranks: scene.input.relevance.cut_parts(),
                 settles: false,
+                share: Share::of_store(store),
                 fresh: Fresh::nothing(),
             };
             let screen = Screen::record(plan, scene, of)?;

@@ -62,6 +62,11 @@ impl<'a> Input<'a> {
             && !self.has_cutters()
     }
 
+    /// Whether lists hold crossings with one clip-surface, without normals of their own.
+    pub(crate) fn has_one_surface(&self) -> bool {
+        self.relevance.surfaces.len() < 2 && !self.has_cutters()
+    }
+
     /// Pixels of the picture.
     pub(crate) fn pixel_count(&self) -> u64 {
         pixels(self.view.size_px)

@@ -13,6 +13,9 @@ use crate::scene::Fill;
 /// `lane_shift` of a part whose lane holds counts; `WINDING` in `shaders/lib/lanes.wgsl`.
 const COUNTS: u32 = 32;
 
+/// Words of a pixel, at most: `shaders/lib/lanes.wgsl`. Passes that go over the words of a pixel take as many rounds.
+pub(super) const MOST_LANE_WORDS: u32 = 1024;
+
 /// The lanes of all parts that need an inside test.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Lanes {

@@ -13,7 +13,7 @@ use super::resolve::{cap_normal, constants_of_decision};
 use super::sweep::groups_along;
 use super::{
     AskedCrossings, Fresh, Inside, Layered, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf,
-    Store, Sweep, Touched,
+    Share, Store, Sweep, Touched,
 };
 use crate::plan::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Work};
 use crate::shader::Shader;
@@ -32,16 +32,18 @@ pub(crate) struct OnScreen {
 
 impl<'a> SceneBuffers<'a> {
     /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
-    /// fragments on the way. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels, as for hosts. The
+    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels, as for hosts. The
     /// reason where there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
         store: &Store,
+        to_come: &AskedCrossings,
     ) -> Result<Self, Refusal> {
         let input = self.input;
         if input.rasteriser == Rasteriser::Compute && !input.keeps_list {
-            self.on_screen = Some(take_to_screen(plan, &self, Some(store))?);
+            let share = Share::of_crossings(&self, store, to_come);
+            self.on_screen = Some(take_to_screen(plan, &self, Some(store), share)?);
         }
         Ok(self)
     }
@@ -67,6 +69,7 @@ fn take_to_screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
     store: Option<&Store>,
+    share: Share,
 ) -> Result<OnScreen, Refusal> {
     let input = scene.input;
     let nearest = Resource::storage("nearest", input.pixel_count() * 8, Clock::Frame);
@@ -107,32 +110,19 @@ fn take_to_screen(
         clock: Clock::Frame,
         ranks: &input.relevance.order,
         settles: true,
+        share,
         fresh: Fresh {
             files: vec!["lib/fresh/tiles.wgsl", kind],
             bindings: vec![touched.binding(Access::ReadWrite)],
             items: touched.tile_count(),
         },
     };
-    let screen = Screen::record(plan, scene, of)?;
+    let mut screen = Screen::record(plan, scene, of)?;
     // Nobody looks at pixels before the sweep.
     let by_sweep = input.relevance.lanes == 0 || (store.is_some() && input.asks_plane());
     if !by_sweep {
-        plan.add_pass(Pass::new(
-            "tiles",
-            "which tiles of the picture have something, and between which depths the cut parts lie in each: no other is looked at",
-            Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
-            vec![
-                screen.frame.clone(),
-                screen.sweep.clone(),
-                screen.drawn_parts.clone(),
-                screen.indices.clone(),
-                screen.vertices(),
-                touched.binding(Access::ReadWrite),
-            ],
-            Work::Compute {
-                groups: groups_along(screen.triangle_count),
-            },
-        ));
+        find_tiles(plan, &screen, touched);
+        screen.is_queued = true;
     }
     Ok(OnScreen {
         screen,
@@ -142,6 +132,42 @@ fn take_to_screen(
         touched,
         by_sweep,
     })
+}
+
+/// Finds the touched tiles, of small triangles one by one, then of the pieces of the others, which are queued on the way.
+fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
+    let bindings = |queue_access| {
+        vec![
+            screen.frame.clone(),
+            screen.sweep.clone(),
+            screen.drawn_parts.clone(),
+            screen.indices.clone(),
+            screen.vertices(),
+            touched.binding(Access::ReadWrite),
+            Binding {
+                access: queue_access,
+                ..Binding::read("queue", screen.queue)
+            },
+        ]
+    };
+    let pass = Pass::new(
+        "tiles",
+        "which tiles of the picture have something, and between which depths the cut parts lie in each: no other is looked at",
+        Shader::from("passes/rasterise/tiles.wgsl").with(screen.rows()),
+        bindings(Access::ReadWrite),
+        Work::Compute {
+            groups: groups_along(screen.triangle_count),
+        },
+    );
+    plan.add_pass(pass.with_constants(screen.share.constants().into()));
+    screen.count_pieces(plan);
+    plan.add_pass(Pass::new(
+        "large tiles",
+        "the same for triangles of many samples",
+        Shader::from("passes/rasterise/large_tiles.wgsl").with(screen.rows()),
+        bindings(Access::Read),
+        screen.over_pieces(),
+    ));
 }
 
 /// Rasterises all parts into what an inside test wants, and into the nearest kept triangle of each pixel; the reason where there
@@ -162,7 +188,10 @@ pub(super) fn rasterise(
         by_sweep,
     } = match &scene.on_screen {
         Some(on_screen) => on_screen.clone(),
-        None => take_to_screen(plan, scene, None)?,
+        None => {
+            let share = Share::of_crossings(scene, store, crossings);
+            take_to_screen(plan, scene, None, share)?
+        }
     };
     let marking = Sweep {
         name: "mark",

@@ -21,24 +21,67 @@ pub struct Scan<'a> {
     pub what: &'a str,
     /// When.
     pub clock: Clock,
-    /// The buffer whose first words are summed in place.
+    /// The buffer whose words are summed in place.
     pub items: ResourceId,
-    /// How many words.
+    /// Which words.
+    pub run: Run,
+    /// Where the total goes.
+    pub total: Total,
+}
+
+/// The words of a buffer that are summed.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// The first of them.
+    pub first: u32,
+    /// How many, at most. Passes are dispatched for all of them; blocks beyond the count end at once.
     pub length: u32,
-    /// Buffer and word that the total goes to.
-    pub total: (ResourceId, u32),
+    /// Word of the buffer that gives the count, where it is found on the device.
+    pub count_at: Option<u32>,
+}
+
+impl Run {
+    /// The first words of a buffer, of a count known beforehand.
+    pub fn known(length: u32) -> Self {
+        Self {
+            first: 0,
+            length,
+            count_at: None,
+        }
+    }
+
+    fn constants(&self) -> Vec<(&'static str, f64)> {
+        let mut all = vec![("length", f64::from(self.length))];
+        if let Some(word) = self.count_at {
+            all.push(("count_at", f64::from(word)));
+        }
+        if self.first > 0 {
+            all.push(("first", f64::from(self.first)));
+        }
+        all
+    }
+}
+
+/// Where the total of a prefix sum goes.
+#[derive(Clone, Copy, Debug)]
+pub enum Total {
+    /// Into one word of a buffer.
+    Word(ResourceId, u32),
+    /// Into the first three words of a buffer, as the arguments of a dispatch of that many workgroups, or a few more. Totals from
+    /// 2^31 on are more than WebGPU dispatches.
+    Groups(ResourceId),
 }
 
 impl Scan<'_> {
     /// Records the passes.
     pub fn record(&self, plan: &mut Plan) {
         // Sums of blocks, of blocks of sums, and so on.
-        let mut levels = vec![(self.items, self.length)];
-        while let Some((below, length)) = levels.last().copied()
-            && length > BLOCK_WORDS
+        let mut levels = vec![(self.items, self.run)];
+        while let Some((below, run)) = levels.last().copied()
+            && run.length > BLOCK_WORDS
         {
             let level = levels.len();
-            let blocks = length.div_ceil(BLOCK_WORDS);
+            let blocks = run.length.div_ceil(BLOCK_WORDS);
             let sums = plan.add_resource(Resource::storage(
                 format!("{} sums {level}", self.name),
                 u64::from(blocks) * 4,
@@ -51,11 +94,14 @@ impl Scan<'_> {
                 vec![Binding::read("items", below), Binding::write("sums", sums)],
                 blocks,
             );
-            plan.add_pass(pass.with_constants(vec![("length", f64::from(length))]));
-            levels.push((sums, blocks));
+            plan.add_pass(pass.with_constants(run.constants()));
+            levels.push((sums, Run::known(blocks)));
         }
-        let top = levels.pop().unwrap_or((self.items, self.length));
-        let (total, word) = self.total;
+        let top = levels.pop().unwrap_or((self.items, self.run));
+        let (total, form) = match self.total {
+            Total::Word(total, word) => (total, ("total_at", f64::from(word))),
+            Total::Groups(total) => (total, ("as_groups", 1.0)),
+        };
         let pass = self.pass(
             "scan".to_owned(),
             "where each begins, and how many there are",
@@ -66,18 +112,19 @@ impl Scan<'_> {
             ],
             1,
         );
-        let constants = vec![("length", f64::from(top.1)), ("total_at", f64::from(word))];
+        let mut constants = top.1.constants();
+        constants.push(form);
         plan.add_pass(pass.with_constants(constants));
         let mut sums = top.0;
-        while let Some((items, length)) = levels.pop() {
+        while let Some((items, run)) = levels.pop() {
             let pass = self.pass(
                 format!("spread {}", levels.len() + 1),
                 "each block begins where those before it end",
                 "passes/scan/blocks.wgsl",
                 vec![Binding::update("items", items), Binding::read("sums", sums)],
-                length.div_ceil(BLOCK_WORDS),
+                run.length.div_ceil(BLOCK_WORDS),
             );
-            plan.add_pass(pass.with_constants(vec![("length", f64::from(length))]));
+            plan.add_pass(pass.with_constants(run.constants()));
             sums = items;
         }
     }

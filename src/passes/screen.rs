@@ -1,7 +1,7 @@
 //! The mesh on a screen: vertices in fixed point for one view, be it the frame's own or that of a sprite.
 //!
 //! One pass takes every vertex there once; any number of sweeps then look for the samples of its triangles. Cost: 16 bytes a
-//! vertex, 8 bytes a triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
+//! vertex, 12 bytes a triangle for the queue, which therefore cannot overflow, 32 KiB for the table of parts.
 //!
 //! Limits: [`MOST_DRAWN_PARTS`] parts, 2^23 vertices (a storage binding of core WebGPU). Nothing is clipped at the far plane:
 //! views have it beyond all parts.
@@ -11,10 +11,13 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 use glam::DVec2;
 
+use super::pieces::{Share, first_piece_at};
 use super::sweep::groups_along;
 use super::{Input, Lanes, Refusal, SceneBuffers};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
-use crate::plan::{Binding, Clock, Contents, Pass, Plan, Resource, ResourceId, Role, Work};
+use crate::plan::{
+    Binding, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource, ResourceId, Role, Work,
+};
 use crate::scene::View;
 use crate::shader::Shader;
 
@@ -39,6 +42,8 @@ pub(crate) struct ScreenOf<'a> {
     pub ranks: &'a [usize],
     /// Whether groups of settled triangles have rows of their own.
     pub settles: bool,
+    /// How samples are shared out to invocations.
+    pub share: Share,
     /// What begins anew with it.
     pub fresh: Fresh,
 }
@@ -82,6 +87,11 @@ pub(crate) struct Screen {
     pub(super) triangle_count: u32,
     pub(super) vertices: ResourceId,
     pub(super) queue: ResourceId,
+    /// How many workgroups the queued triangles take.
+    pub(super) pieces: ResourceId,
+    pub(super) share: Share,
+    /// Whether a pass before the first sweep has filled the queue.
+    pub(super) is_queued: bool,
     /// Whether there is no part but one.
     has_one_row: bool,
     /// Some part may reach beyond the near plane or the guard band.
@@ -156,7 +166,11 @@ impl Screen {
             plan.add_resource(Resource::storage(name, words * 4, of.clock))
         };
         let screen_vertices = made("screen", u64::from(vertex_count).max(1) * 4);
-        let queue = made("queue", 2 * u64::from(triangle_count) + 3);
+        let queue_words = u64::from(first_piece_at(triangle_count)) + u64::from(triangle_count);
+        let queue = made("queue", queue_words);
+        let name = named(of.name, "pieces");
+        let pieces =
+            plan.add_resource(Resource::arguments(name, DISPATCH_ARGUMENT_BYTES, of.clock));
         // Tables that change with the cuts, if what reads them is not done more rarely.
         let mut table_of = |variable, what, contents| {
             let (name, clock) = (named(of.name, what), of.clock.min(Clock::Cut));
@@ -173,6 +187,9 @@ impl Screen {
             settled: settled.cloned(),
             vertices: screen_vertices,
             queue,
+            pieces,
+            share: of.share,
+            is_queued: false,
             sweep: table_of("sweep", "sweep", Contents::from_values(&[sweep])),
             sweep_again: table_of("sweep", "sweep again", Contents::from_values(&[again])),
             triangle_count,

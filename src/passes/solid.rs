@@ -16,6 +16,8 @@ pub(crate) struct Store {
     pub file: &'static str,
     /// What it binds: what every fragment updates, and what says how.
     pub bindings: Vec<Binding>,
+    /// Rounds of a loop that one fragment may take.
+    pub rounds: u32,
 }
 
 impl Store {
@@ -24,6 +26,7 @@ impl Store {
         Self {
             file: "lib/store/nothing.wgsl",
             bindings,
+            rounds: 0,
         }
     }
 

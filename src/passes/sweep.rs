@@ -1,13 +1,13 @@
-//! Sweeps: passes over all triangles of a screen, small ones by one invocation each, the rest by workgroups, tile by tile.
+//! Sweeps: passes over all triangles of a screen, small ones by one invocation each, the rest in pieces by workgroups.
 //!
 //! Edge functions are exact integers and the top-left rule gives a sample on a shared edge to exactly one triangle: coverage is
 //! that of the GPU's own rasteriser, on devices that have few units for that. What a covered sample does is a file that fills
 //! `cutaway::sample`; where that leaves fragments to an inside test, how is a file that fills `cutaway::store`.
 //!
 //! The first sweep over a screen queues the triangles that are not small, and lists the small ones of which a sample asked to be
-//! seen again; later ones go by these lists. Sweeps over one screen
-//! with the same sample run the same pipelines, so that they compute the same depths bit for bit. After Laine & Karras,
-//! *High-performance software rasterization on GPUs* (2011).
+//! seen again; later ones go by these lists. A prefix sum over the queue counts the pieces of its triangles, and a workgroup is dispatched
+//! for each ([`Share`](super::pieces::Share)). Sweeps over one screen with the same sample run the same pipelines, so that they compute the same depths bit for bit. After
+//! Laine & Karras, *High-performance software rasterization on GPUs* (2011).
 
 use super::{AskedCrossings, SceneBuffers, Screen, Store, Touched};
 use crate::plan::{Access, Binding, Pass, Plan, Work};
@@ -17,9 +17,6 @@ use crate::shader::Shader;
 pub const INVOCATIONS_PER_ROW: u32 = 1 << 21;
 /// Invocations of a workgroup that owns triangles or vertices.
 pub(super) const GROUP: u32 = 64;
-/// Workgroups that share the queue of large triangles, and the rows of tiles of each: `large.wgsl` steps by them.
-const QUEUE_GROUPS: [u32; 3] = [16, 8, 1];
-
 /// What a sweep does.
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep<'a> {
@@ -56,7 +53,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Records the sweep over a screen: small triangles, then those to be clipped, if there can be any, then large ones.
+    /// Records the sweep over a screen: small triangles, then the pieces of the others, counted by the first sweep.
     pub(crate) fn record(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, screen: &Screen) {
         let shader = |path: &'static str| {
             let touch = match self.touched {
@@ -112,36 +109,35 @@ impl<'a> Sweep<'a> {
             }
         });
         bindings.push(queue);
-        let mut add = |what: &str, reason: &str, path, bindings, groups| {
-            let name = screen.named(&format!("{} {what}", self.name));
-            let work = Work::Compute { groups };
-            let pass = Pass::new(name, reason, shader(path), bindings, work);
-            let constants = vec![scene.lanes.constant()];
-            plan.add_pass(pass.on(screen.clock).with_constants(constants));
-        };
-        add(
-            "small",
+        let lane_bits = scene.lanes.constant();
+        let name = |what: &str| screen.named(&format!("{} {what}", self.name));
+        let groups = groups_along(screen.triangle_count);
+        let pass = Pass::new(
+            name("small"),
             self.reason,
-            "passes/rasterise/small.wgsl",
+            shader("passes/rasterise/small.wgsl"),
             small,
-            groups_along(screen.triangle_count),
+            Work::Compute { groups },
         );
-        if screen.may_clip {
-            add(
-                "clipped",
-                "the same for triangles that the near plane or the guard band cuts",
-                "passes/rasterise/clipped.wgsl",
-                bindings.clone(),
-                QUEUE_GROUPS,
-            );
+        let mut constants = vec![lane_bits];
+        constants.extend(screen.share.constants());
+        constants.push(("fills_queue", f64::from(u8::from(!screen.is_queued))));
+        plan.add_pass(pass.on(screen.clock).with_constants(constants));
+        if !self.again && !screen.is_queued {
+            screen.count_pieces(plan);
         }
-        add(
-            "large",
-            "the same for triangles of many samples",
-            "passes/rasterise/large.wgsl",
+        let polygon = match screen.may_clip {
+            true => "lib/polygon/clipped.wgsl",
+            false => "lib/polygon/plain.wgsl",
+        };
+        let pass = Pass::new(
+            name("large"),
+            "the same for triangles of many samples, and for clipped ones",
+            shader("passes/rasterise/large.wgsl").with(polygon),
             bindings,
-            QUEUE_GROUPS,
+            screen.over_pieces(),
         );
+        plan.add_pass(pass.on(screen.clock).with_constants(vec![lane_bits]));
     }
 }
 

@@ -17,7 +17,7 @@ const TILE_BYTES: u64 = 16;
 /// Tiles that come to each workgroup, at least, if all are touched: the last turn of one may find none left.
 const TILES_OF_GROUP: u32 = 8;
 /// Workgroups that share the list, at most.
-const MOST_GROUPS: u32 = 2048;
+const MOST_GROUPS: u32 = 65_535;
 
 /// The touched tiles of a frame.
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    ARGUMENT_BYTES, Access, Format, INDEX_BYTES, Plan, ResourceId, Role, Shape, Vertices, Work,
+    ARGUMENT_BYTES, Access, Arguments, DISPATCH_ARGUMENT_BYTES, Format, INDEX_BYTES, Plan,
+    ResourceId, Role, Shape, Vertices, Work,
 };
 use crate::shader::{self, BindingKind};
 use crate::{Error, Result};
@@ -82,6 +83,45 @@ impl Plan {
         for pass in &self.passes {
             self.check_bindings(pass, limits)?;
             self.check_draws(pass)?;
+            if let Work::ComputeIndirect { arguments } = &pass.work {
+                self.check_dispatch(pass, arguments)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_dispatch(&self, pass: &super::Pass, arguments: &Arguments) -> Result<()> {
+        self.check_arguments(pass, arguments, DISPATCH_ARGUMENT_BYTES)?;
+        // WebGPU: within a dispatch a buffer is either arguments or written.
+        if pass.writes().contains(&arguments.resource) {
+            return Err(Error::Plan(format!(
+                "{} writes {}, which holds its own arguments",
+                pass.name,
+                self.resource(arguments.resource).name
+            )));
+        }
+        Ok(())
+    }
+
+    /// Whether arguments lie within a buffer that is made for them.
+    fn check_arguments(&self, pass: &super::Pass, arguments: &Arguments, bytes: u64) -> Result<()> {
+        let of = self.resource(arguments.resource);
+        let is_for_arguments = matches!(
+            of.shape,
+            Shape::Buffer {
+                role: Role::Arguments,
+                ..
+            }
+        );
+        let wrong = |what: String| Err(Error::Plan(format!("{}: {what}", pass.name)));
+        if !is_for_arguments {
+            return wrong(format!("{} is no buffer of arguments", of.name));
+        }
+        if arguments.offset % 4 != 0 || arguments.offset + bytes > of.shape.bytes() {
+            return wrong(format!(
+                "there are no arguments at byte {} of {}",
+                arguments.offset, of.name
+            ));
         }
         Ok(())
     }
@@ -109,23 +149,7 @@ impl Plan {
             let Some(arguments) = draw.arguments else {
                 continue;
             };
-            let of = self.resource(arguments.resource);
-            let is_for_arguments = matches!(
-                of.shape,
-                Shape::Buffer {
-                    role: Role::Arguments,
-                    ..
-                }
-            );
-            if !is_for_arguments {
-                return wrong(format!("{} is no buffer of arguments", of.name));
-            }
-            if arguments.offset % 4 != 0 || arguments.offset + ARGUMENT_BYTES > of.shape.bytes() {
-                return wrong(format!(
-                    "there are no arguments at byte {} of {}",
-                    arguments.offset, of.name
-                ));
-            }
+            self.check_arguments(pass, &arguments, ARGUMENT_BYTES)?;
             if draw.instance != 0 {
                 return wrong("a draw with arguments has no instance but 0".to_owned());
             }

@@ -15,8 +15,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use super::pass::{ARGUMENT_BYTES, INDEX_BYTES, VERTEX_BYTES};
-use super::{Access, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work};
+use super::work::{ARGUMENT_BYTES, DISPATCH_ARGUMENT_BYTES, INDEX_BYTES, VERTEX_BYTES};
+use super::{
+    Access, Arguments, Binding, Clock, Pass, Plan, Resource, ResourceId, Shape, Vertices, Work,
+};
 
 /// What must run before the next frame is right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -124,6 +126,18 @@ impl<'a> Old<'a> {
 
 fn same_work(a: &Work, b: &Work, same: impl Fn(ResourceId, ResourceId) -> bool) -> bool {
     let mut renamed = a.clone();
+    if let (
+        Work::ComputeIndirect { arguments },
+        Work::ComputeIndirect {
+            arguments: arguments_b,
+        },
+    ) = (&mut renamed, b)
+    {
+        if !same(arguments.resource, arguments_b.resource) {
+            return false;
+        }
+        arguments.resource = arguments_b.resource;
+    }
     if let (
         Work::Draw {
             color,
@@ -326,15 +340,24 @@ fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
             access: b.access,
         })
         .collect();
-    let Work::Draw {
-        color,
-        depth,
-        vertices,
-        indices,
-        draws,
-    } = &pass.work
-    else {
-        return all;
+    let read_arguments = |arguments: &Arguments, bytes: u64| Use {
+        resource: arguments.resource.0,
+        stretch: arguments.offset..arguments.offset + bytes,
+        access: Access::Read,
+    };
+    let (color, depth, vertices, indices, draws) = match &pass.work {
+        Work::Compute { .. } => return all,
+        Work::ComputeIndirect { arguments } => {
+            all.push(read_arguments(arguments, DISPATCH_ARGUMENT_BYTES));
+            return all;
+        }
+        Work::Draw {
+            color,
+            depth,
+            vertices,
+            indices,
+            draws,
+        } => (color, depth, vertices, indices, draws),
     };
     let drawn_into = |clear| {
         if clear {
@@ -361,13 +384,8 @@ fn uses(plan: &Plan, pass: &Pass) -> Vec<Use> {
         };
         let (first, end) = (u64::from(draw.indices.start), u64::from(draw.indices.end));
         all.push(read(*indices, first, end - first, INDEX_BYTES));
-        if let Some(arguments) = draw.arguments {
-            all.push(Use {
-                resource: arguments.resource.0,
-                stretch: arguments.offset..arguments.offset + ARGUMENT_BYTES,
-                access: Access::Read,
-            });
-        }
+        let arguments = draw.arguments.as_ref();
+        all.extend(arguments.map(|a| read_arguments(a, ARGUMENT_BYTES)));
         if let Vertices::Mesh(id) = vertices {
             let first = u64::from(draw.base_vertex.unsigned_abs());
             all.push(read(*id, first, u64::from(draw.vertex_count), VERTEX_BYTES));

@@ -13,15 +13,17 @@ pub mod pack;
 mod pass;
 mod resource;
 mod text;
+mod work;
 
 pub use check::Limits;
 pub use cpu::{CpuStep, CpuWork, Recorded};
 pub use due::Due;
-pub use pass::{
-    ARGUMENT_BYTES, Access, Arguments, Binding, ColorTarget, DepthCompare, DepthTarget, Draw,
-    INDEX_BYTES, Pass, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
-};
+pub use pass::{Access, Binding, Pass};
 pub use resource::{Contents, Format, Piece, Resource, ResourceId, Role, Shape};
+pub use work::{
+    ARGUMENT_BYTES, Arguments, ColorTarget, DISPATCH_ARGUMENT_BYTES, DepthCompare, DepthTarget,
+    Draw, INDEX_BYTES, Stencil, StencilStep, VERTEX_BYTES, Vertices, Work, groups_over,
+};
 
 /// When work is done again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

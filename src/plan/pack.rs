@@ -299,11 +299,14 @@ pub fn clip_surface(
     }
 }
 
+/// Cells of a relief that a ray is followed through, at most: `shaders/lib/cuts.wgsl`.
+pub const MOST_CELLS: u32 = 32_768;
+
 /// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.
 pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     let [x, y] = texels_per_unit(surface);
     let cells = (x.abs() + y.abs()) * (reach + 4.0 * BOX_MARGIN);
-    cells.min(65_536.0) as u32 + 4
+    (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 
 /// A clip-surface as the rays of a view see it, with the cancellation between eye and plane done in f64.

@@ -45,7 +45,7 @@ pub enum Role {
     Vertex,
     /// 32-bit indices.
     Index,
-    /// Arguments of draws.
+    /// Arguments of draws and dispatches.
     Arguments,
 }
 
@@ -242,6 +242,17 @@ impl Resource {
             clock,
             contents: None,
             is_scene: false,
+        }
+    }
+
+    /// A buffer that passes write and that draws or dispatches read their size from.
+    pub fn arguments(name: impl Into<String>, bytes: u64, clock: Clock) -> Self {
+        Self {
+            shape: Shape::Buffer {
+                bytes,
+                role: Role::Arguments,
+            },
+            ..Self::storage(name, bytes, clock)
         }
     }
 

@@ -88,6 +88,7 @@ impl Plan {
 fn describe(work: &Work) -> String {
     match work {
         Work::Compute { groups: [x, y, z] } => format!("compute {x} x {y} x {z} groups"),
+        Work::ComputeIndirect { .. } => "compute, groups counted on the device".to_owned(),
         Work::Draw { draws, depth, .. } => {
             let triangles: u64 = draws
                 .iter()

@@ -7,9 +7,10 @@
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Module, Scalar, ScalarKind, ShaderStage};
 
+use super::bounds::Place;
 use super::compose::validate;
 use super::join::undecorated;
-use super::loops::unbounded_loops;
+use super::loops::{End, ends_of_loops};
 use super::reflect::{BindingKind, bindings};
 use crate::{Error, Result};
 
@@ -18,6 +19,8 @@ use crate::{Error, Result};
 pub enum Rule {
     /// A loop counts towards a bound that it does not move.
     BoundedLoops,
+    /// A constant limits the rounds of a loop, for drivers end those that run long.
+    ConstantBounds,
     /// Floats are compared by order, never by equality.
     FloatEquality,
     /// A binding that a shader declares is used by one of its entry points.
@@ -72,14 +75,22 @@ fn in_function(
     name: &str,
     found: &mut Vec<Finding>,
 ) {
-    found.extend((0..unbounded_loops(function)).map(|_| {
-        Finding {
-            rule: Rule::BoundedLoops,
-            place: name.to_owned(),
-            what: "a loop without a counter that is compared with a bound and stepped towards it"
-                .to_owned(),
-        }
-    }));
+    for (number, end) in ends_of_loops(Place { module, function }).iter().enumerate() {
+        let (rule, what) = match end {
+            End::ByConstant => continue,
+            End::Unproven => (
+                Rule::BoundedLoops,
+                "has no counter that is compared with a bound and stepped towards it",
+            ),
+            End::ByData => (
+                Rule::ConstantBounds,
+                "takes as many rounds as data give: limit the bound by a constant",
+            ),
+        };
+        let place = name.to_owned();
+        let what = format!("loop {} {what}", number + 1);
+        found.push(Finding { rule, place, what });
+    }
     let is_float = |e: Handle<Expression>| {
         let scalar: Option<Scalar> = info[e].ty.inner_with(&module.types).scalar();
         scalar.is_some_and(|s| s.kind == ScalarKind::Float)

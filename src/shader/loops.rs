@@ -7,32 +7,44 @@
 
 use std::collections::BTreeSet;
 
+use super::bounds::Place;
 use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, Statement,
 };
 
-/// How many loops of a function do not have the bounded form.
-pub(super) fn unbounded_loops(function: &Function) -> usize {
-    count_in(function, &function.body)
+/// How a loop ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum End {
+    /// Nothing proves that it does.
+    Unproven,
+    /// After a number of rounds that data give.
+    ByData,
+    /// After a number of rounds that constants limit.
+    ByConstant,
 }
 
-fn count_in(function: &Function, block: &Block) -> usize {
-    let of = |statement: &Statement| match statement {
-        Statement::Loop {
+/// How each loop of a function ends, in order.
+pub(super) fn ends_of_loops(place: Place<'_>) -> Vec<End> {
+    let mut all = Vec::new();
+    ends_in(place, &place.function.body, &mut all);
+    all
+}
+
+fn ends_in(place: Place<'_>, block: &Block, all: &mut Vec<End>) {
+    for statement in block.iter() {
+        if let Statement::Loop {
             body, continuing, ..
-        } => {
-            let bounded = is_bounded(function, body, continuing);
-            usize::from(!bounded) + count_in(function, body) + count_in(function, continuing)
+        } = statement
+        {
+            all.push(end_of(place, body, continuing));
         }
-        _ => children(statement)
-            .iter()
-            .map(|b| count_in(function, b))
-            .sum(),
-    };
-    block.iter().map(of).sum()
+        for child in children(statement) {
+            ends_in(place, child, all);
+        }
+    }
 }
 
-fn children(statement: &Statement) -> Vec<&Block> {
+pub(super) fn children(statement: &Statement) -> Vec<&Block> {
     match statement {
         Statement::Block(block) => vec![block],
         Statement::If { accept, reject, .. } => vec![accept, reject],
@@ -44,7 +56,8 @@ fn children(statement: &Statement) -> Vec<&Block> {
     }
 }
 
-fn is_bounded(function: &Function, body: &Block, continuing: &Block) -> bool {
+fn end_of(place: Place<'_>, body: &Block, continuing: &Block) -> End {
+    let function = place.function;
     let mut stores = Vec::new();
     for block in [body, continuing] {
         stores_in(function, block, &mut stores);
@@ -58,12 +71,27 @@ fn is_bounded(function: &Function, body: &Block, continuing: &Block) -> bool {
         .filter_map(|s| step_of(function, s))
         .filter(|(counter, _)| stores.iter().filter(|s| *s == counter).count() == 1)
         .collect();
-    guards(function, body).iter().any(|(condition, holds)| {
-        steps.iter().any(|(counter, step)| {
-            let bound = bound_of(function, *condition, *holds, *counter, *step);
-            bound.is_some_and(|b| !may_move(function, b, &evaluated, &stores))
-        })
-    })
+    let mut end = End::Unproven;
+    for (condition, holds) in guards(function, body) {
+        for (counter, step) in &steps {
+            let Some(bound) = bound_of(function, condition, holds, *counter, *step) else {
+                continue;
+            };
+            if may_move(function, bound, &evaluated, &stores) {
+                continue;
+            }
+            let by_constant = match step {
+                Step::Up => place.is_limited(bound) && place.begins_high(*counter, continuing),
+                Step::Down => place.begins_low(*counter, continuing),
+            };
+            end = end.max(if by_constant {
+                End::ByConstant
+            } else {
+                End::ByData
+            });
+        }
+    }
+    end
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -72,7 +100,10 @@ enum Step {
     Down,
 }
 
-fn local(function: &Function, pointer: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+pub(super) fn local(
+    function: &Function,
+    pointer: Handle<Expression>,
+) -> Option<Handle<LocalVariable>> {
     match function.expressions[pointer] {
         Expression::LocalVariable(variable) => Some(variable),
         // A store to an element or a field moves the whole variable, as far as a bound is concerned.

@@ -3,6 +3,7 @@
 //! Files under `shaders/lib` are modules with a `#define_import_path`; all others are whole shaders. They are joined to one text,
 //! which naga parses, validates and reflects. Nothing here needs an adapter, so a test composes and checks everything.
 
+mod bounds;
 mod compose;
 mod file;
 mod join;

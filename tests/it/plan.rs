@@ -113,7 +113,9 @@ fn pass<'a>(plan: &'a Plan, name: &str) -> &'a Pass {
 fn drawn(pass: &Pass) -> Vec<u32> {
     match &pass.work {
         Work::Draw { draws, .. } => draws.iter().map(|d| d.instance).collect(),
-        Work::Compute { .. } => panic!("{} draws nothing", pass.name),
+        Work::Compute { .. } | Work::ComputeIndirect { .. } => {
+            panic!("{} draws nothing", pass.name)
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod agree;
 mod coverage;
+mod long_triangles;
 mod plans;
 mod solids;
 mod touched;

@@ -43,10 +43,14 @@ fn ordered(x: u32, y: u32) -> f32 {
     return f32(pattern[(x & 3u) + 4u * (y & 3u)]) / 16.0;
 }
 
+// As `style.occlusion.steps` and `style.occlusion.slices` are limited.
+const MOST_STEPS: u32 = 64u;
+const MOST_SLICES: u32 = 32u;
+
 // Cosine to the line of sight of the horizon along a direction of the picture, not below `least`.
 fn horizon_along(centre: Centre, along: vec2<f32>, least: f32, moved: f32) -> f32 {
     var highest = least;
-    for (var i = 0u; i < horizon.steps; i++) {
+    for (var i = 0u; i < min(horizon.steps, MOST_STEPS); i++) {
         let share = (f32(i) + moved) / f32(horizon.steps);
         let off = max(share * share * centre.reach_px, 1.0);
         let near = vec2<i32>(round(vec2<f32>(centre.at) + off * along));
@@ -91,7 +95,7 @@ fn find(xy: vec2<u32>) {
     let turn = ordered(xy.x, row);
     let moved = ordered(xy.x + 2u, 3u * row + 1u);
     var sum = 0.0;
-    for (var i = 0u; i < horizon.slices; i++) {
+    for (var i = 0u; i < min(horizon.slices, MOST_SLICES); i++) {
         let angle = PI * (f32(i) + turn) / f32(horizon.slices);
         let along = vec2<f32>(cos(angle), sin(angle));
         let towards = along.x * right + along.y * down;

@@ -1,7 +1,7 @@
 // Depth, blurred along rows. One invocation owns a pixel. The background is as far as anything: left out, it would darken the far rim of
 // every slanted face.
 
-#import cutaway::depth_blur::{depth_share, first_weight, next_weight, unsharp}
+#import cutaway::depth_blur::{MOST_BLUR_PX, depth_share, first_weight, next_weight, unsharp}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::WORDS_PER_PIXEL
 
@@ -22,7 +22,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     var weight = first_weight();
     var sum = share_at(id.xy);
     var weights = 1.0;
-    for (var off = 1; off <= unsharp.reach_px; off++) {
+    for (var off = 1; off <= min(unsharp.reach_px, MOST_BLUR_PX); off++) {
         weight = next_weight(weight);
         for (var side = -1; side <= 1; side += 2) {
             let x = i32(id.x) + side * off;

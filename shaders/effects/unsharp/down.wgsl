@@ -1,7 +1,7 @@
 // Depth, blurred along columns, and how much light there is by its difference to depth itself: less where what is around lies nearer
 // (Luft, Colditz and Deussen 2006; Trapp and Döllner 2013, 4.5). One invocation owns a pixel.
 
-#import cutaway::depth_blur::{depth_share, first_weight, next_weight, unsharp}
+#import cutaway::depth_blur::{MOST_BLUR_PX, depth_share, first_weight, next_weight, unsharp}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 
@@ -24,7 +24,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     var weight = first_weight();
     var sum = blurred[pixel];
     var weights = 1.0;
-    for (var off = 1; off <= unsharp.reach_px; off++) {
+    for (var off = 1; off <= min(unsharp.reach_px, MOST_BLUR_PX); off++) {
         weight = next_weight(weight);
         for (var side = -1; side <= 1; side += 2) {
             let y = i32(id.y) + side * off;

@@ -8,10 +8,11 @@
 
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{depth_from_buffer, is_behind, pixel_count, pixel_index}
+#import cutaway::lanes::MOST_CROSSINGS
 #import cutaway::passed::Before
 #import cutaway::surfaces::{keeps_words, surface_of}
 
-// Bits 0-15 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
+// Bits 0-9 how many crossings, bit 31 set when the list could not hold them all or may be wrong; and the sides where the
 // ray starts.
 @group(0) @binding(5) var<storage, read> crossing_heads: array<vec2<u32>>;
 @group(0) @binding(6) var<storage, read> crossing_z: array<f32>;
@@ -30,7 +31,7 @@ fn is_cut_short(at: vec2<u32>) -> bool {
 
 // How many crossings a list holds, by the first word of its head.
 fn listed(head: u32) -> u32 {
-    return head & 0xffffu;
+    return head & MOST_CROSSINGS;
 }
 
 // Clip-surface of a crossing, and what else is kept of it.

@@ -2,7 +2,7 @@
 
 #define_import_path cutaway::deform
 
-#import cutaway::deformers::deformed_by
+#import cutaway::deformers::{MOST_DEFORMERS, deformed_by}
 #import cutaway::pose::{Standing, pose}
 
 fn outward_at(vertex: u32) -> vec3<f32> {
@@ -11,7 +11,7 @@ fn outward_at(vertex: u32) -> vec3<f32> {
 
 fn deformed(at: Standing) -> Standing {
     var standing = at;
-    for (var i = 0u; i < pose.deformer_count; i++) {
+    for (var i = 0u; i < min(pose.deformer_count, MOST_DEFORMERS); i++) {
         standing = deformed_by(i, standing);
     }
     return standing;

@@ -4,7 +4,7 @@
 #define_import_path cutaway::inside
 
 #import cutaway::cuts::parts
-#import cutaway::lanes::{Lanes, WINDING}
+#import cutaway::lanes::{Lanes, MOST_LANES, WINDING}
 #import cutaway::parity::{is_odd_at, is_odd_in_all, is_zero, word_at}
 #import cutaway::winding::{count_at, may_exceed, sum_and_number}
 
@@ -33,7 +33,7 @@ fn starts_inside(lanes: Lanes, place: u32, pixel: u32) -> bool {
 
 // The first place from `place` on whose part a crossing of a pixel is inside, or the number of parts.
 fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
-    for (var p = place; p < lanes.count; p++) {
+    for (var p = place; p < min(lanes.count, MOST_LANES); p++) {
         if is_inside(p, pixel, crossing) {
             return p;
         }
@@ -43,7 +43,7 @@ fn next_inside(lanes: Lanes, place: u32, pixel: u32, crossing: u32) -> u32 {
 
 // The first place from `place` on in whose part the ray of a pixel starts, or the number of parts.
 fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
-    for (var p = place; p < lanes.count; p++) {
+    for (var p = place; p < min(lanes.count, MOST_LANES); p++) {
         if starts_inside(lanes, p, pixel) {
             return p;
         }
@@ -53,7 +53,7 @@ fn next_starting(lanes: Lanes, place: u32, pixel: u32) -> u32 {
 
 // Whether the answers for a pixel may be wrong because something found no room: so many fragments that a byte may have run over.
 fn in_doubt(lanes: Lanes, pixel: u32) -> bool {
-    for (var place = 0u; place < lanes.count; place++) {
+    for (var place = 0u; place < min(lanes.count, MOST_LANES); place++) {
         let part = parts[place];
         if part.lane_shift == WINDING && may_exceed(sum_and_number(word_at(part.lane_word, pixel))) {
             return true;

@@ -10,10 +10,13 @@
 // Number of the target, and its weight as bits.
 @group(1) @binding(4) var<storage, read> weights: array<vec2<u32>>;
 
+// Targets with a weight at one time, at most: `src/passes/pose.rs`.
+const MOST_TARGETS: u32 = 4096u;
+
 fn morphed(point: vec3<f32>, vertex: u32) -> vec3<f32> {
     let position = position_of_vertex[vertex];
     var moved = point;
-    for (var i = 0u; i < pose.weight_count; i++) {
+    for (var i = 0u; i < min(pose.weight_count, MOST_TARGETS); i++) {
         let first = 3u * (weights[i].x * pose.position_count + position);
         let by = vec3<f32>(displacements[first], displacements[first + 1u], displacements[first + 2u]);
         moved += bitcast<f32>(weights[i].y) * by;

@@ -5,7 +5,7 @@
 
 #define_import_path cutaway::phantom
 
-#import cutaway::borders::{NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
+#import cutaway::borders::{MOST_REACH_PX, MOST_TILES_AROUND, NO_BORDER, below_of, right_of, tiles_around, word_of_tile}
 #import cutaway::frame::{frame, pixel_index}
 #import cutaway::ghost::{ghost_layers, is_gone}
 #import cutaway::ghost_look::ghost
@@ -28,9 +28,11 @@ fn has_border(word: u32, step: vec2<i32>) -> bool {
 fn has_border_near(at: vec2<i32>, reach_px: i32) -> bool {
     let tiles = tiles_around(vec2<u32>(at), reach_px, frame.size_px);
     var found = 0u;
-    for (var y = tiles.y; y <= tiles.w; y++) {
-        for (var x = tiles.x; x <= tiles.z; x++) {
-            found |= ghost_borders[word_of_tile(vec2<u32>(x, y))];
+    let across = min(tiles.zw - tiles.xy + 1u, vec2<u32>(MOST_TILES_AROUND));
+    for (var v = 0u; v < across.y; v++) {
+        for (var u = 0u; u < across.x; u++) {
+            let tile = tiles.xy + vec2<u32>(u, v);
+            found |= ghost_borders[word_of_tile(tile)];
         }
     }
     return found != 0u;
@@ -122,7 +124,7 @@ fn dash_cover(at: vec2<i32>, border: vec2<i32>) -> f32 {
 
 // The share of a pixel that lines of what is gone cover.
 fn phantom_cover(at: vec2<i32>) -> f32 {
-    let reach = i32(ceil(ghost.half_px)) + 1;
+    let reach = min(i32(ceil(ghost.half_px)) + 1, MOST_REACH_PX);
     if !has_border_near(at, reach + 1) {
         return 0.0;
     }

@@ -4,7 +4,7 @@
 
 #import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, need}
-#import cutaway::cuts::cut_table
+#import cutaway::cuts::{MOST_CELLS, cut_table}
 #import cutaway::relief::corners_of
 #import cutaway::relief_ray::{Carried, add_found, begin_of, heading_of, no_step, walk_cell, way_through}
 
@@ -14,7 +14,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
         return;
     }
     let heading = heading_of(way);
-    let cell_limit = cut_table.surfaces[surface].cell_limit;
+    let cell_limit = min(cut_table.surfaces[surface].cell_limit, MOST_CELLS);
     let begin = begin_of(way);
     var cell = begin.cell;
     var carried = Carried(begin.entry, true, false);

@@ -15,7 +15,7 @@
 
 #import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, need}
-#import cutaway::cuts::cut_table
+#import cutaway::cuts::{MOST_CELLS, cut_table}
 #import cutaway::pyramid::{LOWEST, along, levels_of, range_of}
 #import cutaway::relief::corners_of
 #import cutaway::relief_ray::{Carried, Way, add_found, begin_of, begin_way, depth_at_border, heading_of, no_step, walk_cell, way_through}
@@ -76,7 +76,7 @@ fn cross_relief(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, inter
     let ahead = heading.ahead;
     let rounding = rounding_of(way);
     let levels = levels_of(surface);
-    let cell_limit = cut_table.surfaces[surface].cell_limit;
+    let cell_limit = min(cut_table.surfaces[surface].cell_limit, MOST_CELLS);
     let begin = begin_of(way);
     var cell = begin.cell;
     var carried = Carried(begin.entry, true, false);

@@ -7,7 +7,7 @@
 // Row of the part that a triangle belongs to.
 fn row_of_triangle(triangle: u32) -> u32 {
     var row = 0u;
-    for (var i = 0u; i < sweep.search_steps; i++) {
+    for (var i = 0u; i < min(sweep.search_steps, 10u); i++) {
         let ahead = row + (1u << (sweep.search_steps - 1u - i));
         if drawn_parts.parts[ahead].first_triangle <= triangle {
             row = ahead;

@@ -11,11 +11,16 @@
 // Three rows a matrix.
 @group(1) @binding(6) var<storage, read> joints: array<vec4<f32>>;
 
+// Joints that move one position, at most.
+const MOST_JOINTS: u32 = 1024u;
+
 fn skinned(at: Standing, vertex: u32) -> Standing {
     let position = position_of_vertex[vertex];
-    let end = pulls[position + 1u];
+    let first = pulls[position];
+    let count = (pulls[position + 1u] - first) / 2u;
     var rows = array<vec4<f32>, 3>();
-    for (var i = pulls[position]; i < end; i += 2u) {
+    for (var n = 0u; n < min(count, MOST_JOINTS); n++) {
+        let i = first + 2u * n;
         // A joint that the pose does not have moves nothing, as matrix 0 does.
         let joint = select(0u, pulls[i], pulls[i] < pose.joint_count);
         let weight = bitcast<f32>(pulls[i + 1u]);

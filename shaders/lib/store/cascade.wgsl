@@ -6,9 +6,9 @@
 
 #define_import_path cutaway::store
 
-#import cutaway::cascade::{cascade, first_word}
+#import cutaway::cascade::{MOST_SLOTS, cascade, first_word}
 #import cutaway::frame::pixel_count
-#import cutaway::lanes::Fragment
+#import cutaway::lanes::{Fragment, MOST_LANES}
 
 @group(1) @binding(4) var<storage, read_write> slots: array<atomic<u32>>;
 
@@ -17,14 +17,14 @@ fn store(fragment: Fragment) {
     let first = first_word(fragment.place, fragment.pixel);
     atomicAdd(&slots[first], 1u);
     var offered = bitcast<u32>(fragment.z);
-    for (var slot = 1u; slot <= cascade.slots && offered != 0u; slot++) {
+    for (var slot = 1u; slot <= min(cascade.slots, MOST_SLOTS) && offered != 0u; slot++) {
         offered = min(offered, atomicMax(&slots[first + slot * stride], offered));
     }
 }
 
 fn begin(pixel: u32) {
     let stride = pixel_count();
-    let words = cascade.lanes * (cascade.slots + 1u);
+    let words = min(cascade.lanes * (cascade.slots + 1u), MOST_LANES);
     for (var word = 0u; word < words; word++) {
         atomicStore(&slots[word * stride + pixel], 0u);
     }

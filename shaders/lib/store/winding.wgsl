@@ -7,7 +7,7 @@
 #define_import_path cutaway::store
 
 #import cutaway::frame::pixel_count
-#import cutaway::lanes::{Fragment, WINDING}
+#import cutaway::lanes::{Fragment, MOST_CROSSINGS, WINDING}
 #import cutaway::mask::{add_fragment, clear, mask}
 #import cutaway::winding::{ones, with_number}
 
@@ -20,7 +20,7 @@ fn store(fragment: Fragment) {
     let step = select(1u, 0xffffffffu, fragment.front);
     let first = lane.word * pixel_count() + fragment.pixel;
     atomicAdd(&mask[first], with_number(step));
-    let words = (fragment.behind + 3u) / 4u;
+    let words = (min(fragment.behind, MOST_CROSSINGS) + 3u) / 4u;
     for (var w = 0u; w < words; w++) {
         let crossings = min(fragment.behind - 4u * w, 4u);
         atomicAdd(&mask[first + (w + 1u) * pixel_count()], step * ones(crossings));

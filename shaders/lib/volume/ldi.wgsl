@@ -2,7 +2,7 @@
 
 #define_import_path cutaway::volume
 
-#import cutaway::fragment_runs::{depth_of, run_of}
+#import cutaway::fragment_runs::{MOST_FRAGMENTS, depth_of, run_of}
 #import cutaway::ldi::{list_of, sprites}
 #import cutaway::sprite::{Probe, is_beside, sprite_from_scene, texel_of}
 
@@ -14,7 +14,8 @@ fn probe(place: u32, point: vec3<f32>) -> Probe {
     }
     let run = run_of(list_of(sprite, texel_of(sprite, at)));
     var is_inside = false;
-    for (var i = run.first; i < run.end; i++) {
+    for (var n = 0u; n < min(run.end - run.first, MOST_FRAGMENTS); n++) {
+        let i = run.first + n;
         if at.z < depth_of(i) {
             is_inside = !is_inside;
         }

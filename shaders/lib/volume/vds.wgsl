@@ -8,6 +8,9 @@
 
 @group(1) @binding(2) var depth_layers: texture_depth_2d_array;
 
+// Layers of a texture of core WebGPU.
+const MOST_LAYERS: u32 = 256u;
+
 fn probe(place: u32, point: vec3<f32>) -> Probe {
     let at = sprite_from_scene(sprite, point);
     if is_beside(at) {
@@ -15,7 +18,7 @@ fn probe(place: u32, point: vec3<f32>) -> Probe {
     }
     let texel = texel_of(sprite, at);
     var is_inside = false;
-    for (var layer = 0u; layer < sprite.layers; layer++) {
+    for (var layer = 0u; layer < min(sprite.layers, MOST_LAYERS); layer++) {
         let depth = textureLoad(depth_layers, texel, layer, 0);
         if depth < 1.0 && at.z < depth {
             is_inside = !is_inside;

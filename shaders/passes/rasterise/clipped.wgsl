@@ -1,50 +1,43 @@
-// Covers the samples of queued triangles that cross the near plane or the guard band. Workgroups and invocations own what they
-// do of large ones; the first invocation of a workgroup clips for all of them.
+// Finds the pieces of queued triangles that cross the near plane or the guard band: of the box of what is left of them. One invocation
+// owns one queued triangle.
+//
+// The polygon is found again where its pieces are covered, by another pipeline, whose rounding may differ: the box has a pixel of room.
 
-#import cutaway::clipping::clipped
-#import cutaway::cover::{Where, cover}
+#import cutaway::outline::outline_of
+#import cutaway::pieces::{piece_count, pieces_of}
+#import cutaway::queue::{CLIPPED, first_piece_at, packed, queued_at}
 #import cutaway::rows::row_of_triangle
-#import cutaway::screen::{Point, borders_of, clip_of_kept, on_screen, point_of, snapped}
-#import cutaway::sweep::{corners_of, sweep}
+#import cutaway::sweep::{corners_of, number_of, sweep}
 
-override lane_bits: u32 = 32u;
+// Samples of a line that one piece has, but for three tiles.
+override piece_px: f32 = 512.0;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
-@group(2) @binding(4) var<storage, read> queue: array<u32>;
-
-// What is left of the triangle: a polygon.
-var<workgroup> points: array<Point, 8>;
-var<workgroup> point_count: u32;
-
-fn clip(a: vec4<i32>, b: vec4<i32>, c: vec4<i32>) {
-    let beyond = vec3<u32>(borders_of(a), borders_of(b), borders_of(c));
-    var polygon = clipped(clip_of_kept(a), clip_of_kept(b), clip_of_kept(c), beyond);
-    for (var k = 0u; k < min(polygon.count, 8u); k++) {
-        switch polygon.source[k] {
-            case 0u: { points[k] = point_of(a); }
-            case 1u: { points[k] = point_of(b); }
-            case 2u: { points[k] = point_of(c); }
-            default: { points[k] = snapped(on_screen(polygon.at[k])); }
-        }
-    }
-    point_count = min(polygon.count, 8u);
-}
+@group(2) @binding(4) var<storage, read_write> queue: array<u32>;
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
-    let count = queue[1];
-    for (var i = group.x; i < count; i += 16u) {
-        let triangle = queue[sweep.triangle_count + 2u - i];
-        let part = row_of_triangle(triangle);
-        let corners = corners_of(triangle, part);
-        if line == 0u {
-            clip(screen[corners.x], screen[corners.y], screen[corners.z]);
-        }
-        workgroupBarrier();
-        let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);
-        for (var k = 2u; k < point_count; k++) {
-            cover(points[0], points[k - 1u], points[k], at);
-        }
-        workgroupBarrier();
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let place = number_of(id);
+    if place >= min(queue[0], sweep.triangle_count) {
+        return;
     }
+    let entry = queue[queued_at(place)];
+    if (entry & CLIPPED) == 0u {
+        return;
+    }
+    let triangle = entry & ~CLIPPED;
+    let corners = corners_of(triangle, row_of_triangle(triangle));
+    var outline = outline_of(array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]));
+    var low = outline.points[0].steps;
+    var high = low;
+    for (var k = 1u; k < min(outline.count, 8u); k++) {
+        low = min(low, outline.points[k].steps);
+        high = max(high, outline.points[k].steps);
+    }
+    var pieces = pieces_of(low - 256, high + 256, f32(high.x - low.x) / 256.0, piece_px);
+    if outline.count < 3u {
+        pieces.rows = 0;
+    }
+    queue[queued_at(place) + 1u] = packed(pieces);
+    queue[first_piece_at(place, sweep.triangle_count)] = piece_count(pieces);
 }

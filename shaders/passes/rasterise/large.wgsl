@@ -1,24 +1,25 @@
-// Covers the samples of queued triangles that are too large for one invocation. A workgroup owns every 16th of the queue, and
-// of it every eighth row of tiles; an invocation owns one row of samples of a tile.
+// Covers the samples of queued triangles, those that are too large for one invocation or are clipped. A workgroup owns one piece of one of
+// them (`pieces.wgsl`), an invocation one line of its samples.
 
-#import cutaway::cover::{Where, cover}
+#import cutaway::cover::Where
+#import cutaway::piece::piece_of
+#import cutaway::polygon::cover_polygon
 #import cutaway::rows::row_of_triangle
-#import cutaway::screen::point_of
-#import cutaway::sweep::{corners_of, sweep}
+#import cutaway::sweep::corners_of
 
 override lane_bits: u32 = 32u;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
-@group(2) @binding(4) var<storage, read> queue: array<u32>;
 
 @compute @workgroup_size(64)
-fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) line: u32) {
-    let count = min(queue[0], sweep.triangle_count);
-    for (var i = group.x; i < count; i += 16u) {
-        let triangle = queue[3u + i];
-        let part = row_of_triangle(triangle);
-        let corners = corners_of(triangle, part);
-        let at = Where(triangle, part, i32(group.y), i32(line), lane_bits);
-        cover(point_of(screen[corners.x]), point_of(screen[corners.y]), point_of(screen[corners.z]), at);
-    }
+fn main(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_index) line: u32,
+) {
+    let piece = piece_of(group, groups);
+    let part = row_of_triangle(piece.triangle);
+    let corners = corners_of(piece.triangle, part);
+    let vertices = array<vec4<i32>, 3>(screen[corners.x], screen[corners.y], screen[corners.z]);
+    cover_polygon(vertices, Where(piece, part, i32(line), lane_bits));
 }

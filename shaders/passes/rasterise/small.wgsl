@@ -4,7 +4,9 @@
 // at most 2^14 steps keeps edge functions below 2^30 in magnitude. The first sweep lists the triangles of which a sample asked
 // for another visit, and a later one visits only those.
 
+#import cutaway::enqueue::{enqueue, enqueue_clipped, is_large, queue}
 #import cutaway::flat::{depth_at, flat_through}
+#import cutaway::queue::again_at
 #import cutaway::rows::row_of_triangle
 #import cutaway::sample::take
 #import cutaway::screen::{edge_bias, first_pixel, is_beside, is_clipped, last_pixel, point_of}
@@ -13,27 +15,19 @@
 #import cutaway::touch::touch
 
 override lane_bits: u32 = 32u;
-// Longest side of the box of a small triangle, in pixels; at most 64.
+// Longest side of the box of a small triangle, in pixels.
 override small_px: i32 = 64;
+const MOST_SMALL_PX: i32 = 65;
+// Samples of a line that one piece of a queued triangle has, but for three tiles.
+override piece_px: f32 = 512.0;
+// No pass before has filled the queue.
+override fills_queue: bool = true;
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
-@group(2) @binding(4) var<storage, read_write> queue: array<atomic<u32>>;
-
-// Large triangles fill the queue from its begin, those to be clipped from its end: together they are no more than all. Those to
-// be visited again follow.
-fn enqueue(triangle: u32, is_clipped: bool) {
-    if sweep.again != 0u {
-        // The first sweep filled the queue.
-        return;
-    }
-    let taken = atomicAdd(&queue[select(0u, 1u, is_clipped)], 1u);
-    atomicStore(&queue[select(3u + taken, sweep.triangle_count + 2u - taken, is_clipped)], triangle);
-}
-
 fn come_again(triangle: u32) {
     if sweep.again == 0u {
-        let taken = atomicAdd(&queue[2], 1u);
-        atomicStore(&queue[sweep.triangle_count + 3u + taken], triangle);
+        let place = atomicAdd(&queue[1], 1u);
+        atomicStore(&queue[again_at(place, sweep.triangle_count)], triangle);
     }
 }
 
@@ -54,8 +48,14 @@ fn visit(triangle: u32) {
     if is_beside(vertices) || (any(first > last) && !is_clipped) {
         return;
     }
-    if is_clipped || any(high - low > vec2<i32>(small_px * 256)) {
-        enqueue(triangle, is_clipped);
+    if is_clipped || is_large(low, high, small_px) {
+        if fills_queue && sweep.again == 0u {
+            if is_clipped {
+                enqueue_clipped(triangle);
+            } else {
+                enqueue(triangle, a, b, c, low, high, piece_px);
+            }
+        }
         return;
     }
     var area = (b.steps.x - a.steps.x) * (c.steps.y - a.steps.y) - (b.steps.y - a.steps.y) * (c.steps.x - a.steps.x);
@@ -84,13 +84,14 @@ fn visit(triangle: u32) {
     let down = 256 * vec3<i32>(bc.x, ca.x, ab.x);
     let plane = flat_through(a, b, c, f32(area));
     var is_wanted = false;
-    for (var y = first.y; y <= last.y; y++) {
+    for (var line = 0; line < min(last.y - first.y + 1, MOST_SMALL_PX); line++) {
         var span = narrowed(vec2<i32>(0, last.x - first.x), row.x, right.x);
         span = narrowed(span, row.y, right.y);
         span = narrowed(span, row.z, right.z);
-        for (var x = span.x; x <= span.y; x++) {
+        for (var n = 0; n < min(span.y - span.x + 1, MOST_SMALL_PX); n++) {
+            let x = span.x + n;
             let weights = vec2<f32>(row.yz + x * right.yz - bias.yz);
-            let at = vec2<u32>(vec2<i32>(first.x + x, y));
+            let at = vec2<u32>(first + vec2<i32>(x, line));
             is_wanted |= take(Sample(at, depth_at(plane, weights), triangle, row_of_part, part, front, lane_bits));
         }
         row += down;
@@ -108,10 +109,10 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     var triangle = number;
     if sweep.again != 0u {
-        if number >= atomicLoad(&queue[2]) {
+        if number >= atomicLoad(&queue[1]) {
             return;
         }
-        triangle = atomicLoad(&queue[sweep.triangle_count + 3u + number]);
+        triangle = atomicLoad(&queue[again_at(number, sweep.triangle_count)]);
     }
     visit(triangle);
 }

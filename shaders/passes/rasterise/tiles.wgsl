@@ -1,26 +1,21 @@
 // Finds which tiles of the picture the parts touch, and between which depths the cut ones lie in each: of each triangle by the box of its
-// corners. One invocation owns one triangle.
+// corners. One invocation owns one small triangle; the others are queued, and their tiles found piece by piece (`large_tiles.wgsl`).
 //
 // Depths of samples are kept between those of the corners (`flat.wgsl`), so none is beyond what is found here. A triangle that is to be
 // clipped may be anywhere.
 
+#import cutaway::enqueue::{enqueue, enqueue_clipped, is_large}
 #import cutaway::rows::row_of_triangle
 #import cutaway::screen::{first_pixel, is_beside, is_clipped, last_pixel, point_of}
 #import cutaway::sweep::{NO_LANE, corners_of, drawn_parts, number_of, sweep}
-#import cutaway::touched::{TILE_PX, tile_at}
-#import cutaway::touching::{touch_box, touched}
+#import cutaway::touched::tile_at
+#import cutaway::touching::{box_of, reach_of, touch_box, touched, widen}
 
 @group(2) @binding(3) var<storage, read> screen: array<vec4<i32>>;
 
-// Of depths as they are kept.
-fn widen(tile: u32, nearest: u32, farthest: u32) {
-    if nearest > atomicLoad(&touched.tiles[tile].nearest) {
-        atomicMax(&touched.tiles[tile].nearest, nearest);
-    }
-    if farthest > atomicLoad(&touched.tiles[tile].farthest) {
-        atomicMax(&touched.tiles[tile].farthest, farthest);
-    }
-}
+// As in `small.wgsl`.
+override small_px: i32 = 64;
+override piece_px: f32 = 512.0;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -37,6 +32,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     if is_clipped(vertices) {
         atomicStore(&touched.anywhere, 1u);
+        enqueue_clipped(triangle);
         if is_cut {
             atomicStore(&touched.nearest, bitcast<u32>(1.0));
             atomicStore(&touched.farthest, ~0u);
@@ -46,22 +42,26 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let a = point_of(vertices[0]);
     let b = point_of(vertices[1]);
     let c = point_of(vertices[2]);
-    let first = first_pixel(min(a.steps, min(b.steps, c.steps)));
-    let last = last_pixel(max(a.steps, max(b.steps, c.steps)));
+    let low = min(a.steps, min(b.steps, c.steps));
+    let high = max(a.steps, max(b.steps, c.steps));
+    let first = first_pixel(low);
+    let last = last_pixel(high);
     if any(first > last) {
+        return;
+    }
+    if is_large(low, high, small_px) {
+        enqueue(triangle, a, b, c, low, high, piece_px);
         return;
     }
     touch_box(first, last);
     if !is_cut {
         return;
     }
-    let nearest = bitcast<u32>(max(max(a.z, max(b.z, c.z)), 0.0));
-    let farthest = ~bitcast<u32>(max(min(a.z, min(b.z, c.z)), 0.0));
-    let first_tile = vec2<u32>(first) / TILE_PX;
-    let last_tile = vec2<u32>(last) / TILE_PX;
-    for (var y = first_tile.y; y <= last_tile.y; y++) {
-        for (var x = first_tile.x; x <= last_tile.x; x++) {
-            widen(tile_at(vec2<u32>(x, y)), nearest, farthest);
+    let reach = reach_of(vec3<f32>(a.z, b.z, c.z));
+    let box = box_of(first, last);
+    for (var y = 0u; y < box.size.y; y++) {
+        for (var x = 0u; x < box.size.x; x++) {
+            widen(tile_at(box.first + vec2<u32>(x, y)), reach.x, reach.y);
         }
     }
 }

@@ -9,7 +9,7 @@
 @group(2) @binding(5) var<storage, read> vertices: array<vec4<u32>>;
 // Vertices as `screen.wgsl` keeps them.
 @group(2) @binding(3) var<storage, read_write> screen: array<vec4<i32>>;
-// How many are large, how many are to be clipped, how many to be visited again, then their numbers.
+// As `queue.wgsl` lays it out.
 @group(2) @binding(4) var<storage, read_write> queue: array<u32>;
 
 @compute @workgroup_size(64)
@@ -19,7 +19,6 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     if vertex == 0u {
         queue[0] = 0u;
         queue[1] = 0u;
-        queue[2] = 0u;
     }
     if vertex >= sweep.vertex_count {
         return;

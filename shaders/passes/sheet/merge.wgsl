@@ -9,11 +9,11 @@
 
 #import cutaway::crossing_list::{List, add, finish, need, resume}
 #import cutaway::crossing_words::HAS_NORMAL
-#import cutaway::cuts::cut_table
+#import cutaway::cuts::{MAX_SURFACES, cut_table}
 #import cutaway::frame::{Ray, box_interval, centre_of, depth_from_buffer, frame, is_behind, pixel_index, ray_through}
 #import cutaway::share::{pixel_at, turns}
 #import cutaway::sheet_pool::LOST
-#import cutaway::sheet_runs::{fragment_at, fragment_count, is_fragment, last_of, most_fragments}
+#import cutaway::sheet_runs::{MOST_SHEET_FRAGMENTS, fragment_at, fragment_count, is_fragment, last_of}
 #import cutaway::sheet_side::height_over_sheet
 #import cutaway::sheet_words::{sheet_of, shows_front}
 
@@ -51,15 +51,14 @@ struct Share {
     // Of those within: by how many more show their front than their back, and the nearest.
     fronts: i32,
     nearest: Crossing,
-    // Some fragments of the list found no room.
+    // Some fragments of the list found no room, or are too many.
     is_short: bool,
 }
 
 fn share_of(last: u32, surface: u32, interval: vec2<f32>) -> Share {
     var share = Share();
     var at = last;
-    let most = most_fragments();
-    for (var i = 0u; i < most && is_fragment(at); i++) {
+    for (var i = 0u; i < MOST_SHEET_FRAGMENTS && is_fragment(at); i++) {
         let fragment = fragment_at(at);
         let depth = depth_from_buffer(fragment.z);
         let is_ahead = depth > interval.x;
@@ -75,7 +74,7 @@ fn share_of(last: u32, surface: u32, interval: vec2<f32>) -> Share {
         }
         at = fragment.before;
     }
-    share.is_short = at == LOST;
+    share.is_short = at == LOST || is_fragment(at);
     return share;
 }
 
@@ -85,8 +84,7 @@ fn next_after(before: Crossing, last: u32, surface: u32, interval: vec2<f32>) ->
     var next = before;
     var found = false;
     var at = last;
-    let most = most_fragments();
-    for (var i = 0u; i < most && is_fragment(at); i++) {
+    for (var i = 0u; i < MOST_SHEET_FRAGMENTS && is_fragment(at); i++) {
         let fragment = fragment_at(at);
         let z = fragment.z;
         let is_later = at != before.fragment && !precedes(z, at, before);
@@ -148,7 +146,7 @@ fn cross(list: ptr<function, List>, last: u32, surface: u32, ray: Ray, interval:
         (*list).sides |= 1u << surface;
     }
     var crossing = share.nearest;
-    for (var n = 0u; n < share.within; n++) {
+    for (var n = 0u; n < min(share.within, MOST_SHEET_FRAGMENTS); n++) {
         if n > 0u {
             crossing = next_after(crossing, last, surface, interval);
         }
@@ -169,7 +167,7 @@ fn merge(xy: vec2<u32>) {
     var list = resume(pixel, capacity);
     // No `surface_of`: uniforms of a known row that loops hang on crash the software driver of Mesa 22.3.6 where they are in two bindings.
     // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
-    for (var left = cut_table.surface_count; left > 0u; left--) {
+    for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
         cross(&list, last, left - 1u, ray, interval);
     }
     finish(&list);

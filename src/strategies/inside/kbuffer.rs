@@ -69,6 +69,7 @@ fn record(
     let store = Store {
         file: "lib/store/cascade.wgsl",
         bindings: vec![Binding::update("slots", slots), cascade.clone()],
+        rounds: depths,
     };
     let crossings = surface::list(plan, &scene, surface, capacity, &store)?;
     let nearest = over_mesh(plan, &scene, &store, &crossings.asked())?;

@@ -16,7 +16,7 @@
 
 use super::vds;
 use crate::passes::{
-    FragmentLists, Fresh, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Store, Sweep,
+    FragmentLists, Fresh, Rasteriser, Refusal, SceneBuffers, Screen, ScreenOf, Share, Store, Sweep,
     Volume, counted, groups_along, need,
 };
 use crate::plan::pack::{self, Sprite};
@@ -94,8 +94,8 @@ fn record(plan: &mut Plan, scene: &SceneBuffers<'_>, resolution: u32) -> Result<
             for (image, rank) in ranks.iter().enumerate() {
                 let first = image as u32 * resolution * resolution;
                 let own = lists.starting_at(plan, first);
-                let screen = screen(plan, scene, image, *rank, resolution)?;
                 let counting = own.counting();
+                let screen = screen(plan, scene, (image, *rank), resolution, &counting)?;
                 Sweep::of_fragments("count", &count, &counting).record(plan, scene, &screen);
                 screens.push((screen, own));
             }
@@ -165,9 +165,9 @@ fn draw(
 fn screen(
     plan: &mut Plan,
     scene: &SceneBuffers<'_>,
-    image: usize,
-    rank: usize,
+    (image, rank): (usize, usize),
     resolution: u32,
+    store: &Store,
 ) -> Result<Screen, Refusal> {
     let bounds = scene.input.model.prepared.parts[rank].bounds;
     let sprite = vds::sprite(&bounds, resolution, 0, 0);
@@ -178,6 +178,7 @@ fn screen(
     let frame = Resource::upload(frame_name, Role::Uniform, frame, Clock::Frame);
     let of = ScreenOf {
         settles: false,
+        share: Share::of_store(store),
         name: &name,
         view: &view,
         frame: Binding::read("frame", plan.add_resource(frame)),

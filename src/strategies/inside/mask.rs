@@ -62,21 +62,30 @@ fn record(
 ) -> Result<Picture, Refusal> {
     let capacity = surface::capacity(input);
     let nonzero = input.has_nonzero();
-    let (lanes, file) = match nonzero {
+    let (lanes, file, rounds) = match nonzero {
         true => {
             let words = 1 + capacity.div_ceil(4);
             let lanes = Lanes::with_counts(input, capacity, words);
-            (lanes, "lib/store/winding.wgsl")
+            (lanes, "lib/store/winding.wgsl", words)
         }
-        false => (Lanes::of_bits(input, capacity), "lib/store/mask.wgsl"),
+        false => {
+            let lanes = Lanes::of_bits(input, capacity);
+            let words = lanes.bits.div_ceil(32);
+            (lanes, "lib/store/mask.wgsl", words)
+        }
     };
     let scene = SceneBuffers::upload(plan, input, lanes)?;
     let mask = scene.lanes.mask(plan, input);
     let store = Store {
         file,
         bindings: vec![Binding::update("mask", mask)],
+        rounds,
     };
-    let scene = scene.on_screen_first(plan, &store)?;
+    let to_come = match input.asks_plane() {
+        true => AskedCrossings::of_plane(&scene),
+        false => AskedCrossings::to_come(input, capacity),
+    };
+    let scene = scene.on_screen_first(plan, &store, &to_come)?;
     // Planes are never drawn as sheets.
     let crossings = match input.asks_plane() {
         true => AskedCrossings::of_plane(&scene),

@@ -159,15 +159,16 @@ impl Reliefs<'_> {
     fn refine(&self, plan: &mut Plan, scene: &SceneBuffers<'_>, read: &[Binding]) -> Vec<Facets> {
         let capacity = self.capacity;
         let count = self.surfaces.len() as u64;
-        let mut of_role = |name: &str, bytes, role| {
-            plan.add_resource(Resource {
-                shape: Shape::Buffer { bytes, role },
-                ..Resource::storage(name, bytes, Clock::Frame)
-            })
-        };
         let bytes = count * u64::from(capacity) * 3 * INDEX_BYTES;
-        let indices = of_role("triangles", bytes, Role::Index);
-        let arguments = of_role("arguments", count * ARGUMENT_BYTES, Role::Arguments);
+        let indices = plan.add_resource(Resource {
+            shape: Shape::Buffer {
+                bytes,
+                role: Role::Index,
+            },
+            ..Resource::storage("triangles", bytes, Clock::Frame)
+        });
+        let bytes = count * ARGUMENT_BYTES;
+        let arguments = plan.add_resource(Resource::arguments("arguments", bytes, Clock::Frame));
         let sizes = vec![("count", count as f64), ("capacity", f64::from(capacity))];
         let begin = Pass::new(
             "triangles begin",

@@ -73,6 +73,7 @@ fn record(plan: &mut Plan, input: &Input<'_>) -> Result<(Picture, Vec<CpuWork>),
         Store {
             file: "lib/store/total.wgsl",
             bindings: vec![Binding::update("mask", mask)],
+            rounds: 0,
         }
     } else {
         Store::nothing(Vec::new())

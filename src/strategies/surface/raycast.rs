@@ -102,7 +102,7 @@ pub(super) fn record(
     let input = scene.input;
     let relevance = &input.relevance;
     let count = input.pixel_count();
-    let one_surface = relevance.surfaces.len() < 2 && !input.has_cutters();
+    let one_surface = input.has_one_surface();
     let mut surfaces = relevance.surfaces.iter().enumerate();
     let reliefs = surfaces.any(|(i, s)| sheets >> i & 1 == 0 && input.model.is_relief(*s));
     let mut buffer =

@@ -1,7 +1,7 @@
 //! The prefix sum against the sum: lengths about its blocks and its levels.
 
 use cutaway::gpu::{ClockSet, Program};
-use cutaway::passes::{BLOCK_WORDS, Scan};
+use cutaway::passes::{BLOCK_WORDS, Run, Scan, Total};
 use cutaway::plan::{Clock, Contents, Plan, Resource, Role};
 
 use crate::common::numbers::Numbers;
@@ -23,8 +23,8 @@ fn plan_of(values: &[u32]) -> Plan {
         what: "values",
         clock: Clock::Frame,
         items,
-        length: values.len() as u32,
-        total: (total, 1),
+        run: Run::known(values.len() as u32),
+        total: Total::Word(total, 1),
     }
     .record(&mut plan);
     plan

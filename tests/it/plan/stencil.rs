@@ -21,7 +21,9 @@ fn tilted(count: usize) -> Cut {
 fn depth_of(pass: &Pass) -> DepthTarget {
     match &pass.work {
         Work::Draw { depth, .. } => *depth,
-        Work::Compute { .. } => panic!("{} draws nothing", pass.name),
+        Work::Compute { .. } | Work::ComputeIndirect { .. } => {
+            panic!("{} draws nothing", pass.name)
+        }
     }
 }
 

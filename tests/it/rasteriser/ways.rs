@@ -18,21 +18,21 @@ const SIZE: [u32; 2] = [160, 120];
 
 /// Every word of a frame.
 #[derive(PartialEq)]
-struct Frame {
-    mask: Vec<u32>,
-    layers: Vec<u32>,
+pub(super) struct Frame {
+    pub(super) mask: Vec<u32>,
+    pub(super) layers: Vec<u32>,
     picture: Vec<u32>,
     /// The bits of a word of the mask that say whether a total is odd.
     totals: u32,
 }
 
 impl Frame {
-    fn odd_words(&self) -> usize {
+    pub(super) fn odd_words(&self) -> usize {
         self.mask.iter().filter(|w| *w & self.totals != 0).count()
     }
 
     /// What two frames do not share, in words.
-    fn describe(&self, other: &Self) -> String {
+    pub(super) fn describe(&self, other: &Self) -> String {
         let differ = |a: &[u32], b: &[u32]| a.iter().zip(b).filter(|(a, b)| a != b).count();
         format!(
             "{} words of masks, {} of layers, {} pixels of pictures differ",
@@ -44,7 +44,7 @@ impl Frame {
 }
 
 /// A frame by the compute rasteriser, with one sweep or two, by a plan that may have been changed.
-fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> Frame {
+pub(super) fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> Frame {
     let options = Means {
         rasteriser: Some(Rasteriser::Compute),
         wide_atomics: Some(wide),
@@ -76,14 +76,14 @@ fn frame(model: &Model, view: &View, wide: bool, change: impl Fn(&mut Plan)) -> 
     }
 }
 
-fn as_recorded(_: &mut Plan) {}
+pub(super) fn as_recorded(_: &mut Plan) {}
 
-/// Gives the constant to the passes over small triangles, which say what is small.
+/// Gives another value to what the passes over triangles call small.
 fn small(px: f64) -> impl Fn(&mut Plan) {
     move |plan| {
-        let passes = plan.passes.iter_mut();
-        for pass in passes.filter(|p| p.shader.path == "passes/rasterise/small.wgsl") {
-            pass.constants.push(("small_px", px));
+        let constants = plan.passes.iter_mut().flat_map(|p| &mut p.constants);
+        for (_, value) in constants.filter(|(name, _)| *name == "small_px") {
+            *value = px;
         }
     }
 }

@@ -80,7 +80,7 @@ fn only_reliefs_are_drawn_all_in_one_pass() {
         let pass = plan.passes.iter().find(|p| p.name == name);
         match &pass.unwrap_or_else(|| panic!("no {name}")).work {
             Work::Draw { draws, .. } => draws.iter().map(|d| d.instance).collect::<Vec<u32>>(),
-            Work::Compute { .. } => panic!("{name} draws nothing"),
+            Work::Compute { .. } | Work::ComputeIndirect { .. } => panic!("{name} draws nothing"),
         }
     };
     assert_eq!(instances("sheet 0"), [0, 1], "two of three");

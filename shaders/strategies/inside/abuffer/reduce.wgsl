@@ -3,9 +3,9 @@
 
 #import cutaway::crossings::crossings_before
 #import cutaway::cuts::parts
-#import cutaway::fragment_runs::{depth_of, owner_of, run_of}
+#import cutaway::fragment_runs::{MOST_FRAGMENTS, depth_of, owner_of, run_of}
 #import cutaway::frame::{frame, pixel_index}
-#import cutaway::lanes::thermometer
+#import cutaway::lanes::{MOST_CROSSINGS, thermometer}
 #import cutaway::reduced::{clear_words, doubt, toggle}
 
 override lane_bits: u32 = 32u;
@@ -24,7 +24,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     // empty for fragments behind a crossing only.
     var word = 0u;
     var bits = 0u;
-    for (var i = run.first; i < run.end; i++) {
+    for (var n = 0u; n < min(run.end - run.first, MOST_FRAGMENTS); n++) {
+        let i = run.first + n;
         let owner = owner_of(i);
         let first = parts[owner].lane_word;
         if first + before_last != word {
@@ -33,7 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
             bits = 0u;
         }
         let behind = crossings_before(depth_of(i), id.xy).behind;
-        for (var w = 0u; w < min((behind + 31u) / 32u, before_last); w++) {
+        for (var w = 0u; w < min((min(behind, MOST_CROSSINGS) + 31u) / 32u, before_last); w++) {
             toggle(pixel, first + w, thermometer(behind, w));
         }
         bits ^= (thermometer(behind, before_last) | total) << parts[owner].lane_shift;

@@ -1,10 +1,11 @@
 // Turns counts and nearest depths of a pixel into its words of the mask: behind a crossing are all fragments but those in front
 // of it. A crossing behind the last depth that was kept may have more in front of it than are known. An invocation owns a pixel.
 
-#import cutaway::cascade::{cascade, first_word}
+#import cutaway::cascade::{MOST_SLOTS, cascade, first_word}
 #import cutaway::crossings::{head_of, listed, z_at}
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, is_behind, pixel_count, pixel_index}
+#import cutaway::lanes::MOST_LANES
 #import cutaway::reduced::{clear_words, doubt, toggle, toggle_bit}
 
 override lane_bits: u32 = 32u;
@@ -23,10 +24,10 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let pixel = pixel_index(id.xy);
     clear_words(pixel);
     let crossings = listed(head_of(id.xy).x);
-    for (var place = 0u; place < cascade.lanes; place++) {
+    for (var place = 0u; place < min(cascade.lanes, MOST_LANES); place++) {
         let first = first_word(place, pixel);
         let count = slots[first];
-        let kept = min(count, cascade.slots);
+        let kept = min(count, min(cascade.slots, MOST_SLOTS));
         let lane_word = parts[place].lane_word;
         let lane_shift = parts[place].lane_shift;
         if (count & 1u) != 0u {

@@ -3,7 +3,7 @@
 
 #import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
-#import cutaway::cuts::cut_table
+#import cutaway::cuts::{MAX_SURFACES, cut_table}
 #import cutaway::frame::{frame, box_interval, centre_of, pixel_index, ray_through}
 #import cutaway::plane_crossing::cross_plane
 #import cutaway::share::{pixel_at, turns}
@@ -21,7 +21,7 @@ fn cross(xy: vec2<u32>) {
     let interval = box_interval(ray_through(at));
     if interval.x < interval.y {
         // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
-        for (var left = cut_table.surface_count; left > 0u; left--) {
+        for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
             let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) == 0u {
                 cross_plane(&list, s, at, interval);

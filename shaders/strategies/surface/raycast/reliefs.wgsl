@@ -4,7 +4,7 @@
 
 #import cutaway::begun::make_ready
 #import cutaway::crossing_list::{List, finish}
-#import cutaway::cuts::{cut_table, NO_RELIEF}
+#import cutaway::cuts::{MAX_SURFACES, NO_RELIEF, cut_table}
 #import cutaway::frame::{frame, centre_of, pixel_index}
 #import cutaway::interval::interval_at
 #import cutaway::plane_crossing::cross_plane
@@ -26,7 +26,7 @@ fn cross(xy: vec2<u32>) {
     let interval = interval_at(xy, near_inside);
     if interval.part.x < interval.part.y {
         // Backwards: of crossings at one depth the last is the cap's, and of clip-surfaces in one plane the first has the cap.
-        for (var left = cut_table.surface_count; left > 0u; left--) {
+        for (var left = min(cut_table.surface_count, MAX_SURFACES); left > 0u; left--) {
             let s = surface_of(left - 1u);
             if ((sheets >> s) & 1u) != 0u {
                 continue;

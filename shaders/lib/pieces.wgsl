@@ -1,0 +1,34 @@
+// Pieces: how a triangle of many samples is shared out to workgroups.
+//
+// Tiles have 64 x 64 samples. A row of tiles that the triangle's box meets is one piece, or several that take its tiles in turn where the
+// triangle is wide: a line of samples in a piece is then no longer than `piece_px` and three tiles, whatever the triangle and the picture.
+// Thin triangles have few samples for their box, so the count goes by the triangle's own width: its largest horizontal extent, that is
+// twice its area over its height.
+
+#define_import_path cutaway::pieces
+
+#import cutaway::screen::{first_pixel, last_pixel}
+
+struct Pieces {
+    first_row: i32,
+    // Rows of tiles; 0 where the box holds no sample.
+    rows: i32,
+    // Pieces of a row.
+    columns: i32,
+}
+
+fn piece_count(pieces: Pieces) -> u32 {
+    return u32(pieces.rows * pieces.columns);
+}
+
+// Of a box in steps, and what is in it of at most `width_px`.
+fn pieces_of(low: vec2<i32>, high: vec2<i32>, width_px: f32, piece_px: f32) -> Pieces {
+    let first = first_pixel(low);
+    let last = last_pixel(high);
+    if any(first > last) {
+        return Pieces(0, 0, 0);
+    }
+    let tiles = (last >> vec2<u32>(6u)) - (first >> vec2<u32>(6u)) + 1;
+    let columns = 1 + i32(min(width_px, f32(64 * tiles.x)) / piece_px);
+    return Pieces(first.y >> 6u, tiles.y, min(columns, tiles.x));
+}

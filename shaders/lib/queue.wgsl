@@ -1,0 +1,38 @@
+// Layout of the queue of a screen, in words: how many triangles are queued, how many are visited again, then two words for each queued
+// triangle from the front, one for each that is visited again from the back, and behind both the first piece of each queued triangle.
+//
+// A triangle is queued or visited again, never both, so two words a triangle and one behind them are enough for all.
+
+#define_import_path cutaway::queue
+
+#import cutaway::pieces::Pieces
+
+// Words before the queued triangles.
+const HEAD: u32 = 2u;
+// Bit of a queued triangle that the near plane or the guard band cuts.
+const CLIPPED: u32 = 0x80000000u;
+
+// The two words of a queued triangle: its number and CLIPPED; the first row of tiles of its pieces and how many pieces a row has.
+fn queued_at(place: u32) -> u32 {
+    return HEAD + 2u * place;
+}
+
+fn again_at(place: u32, triangle_count: u32) -> u32 {
+    return HEAD + 2u * triangle_count - 1u - place;
+}
+
+fn first_piece_at(place: u32, triangle_count: u32) -> u32 {
+    return HEAD + 2u * triangle_count + place;
+}
+
+fn packed(pieces: Pieces) -> u32 {
+    return u32(pieces.first_row) | (u32(pieces.columns) << 16u);
+}
+
+fn first_row_of(word: u32) -> u32 {
+    return word & 0xffffu;
+}
+
+fn columns_of(word: u32) -> u32 {
+    return word >> 16u;
+}

@@ -1,0 +1,85 @@
+//! Regression 34.1: thousands of long triangles in large pictures. Drivers end loops after so many rounds of an invocation (llvmpipe after
+//! 65,535), so an invocation that takes its share of all long triangles draws half of them, and says nothing.
+//!
+//! Every part is closed, so any odd total is a sample that was lost.
+
+use cutaway::Model;
+use cutaway::plan::Plan;
+use cutaway::scene::{Camera, ClipSurface, Mesh, Scene};
+use glam::{DQuat, DVec2, DVec3};
+
+use super::ways::{as_recorded, frame};
+use crate::common::scenes;
+
+/// Closed prisms along x, of so many sides, side by side in a square.
+fn prisms(count: usize, sides: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let per_row = (count as f64).sqrt().ceil() as usize;
+    let pitch = 2.0 / per_row as f64;
+    for prism in 0..count {
+        let first = mesh.positions.len() as u32;
+        let middle = DVec2::new((prism % per_row) as f64, (prism / per_row) as f64) * pitch - 1.0;
+        for x in [-2.0, 2.0] {
+            let corner = |i: u32| {
+                let turn = std::f64::consts::TAU * f64::from(i) / f64::from(sides);
+                let at = middle + 0.4 * pitch * DVec2::from_angle(turn);
+                DVec3::new(x, at.x, at.y)
+            };
+            mesh.positions.extend((0..sides).map(corner));
+        }
+        for i in 0..sides {
+            let [a, b] = [i, (i + 1) % sides].map(|corner| first + corner);
+            mesh.triangles.push([a, b, b + sides]);
+            mesh.triangles.push([a, b + sides, a + sides]);
+        }
+        for i in 1..sides - 1 {
+            mesh.triangles.push([first, first + i + 1, first + i]);
+            mesh.triangles
+                .push([sides, sides + i, sides + i + 1].map(|corner| first + corner));
+        }
+    }
+    // Along no axis of the picture.
+    let turn = DQuat::from_rotation_z(0.21) * DQuat::from_rotation_y(0.13);
+    mesh.positions.iter_mut().for_each(|p| *p = turn * *p);
+    mesh
+}
+
+/// Cut by one plane, or by two, for which a pass before the sweeps finds the touched tiles.
+fn cut(mesh: Mesh, planes: usize) -> Scene {
+    let normals = [DVec3::new(0.1, 0.2, -1.0), DVec3::new(-1.0, 0.3, 0.1)];
+    let planes = normals[..planes]
+        .iter()
+        .map(|n| ClipSurface::plane(DVec3::Z * 0.05, n.normalize()));
+    scenes::scene("prisms", mesh, planes.collect())
+}
+
+/// Counts the pieces of the first 2048 queued triangles alone.
+fn too_few_pieces(plan: &mut Plan) {
+    for pass in plan.passes.iter_mut().filter(|p| p.name == "pieces scan") {
+        for (name, value) in &mut pass.constants {
+            if *name == "length" {
+                *value = 1.0;
+            }
+        }
+    }
+}
+
+#[test]
+fn every_sample_of_long_triangles_is_there_at_every_size() {
+    let tubes = cut(prisms(64, 24), 1);
+    let fins = cut(prisms(900, 3), 2);
+    for (scene, size) in [
+        (&tubes, [800, 300]),
+        (&tubes, [2400, 1800]),
+        (&fins, [1600, 1200]),
+    ] {
+        let model = Model::new(scene);
+        let view = model.prepared.view_of(&Camera::default(), size);
+        let drawn = frame(&model, &view, false, as_recorded);
+        assert_eq!(drawn.odd_words(), 0, "{} at {size:?}", scene.name);
+        if size == [800, 300] {
+            let lost = frame(&model, &view, false, too_few_pieces);
+            assert!(lost.odd_words() > 0, "a lost piece is not noticed");
+        }
+    }
+}
