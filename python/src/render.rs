@@ -6,7 +6,7 @@ use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{Remark, doubts};
 use cutaway::session::Outcome;
 use cutaway::strategies::{AUTO, Choice, choose};
-use cutaway::{Gpu, Session};
+use cutaway::Session;
 use image::RgbaImage;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
@@ -130,8 +130,8 @@ fn draw(session: &mut Session, opened: &Opened) -> Result<Drawn> {
     let means = means(settings)?;
     let renderer = match settings.strategy.as_deref() {
         None | Some(AUTO) => {
-            let software = Some(session.gpu()).filter(|gpu| gpu.report().software);
-            let Choice { method, .. } = choose(&at.model, &view, means, software.map(Gpu::limits));
+            let adapter = Some(session.gpu().traits());
+            let Choice { method, .. } = choose(&at.model, &view, means, adapter);
             Renderer::from(method)
         }
         Some(name) => name.parse::<Renderer>()?.or(means),

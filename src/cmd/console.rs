@@ -156,6 +156,11 @@ impl Console {
         self.say(&format!("failed: {}", text.as_ref()));
     }
 
+    /// A fault of the program itself.
+    pub(super) fn internal_error(&self, text: impl AsRef<str>) {
+        self.say(&format!("internal error: {}", text.as_ref()));
+    }
+
     fn say(&self, text: &str) {
         self.bar.suspend(|| eprintln!("{text}"));
     }

@@ -55,9 +55,7 @@ impl Drawer {
             }
             Self::Auto(means) => means,
         };
-        let software = gpu.filter(|gpu| gpu.report().software);
-        let limits = software.map(Gpu::limits);
-        let Choice { method, reason } = choose(model, view, means, limits);
+        let Choice { method, reason } = choose(model, view, means, gpu.map(Gpu::traits));
         console.detail(format!("{AUTO}: {method}, for {reason}"));
         Chosen {
             renderer: method.into(),

@@ -1,20 +1,65 @@
 //! What is said of a frame that is not as somebody may expect.
 
+use super::Verdict;
 use super::console::Console;
 use crate::experiment::Renderer;
+use crate::gpu::Gpu;
 use crate::layers::{Kind, Layers};
-use crate::scene::{Scene, empty_picture, misses};
+use crate::passes::Rasteriser;
+use crate::scene::{Fill, Scene, Topology, empty_picture, misses};
+
+/// The adapter, for who reports a fault.
+pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
+    let report = gpu.report();
+    let bits = match gpu.sub_pixel_bits() {
+        Ok(bits) => format!("{bits} sub-pixel bits"),
+        Err(e) => format!("sub-pixel bits unknown: {e}"),
+    };
+    format!("adapter: {}, {}, {bits}", report.name, report.driver)
+}
 
 /// Pixels that the strategy marks: crossings along their rays do not tell inside from outside, or a buffer was too small.
 pub(super) fn unreliable_px(layers: &Layers) -> usize {
     layers.pixels.iter().filter(|p| p.unreliable).count()
 }
 
-/// Warns of pixels that may be wrong because the mesh is open along their rays.
-pub(super) fn warn_of_doubt(may_be_wrong: &[bool], renderer: Renderer, console: &Console) {
+/// Strategies that mark no pixel of a closed mesh: a mark is then a fault of the program or of the driver.
+const MARK_OPEN_MESHES_ALONE: [&str; 3] = ["raycast+mask", "raycast+abuffer", "raycast+stencil"];
+
+/// Whether marked pixels of a frame can be no fault of the mesh: all parts are closed and filled even-odd.
+fn is_own_fault(renderer: Renderer, scene: &Scene) -> bool {
+    let Renderer::Method(method) = renderer else {
+        return false;
+    };
+    let strategy = method.strategy.to_string();
+    MARK_OPEN_MESHES_ALONE.contains(&strategy.as_str())
+        && scene.parts.iter().all(|p| p.fill == Fill::EvenOdd)
+        && Topology::from_parts(&scene.parts).closed
+}
+
+/// Warns of pixels that may be wrong because the mesh is open along their rays. Where it is closed they are a fault of the program or of
+/// the driver, and the frame has failed.
+pub(super) fn warn_of_doubt(
+    may_be_wrong: &[bool],
+    renderer: Renderer,
+    scene: &Scene,
+    console: &Console,
+) -> Verdict {
     let count = may_be_wrong.iter().filter(|w| **w).count();
     if count == 0 {
-        return;
+        return Verdict::Done;
+    }
+    if is_own_fault(renderer, scene) {
+        let other = match renderer {
+            Renderer::Method(m) if m.means.rasteriser == Some(Rasteriser::Compute) => "hardware",
+            _ => "compute",
+        };
+        console.internal_error(format!(
+            "{count} px have an odd number of crossings, though every part is closed: a fault of cutaway or of the \
+             graphics driver, not of the mesh\n  help: please report it, with the command and what --verbose prints; try --rasteriser \
+             {other}"
+        ));
+        return Verdict::Failed;
     }
     let other = match renderer {
         Renderer::Cpu(_) => "",
@@ -24,6 +69,7 @@ pub(super) fn warn_of_doubt(may_be_wrong: &[bool], renderer: Renderer, console: 
         "{count} px may be wrong: the mesh is open along their rays, so that a cap may be missing there or shown where there is \
          none\n  help: --close-holes closes planar and small holes (`cutaway inspect` says where holes are){other}"
     ));
+    Verdict::Done
 }
 
 /// An empty picture, or one without caps, is nearly always a slip of the camera or of the side that stays.

@@ -13,7 +13,7 @@ use super::drawer::Chosen;
 use super::image_test::{self, Finding};
 use super::layers_file;
 use super::look::{LookArgs, Usual};
-use super::notes::{note_what_is_not_seen, unreliable_px, warn_of_doubt};
+use super::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
 use super::output::{Output, write_file};
 use super::places::{no_place_twice, paths_of};
 use super::subject::Subject;
@@ -98,11 +98,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let drawer = subject.drawer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
     let mut session = args.device.session(args.json.is_some())?;
-    console.detail(format!(
-        "adapter: {}, {}",
-        session.gpu().report().name,
-        session.gpu().report().driver
-    ));
+    console.detail(adapter_in_words(session.gpu()));
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 
@@ -110,10 +106,11 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let renderer = chosen.renderer;
     console.step(renderer.to_string());
     let facts = Facts::of(&mut session, &shown, &view, renderer, &outputs)?;
+    let mut verdict = Verdict::Done;
     if let Some(layers) = &facts.layers {
         // What a full buffer dropped is reported below, and need not be a fault of the mesh.
         if facts.outcome == Outcome::Complete {
-            warn_of_doubt(&facts.may_be_wrong, renderer, &console);
+            verdict = warn_of_doubt(&facts.may_be_wrong, renderer, &subject.scene, &console);
         }
         note_what_is_not_seen(layers, &subject.scene, &console);
     }
@@ -147,7 +144,6 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
         let json = facts.json(&subject, &session, &shown.model, &chosen);
         output.write(format!("{json:#}\n").as_bytes())?;
     }
-    let mut verdict = Verdict::Done;
     if let Outcome::Overflowed(reason) = &facts.outcome {
         console.failed(format!("{renderer} did not draw all of it: {reason}"));
         verdict = Verdict::Failed;

@@ -12,6 +12,7 @@ use super::pipelines::Pipelines;
 use super::preparation::Preparation;
 use super::timing::timed;
 use crate::plan::{Contents, Limits};
+use crate::strategies::AdapterTraits;
 use crate::{Error, Result};
 
 /// Which adapter to use.
@@ -57,6 +58,8 @@ pub struct Gpu {
     preparation: Mutex<Preparation>,
     /// What shaders of a host bind, once it is asked for.
     pub(super) clip: OnceLock<ClipLayout>,
+    /// Once they are measured.
+    pub(super) sub_pixel_bits: OnceLock<u32>,
 }
 
 /// Contents of at least this many bytes are worth sharing.
@@ -215,6 +218,7 @@ impl Gpu {
             compositors: Mutex::default(),
             preparation: Mutex::default(),
             clip: OnceLock::new(),
+            sub_pixel_bits: OnceLock::new(),
         })
     }
 
@@ -231,6 +235,15 @@ impl Gpu {
     /// What is known of the adapter.
     pub fn report(&self) -> &AdapterReport {
         &self.report
+    }
+
+    /// What the choice of a rasteriser depends on.
+    pub fn traits(&self) -> AdapterTraits<'_> {
+        AdapterTraits {
+            limits: &self.limits,
+            software: self.report.software,
+            sub_pixel_bits: self.sub_pixel_bits_if_known(),
+        }
     }
 
     /// What plans are held to on this adapter.

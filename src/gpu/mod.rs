@@ -14,6 +14,7 @@ mod program;
 mod readback;
 mod real;
 mod report;
+mod sub_pixel;
 mod target;
 mod timing;
 mod viewport;

@@ -11,7 +11,9 @@
 //!    finds what is nearest in one sweep, takes less time in all that was measured (docs/results.md).
 //! 3. Where it refuses a scene, as one of more parts than its table holds, or would bind more than the device does however few rows are drawn at
 //!    once, the hardware rasteriser draws: that takes a mesh as vertex and index buffers, which may be larger than storage bindings.
-//! 4. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
+//! 4. An adapter that snaps vertices to coarser steps than 1/256 px draws other silhouettes than the compute rasteriser, which has 8
+//!    sub-pixel bits everywhere: there too the compute rasteriser.
+//! 5. On other adapters the hardware rasteriser draws: there is no measurement yet that would say otherwise.
 //!
 //! Costs what it takes to record a plan once more.
 
@@ -33,9 +35,27 @@ pub struct Choice {
     pub reason: String,
 }
 
-/// Chooses the method for a scene in a view; `asked` are the means that are settled already, `software` the limits of the adapter where that
-/// is a software one.
-pub fn choose(model: &Model, view: &View, asked: Means, software: Option<&Limits>) -> Choice {
+/// What the choice depends on of an adapter.
+#[derive(Clone, Copy, Debug)]
+pub struct AdapterTraits<'a> {
+    /// What plans are held to.
+    pub limits: &'a Limits,
+    /// Whether it runs on the CPU.
+    pub software: bool,
+    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser.
+    pub sub_pixel_bits: Option<u32>,
+}
+
+/// Sub-pixel bits of the compute rasteriser.
+const COMPUTE_BITS: u32 = 8;
+
+/// Chooses the method for a scene in a view; `asked` are the means that are settled already, `adapter` that which will draw.
+pub fn choose(
+    model: &Model,
+    view: &View,
+    asked: Means,
+    adapter: Option<AdapterTraits<'_>>,
+) -> Choice {
     let by = |rasteriser, reason: &str| Choice {
         method: Method::new(Strategy::RAYCAST_MASK, asked.or(Means::by(rasteriser))),
         reason: reason.to_owned(),
@@ -46,16 +66,27 @@ pub fn choose(model: &Model, view: &View, asked: Means, software: Option<&Limits
             &format!("the {rasteriser} rasteriser is asked for"),
         );
     }
-    let Some(limits) = software else {
-        return by(
-            Rasteriser::Hardware,
-            "the adapter rasterises by fixed functions",
-        );
+    let (limits, reason) = match adapter {
+        Some(a) if a.software => (
+            a.limits,
+            "the adapter is a software one, where one sweep of the compute rasteriser takes less time than fixed functions".to_owned(),
+        ),
+        Some(AdapterTraits {
+            limits,
+            sub_pixel_bits: Some(bits),
+            ..
+        }) if bits < COMPUTE_BITS => (
+            limits,
+            format!("the adapter snaps vertices to 1/{} px, the compute rasteriser to 1/256", 1 << bits),
+        ),
+        _ => {
+            return by(
+                Rasteriser::Hardware,
+                "the adapter rasterises by fixed functions",
+            );
+        }
     };
-    let compute = by(
-        Rasteriser::Compute,
-        "the adapter is a software one, where one sweep of the compute rasteriser takes less time than fixed functions",
-    );
+    let compute = by(Rasteriser::Compute, &reason);
     // Larger pictures are drawn in bands.
     let band = view.rows(0, view.size_px[1].min(Capacities::FEWEST_ROWS));
     match plan(model, &band, compute.method, &Capacities::UNKNOWN) {

@@ -13,7 +13,7 @@ mod name;
 mod row;
 
 pub use crate::passes::{Obstacle, Rasteriser, Refusal, ReliefWalk};
-pub use auto::{AUTO, Choice, choose};
+pub use auto::{AUTO, AdapterTraits, Choice, choose};
 pub use method::{Means, Method};
 pub use name::Strategy;
 pub use row::{Abilities, CapSurface, CapSurfaceRow, Facts, InsideTest, InsideTestRow, Parameter};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cutaway::passes::Model;
 use cutaway::plan::{Capacities, Limits};
 use cutaway::scene::{Part, Scene};
-use cutaway::strategies::{Means, Rasteriser, Strategy, choose, plan};
+use cutaway::strategies::{AdapterTraits, Means, Rasteriser, Strategy, choose, plan};
 use serde_json::Value;
 
 use crate::common::command::Scratch;
@@ -34,15 +34,34 @@ fn chosen_on(
 ) -> (Option<Rasteriser>, String) {
     let model = Model::new(scene);
     let view = model.prepared.view(size_px);
-    let choice = choose(&model, &view, asked, software);
+    let traits = |limits| AdapterTraits {
+        limits,
+        software: true,
+        sub_pixel_bits: Some(8),
+    };
+    let choice = choose(&model, &view, asked, software.map(traits));
     (choice.method.means.rasteriser, choice.reason)
 }
 
-fn chosen(scene: &Scene, asked: Means, is_software: bool) -> (Option<Rasteriser>, String) {
+fn chosen(scene: &Scene, asked: Means, software: bool) -> (Option<Rasteriser>, String) {
+    let eight = Some(8);
+    chosen_with(scene, asked, software, eight)
+}
+
+fn chosen_with(
+    scene: &Scene,
+    asked: Means,
+    software: bool,
+    sub_pixel_bits: Option<u32>,
+) -> (Option<Rasteriser>, String) {
     let model = Model::new(scene);
     let view = model.prepared.view([64, 48]);
-    let software = is_software.then_some(&Limits::CORE);
-    let choice = choose(&model, &view, asked, software);
+    let adapter = AdapterTraits {
+        limits: &Limits::CORE,
+        software,
+        sub_pixel_bits,
+    };
+    let choice = choose(&model, &view, asked, Some(adapter));
     assert_eq!(choice.method.strategy, Strategy::RAYCAST_MASK, "exact");
     // What was chosen draws the scene.
     let plan = plan(&model, &view, choice.method, &Capacities::UNKNOWN);
@@ -58,6 +77,11 @@ fn adapter_wish_and_refusal_choose_who_rasterises() {
     let one = row(1);
     assert_eq!(chosen(&one, any, true).0, compute, "software");
     assert_eq!(chosen(&one, any, false).0, hardware, "another adapter");
+    let (by, reason) = chosen_with(&one, any, false, Some(4));
+    assert_eq!(by, compute, "{reason}");
+    assert!(reason.contains("1/16 px"), "{reason}");
+    let unknown = chosen_with(&one, any, false, None);
+    assert_eq!(unknown.0, hardware, "as in a browser");
     for asked in [Rasteriser::Hardware, Rasteriser::Compute] {
         let (by, reason) = chosen(&one, Means::by(asked), true);
         assert_eq!(by, Some(asked));

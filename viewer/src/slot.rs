@@ -54,10 +54,9 @@ impl Painter {
     pub fn settle(self, gpu: &Gpu, model: &Model, view: &View) -> Renderer {
         match self {
             Self::Named(renderer) => renderer,
-            Self::Auto => {
-                let limits = gpu.report().software.then(|| gpu.limits());
-                choose(model, view, Means::default(), limits).method.into()
-            }
+            Self::Auto => choose(model, view, Means::default(), Some(gpu.traits()))
+                .method
+                .into(),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
+use super::super::Verdict;
 use super::super::console::Console;
 use super::super::drawer::Chosen;
 use super::super::notes::warn_of_doubt;
@@ -34,6 +35,8 @@ pub(super) struct Film<'a> {
     /// The scene at the time of the last frame, as it is prepared.
     pub(super) shown: SceneAtTime,
     pub(super) scene: Scene,
+    /// Some frame has failed by a fault that is not of the mesh.
+    pub(super) has_failed: bool,
 }
 
 impl Film<'_> {
@@ -86,7 +89,8 @@ impl Film<'_> {
         ) {
             let layers = session.layers(method)?;
             let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
-            warn_of_doubt(&doubted, self.chosen.renderer, console);
+            let verdict = warn_of_doubt(&doubted, self.chosen.renderer, &self.scene, console);
+            self.has_failed |= matches!(verdict, Verdict::Failed);
         }
         Ok((drawn.image, report))
     }

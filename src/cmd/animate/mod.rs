@@ -171,6 +171,7 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         chosen,
         shown,
         scene: subject.scene.clone(),
+        has_failed: false,
     };
     let mut frames = Vec::with_capacity(own.len());
     for frame in own.clone() {
@@ -211,7 +212,10 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         output.write(format!("{json:#}\n").as_bytes())?;
     }
     film.say(&frames, &console);
-    Ok(verdict(&frames, renderer, &console))
+    Ok(match verdict(&frames, renderer, &console) {
+        Verdict::Done if film.has_failed => Verdict::Failed,
+        verdict => verdict,
+    })
 }
 
 /// Lets a plane move as long as anything else does, or as is asked for.

@@ -1,0 +1,135 @@
+//! Sub-pixel bits: to which fraction of a pixel the rasteriser of an adapter snaps vertices, 2^-bits.
+//!
+//! Vulkan and WebGPU promise 4 bits and have no query for more, so it is measured: sixteen rectangles that end ever closer to a column of
+//! samples, and which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once for each device.
+//!
+//! Cannot: tell more than [`MOST_BITS`] bits, nor be asked in a browser, where nothing can be waited for.
+
+use super::Gpu;
+use crate::Result;
+use crate::shader::{self, Shader};
+
+/// Bits that are told apart, at most: more rows would end closer to the column than f32 is exact.
+const MOST_BITS: u32 = 12;
+/// Pixels along a side of the target: `shaders/gpu/sub_pixel.wgsl`.
+const SIZE_PX: u32 = 16;
+/// The column of samples.
+const COLUMN: usize = 8;
+/// A row of a copy of a texture is a multiple of this long.
+const ROW_BYTES: u32 = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+
+impl Gpu {
+    /// The same where they can be measured at once.
+    pub(super) fn sub_pixel_bits_if_known(&self) -> Option<u32> {
+        #[cfg(not(target_arch = "wasm32"))]
+        let bits = self.sub_pixel_bits().ok();
+        #[cfg(target_arch = "wasm32")]
+        let bits = self.sub_pixel_bits.get().copied();
+        bits
+    }
+
+    /// Bits behind the point of a pixel coordinate, as the adapter's rasteriser keeps them; measured at the first call.
+    ///
+    /// # Errors
+    ///
+    /// A device that refuses the draw or is lost.
+    pub fn sub_pixel_bits(&self) -> Result<u32> {
+        if let Some(known) = self.sub_pixel_bits.get() {
+            return Ok(*known);
+        }
+        let bits = measure(self)?;
+        Ok(*self.sub_pixel_bits.get_or_init(|| bits))
+    }
+}
+
+fn measure(gpu: &Gpu) -> Result<u32> {
+    let composed = shader::compose(&Shader::from("gpu/sub_pixel.wgsl"))?;
+    let staging = gpu.staging(u64::from(ROW_BYTES * SIZE_PX));
+    gpu.scoped(|| {
+        let module = gpu.module("sub-pixel bits", composed.module.clone());
+        submit(gpu, &module, &staging);
+        Ok(())
+    })?;
+    let texels: Vec<u8> = gpu.map(&staging)?;
+    let covered = texels
+        .chunks(ROW_BYTES as usize)
+        .take(MOST_BITS as usize)
+        .take_while(|row| row[COLUMN] != 0);
+    Ok(covered.count() as u32)
+}
+
+fn submit(gpu: &Gpu, module: &wgpu::ShaderModule, staging: &wgpu::Buffer) {
+    let device = &gpu.device;
+    let size = wgpu::Extent3d {
+        width: SIZE_PX,
+        height: SIZE_PX,
+        depth_or_array_layers: 1,
+    };
+    let target = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("sub-pixel bits"),
+        size,
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("sub-pixel bits"),
+        layout: None,
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    });
+    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("sub-pixel bits"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: None,
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        pass.set_pipeline(&pipeline);
+        pass.draw(0..6, 0..MOST_BITS);
+    }
+    encoder.copy_texture_to_buffer(
+        target.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: staging,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(ROW_BYTES),
+                rows_per_image: Some(SIZE_PX),
+            },
+        },
+        size,
+    );
+    gpu.queue.submit([encoder.finish()]);
+}
