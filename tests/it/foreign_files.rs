@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod gltf;
+mod slicers;
 mod text;
 
 use std::path::Path;
