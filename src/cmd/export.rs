@@ -26,7 +26,7 @@ use super::split::SplitArgs;
 use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::save::{Format, Solid, encoded, material_library, rounding};
+use crate::save::{Format, Solid, encoded, leaves_out, material_library, rounding};
 use crate::scene::weld::thousands;
 use crate::scene::{LengthUnit, Scene, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
@@ -293,6 +293,12 @@ impl Writer<'_> {
             self.console.note(format!(
                 "{}: the format rounds coordinates by up to {off:.1e} units, for the model is far from the origin: move it there, or \
                  write .ply, .obj or .3mf",
+                to.path.display()
+            ));
+        }
+        if let Some(what) = leaves_out(to.format, &solids) {
+            self.console.note(format!(
+                "{}: without {what} of the model, which the format does not hold as it is written here: .glb does",
                 to.path.display()
             ));
         }
