@@ -209,12 +209,12 @@ impl Draft {
         let mut indices = Vec::with_capacity(3 * group.triangles.len());
         for t in &group.triangles {
             let of = &coat.triangles[*t];
-            for i in 0..3 {
+            for (i, vertex) in triangles[*t].into_iter().enumerate() {
                 let uv = match group.image {
                     Some(_) => of.uv[i].to_array().map(f32::to_bits),
                     None => [0; 2],
                 };
-                let corner = (triangles[*t][i], of.colors[i], uv);
+                let corner = (vertex, of.colors[i], uv);
                 indices.push(*numbers.entry(corner).or_insert_with(|| {
                     corners.push(corner);
                     corners.len() as u32 - 1

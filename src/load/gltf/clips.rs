@@ -33,7 +33,8 @@ impl Reader<'_> {
         for (index, animation) in animations.iter().enumerate() {
             let name = self.name(index, animation, rig);
             let tracks = self.tracks(animation, &accessors);
-            let added = tracks.and_then(|of_node| {
+            let added = tracks.and_then(|mut of_node| {
+                self.give_weights_to_instances(&mut of_node);
                 flat.extend(flattening(&of_node, &name, rig));
                 add(rig, &name, of_node)
             });
@@ -49,6 +50,19 @@ impl Reader<'_> {
             notes.push(format!(
                 "{first}{more}: what follows it alone has no volume then"
             ));
+        }
+    }
+
+    /// The weights of a node's morph targets move the mesh wherever the rig has it.
+    fn give_weights_to_instances(&self, of_node: &mut BTreeMap<usize, NodeTracks>) {
+        let tracks = of_node.iter();
+        let weights: Vec<_> = tracks
+            .filter_map(|(place, tracks)| Some((*place, tracks.weights.clone()?)))
+            .collect();
+        for (place, weights) in weights {
+            for at in self.nodes.shown_at(place) {
+                of_node.entry(at).or_default().weights = Some(weights.clone());
+            }
         }
     }
 

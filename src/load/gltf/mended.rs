@@ -3,7 +3,7 @@
 //! | fault | becomes |
 //! |---|---|
 //! | positions without `min` and `max`, which nothing reads here | some |
-//! | an accessor without a buffer view | zeros, as glTF defines it |
+//! | an accessor without a buffer view, but for positions | zeros, as glTF defines it |
 //! | a primitive without positions | left out, with a note |
 //! | a clip that is not JSON of the right form | left out, with a note |
 //! | materials, textures, images, samplers or cameras that are not valid | all of them left out, with a note |
@@ -99,20 +99,28 @@ pub(super) fn mend(root: &mut Root, buffers: &mut Vec<Vec<u8>>, notes: &mut Vec<
             ));
         }
     }
-    for accessor in positions {
-        let accessor = &mut root.accessors[accessor.value()];
+    for position in &positions {
+        let accessor = &mut root.accessors[position.value()];
         for extent in [&mut accessor.min, &mut accessor.max] {
             let is_there =
                 (extent.take()).filter(|v| serde_json::from_value::<[f32; 3]>(v.clone()).is_ok());
             *extent = Some(is_there.unwrap_or_else(|| json!([0.0, 0.0, 0.0])));
         }
     }
-    give_zeros(root, buffers);
+    give_zeros(root, buffers, |accessor| {
+        positions.iter().any(|p| p.value() == accessor)
+    });
 }
 
-/// Gives one buffer of zeros to all accessors that have nothing else.
-fn give_zeros(root: &mut Root, buffers: &mut Vec<Vec<u8>>) {
-    let is_bare = |a: &Accessor| a.buffer_view.is_none() && a.sparse.is_none();
+/// Gives one buffer of zeros to all accessors that have nothing else, but for those of positions: a mesh in one point is a fault.
+fn give_zeros(
+    root: &mut Root,
+    buffers: &mut Vec<Vec<u8>>,
+    is_of_positions: impl Fn(usize) -> bool,
+) {
+    let is_bare = |(number, a): &(usize, &Accessor)| {
+        a.buffer_view.is_none() && a.sparse.is_none() && !is_of_positions(*number)
+    };
     let bytes_of = |accessor: &Accessor| {
         let (Checked::Valid(kind), Checked::Valid(shape)) =
             (accessor.component_type, accessor.type_)
@@ -127,8 +135,11 @@ fn give_zeros(root: &mut Root, buffers: &mut Vec<Vec<u8>>) {
         let count = usize::try_from(accessor.count.0).ok()?;
         count.checked_mul(item).filter(|bytes| *bytes <= MOST_ZEROS)
     };
-    let bare = root.accessors.iter().filter(|a| is_bare(a));
-    let Some(most) = bare.filter_map(bytes_of).max() else {
+    let all = root.accessors.iter().enumerate().filter(is_bare);
+    let bare: Vec<(usize, usize)> = all
+        .filter_map(|(number, accessor)| Some((number, bytes_of(accessor)?)))
+        .collect();
+    let Some(most) = bare.iter().map(|(_, bytes)| *bytes).max() else {
         return;
     };
     let byte_length = USize64::from(most);
@@ -144,11 +155,10 @@ fn give_zeros(root: &mut Root, buffers: &mut Vec<Vec<u8>>) {
         extensions: None,
         extras: None,
     });
-    for accessor in root.accessors.iter_mut().filter(|a| is_bare(a)) {
-        if bytes_of(accessor).is_some() {
-            accessor.buffer_view = Some(view);
-            accessor.byte_offset = None;
-        }
+    for (number, _) in bare {
+        let accessor = &mut root.accessors[number];
+        accessor.buffer_view = Some(view);
+        accessor.byte_offset = None;
     }
 }
 

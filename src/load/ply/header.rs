@@ -35,12 +35,13 @@ pub(super) fn split<'a>(
     for (number, line) in (1..).zip(super::super::lines::lines(&header)) {
         let word = line.split_whitespace().next().unwrap_or("").to_lowercase();
         let is_like = |known: &&str| strsim::jaro_winkler(known, &word) > MISSPELT;
-        if !word.is_empty() && !WORDS.iter().any(|known| is_like(&known)) {
+        let is_known = WORDS.iter().any(is_like);
+        if !word.is_empty() && !is_known {
             let shown: String = line.trim().chars().take(40).collect();
             let file = path.display();
             notes.push(format!("{file}:{number}: read as a comment: {shown:?}"));
         }
-        if !WORDS.iter().any(|known| is_like(&known)) {
+        if !is_known {
             text.push_str("comment ");
         }
         text.push_str(line.trim_end());

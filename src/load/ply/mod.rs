@@ -4,14 +4,15 @@
 //! `uchar`, `ushort`, `float` or `double`), `face` (`vertex_indices`, by whatever name; polygons become fans from their first corner) and
 //! `tristrips` (strips of triangles, which a negative index ends). Other elements are parsed and dropped.
 
+mod fault;
 mod header;
 mod text;
 
-use std::io::{BufRead, ErrorKind, Read};
+use std::io::{BufRead, Read};
 use std::path::Path;
 
 use glam::{DVec3, Vec3};
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyDef,
     PropertyType,
@@ -22,6 +23,7 @@ use crate::error::{Error, Result};
 use crate::scene::weld::has_three;
 use crate::scene::{Coat, CoatedTriangle, Mesh};
 
+use fault::Fault;
 use text::Words;
 
 /// The list of corners of a face, as it is called here.
@@ -159,12 +161,12 @@ struct Elements {
 }
 
 /// Where elements are read from, in the order of the header.
-enum Source<'a, R: BufRead> {
+enum Source<'a, 'b, R: BufRead> {
     Binary(&'a mut Reader<R>, &'a Header),
-    Text(Words<'a>),
+    Text(&'a mut Words<'b>),
 }
 
-impl<R: BufRead> Source<'_, R> {
+impl<R: BufRead> Source<'_, '_, R> {
     fn read<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<Vec<E>, Fault> {
         match self {
             Self::Binary(reader, header) => Parser::<E>::new()
@@ -213,7 +215,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result
             let text = String::from_utf8_lossy(payload);
             let before = header_text.lines().count();
             text::in_either_layout(&text, before, |words| {
-                Source::<&[u8]>::Text(words.clone()).elements(&elements)
+                Source::<&[u8]>::Text(words).elements(&elements)
             })
         }
         _ => Source::Binary(&mut reader, &header).elements(&elements),
@@ -360,51 +362,6 @@ fn fan<T: Copy>(corners: &[T], index: impl Fn(T) -> u32, triangles: &mut Vec<[u3
         let fan = rest.windows(2).map(|w| [*first, w[0], w[1]].map(&index));
         triangles.extend(fan);
     }
-}
-
-/// What is wrong, and in which line.
-struct Fault {
-    line: Option<usize>,
-    what: String,
-}
-
-impl Fault {
-    /// The parser's complaint in one line.
-    fn of(error: &ParseError) -> Self {
-        let text = error.to_string();
-        let text = match text.split_once(": ") {
-            Some((_, rest)) if error.line().is_some() => rest,
-            _ => &text,
-        };
-        Self {
-            line: None,
-            what: shown(text.lines().next().unwrap_or(text)),
-        }
-    }
-
-    /// The parser's complaint about a header, with the line at fault.
-    fn in_header(error: &ParseError, header: &str) -> Self {
-        match error.line() {
-            Some(line) if error.kind() != ErrorKind::UnexpectedEof => {
-                Self::of_line(line, header.lines().nth(line - 1).unwrap_or_default())
-            }
-            line => Self {
-                line,
-                ..Self::of(error)
-            },
-        }
-    }
-
-    fn of_line(line: usize, text: &str) -> Self {
-        Self {
-            line: Some(line),
-            what: format!("`{}` is not what a PLY has here", shown(text.trim())),
-        }
-    }
-}
-
-fn shown(text: &str) -> String {
-    text.chars().take(160).collect()
 }
 
 #[cfg(test)]

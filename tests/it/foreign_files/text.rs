@@ -129,7 +129,7 @@ fn a_ply_may_have_blank_lines_and_any_breaks() {
     let folder = Scratch::new("foreign-text");
     let odd = text.replacen("4 0 3 2 1\n", "4 0 3 2\n", 1);
     let said = load_mesh_file(&folder.write("odd.ply", odd)).expect_err("a number is missing");
-    assert!(said.to_string().contains("odd.ply:16: "), "{said}");
+    assert!(said.to_string().contains("odd.ply:18: "), "{said}");
 }
 
 #[test]
