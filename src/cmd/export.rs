@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use self::facts::Facts;
 use super::Verdict;
+use super::args::{fill_by, parse_fill};
 use super::console::{Console, ConsoleArgs};
 use super::defects::DefectArgs;
 use super::edits::EditArgs;
@@ -26,9 +27,9 @@ use super::split::SplitArgs;
 use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
-use crate::save::{Format, Solid, encoded, material_library, rounding};
+use crate::save::{Format, Solid, encoded, leaves_out, material_library, rounding};
 use crate::scene::weld::thousands;
-use crate::scene::{LengthUnit, Scene, doubts};
+use crate::scene::{Fill, LengthUnit, Scene, doubts};
 use crate::slice::{CappedPart, Half, RELIEF_CELLS, capped_with};
 use crate::{Error, Result};
 
@@ -62,6 +63,10 @@ pub(super) struct ExportArgs {
     when: TimeArgs,
     #[command(flatten)]
     split: SplitArgs,
+    /// What is inside where bodies of a part overlap, for all parts: even-odd or nonzero. Reliefs and cutters cut that solid; planes leave
+    /// the bodies as they are, each with its own cap [default: as the scene says, or even-odd]
+    #[arg(long, value_name = "RULE", value_parser = parse_fill)]
+    fill: Option<Fill>,
     #[command(flatten)]
     defects: DefectArgs,
     #[command(flatten)]
@@ -106,6 +111,7 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
     console.step("opening");
     let mut document = document(&args.inputs, args.stdin, None)?;
     args.split.amend(&mut document)?;
+    fill_by(&mut document, args.fill)?;
     args.defects.amend(&mut document)?;
     args.holes.amend(&mut document)?;
     args.sections.amend(&mut document)?;
@@ -293,6 +299,12 @@ impl Writer<'_> {
             self.console.note(format!(
                 "{}: the format rounds coordinates by up to {off:.1e} units, for the model is far from the origin: move it there, or \
                  write .ply, .obj or .3mf",
+                to.path.display()
+            ));
+        }
+        if let Some(what) = leaves_out(to.format, &solids) {
+            self.console.note(format!(
+                "{}: without {what} of the model, which the format does not hold as it is written here: .glb does",
                 to.path.display()
             ));
         }

@@ -3,6 +3,7 @@
 //! Binary formats are known by their first bytes, but for binary STL, which begins with whatever its writer liked: it is known by its
 //! length, which its count of triangles gives. Text is known by its first words.
 
+use super::lines::lines;
 use super::{stl, without_mark};
 
 /// How much of a text is looked at.
@@ -33,7 +34,7 @@ pub(crate) fn mesh_format(bytes: &[u8]) -> Option<&'static str> {
         return None;
     }
     let text = String::from_utf8_lossy(text);
-    let mut lines = text.lines().map(str::trim).filter(|l| !l.is_empty());
+    let mut lines = lines(&text).map(str::trim).filter(|l| !l.is_empty());
     let first = lines.clone().next()?;
     if first.starts_with('{') {
         return Some("gltf");

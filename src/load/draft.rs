@@ -150,6 +150,10 @@ impl Draft {
                 *size += 1;
             }
         }
+        let has_triangles = |(group, of): (&Group, &usize)| group.is_transparent && *of > 0;
+        if self.groups.iter().zip(&size).any(has_triangles) {
+            notes.push("drawn opaque where the file lets light through".to_owned());
+        }
         let count = triangles_of.iter().filter(|t| !t.is_empty()).count();
         let filled = size.iter().filter(|s| **s > 0).count();
         if count < filled {

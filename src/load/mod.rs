@@ -19,6 +19,7 @@ mod grey_tiff;
 mod grouped;
 mod image;
 pub(crate) mod input_file;
+mod lines;
 mod mtl;
 mod obj;
 mod obj_coat;

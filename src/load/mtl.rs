@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::gltf::leads_away;
+use super::lines::lines;
 use super::painted::Paint;
 use super::{Files, input_file, read_texture_from, without_mark};
 use crate::error::Error;
@@ -16,9 +17,7 @@ use crate::scene::{Texture, TextureKind};
 /// The material libraries that an OBJ names, in its order, and the images that they name.
 pub(super) fn libraries(folder: &Path, bytes: &[u8], store: &dyn Files) -> Vec<PathBuf> {
     let text = String::from_utf8_lossy(without_mark(bytes));
-    let words = text
-        .lines()
-        .filter_map(|l| l.trim().split_once(char::is_whitespace));
+    let words = lines(&text).filter_map(|l| l.trim().split_once(char::is_whitespace));
     let lines = words.filter(|(word, _)| *word == "mtllib");
     let libraries: Vec<PathBuf> = lines
         .flat_map(|(_, rest)| named(folder, rest.trim(), store))
@@ -134,7 +133,7 @@ fn images_in(text: &str) -> impl Iterator<Item = String> {
 /// All materials. A colour that does not parse leaves its material without one.
 fn looks_of(text: &str) -> Vec<Look> {
     let mut all: Vec<Look> = Vec::new();
-    for line in text.lines().map(str::trim) {
+    for line in lines(text).map(str::trim) {
         if let Some(name) = line.strip_prefix("newmtl") {
             all.push(Look {
                 name: name.trim().to_owned(),

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 
+use super::lines::lines;
 use super::obj_coat::ObjCoat;
 use super::painted::Paint;
 use super::{Draft, Files, Group, mtl, without_mark};
@@ -114,7 +115,7 @@ pub(super) fn read(
         no_normals: LeftOut::default(),
     };
     let mut continued = String::new();
-    for (number, line) in (1..).zip(text.lines()) {
+    for (number, line) in (1..).zip(lines(&text)) {
         if let Some(head) = line.strip_suffix('\\') {
             continued.push_str(head);
             continued.push(' ');

@@ -2,12 +2,14 @@
 //!
 //! A file is binary if its length is what its count says (84 + 50 n), whatever its first word: some exporters begin binary
 //! files with `solid`. Otherwise it is ASCII if it begins with `solid` and goes on as text, else a damaged binary file.
-//! Facet normals and attribute bytes are passed over: the corners say it all.
+//! Facet normals and attribute bytes are passed over: the corners say it all. ASCII is read word by word, whatever its lines are; names
+//! alone end with their lines.
 
 use std::path::Path;
 
 use glam::DVec3;
 
+use super::lines::lines;
 use super::{Draft, Group, without_mark};
 use crate::error::{Error, Result};
 use crate::scene::Mesh;
@@ -95,69 +97,181 @@ fn push_triangle(mesh: &mut Mesh, corners: [DVec3; 3]) {
     mesh.triangles.push([first, first + 1, first + 2]);
 }
 
+/// The words that begin a statement of an ASCII file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Keyword {
+    Solid,
+    Facet,
+    Outer,
+    Vertex,
+    EndLoop,
+    EndFacet,
+    EndSolid,
+}
+
+impl Keyword {
+    const NAMED: [(&'static str, Self); 7] = [
+        ("vertex", Self::Vertex),
+        ("facet", Self::Facet),
+        ("outer", Self::Outer),
+        ("endloop", Self::EndLoop),
+        ("endfacet", Self::EndFacet),
+        ("solid", Self::Solid),
+        ("endsolid", Self::EndSolid),
+    ];
+
+    fn named(word: &str) -> Option<Self> {
+        let mut all = Self::NAMED.iter();
+        let found = all.find(|(name, _)| word.eq_ignore_ascii_case(name));
+        found.map(|(_, keyword)| *keyword)
+    }
+}
+
+/// An ASCII file that is read word by word.
+struct Text<'a> {
+    path: &'a Path,
+    draft: Draft,
+    corners: Vec<DVec3>,
+    /// How many coordinates of a vertex that lacks some were read, and those.
+    vertex: Option<(usize, [f64; 3])>,
+    is_in_solid: bool,
+}
+
 fn ascii(path: &Path, text: &str) -> Result<Draft> {
-    let mut draft = Draft::default();
-    let mut corners: Vec<DVec3> = Vec::with_capacity(3);
-    let mut inside = false;
+    let mut reader = Text {
+        path,
+        draft: Draft::default(),
+        corners: Vec::with_capacity(3),
+        vertex: None,
+        is_in_solid: false,
+    };
     let mut last_line = 1;
-    let wrong = |line, what: String| Err(Error::file_line(path, line, what, CUT_OFF));
-    for (number, line) in (1..).zip(text.lines()) {
-        let line = line.trim();
-        let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        if line.is_empty() {
-            continue;
+    for (number, line) in (1..).zip(lines(text)) {
+        if !line.trim().is_empty() {
+            last_line = number;
+            reader.line(number, line)?;
         }
-        last_line = number;
-        match word.to_ascii_lowercase().as_str() {
-            "solid" => {
-                inside = true;
-                let name = Some(rest.trim().to_owned()).filter(|n| !n.is_empty());
-                draft.groups.push(Group {
+    }
+    if reader.is_in_solid || !reader.corners.is_empty() {
+        let found = thousands(reader.draft.mesh.triangles.len());
+        let what = format!("the file ends after {found} triangles, `endsolid` is missing");
+        return Err(reader.error(last_line, what));
+    }
+    Ok(reader.draft)
+}
+
+impl Text<'_> {
+    fn error(&self, line: usize, what: String) -> Error {
+        Error::file_line(self.path, line, what, CUT_OFF)
+    }
+
+    fn line(&mut self, number: usize, line: &str) -> Result<()> {
+        let mut rest = line;
+        let mut is_first = true;
+        while let Some((word, behind)) = first_word(rest) {
+            rest = behind;
+            match Keyword::named(word) {
+                Some(keyword) => {
+                    if let Some((count, _)) = self.vertex {
+                        let what = format!("a vertex has {count} of 3 numbers");
+                        return Err(self.error(number, what));
+                    }
+                    rest = self.statement(number, keyword, rest)?;
+                }
+                None if self.vertex.is_some() => self.coordinate(number, word)?,
+                // Numbers of normals, and words like `loop`, may stand anywhere.
+                None if is_first && !is_passed_over(word) => {
+                    let what = format!("`{word}` is not a word of an ASCII STL");
+                    return Err(self.error(number, what));
+                }
+                None => {}
+            }
+            is_first = false;
+        }
+        Ok(())
+    }
+
+    /// Takes a statement in, and gives what is left of the line.
+    fn statement<'t>(&mut self, line: usize, keyword: Keyword, rest: &'t str) -> Result<&'t str> {
+        match keyword {
+            Keyword::Solid => {
+                self.is_in_solid = true;
+                let (name, rest) = before_facet(rest);
+                let name = Some(name.trim().to_owned()).filter(|n| !n.is_empty());
+                self.draft.groups.push(Group {
                     name,
                     ..Group::default()
                 });
+                return Ok(rest);
             }
-            "endsolid" => inside = false,
-            "vertex" => corners.push(vertex(path, number, rest)?),
-            "endfacet" => {
-                let Ok(three) = <[DVec3; 3]>::try_from(corners.as_slice()) else {
-                    let found = corners.len();
-                    return wrong(number, format!("a facet has {found} corners, it needs 3"));
+            Keyword::EndSolid => {
+                self.is_in_solid = false;
+                // The name, and on one line the next solid.
+                let (name, facets) = before_facet(rest);
+                let next = name.to_ascii_lowercase().rfind("solid ");
+                return Ok(match next {
+                    Some(next) if !facets.is_empty() => &rest[next..],
+                    _ => "",
+                });
+            }
+            Keyword::Vertex => self.vertex = Some((0, [0.0; 3])),
+            Keyword::EndFacet => {
+                let Ok(three) = <[DVec3; 3]>::try_from(self.corners.as_slice()) else {
+                    let found = self.corners.len();
+                    return Err(
+                        self.error(line, format!("a facet has {found} corners, it needs 3"))
+                    );
                 };
-                corners.clear();
-                push_triangle(&mut draft.mesh, three);
-                draft.group_of_triangle.push(draft.groups.len() as u32 - 1);
+                self.corners.clear();
+                push_triangle(&mut self.draft.mesh, three);
+                let group = self.draft.groups.len() as u32 - 1;
+                self.draft.group_of_triangle.push(group);
             }
-            "facet" | "outer" | "endloop" => {}
-            other => return wrong(number, format!("`{other}` is not a word of an ASCII STL")),
+            Keyword::Facet | Keyword::Outer | Keyword::EndLoop => {}
         }
+        Ok(rest)
     }
-    if inside || !corners.is_empty() {
-        let found = thousands(draft.mesh.triangles.len());
-        return wrong(
-            last_line,
-            format!("the file ends after {found} triangles, `endsolid` is missing"),
-        );
+
+    fn coordinate(&mut self, line: usize, word: &str) -> Result<()> {
+        let number: f64 = word
+            .parse()
+            .map_err(|_| self.error(line, format!("`{word}` is not a number")))?;
+        if !number.is_finite() {
+            return Err(self.error(line, format!("a vertex has the coordinate {word}")));
+        }
+        let (count, mut numbers) = self.vertex.take().unwrap_or_default();
+        numbers[count] = number;
+        match count {
+            2 => self.corners.push(DVec3::from(numbers)),
+            _ => self.vertex = Some((count + 1, numbers)),
+        }
+        Ok(())
     }
-    Ok(draft)
 }
 
-fn vertex(path: &Path, line: usize, rest: &str) -> Result<DVec3> {
-    let mut words = rest.split_ascii_whitespace();
-    let mut numbers = [0.0_f64; 3];
-    for (k, n) in numbers.iter_mut().enumerate() {
-        let wrong = |what| Error::file_line(path, line, what, CUT_OFF);
-        let word = words
-            .next()
-            .ok_or_else(|| wrong(format!("a vertex has {k} of 3 numbers")))?;
-        *n = word
-            .parse()
-            .map_err(|_| wrong(format!("`{word}` is not a number")))?;
-        if !n.is_finite() {
-            return Err(wrong(format!("a vertex has the coordinate {word}")));
+fn first_word(text: &str) -> Option<(&str, &str)> {
+    let text = text.trim_start();
+    let end = text.find(char::is_whitespace).unwrap_or(text.len());
+    (end > 0).then(|| text.split_at(end))
+}
+
+/// A word that may begin a line without being a statement.
+fn is_passed_over(word: &str) -> bool {
+    let is_number = || word.parse::<f64>().is_ok();
+    word.eq_ignore_ascii_case("normal") || word.eq_ignore_ascii_case("loop") || is_number()
+}
+
+/// A text up to its first facet, and from there on: a name is all of its line, but for facets behind it.
+fn before_facet(text: &str) -> (&str, &str) {
+    let mut rest = text;
+    while let Some((word, behind)) = first_word(rest) {
+        let next = first_word(behind).map_or("", |(next, _)| next);
+        if word.eq_ignore_ascii_case("facet") && next.eq_ignore_ascii_case("normal") {
+            return text.split_at(text.len() - behind.len() - word.len());
         }
+        rest = behind;
     }
-    Ok(DVec3::from(numbers))
+    (text, "")
 }
 
 #[cfg(test)]

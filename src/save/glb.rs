@@ -1,15 +1,20 @@
-//! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices.
+//! Binary glTF 2.0: a node for each solid, whose mesh has a primitive for faces and one for caps, on the same vertices; faces that have
+//! colours or images of their own have vertices of their own, and a primitive for each image.
 //!
 //! Without normals viewers shade each triangle flat, as the format has it. Units and axes are those of the model; the format means metres,
 //! and +Y up. The mesh of a solid that is farther from the origin than [`FAR_FROM_ORIGIN`] of its sizes is around the origin of its node, whose
 //! translation readers hold in f64 or in f32: so its shape does not depend on where it stands.
 
-use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use serde_json::{Value, json};
 
 use super::{Solid, Unwritable, rounded};
-use crate::scene::{Mesh, linear_from_srgb};
+use crate::scene::{Coat, Mesh, Texture, linear_from_srgb};
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -25,12 +30,15 @@ struct Draft {
     materials: Vec<Value>,
     meshes: Vec<Value>,
     nodes: Vec<Value>,
+    images: Vec<Value>,
+    /// What `images` are of.
+    textures: Vec<Arc<Texture>>,
 }
 
 pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     let mut draft = Draft::default();
     for solid in solids.iter().filter(|s| !s.mesh.triangles.is_empty()) {
-        draft.add(solid);
+        draft.add(solid)?;
     }
     let mut root = json!({
         "asset": { "version": "2.0", "generator": "cutaway" },
@@ -45,6 +53,11 @@ pub(super) fn encoded(solids: &[Solid<'_>]) -> Result<Vec<u8>, Unwritable> {
     root["materials"] = draft.materials.into();
     root["accessors"] = draft.accessors.into();
     root["bufferViews"] = draft.views.into();
+    if !draft.images.is_empty() {
+        let textures = (0..draft.images.len()).map(|i| json!({ "source": i }));
+        root["textures"] = textures.collect();
+        root["images"] = draft.images.into();
+    }
     root["buffers"] = json!([{ "byteLength": draft.bytes.len() }]);
     let mut text = root.to_string().into_bytes();
     text.resize(text.len().next_multiple_of(4), b' ');
@@ -80,58 +93,98 @@ pub(super) fn origin(mesh: &Mesh) -> DVec3 {
     }
 }
 
+/// Triangles that have one material.
+struct Group {
+    name: String,
+    /// Numbers of triangles of the solid.
+    triangles: Vec<usize>,
+    /// Linear.
+    color: [f32; 3],
+    image: Option<Arc<Texture>>,
+    /// Whether corners have colours or places in the image.
+    is_coated: bool,
+}
+
+/// Faces by their images, then caps.
+fn groups(solid: &Solid<'_>) -> Vec<Group> {
+    let linear = |color: Vec3| {
+        color
+            .to_array()
+            .map(|c| linear_from_srgb(c.clamp(0.0, 1.0)))
+    };
+    let count = solid.mesh.triangles.len();
+    let mut groups = Vec::new();
+    match &solid.coat {
+        None => groups.push(Group {
+            name: solid.name.to_owned(),
+            triangles: (0..solid.faces).collect(),
+            color: linear(solid.color),
+            image: None,
+            is_coated: false,
+        }),
+        Some(coat) => {
+            let mut of_image: BTreeMap<Option<u32>, Vec<usize>> = BTreeMap::new();
+            for (t, triangle) in coat.triangles.iter().enumerate() {
+                of_image.entry(triangle.image).or_default().push(t);
+            }
+            groups.extend(of_image.into_iter().map(|(image, triangles)| Group {
+                name: solid.name.to_owned(),
+                triangles,
+                color: [1.0; 3],
+                image: image.map(|i| Arc::clone(&coat.images[i as usize])),
+                is_coated: true,
+            }));
+        }
+    }
+    groups.push(Group {
+        name: format!("{} cap", solid.name),
+        triangles: (solid.faces..count).collect(),
+        color: linear(solid.cap_color),
+        image: None,
+        is_coated: false,
+    });
+    groups
+}
+
+/// A corner of a coated triangle: its vertex, its colour, and the bits of its place in an image.
+type CoatedCorner = (u32, [u8; 4], [u32; 2]);
+
 impl Draft {
-    fn add(&mut self, solid: &Solid<'_>) {
+    fn add(&mut self, solid: &Solid<'_>) -> Result<(), Unwritable> {
         let origin = origin(solid.mesh);
         let positions: Vec<Vec3> = (solid.mesh.positions.iter())
             .map(|p| (*p - origin).as_vec3())
             .collect();
-        let numbers: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
-        let extreme = |of: fn(f32, f32) -> f32, start: f32| {
-            let all = numbers.iter().copied();
-            all.fold([start; 3], |m, p| [0, 1, 2].map(|i| of(m[i], p[i])))
-        };
-        let view = self.view(numbers.as_flattened(), |c| c.to_le_bytes(), ARRAY_BUFFER);
-        let position = self.accessors.len();
-        self.accessors.push(json!({
-            "bufferView": view, "componentType": FLOAT, "count": numbers.len(), "type": "VEC3",
-            "min": extreme(f32::min, f32::INFINITY), "max": extreme(f32::max, f32::NEG_INFINITY),
-        }));
-        let (faces, caps) = solid.mesh.triangles.split_at(solid.faces);
-        let groups = [
-            (faces, solid.name.to_owned(), solid.color),
-            (caps, format!("{} cap", solid.name), solid.cap_color),
-        ];
+        let mut shared = None;
         let mut primitives = Vec::new();
-        for (triangles, name, color) in groups {
-            let has_area = |t: &&[u32; 3]| rounded(&positions, t).is_some();
-            let seen: Vec<[u32; 3]> = triangles.iter().filter(has_area).copied().collect();
-            if seen.is_empty() {
+        for mut group in groups(solid) {
+            let all = &solid.mesh.triangles;
+            group
+                .triangles
+                .retain(|t| rounded(&positions, &all[*t]).is_some());
+            if group.triangles.is_empty() {
                 continue;
             }
-            let view = self.view(
-                seen.as_flattened(),
-                |i| i.to_le_bytes(),
-                ELEMENT_ARRAY_BUFFER,
-            );
-            let indices = self.accessors.len();
-            self.accessors.push(json!({
-                "bufferView": view, "componentType": UNSIGNED_INT, "count": 3 * seen.len(), "type": "SCALAR",
+            let (attributes, indices) = match solid.coat.as_ref().filter(|_| group.is_coated) {
+                Some(coat) => self.coated(&group, coat, all, &positions),
+                None => {
+                    let at = *shared.get_or_insert_with(|| self.positions(&positions));
+                    let corners = group.triangles.iter().flat_map(|t| all[*t]);
+                    (json!({ "POSITION": at }), corners.collect())
+                }
+            };
+            let view = self.view(&indices, |i| i.to_le_bytes(), ELEMENT_ARRAY_BUFFER);
+            let count = indices.len();
+            let indices = self.accessor(json!({
+                "bufferView": view, "componentType": UNSIGNED_INT, "count": count, "type": "SCALAR",
             }));
-            let [r, g, b] = color
-                .to_array()
-                .map(|c| linear_from_srgb(c.clamp(0.0, 1.0)));
-            let material = self.materials.len();
-            self.materials.push(json!({
-                "name": name,
-                "pbrMetallicRoughness": { "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8 },
-            }));
+            let material = self.material(group)?;
             primitives.push(json!({
-                "attributes": { "POSITION": position }, "indices": indices, "material": material,
+                "attributes": attributes, "indices": indices, "material": material,
             }));
         }
         if primitives.is_empty() {
-            return;
+            return Ok(());
         }
         let mut node = json!({ "name": solid.name, "mesh": self.meshes.len() });
         if origin != DVec3::ZERO {
@@ -140,6 +193,117 @@ impl Draft {
         self.nodes.push(node);
         self.meshes
             .push(json!({ "name": solid.name, "primitives": primitives }));
+        Ok(())
+    }
+
+    /// The attributes of coated triangles, and their corners: a vertex for all that is unlike in one place.
+    fn coated(
+        &mut self,
+        group: &Group,
+        coat: &Coat,
+        triangles: &[[u32; 3]],
+        positions: &[Vec3],
+    ) -> (Value, Vec<u32>) {
+        let mut numbers: BTreeMap<CoatedCorner, u32> = BTreeMap::new();
+        let mut corners: Vec<CoatedCorner> = Vec::new();
+        let mut indices = Vec::with_capacity(3 * group.triangles.len());
+        for t in &group.triangles {
+            let of = &coat.triangles[*t];
+            for (i, vertex) in triangles[*t].into_iter().enumerate() {
+                let uv = match group.image {
+                    Some(_) => of.uv[i].to_array().map(f32::to_bits),
+                    None => [0; 2],
+                };
+                let corner = (vertex, of.colors[i], uv);
+                indices.push(*numbers.entry(corner).or_insert_with(|| {
+                    corners.push(corner);
+                    corners.len() as u32 - 1
+                }));
+            }
+        }
+        let at: Vec<Vec3> = corners
+            .iter()
+            .map(|(i, ..)| positions[*i as usize])
+            .collect();
+        let mut attributes = json!({ "POSITION": self.positions(&at) });
+        let count = corners.len();
+        if corners.iter().any(|(_, color, _)| *color != [255; 4]) {
+            let linear = |color: [u8; 4]| color.map(|c| linear_from_srgb(f32::from(c) / 255.0));
+            let colors: Vec<f32> = (corners.iter())
+                .flat_map(|(_, color, _)| linear(*color).into_iter().take(3))
+                .collect();
+            let view = self.view(&colors, |c| c.to_le_bytes(), ARRAY_BUFFER);
+            attributes["COLOR_0"] = json!(self.accessor(json!({
+                "bufferView": view, "componentType": FLOAT, "count": count, "type": "VEC3",
+            })));
+        }
+        if group.image.is_some() {
+            let places: Vec<u32> = corners.iter().flat_map(|(.., uv)| *uv).collect();
+            let view = self.view(&places, |c| c.to_le_bytes(), ARRAY_BUFFER);
+            attributes["TEXCOORD_0"] = json!(self.accessor(json!({
+                "bufferView": view, "componentType": FLOAT, "count": count, "type": "VEC2",
+            })));
+        }
+        (attributes, indices)
+    }
+
+    /// The accessor of some positions.
+    fn positions(&mut self, positions: &[Vec3]) -> usize {
+        let numbers: Vec<[f32; 3]> = positions.iter().map(Vec3::to_array).collect();
+        let extreme = |of: fn(f32, f32) -> f32, start: f32| {
+            let all = numbers.iter().copied();
+            all.fold([start; 3], |m, p| [0, 1, 2].map(|i| of(m[i], p[i])))
+        };
+        let view = self.view(numbers.as_flattened(), |c| c.to_le_bytes(), ARRAY_BUFFER);
+        self.accessor(json!({
+            "bufferView": view, "componentType": FLOAT, "count": numbers.len(), "type": "VEC3",
+            "min": extreme(f32::min, f32::INFINITY), "max": extreme(f32::max, f32::NEG_INFINITY),
+        }))
+    }
+
+    fn accessor(&mut self, accessor: Value) -> usize {
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    fn material(&mut self, group: Group) -> Result<usize, Unwritable> {
+        let [r, g, b] = group.color;
+        let mut surface = json!({
+            "baseColorFactor": [r, g, b, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.8,
+        });
+        if let Some(image) = &group.image {
+            surface["baseColorTexture"] = json!({ "index": self.image(image)? });
+        }
+        self.materials
+            .push(json!({ "name": group.name, "pbrMetallicRoughness": surface }));
+        Ok(self.materials.len() - 1)
+    }
+
+    /// The number of an image as a PNG, which is also that of its texture.
+    fn image(&mut self, texture: &Arc<Texture>) -> Result<usize, Unwritable> {
+        let number = Texture::number_among(&mut self.textures, texture);
+        if number < self.images.len() {
+            return Ok(number);
+        }
+        let ([width, height], texels) = texture.level_on(0);
+        let texels = &texels[..width as usize * height as usize];
+        let offset = self.bytes.len();
+        PngEncoder::new(&mut self.bytes)
+            .write_image(
+                texels.as_flattened(),
+                width,
+                height,
+                ExtendedColorType::Rgba8,
+            )
+            .map_err(|e| Unwritable::Image(e.to_string()))?;
+        let length = self.bytes.len() - offset;
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        let view = self.views.len();
+        self.views
+            .push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": length }));
+        self.images
+            .push(json!({ "bufferView": view, "mimeType": "image/png" }));
+        Ok(number)
     }
 
     /// Puts numbers of four bytes into the buffer.

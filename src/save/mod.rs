@@ -9,15 +9,19 @@
 //! | format | parts | names | colours | caps |
 //! |---|---|---|---|---|
 //! | STL | one after the other | no | no | no |
-//! | PLY | `part` of each face | comments | of each face, also those of vertices | `cap` of each face |
-//! | OBJ | `o` | yes | MTL | a group `NAME_cap` with a material of its own |
-//! | GLB | nodes | yes | materials | a primitive with a material of its own |
-//! | 3MF | objects | yes | base materials | triangles with a base material of their own |
+//! | PLY | `part` of each face | comments | of each face, and of vertices where vertices have some | `cap` of each face |
+//! | OBJ | `o` | yes | MTL, and behind the coordinates of vertices that have some | a group `NAME_cap` with a material of its own |
+//! | GLB | nodes | yes | materials, vertices, images | a primitive with a material of its own |
+//! | 3MF | objects | yes | base materials, colours of corners | triangles with a base material of their own |
+//!
+//! Where vertices have colours, GLB, PLY and OBJ have a vertex for each colour that corners have in one place: readers join them by their
+//! places. Images are left out but in GLB ([`leaves_out`]).
 //!
 //! Cost: one pass over the triangles, and the file in memory.
 
 mod glb;
 mod obj;
+mod painted;
 mod ply;
 mod stl;
 mod threemf;
@@ -25,7 +29,7 @@ mod zip;
 
 use glam::{DVec3, Vec3};
 
-use crate::scene::{LengthUnit, Mesh, Part};
+use crate::scene::{Coat, LengthUnit, Mesh, Part};
 use crate::slice::Half;
 
 /// A solid that is to be written.
@@ -35,8 +39,8 @@ pub struct Solid<'a> {
     pub name: &'a str,
     /// Colour of its faces, sRGB in 0..=1.
     pub color: Vec3,
-    /// Colours of single faces, sRGB, where they have them.
-    pub face_colors: Option<Vec<[u8; 3]>>,
+    /// What colours its faces have besides, where they have some.
+    pub coat: Option<Coat>,
     /// Colour of its caps.
     pub cap_color: Vec3,
     /// Faces, then caps.
@@ -46,24 +50,22 @@ pub struct Solid<'a> {
 }
 
 impl<'a> Solid<'a> {
-    /// A half of a part, in the colours of the part. Of a face whose vertices have colours it is their mean; images are left out.
+    /// A half of a part, in the colours of the part.
     pub fn of(part: &'a Part, half: &'a Half) -> Self {
-        let coat = part.mesh.coat.as_ref();
-        let coat = coat.filter(|c| !part.material.is_painted_over && c.images.is_empty());
-        let mean = |corners: [[u8; 4]; 3]| {
-            [0, 1, 2].map(|i| (corners.map(|c| u32::from(c[i])).iter().sum::<u32>() / 3) as u8)
-        };
         Self {
             name: &part.name,
             color: part.material.color,
-            face_colors: coat.map(|coat| {
-                let of_source = |s: &u32| mean(coat.triangles[*s as usize].colors);
-                half.sources.iter().map(of_source).collect()
-            }),
+            coat: painted::coat_of(part, half),
             cap_color: part.material.cap_color(),
             mesh: &half.mesh,
             faces: half.surface_triangles(),
         }
+    }
+
+    fn has_images(&self) -> bool {
+        self.coat
+            .as_ref()
+            .is_some_and(|coat| !coat.images.is_empty())
     }
 }
 
@@ -112,6 +114,9 @@ pub enum Unwritable {
     /// Sizes and counts are numbers of 32 bits.
     #[error("the format holds at most 4 GiB")]
     TooLarge,
+    /// An image could not be packed.
+    #[error("an image of it cannot be written: {0}")]
+    Image(String),
     /// The archive of 3MF could not be made.
     #[error("its archive cannot be made: {0}")]
     Archive(String),
@@ -159,6 +164,17 @@ pub fn rounding(format: Format, solids: &[Solid<'_>]) -> Option<f64> {
         }
     }
     most
+}
+
+/// What of the looks of solids a format does not hold, in words; none where it holds all.
+pub fn leaves_out(format: Format, solids: &[Solid<'_>]) -> Option<&'static str> {
+    let has_images = solids.iter().any(Solid::has_images);
+    let has_coat = solids.iter().any(|s| s.coat.is_some());
+    match format {
+        Format::Glb => None,
+        Format::Stl => has_coat.then_some("colours of vertices and images"),
+        Format::Ply | Format::Obj | Format::ThreeMf => has_images.then_some("images"),
+    }
 }
 
 /// The corners of a triangle in f32; none where two of them are one.

@@ -6,6 +6,9 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use glam::Vec3;
+
+use super::painted::by_vertex;
 use super::{Solid, bytes_of};
 
 pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
@@ -14,10 +17,26 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
     for (solid, name) in solids.iter().zip(names(solids)) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "o {name}");
-        for p in &solid.mesh.positions {
-            let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+        let colored = solid.coat.is_some().then(|| by_vertex(solid));
+        let (vertices, triangles) = match &colored {
+            None => (solid.mesh.positions.len(), &solid.mesh.triangles),
+            Some((vertices, triangles)) => (vertices.len(), triangles),
+        };
+        match &colored {
+            None => {
+                for p in &solid.mesh.positions {
+                    let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
+                }
+            }
+            Some((vertices, _)) => {
+                for vertex in vertices {
+                    let p = solid.mesh.positions[vertex.at as usize];
+                    let [r, g, b, _] = vertex.color.map(|c| f64::from(c) / 255.0);
+                    let _ = writeln!(text, "v {} {} {} {r:.4} {g:.4} {b:.4}", p.x, p.y, p.z);
+                }
+            }
         }
-        let (faces, caps) = solid.mesh.triangles.split_at(solid.faces);
+        let (faces, caps) = triangles.split_at(solid.faces);
         for (group, triangles) in [(name.clone(), faces), (cap_of(&name), caps)] {
             if triangles.is_empty() {
                 continue;
@@ -27,7 +46,7 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
                 let _ = writeln!(text, "f {a} {b} {c}");
             }
         }
-        first += solid.mesh.positions.len() as u32;
+        first += vertices as u32;
     }
     text
 }
@@ -35,9 +54,12 @@ pub(super) fn encoded(solids: &[Solid<'_>], stem: &str) -> String {
 pub(super) fn material_library(solids: &[Solid<'_>]) -> String {
     let mut text = "# written by cutaway\n".to_owned();
     for (solid, name) in solids.iter().zip(names(solids)) {
+        // Colours of vertices are taken times those of materials.
+        let is_coated = solid.coat.is_some();
+        let plain = |color| if is_coated { Vec3::ONE } else { color };
         for (material, color) in [
-            (name.clone(), solid.color),
-            (cap_of(&name), solid.cap_color),
+            (name.clone(), plain(solid.color)),
+            (cap_of(&name), plain(solid.cap_color)),
         ] {
             let [r, g, b] = bytes_of(color).map(|c| format!("{:.4}", f64::from(c) / 255.0));
             let _ = writeln!(text, "newmtl {material}\nKd {r} {g} {b}\nd 1\nillum 1");

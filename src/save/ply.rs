@@ -3,52 +3,92 @@
 
 use glam::DVec3;
 
+use super::painted::{ColoredVertex, by_vertex};
 use super::{Solid, bytes_of};
 use crate::scene::Mesh;
 
+/// The properties of a colour.
+const COLOR: &str = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
 pub(super) fn encoded(solids: &[Solid<'_>]) -> Vec<u8> {
-    let total = |of: fn(&Solid<'_>) -> usize| solids.iter().map(of).sum::<usize>();
-    let vertices = total(|s| s.mesh.positions.len());
-    let faces = total(|s| s.mesh.triangles.len());
+    let is_coated = solids.iter().any(|s| s.coat.is_some());
+    let meshes: Vec<(Vec<ColoredVertex>, Vec<[u32; 3]>)> = match is_coated {
+        true => solids.iter().map(by_vertex).collect(),
+        false => Vec::new(),
+    };
+    let vertices: usize = match is_coated {
+        true => meshes.iter().map(|(vertices, _)| vertices.len()).sum(),
+        false => solids.iter().map(|s| s.mesh.positions.len()).sum(),
+    };
+    let faces: usize = solids.iter().map(|s| s.mesh.triangles.len()).sum();
     let names = solids.iter().enumerate().map(|(i, solid)| {
         let name: String = solid.name.chars().filter(|c| !c.is_control()).collect();
         format!("comment part {i} {name}\n")
     });
-    let of_faces = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int part\nproperty uchar cap\n";
-    let header = header(&names.collect::<String>(), vertices, faces, of_faces);
-    let mut bytes = Vec::with_capacity(header.len() + 24 * vertices + 21 * faces);
+    let of_vertices = if is_coated { COLOR } else { "" };
+    let of_faces = format!("{COLOR}property int part\nproperty uchar cap\n");
+    let header = header(
+        &names.collect::<String>(),
+        [vertices, faces],
+        [of_vertices, &of_faces],
+    );
+    let mut bytes = Vec::with_capacity(header.len() + 27 * vertices + 21 * faces);
     bytes.extend_from_slice(header.as_bytes());
-    put_vertices(&mut bytes, solids.iter().flat_map(|s| &s.mesh.positions));
+    match is_coated {
+        false => put_vertices(&mut bytes, solids.iter().flat_map(|s| &s.mesh.positions)),
+        true => {
+            for (solid, (vertices, _)) in solids.iter().zip(&meshes) {
+                for vertex in vertices {
+                    let at = &solid.mesh.positions[vertex.at as usize];
+                    put_vertices(&mut bytes, std::iter::once(at));
+                    bytes.extend_from_slice(&vertex.color[..3]);
+                }
+            }
+        }
+    }
     let mut first = 0;
     for (part, solid) in (0_i32..).zip(solids) {
         let colors = [solid.color, solid.cap_color].map(bytes_of);
-        for (index, triangle) in solid.mesh.triangles.iter().enumerate() {
+        let (vertices, triangles) = match meshes.get(part as usize) {
+            Some((vertices, triangles)) => (vertices.len(), triangles),
+            None => (solid.mesh.positions.len(), &solid.mesh.triangles),
+        };
+        for (index, triangle) in triangles.iter().enumerate() {
             let is_cap = index >= solid.faces;
             put_face(&mut bytes, triangle.map(|corner| first + corner));
-            let own = solid.face_colors.as_ref().and_then(|c| c.get(index));
-            bytes.extend_from_slice(own.unwrap_or(&colors[usize::from(is_cap)]));
+            let own = solid.coat.as_ref().filter(|_| !is_cap);
+            let own = own.map(|coat| mean(coat.triangles[index].colors));
+            bytes.extend_from_slice(&own.unwrap_or(colors[usize::from(is_cap)]));
             bytes.extend_from_slice(&part.to_le_bytes());
             bytes.push(u8::from(is_cap));
         }
-        first += solid.mesh.positions.len() as u32;
+        first += vertices as u32;
     }
     bytes
+}
+
+fn mean(corners: [[u8; 4]; 3]) -> [u8; 3] {
+    [0, 1, 2].map(|i| (corners.map(|c| u32::from(c[i])).iter().sum::<u32>() / 3) as u8)
 }
 
 /// A mesh alone.
 pub(super) fn plain(mesh: &Mesh) -> Vec<u8> {
     let (vertices, faces) = (mesh.positions.len(), mesh.triangles.len());
-    let mut bytes = header("", vertices, faces, "").into_bytes();
+    let mut bytes = header("", [vertices, faces], ["", ""]).into_bytes();
     bytes.reserve(24 * vertices + 13 * faces);
     put_vertices(&mut bytes, mesh.positions.iter());
     (mesh.triangles.iter()).for_each(|corners| put_face(&mut bytes, *corners));
     bytes
 }
 
-fn header(comments: &str, vertices: usize, faces: usize, of_faces: &str) -> String {
+fn header(
+    comments: &str,
+    [vertices, faces]: [usize; 2],
+    [of_vertices, of_faces]: [&str; 2],
+) -> String {
     format!(
         "ply\nformat binary_little_endian 1.0\ncomment written by cutaway\n{comments}element vertex {vertices}\n\
-         property double x\nproperty double y\nproperty double z\nelement face {faces}\n\
+         property double x\nproperty double y\nproperty double z\n{of_vertices}element face {faces}\n\
          property list uchar int vertex_indices\n{of_faces}end_header\n"
     )
 }

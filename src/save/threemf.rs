@@ -1,4 +1,5 @@
-//! 3MF, core specification 1.3: an object for each solid, base materials for faces and for caps.
+//! 3MF, core specification 1.3: an object for each solid, base materials for faces and for caps, and a group of colours for corners that
+//! have some.
 
 use std::fmt::Write;
 
@@ -14,8 +15,42 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
 "#;
 
-/// The number of the materials among the resources; objects follow.
+/// The number of the materials among the resources.
 const MATERIALS: usize = 1;
+
+/// The number of the colours of corners among the resources; objects follow.
+const COLORS: usize = 2;
+
+/// All colours of corners, each once.
+struct Colors(Vec<[u8; 4]>);
+
+impl Colors {
+    fn of(solids: &[Solid<'_>]) -> Self {
+        let coats = solids.iter().filter_map(|s| s.coat.as_ref());
+        let mut all: Vec<[u8; 4]> = coats
+            .flat_map(|c| &c.triangles)
+            .flat_map(|t| t.colors)
+            .collect();
+        all.sort_unstable();
+        all.dedup();
+        Self(all)
+    }
+
+    fn number(&self, color: [u8; 4]) -> usize {
+        self.0.partition_point(|known| *known < color)
+    }
+
+    fn write(&self, text: &mut String) {
+        if self.0.is_empty() {
+            return;
+        }
+        let _ = writeln!(text, "<m:colorgroup id=\"{COLORS}\">");
+        for [r, g, b, _] in &self.0 {
+            let _ = writeln!(text, "<m:color color=\"#{r:02X}{g:02X}{b:02X}\"/>");
+        }
+        text.push_str("</m:colorgroup>\n");
+    }
+}
 
 pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>, Unwritable> {
     let model = model(solids, unit.in_3mf());
@@ -30,7 +65,8 @@ pub(super) fn encoded(solids: &[Solid<'_>], unit: LengthUnit) -> Result<Vec<u8>,
 fn model(solids: &[Solid<'_>], unit: &str) -> String {
     let mut text = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"{unit}\" xml:lang=\"en-US\" \
-         xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n\
+         xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" \
+         xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n\
          <metadata name=\"Application\">cutaway</metadata>\n<resources>\n<basematerials id=\"{MATERIALS}\">\n"
     );
     // Writing to a string cannot fail.
@@ -48,7 +84,9 @@ fn model(solids: &[Solid<'_>], unit: &str) -> String {
         }
     }
     text.push_str("</basematerials>\n");
-    let object = |index: usize| MATERIALS + 1 + index;
+    let colors = Colors::of(solids);
+    colors.write(&mut text);
+    let object = |index: usize| COLORS + 1 + index;
     for (index, solid) in solids.iter().enumerate() {
         let (id, name) = (object(index), escaped(solid.name));
         let [faces, caps] = [2 * index, 2 * index + 1];
@@ -64,6 +102,12 @@ fn model(solids: &[Solid<'_>], unit: &str) -> String {
             let _ = write!(text, "<triangle v1=\"{a}\" v2=\"{b}\" v3=\"{c}\"");
             if triangle >= solid.faces {
                 let _ = write!(text, " pid=\"{MATERIALS}\" p1=\"{caps}\"");
+            } else if let Some(coat) = &solid.coat {
+                let [p1, p2, p3] = coat.triangles[triangle].colors.map(|c| colors.number(c));
+                let _ = write!(
+                    text,
+                    " pid=\"{COLORS}\" p1=\"{p1}\" p2=\"{p2}\" p3=\"{p3}\""
+                );
             }
             text.push_str("/>\n");
         }

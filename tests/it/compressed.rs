@@ -314,8 +314,8 @@ fn what_a_document_says_of_streams_is_held_against_them() {
         (
             &of_draco,
             "KHR_draco_mesh_compression\"]",
-            "EXT_mesh_gpu_instancing\"]",
-            "EXT_mesh_gpu_instancing",
+            "EXT_voxels\"]",
+            "EXT_voxels",
         ),
     ] {
         assert!(text.contains(from), "{from} is not there");

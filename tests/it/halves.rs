@@ -3,8 +3,10 @@
 
 mod controls;
 mod made;
+mod overlaps;
 mod random;
 mod real;
+mod slivers;
 mod ties;
 
 use std::collections::{BTreeMap, BTreeSet};

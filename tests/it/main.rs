@@ -23,6 +23,7 @@ mod experiments;
 mod export;
 mod face_cuts;
 mod files;
+mod foreign_files;
 mod framing;
 mod halves;
 mod hard_cases;

@@ -3,6 +3,7 @@
 mod command_line;
 mod files;
 mod hatches;
+mod order;
 mod real;
 
 use crate::common::{command, data, session};

@@ -6,16 +6,16 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use gltf::accessor::DataType;
 use gltf::animation::{Interpolation, Property};
 use gltf::json::animation::{Animation, Channel, Sampler};
 use gltf::json::validation::Checked;
 use gltf::{Accessor, Document};
 
-use super::accessor::{ROTATIONS, TARGET_WEIGHTS, TIMES, TRIPLES, items};
+use super::accessor::{TARGET_WEIGHTS, TIMES, TRIPLES, items};
 use super::nodes::Nodes;
-use super::quantized::share;
+use super::quantized::{rotations, share};
 use crate::scene::motion::{Clip, Moment, NodeTracks, Rig, Track, Way};
 
 /// A rig that is complete but for its clips, and where to read them.
@@ -33,7 +33,8 @@ impl Reader<'_> {
         for (index, animation) in animations.iter().enumerate() {
             let name = self.name(index, animation, rig);
             let tracks = self.tracks(animation, &accessors);
-            let added = tracks.and_then(|of_node| {
+            let added = tracks.and_then(|mut of_node| {
+                self.give_weights_to_instances(&mut of_node);
                 flat.extend(flattening(&of_node, &name, rig));
                 add(rig, &name, of_node)
             });
@@ -49,6 +50,19 @@ impl Reader<'_> {
             notes.push(format!(
                 "{first}{more}: what follows it alone has no volume then"
             ));
+        }
+    }
+
+    /// The weights of a node's morph targets move the mesh wherever the rig has it.
+    fn give_weights_to_instances(&self, of_node: &mut BTreeMap<usize, NodeTracks>) {
+        let tracks = of_node.iter();
+        let weights: Vec<_> = tracks
+            .filter_map(|(place, tracks)| Some((*place, tracks.weights.clone()?)))
+            .collect();
+        for (place, weights) in weights {
+            for at in self.nodes.shown_at(place) {
+                of_node.entry(at).or_default().weights = Some(weights.clone());
+            }
         }
     }
 
@@ -130,7 +144,7 @@ impl Reader<'_> {
                 .is_some(),
             Property::Rotation => tracks
                 .rotation
-                .replace(Track::new(times, way, self.rotations(output)?)?)
+                .replace(Track::new(times, way, rotations(output, self.buffers)?)?)
                 .is_some(),
             Property::MorphTargetWeights => {
                 let width = targets(&self.nodes.nodes[place]);
@@ -161,33 +175,6 @@ impl Reader<'_> {
             .into_iter()
             .map(|t| DVec3::from(t.map(f64::from)))
             .collect())
-    }
-
-    fn rotations(&self, accessor: Accessor<'_>) -> Result<Vec<DQuat>, String> {
-        let wanted = ROTATIONS;
-        let quat = |q: [f64; 4]| DQuat::from_array(q);
-        Ok(match accessor.data_type() {
-            DataType::I8 => items::<[i8; 4]>(accessor, wanted, self.buffers)?
-                .into_iter()
-                .map(|q| quat(q.map(|c| share(c, i8::MAX))))
-                .collect(),
-            DataType::U8 => items::<[u8; 4]>(accessor, wanted, self.buffers)?
-                .into_iter()
-                .map(|q| quat(q.map(|c| share(c, u8::MAX))))
-                .collect(),
-            DataType::I16 => items::<[i16; 4]>(accessor, wanted, self.buffers)?
-                .into_iter()
-                .map(|q| quat(q.map(|c| share(c, i16::MAX))))
-                .collect(),
-            DataType::U16 => items::<[u16; 4]>(accessor, wanted, self.buffers)?
-                .into_iter()
-                .map(|q| quat(q.map(|c| share(c, u16::MAX))))
-                .collect(),
-            _ => items::<[f32; 4]>(accessor, wanted, self.buffers)?
-                .into_iter()
-                .map(|q| quat(q.map(f64::from)))
-                .collect(),
-        })
     }
 
     fn weights(&self, accessor: Accessor<'_>) -> Result<Vec<f64>, String> {

@@ -8,10 +8,9 @@ use std::path::{Path, PathBuf};
 
 use gltf::json::{Animation, Root};
 use gltf::{Document, Glb};
-use serde_json::Value;
 
 use super::super::{Files, without_mark};
-use super::{DAMAGED, packed, uri};
+use super::{DAMAGED, extensions, mended, packed, uri};
 use crate::error::{Error, Result};
 
 /// A file without faults that could be found so far.
@@ -32,10 +31,11 @@ pub(super) fn open(
 ) -> Result<Opened> {
     let wrong = |what: String| Error::file(path, what, DAMAGED);
     check_glb(bytes).map_err(wrong)?;
-    let broken = |e: gltf::Error| wrong(format!("glTF: {}", reason(&e)));
+    let broken = |e: gltf::Error| wrong(format!("glTF: {e}"));
     let (mut root, blob) = root(bytes, notes).map_err(broken)?;
     check_attributes(&root).map_err(wrong)?;
-    packed::settle_required(path, &mut root, notes)?;
+    extensions::settle_required(path, &mut root, notes)?;
+    notes.extend(extensions::unread(&root));
     for image in &mut root.images {
         // The crate looks for what such an image lacks; of this name there is nothing, which is said where it is asked for.
         let is_whole =
@@ -48,7 +48,8 @@ pub(super) fn open(
     let animations = std::mem::take(&mut root.animations);
     let mut buffers = buffers(path, &root, blob, store, files)?;
     packed::unpack(&mut root, &mut buffers).map_err(wrong)?;
-    let document = Document::from_json(root).map_err(broken)?;
+    mended::mend(&mut root, &mut buffers, notes);
+    let document = mended::validated(root, notes).map_err(wrong)?;
     Ok(Opened {
         document,
         buffers,
@@ -63,7 +64,8 @@ fn root(bytes: &[u8], notes: &mut Vec<String>) -> Result<(Root, Option<Vec<u8>>)
     } else {
         (Cow::Borrowed(without_mark(bytes)), None)
     };
-    let root = Root::from_slice(&json).or_else(|e| without_odd_clips(&json, notes).ok_or(e));
+    let root =
+        Root::from_slice(&json).or_else(|e| mended::without_odd_entries(&json, notes).ok_or(e));
     Ok((root.map_err(gltf::Error::Deserialize)?, blob))
 }
 
@@ -85,39 +87,6 @@ pub(in crate::load) fn named_files(folder: &Path, bytes: &[u8]) -> Vec<PathBuf> 
         .filter(|name| uri::leads_away(name).is_none())
         .map(|name| folder.join(name))
         .collect()
-}
-
-/// The document without the animations that are no animations, if those are all that is wrong with it.
-fn without_odd_clips(json: &[u8], notes: &mut Vec<String>) -> Option<Root> {
-    let mut value: Value = serde_json::from_slice(json).ok()?;
-    let mut said = Vec::new();
-    let mut number = 0;
-    let animations = value.get_mut("animations")?.as_array_mut()?;
-    animations.retain(|animation| {
-        let read = serde_json::from_value::<Animation>(animation.clone());
-        if let Err(why) = &read {
-            let name = animation.get("name").and_then(Value::as_str);
-            let name = name.map_or(format!("clip_{number}"), str::to_owned);
-            said.push(format!("left out clip `{name}`: {why}"));
-        }
-        number += 1;
-        read.is_ok()
-    });
-    let root = serde_json::from_value(value).ok()?;
-    notes.extend(said);
-    Some(root)
-}
-
-/// The reason in one line: of a list of faults, the first.
-fn reason(error: &gltf::Error) -> String {
-    match error {
-        gltf::Error::Validation(faults) => {
-            faults.first().map_or("invalid".to_owned(), |(at, what)| {
-                format!("{at}: {what} (and {} more)", faults.len().saturating_sub(1))
-            })
-        }
-        other => other.to_string(),
-    }
 }
 
 /// The header of a binary file, before the crate computes with it.

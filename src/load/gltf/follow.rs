@@ -1,8 +1,8 @@
 //! What the vertices of a glTF mesh follow: pulls made whole, and morph targets.
 //!
-//! Repaired with a note: weights that do not sum to 1, that are negative or not finite, vertices that nothing pulls (they
-//! follow the node), and morph targets that do not fit (they move nothing). Refused: a joint that the skin lacks, since
-//! nobody knows where its vertices belong.
+//! Repaired with a note: weights that do not sum to 1, that are negative or not finite, vertices whose weights are all zero (they follow
+//! their first joint, as in other readers), vertices without joints (they follow the node), and morph targets that do not fit (they move
+//! nothing). Refused: a joint that the skin lacks, since nobody knows where its vertices belong.
 
 use glam::DVec3;
 use gltf::Primitive;
@@ -22,6 +22,7 @@ pub(super) struct Followers {
     /// How many joints the skin has; `None` without a skin.
     joints: Option<u16>,
     unwhole: usize,
+    weightless: usize,
     unpulled: usize,
 }
 
@@ -54,6 +55,11 @@ impl Followers {
                     // Zero fills up a set; anything else is a mistake.
                     is_odd |= weight.abs() > 0.0 || weight.is_nan();
                 }
+            }
+            if let (true, Some((first, _))) = (whole.is_empty(), pulls.first()) {
+                self.weightless += 1;
+                is_odd = false;
+                whole.push((*first, 1.0));
             }
             if let Some((joint, _)) = whole.iter().find(|(joint, _)| *joint >= joints) {
                 return Err(format!(
@@ -136,6 +142,12 @@ impl Followers {
             notes.push(format!(
                 "the weights of {} vertices did not sum to 1 and were scaled",
                 thousands(self.unwhole)
+            ));
+        }
+        if self.weightless > 0 {
+            notes.push(format!(
+                "{} vertices have no weight that is greater than zero and follow their first joint",
+                thousands(self.weightless)
             ));
         }
         if self.unpulled > 0 {

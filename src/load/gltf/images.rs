@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gltf::image::Source;
+use serde_json::Map;
 
 use super::uri;
 use crate::error::Error;
@@ -30,8 +31,26 @@ pub(super) struct Images<'a> {
 }
 
 impl Images<'_> {
-    /// An image; none where it cannot be read.
-    pub(super) fn get(&mut self, image: &gltf::Image<'_>) -> Option<Arc<Texture>> {
+    /// The image of a texture; none where it has none or where that cannot be read.
+    pub(super) fn of_texture(&mut self, texture: &gltf::Texture<'_>) -> Option<Arc<Texture>> {
+        if let Some(image) = texture.source() {
+            return self.get(&image);
+        }
+        let number = texture.index();
+        let extensions = texture.extensions().into_iter().flat_map(Map::keys);
+        let extensions = extensions.map(String::as_str).collect::<Vec<_>>();
+        let why = match extensions.as_slice() {
+            [] => "it has no image".to_owned(),
+            some => format!("its image is of {}, which is not read", some.join(" and ")),
+        };
+        let note = format!("texture {number}: {why}: shown without it");
+        if !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+        None
+    }
+
+    fn get(&mut self, image: &gltf::Image<'_>) -> Option<Arc<Texture>> {
         if let Some(known) = self.read.get(&image.index()) {
             return known.clone();
         }

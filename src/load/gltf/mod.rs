@@ -1,21 +1,24 @@
 //! glTF 2.0 and GLB: geometry, placement, base colours with their images, colours of vertices, and what moves it: nodes, skins, morph
 //! targets, clips.
 //!
-//! Every node with a mesh becomes a part, or several if the mesh's primitives are closed solids of their own. Nodes that
-//! show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the default weights of its
+//! Every node with a mesh becomes a part, or several if the mesh's primitives are closed solids of their own, or if it has instances;
+//! hidden nodes are left out. Nodes that show the same mesh share it. A part shows its rest pose: by the joints of its skin, with the default weights of its
 //! morph targets. Vertices are welded as they were bound, so that a mesh that is closed stays closed in every pose; what
 //! is welded follows the first of its vertices.
 //!
 //! Vertices may be quantized, and packed by meshopt or Draco (`packed`).
 //!
-//! What the still picture needs is refused if it is broken. What only motion needs is left out with a note.
+//! What the geometry of the still picture needs is refused if it is broken. What only motion or looks need is left out with a note.
 
 mod accessor;
 mod clips;
 mod document;
 mod draco;
+mod extensions;
 mod follow;
 mod images;
+mod instances;
+mod mended;
 mod meshopt;
 mod nodes;
 mod packed;
@@ -23,6 +26,7 @@ mod paint;
 mod primitives;
 mod quantized;
 mod skin;
+mod torn;
 mod uri;
 
 use std::collections::BTreeMap;
@@ -37,9 +41,11 @@ use super::{Files, Placed, Solid};
 use crate::error::{Error, Result};
 use crate::scene::Role;
 use crate::scene::motion::{Bound, Driver, Hold, Motion, Rig};
+use crate::scene::weld::thousands;
 
 use document::Opened;
 pub(super) use document::named_files;
+use extensions::VISIBILITY;
 use images::Images;
 pub(super) use uri::leads_away;
 
@@ -57,7 +63,7 @@ pub(super) fn read(
     let Opened {
         document, buffers, ..
     } = &opened;
-    let nodes = nodes::read(document).map_err(wrong)?;
+    let nodes = nodes::read(document, buffers).map_err(wrong)?;
     let skins = skin::read(document, &nodes, buffers);
     let of_rig = skins.iter().map(|s| s.clone().unwrap_or_default());
     let mut rig = Rig::new(nodes.of_rig.clone(), of_rig.collect());
@@ -82,7 +88,9 @@ pub(super) fn read(
     let mut said_of_nodes = Vec::new();
     let mut shared: BTreeMap<(usize, Option<usize>), Vec<Shape>> = BTreeMap::new();
     for (place, node) in nodes.nodes.iter().enumerate() {
-        let Some(mesh) = node.mesh() else { continue };
+        let Some(mesh) = node.mesh().filter(|_| !nodes.shown_at(place).is_empty()) else {
+            continue;
+        };
         let name = node.name().or(mesh.name()).map(str::to_owned);
         let mut said = Vec::new();
         let skin = usable_skin(node, &skins, &mut said);
@@ -105,8 +113,11 @@ pub(super) fn read(
         let role = role(node, &mut said);
         let label = name.clone();
         let label = label.unwrap_or_else(|| format!("node {}", node.index()));
-        for shape in shapes.iter() {
-            let shown = shape.at(&rig, place, name.clone(), &weights);
+        for (at, shape) in nodes
+            .shown_at(place)
+            .flat_map(|at| shapes.iter().map(move |s| (at, s)))
+        {
+            let shown = shape.at(&rig, at, name.clone(), &weights);
             let mut shown = shown.ok_or_else(|| {
                 wrong(format!("{label}: it is bent to places that are not finite"))
             })?;
@@ -116,6 +127,18 @@ pub(super) fn read(
         said_of_nodes.extend(said.into_iter().map(|s| (label.clone(), s)));
     }
     notes.extend(grouped(said_of_nodes, "node"));
+    match nodes.hidden() {
+        0 => {}
+        1 => notes.push(format!(
+            "left out 1 node with a mesh, which {VISIBILITY} hides"
+        )),
+        more => {
+            let more = thousands(more);
+            notes.push(format!(
+                "left out {more} nodes with meshes, which {VISIBILITY} hides"
+            ));
+        }
+    }
     notes.append(&mut images.notes);
     files.append(&mut images.files);
     if placed.is_empty() {
@@ -125,7 +148,7 @@ pub(super) fn read(
             "export it with meshes; points, lines and curves are not cut",
         ));
     }
-    Ok(placed)
+    Ok(torn::joined(placed, notes))
 }
 
 /// The role that a node's `extras` give: `{ "role": "interior" }`.

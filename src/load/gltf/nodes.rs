@@ -1,9 +1,14 @@
 //! The nodes of a glTF scene: which there are, where they are, what hangs below what.
 
+use std::collections::BTreeMap;
+use std::ops::Range;
+
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use gltf::scene::Transform;
 use gltf::{Document, Node};
 
+use super::extensions::VISIBILITY;
+use super::instances;
 use crate::scene::motion::{RigNode, Stand};
 
 /// The nodes of the scene that is shown, parents first, in the order of the file.
@@ -13,12 +18,34 @@ pub(super) struct Nodes<'a> {
     pub(super) of_rig: Vec<RigNode>,
     /// Where a node of the file is in this list; `None` if it is not in the scene.
     pub(super) place_of: Vec<Option<usize>>,
+    /// Where the instances of nodes are in the rig, by the places of those nodes.
+    instances: BTreeMap<usize, Range<usize>>,
+    /// Nodes that are hidden, by themselves or by one above them.
+    is_hidden: Vec<bool>,
+}
+
+impl Nodes<'_> {
+    /// Where the rig has the mesh of a node.
+    pub(super) fn shown_at(&self, place: usize) -> Range<usize> {
+        match self.instances.get(&place) {
+            _ if self.is_hidden[place] => 0..0,
+            Some(instances) => instances.clone(),
+            None => place..place + 1,
+        }
+    }
+
+    /// How many nodes with a mesh are hidden.
+    pub(super) fn hidden(&self) -> usize {
+        let both = self.nodes.iter().zip(&self.is_hidden);
+        both.filter(|(node, hidden)| **hidden && node.mesh().is_some())
+            .count()
+    }
 }
 
 /// A node that waits for its turn, and the place of its parent.
 type Waiting<'a> = (Node<'a>, Option<usize>);
 
-pub(super) fn read(document: &Document) -> Result<Nodes<'_>, String> {
+pub(super) fn read<'a>(document: &'a Document, buffers: &[Vec<u8>]) -> Result<Nodes<'a>, String> {
     let mut is_child = vec![false; document.nodes().count()];
     for child in document.nodes().flat_map(|n| n.children()) {
         is_child[child.index()] = true;
@@ -40,6 +67,8 @@ pub(super) fn read(document: &Document) -> Result<Nodes<'_>, String> {
         nodes: Vec::new(),
         of_rig: Vec::new(),
         place_of: vec![None; is_child.len()],
+        instances: BTreeMap::new(),
+        is_hidden: Vec::new(),
     };
     while let Some((node, parent)) = waiting.pop() {
         let place = found.nodes.len();
@@ -63,9 +92,44 @@ pub(super) fn read(document: &Document) -> Result<Nodes<'_>, String> {
             rest,
             stand,
         });
+        let is_visible = node
+            .extension_value(VISIBILITY)
+            .and_then(|v| v.get("visible")?.as_bool());
+        let is_below_hidden = parent.is_some_and(|p| found.is_hidden[p]);
+        found
+            .is_hidden
+            .push(is_below_hidden || is_visible == Some(false));
         let children: Vec<_> = node.children().collect();
         waiting.extend(children.into_iter().rev().map(|child| (child, Some(place))));
         found.nodes.push(node);
+    }
+    for (place, node) in found.nodes.iter().enumerate() {
+        // A skin takes a mesh to its joints, wherever its node is.
+        if node.skin().is_some() {
+            continue;
+        }
+        let Some(stands) = instances::read(document, node, buffers)? else {
+            continue;
+        };
+        let first = found.of_rig.len();
+        for stand in stands {
+            let rest = stand.affine();
+            if !(worlds[place] * rest).is_finite() {
+                let node = node.index();
+                return Err(format!(
+                    "node {node} has an instance at a place that is not finite"
+                ));
+            }
+            found.of_rig.push(RigNode {
+                parent: Some(place),
+                rest,
+                stand: Some(stand),
+            });
+        }
+        found.instances.insert(place, first..found.of_rig.len());
+        if found.of_rig.len() - found.nodes.len() > instances::MOST {
+            return Err(format!("its instances are more than {}", instances::MOST));
+        }
     }
     Ok(found)
 }

@@ -3,8 +3,6 @@
 //!
 //! What comes out is limited as what archives unpack to is: by a multiple of what is packed.
 
-use std::path::Path;
-
 use gltf::json::buffer::{Buffer, View};
 use gltf::json::validation::USize64;
 use gltf::json::{Index, Root};
@@ -13,42 +11,10 @@ use serde_json::{Map, Value};
 
 use super::draco;
 use super::meshopt::{Filter, Mode, Packing};
-use crate::error::{Error, Result};
 use crate::load::input_file::most_unpacked;
 
-const MESHOPT: &str = "EXT_meshopt_compression";
-const DRACO: &str = "KHR_draco_mesh_compression";
-
-/// Extensions that are read.
-const READ: [&str; 4] = [
-    MESHOPT,
-    DRACO,
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-];
-
-/// Beginnings of the names of extensions that change looks alone.
-const LOOKS: [&str; 2] = ["KHR_materials_", "KHR_lights_"];
-
-/// Refuses extensions without which the file says it cannot be read, and which are not; no others are required then.
-pub(super) fn settle_required(path: &Path, root: &mut Root, notes: &mut Vec<String>) -> Result<()> {
-    for name in std::mem::take(&mut root.extensions_required) {
-        if READ.contains(&name.as_str()) {
-            continue;
-        }
-        if LOOKS.iter().any(|looks| name.starts_with(looks)) {
-            notes.push(format!("shown without {name}"));
-            continue;
-        }
-        let what = format!("it requires the extension {name}, which is not read");
-        let help = match name.ends_with("_compression") {
-            true => "unpack it, for example with `gltf-transform copy packed.glb plain.glb`",
-            false => "export it again as plain glTF 2.0, without that extension",
-        };
-        return Err(Error::file(path, what, help));
-    }
-    Ok(())
-}
+pub(super) const MESHOPT: &str = "EXT_meshopt_compression";
+pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// The buffers of a document that hold nothing of their own: what refers to them is packed elsewhere.
 pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {

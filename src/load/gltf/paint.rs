@@ -19,7 +19,7 @@ pub(super) fn of(primitive: &Primitive<'_>, images: &mut Images<'_>) -> Paint {
     let texture = material.pbr_metallic_roughness().base_color_texture();
     Paint {
         color: color(primitive),
-        image: texture.and_then(|info| images.get(&info.texture().source())),
+        image: texture.and_then(|info| images.of_texture(&info.texture())),
         is_transparent: material.alpha_mode() == AlphaMode::Blend,
     }
 }

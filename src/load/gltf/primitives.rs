@@ -1,6 +1,7 @@
 //! The triangles of a glTF mesh: all its primitives as groups of one draft, with what can move their vertices.
 
 use glam::{DVec3, Vec3};
+use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
@@ -65,6 +66,9 @@ pub(super) fn draft(
             .map_err(at)?;
         let group = draft.groups.len() as u32;
         let paint = paint::of(&primitive, images);
+        if primitive.material().alpha_mode() == AlphaMode::Mask {
+            said.push("drawn without the holes of its alpha mask".to_owned());
+        }
         draft.groups.push(Group {
             name: None,
             color: paint.color,

@@ -1,9 +1,11 @@
 //! Triples of numbers: floating-point ones, or whole ones as `KHR_mesh_quantization` has them, as they are or as shares of the greatest.
+//! Rotations likewise.
 
+use glam::DQuat;
 use gltf::Accessor;
 use gltf::accessor::{DataType, Item};
 
-use super::accessor::{VEC3, items};
+use super::accessor::{ROTATIONS, VEC3, items};
 
 /// The triples of an accessor.
 pub(super) fn triples(
@@ -36,4 +38,30 @@ fn whole<T: Item + Copy + Into<f64>>(
 /// A whole number as a share of the greatest of its type; the least of signed types is -1, too.
 pub(super) fn share<T: Into<f64>>(number: T, most: T) -> f64 {
     (number.into() / most.into()).max(-1.0)
+}
+
+/// The rotations of an accessor; whole numbers are shares of the greatest.
+pub(super) fn rotations(accessor: Accessor<'_>, buffers: &[Vec<u8>]) -> Result<Vec<DQuat>, String> {
+    match accessor.data_type() {
+        DataType::I8 => shares(accessor, buffers, i8::MAX),
+        DataType::U8 => shares(accessor, buffers, u8::MAX),
+        DataType::I16 => shares(accessor, buffers, i16::MAX),
+        DataType::U16 => shares(accessor, buffers, u16::MAX),
+        _ => shares(accessor, buffers, 1.0_f32),
+    }
+}
+
+fn shares<T: Item + Copy + Into<f64>>(
+    accessor: Accessor<'_>,
+    buffers: &[Vec<u8>],
+    most: T,
+) -> Result<Vec<DQuat>, String> {
+    let quadruples: Vec<[T; 4]> = items(accessor, ROTATIONS, buffers)?;
+    let is_whole = most.into() > 1.0;
+    let number = |c: T| match is_whole {
+        true => share(c, most),
+        false => c.into(),
+    };
+    let quat = |q: [T; 4]| DQuat::from_array(q.map(number));
+    Ok(quadruples.into_iter().map(quat).collect())
 }

@@ -56,6 +56,17 @@ pub(super) fn read(xml: &mut Xml<'_>) -> Result<Geometry> {
 }
 
 impl Geometry {
+    /// Keeps triangles by their numbers.
+    pub(super) fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
+        let mut numbers = 0..self.mesh.triangles.len();
+        self.mesh
+            .triangles
+            .retain(|_| numbers.next().is_some_and(&wanted));
+        let mut numbers = 0..self.assigned.len();
+        self.assigned
+            .retain(|_| numbers.next().is_some_and(&wanted));
+    }
+
     fn add(&mut self, triangle: &Element<'_>) -> Result<()> {
         let [v1, v2, v3, pid, p1, p2, p3] =
             triangle.values(["v1", "v2", "v3", "pid", "p1", "p2", "p3"])?;

@@ -2,7 +2,7 @@
 //!
 //! The relationships of the package lead to a model, and its build to objects: each mesh at each place is a part, through components of
 //! components and through other models of the package. Only what is built is asked for. Objects that are no solids are left out with a
-//! note: supports, surfaces, others. Numbers stay those of the file, in its unit, which is said where it is not the millimetre; another
+//! note: supports, surfaces, others, and what slicers mark as regions or as parts to be taken away ([`slicer`]). Numbers stay those of the file, in its unit, which is said where it is not the millimetre; another
 //! model of the same package is scaled to the unit of the first.
 //!
 //! An extension that the file requires and that gives shapes without triangles is refused by name: slices, beams, boolean operations,
@@ -15,9 +15,11 @@ mod mesh;
 mod model;
 mod package;
 mod properties;
+mod slicer;
 mod xml;
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -31,6 +33,7 @@ use crate::scene::{LengthUnit, Mesh};
 
 use model::{Model, Object, Reference, Shape};
 use package::Package;
+use slicer::{Use, Uses};
 use xml::shortened;
 
 /// Objects in objects.
@@ -55,9 +58,11 @@ pub(super) fn read(
     let first = package.model()?;
     let root = Model::read(&package.read(&first)?)?;
     let unit = root.unit;
+    let uses = Uses::read(&mut package, notes);
     let mut reader = Reader {
         path,
         package,
+        uses,
         first,
         models: BTreeMap::from([(String::new(), root)]),
         solids: BTreeMap::new(),
@@ -97,6 +102,7 @@ struct Solid {
 struct Reader<'a> {
     path: &'a Path,
     package: Package<'a>,
+    uses: Uses,
     /// The name of the first model's part.
     first: String,
     models: BTreeMap<String, Model>,
@@ -195,6 +201,7 @@ impl Reader<'_> {
                 None => what,
             }));
         };
+        let label = label(id, object);
         match &mut object.shape {
             Shape::Components(components) => {
                 // Put back when they were followed: what leads back here meanwhile is refused before it asks for them.
@@ -206,6 +213,17 @@ impl Reader<'_> {
                     world_from_outer: world_from_object,
                 };
                 for component in &components {
+                    let pair = (id, component.object);
+                    let of = self
+                        .uses
+                        .of_components
+                        .get(&pair)
+                        .filter(|_| key.0.is_empty());
+                    if let Some(of) = of {
+                        let what = of.note(&format!("component {}", component.object));
+                        self.of_objects.push((label.clone(), what));
+                        continue;
+                    }
                     self.follow(&key.0, component, inner)?;
                 }
                 let model = self.models.get_mut(&key.0);
@@ -268,7 +286,10 @@ impl Reader<'_> {
             Some(known) => known.clone(),
             None => {
                 let mut said = Vec::new();
-                let solid = solid(model, key.1, &label, &mut said)?;
+                let of_triangles = (self.uses.of_triangles.get(&key.1))
+                    .filter(|_| key.0.is_empty())
+                    .map_or(&[][..], Vec::as_slice);
+                let solid = solid(model, key.1, (&label, of_triangles), &mut said)?;
                 let said = said.into_iter().map(|what| (label.clone(), what));
                 self.of_objects.extend(said);
                 self.solids.insert(key, solid.clone());
@@ -293,7 +314,7 @@ impl Reader<'_> {
 fn solid(
     model: &mut Model,
     id: u32,
-    label: &str,
+    (label, uses): (&str, &[(RangeInclusive<usize>, Use)]),
     notes: &mut Vec<String>,
 ) -> Result<Option<Solid>> {
     let Some(object) = model.objects.get_mut(&id) else {
@@ -308,6 +329,10 @@ fn solid(
     if geometry.has_beams {
         notes.push("its beams are not drawn, its triangles are".to_owned());
     }
+    for (range, of) in uses {
+        notes.push(of.note(&format!("triangles {} to {}", range.start(), range.end())));
+    }
+    geometry.keep(|triangle| !uses.iter().any(|(range, _)| range.contains(&triangle)));
     if geometry.mesh.triangles.is_empty() {
         notes.push("left out: it has no triangles".to_owned());
         return Ok(None);

@@ -84,6 +84,11 @@ impl<'a> Package<'a> {
         }
     }
 
+    /// A part as text, if there is one.
+    pub(super) fn read_if_there(&mut self, part: &str) -> Result<Option<Text>> {
+        self.find(part).map(|_| self.read(part)).transpose()
+    }
+
     /// A part as text.
     pub(super) fn read(&mut self, part: &str) -> Result<Text> {
         let Some(index) = self.find(part) else {

@@ -37,8 +37,8 @@ use super::Mesh;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
     of_triangles: Vec<u32>,
-    count: usize,
-    open: usize,
+    /// Of each body.
+    is_closed: Vec<bool>,
 }
 
 impl Bodies {
@@ -48,31 +48,35 @@ impl Bodies {
         let heads = heads(mesh, &shells);
         // Bodies in the order of their first triangles, whichever shell of theirs has it.
         let mut numbers: Vec<Option<u32>> = vec![None; heads.len()];
-        let mut count = 0;
+        let mut is_closed = Vec::new();
         let of_triangles = (shells.of_triangles.iter())
             .map(|shell| {
-                let number = &mut numbers[heads[*shell as usize] as usize];
-                *number.get_or_insert_with(|| {
-                    count += 1;
-                    count - 1
+                let head = heads[*shell as usize] as usize;
+                *numbers[head].get_or_insert_with(|| {
+                    is_closed.push(shells.shells[head].is_closed);
+                    is_closed.len() as u32 - 1
                 })
             })
             .collect();
         Self {
             of_triangles,
-            count: count as usize,
-            open: shells.shells.iter().filter(|s| !s.is_closed).count(),
+            is_closed,
         }
     }
 
     /// How many there are.
     pub fn count(&self) -> usize {
-        self.count
+        self.is_closed.len()
     }
 
     /// How many of them are open.
     pub fn open(&self) -> usize {
-        self.open
+        self.is_closed.iter().filter(|closed| !**closed).count()
+    }
+
+    /// Whether each is closed.
+    pub(crate) fn closed(&self) -> &[bool] {
+        &self.is_closed
     }
 
     /// The number of the body of each triangle, from 0.
@@ -82,7 +86,7 @@ impl Bodies {
 
     /// The triangles of each body, in their order.
     pub fn triangles(&self) -> Vec<Vec<u32>> {
-        let mut triangles = vec![Vec::new(); self.count];
+        let mut triangles = vec![Vec::new(); self.count()];
         for (triangle, body) in (0..).zip(&self.of_triangles) {
             triangles[*body as usize].push(triangle);
         }

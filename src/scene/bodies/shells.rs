@@ -1,7 +1,9 @@
 //! Shells: pieces of surface that hang together over edges.
 //!
-//! An edge of two triangles joins them, however they are turned. Where more meet, a shell that uses the edge as often in one direction
-//! as in the other is complete by itself: two cubes that share an edge are two shells. The rest go together around the edge so that each wedge of
+//! An edge of two triangles joins them, however they are turned. Where more meet, the order of the triangles comes first: files write one
+//! solid after the other, so triangles that are closed by themselves as soon as the last of them comes are apart from all others ([`runs`]).
+//! Of the others, a shell that uses the edge as often in one direction as in the other is complete by itself: two cubes that share an edge
+//! are two shells. The rest go together around the edge so that each wedge of
 //! solid has its two walls ([`around_edge`](super::around_edge)), or all of them where that does not work out. Thus a sheet that hangs on
 //! a solid by one edge comes off it, and cubes that share a face, twice there, come apart. A mesh of negative volume is taken the other way
 //! round, so that cubes come apart there too.
@@ -93,14 +95,32 @@ fn step(of: EdgeUse) -> i32 {
 fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
     let count = mesh.triangles.len();
     let mut sets = Sets::new(count);
-    let mut shared: Vec<([u32; 2], Vec<EdgeUse>)> = Vec::new();
+    let mut crowded: Vec<([u32; 2], Vec<EdgeUse>)> = Vec::new();
     for (edge, mut run) in uses.runs() {
         let (Some(a), Some(b)) = (run.next(), run.next()) else {
             continue;
         };
         match run.next() {
             None => sets.join(a.triangle, b.triangle),
-            Some(c) => shared.push((edge, [a, b, c].into_iter().chain(run).collect())),
+            Some(c) => crowded.push((edge, [a, b, c].into_iter().chain(run).collect())),
+        }
+    }
+    let run_of = match crowded.is_empty() {
+        true => Vec::new(),
+        false => runs(count, uses),
+    };
+    let mut shared: Vec<([u32; 2], Vec<EdgeUse>)> = Vec::new();
+    for (edge, mut of_edge) in crowded {
+        // Uses are in the order of triangles within each direction, not over both.
+        of_edge.sort_by_key(|of| of.triangle);
+        for of_run in
+            of_edge.chunk_by(|a, b| run_of[a.triangle as usize] == run_of[b.triangle as usize])
+        {
+            match of_run {
+                [_] => {}
+                [a, b] => sets.join(a.triangle, b.triangle),
+                more => shared.push((edge, more.to_vec())),
+            }
         }
     }
     // By what edges of two have joined, so that no edge hangs on the order of those before it.
@@ -128,6 +148,33 @@ fn joined(mesh: &Mesh, uses: &EdgeUses) -> Vec<u32> {
                 next += 1;
             }
             *number
+        })
+        .collect()
+}
+
+/// The number of the closed run that each triangle is in: triangles in order, until each edge has as many uses in one direction as in the
+/// other. What is left in the end is a run, too.
+fn runs(count: usize, uses: &EdgeUses) -> Vec<u32> {
+    let mut edges_of: Vec<Vec<(u32, i32)>> = vec![Vec::with_capacity(3); count];
+    let mut edges = 0;
+    for (number, (_, run)) in (0..).zip(uses.runs()) {
+        run.for_each(|of| edges_of[of.triangle as usize].push((number, step(of))));
+        edges = number as usize + 1;
+    }
+    let mut balances = vec![0_i32; edges];
+    let mut unbalanced = 0_usize;
+    let mut run = 0;
+    (edges_of.iter())
+        .map(|of_triangle| {
+            let own = run;
+            for (edge, step) in of_triangle {
+                let balance = &mut balances[*edge as usize];
+                unbalanced -= usize::from(*balance != 0);
+                *balance += step;
+                unbalanced += usize::from(*balance != 0);
+            }
+            run += u32::from(unbalanced == 0);
+            own
         })
         .collect()
 }

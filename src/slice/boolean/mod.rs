@@ -8,19 +8,22 @@
 //! Cost: n log n in the triangles of part and regions together, with those of a relief growing with the square of its cells; many times
 //! that where the part passes through itself.
 //!
-//! Cannot: cut open meshes, which are refused. A part that passes through itself becomes the solid that it winds around, without walls
-//! inside; one that is inside out is turned over first. Reliefs are followed to within what [`Sheet::off`](sheet::Sheet::off) says.
+//! Cannot: cut open meshes, which are refused. Bodies of a part that overlap become the solid that the fill rule of the part makes of them
+//! ([`filled`]). A body that passes through itself becomes the solid that it winds around, without walls inside; one that is inside out is
+//! turned over first. Reliefs are followed to within what [`Sheet::off`](sheet::Sheet::off) says.
 
+mod filled;
 mod sheet;
 mod solid;
 
+use self::filled::filled;
 use self::sheet::{Sheet, below};
 pub(super) use self::solid::Undivided;
 pub(crate) use self::solid::is_at_work;
 use self::solid::{Origin, Solid};
 use super::SlicePlane;
 use super::capped::{Cap, Half, Halves, halves, in_world, of_used};
-use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Mesh};
+use crate::scene::{Bounds, ClipSurface, Cutter, Edges, Fill, Mesh};
 
 /// What a cut removes of a part.
 pub(super) struct Region<'a> {
@@ -53,13 +56,11 @@ struct CapOf {
 /// A mesh or a cutter that is not closed, and operations that fail.
 pub(super) fn divided(
     mesh: &Mesh,
+    fill: Fill,
     regions: &[Region<'_>],
     cells: u32,
 ) -> Result<Divided, Undivided> {
-    let (part, number) = match mesh.volume() < 0.0 {
-        true => Solid::new(&turned(mesh), |t| t as u32)?,
-        false => Solid::new(mesh, |t| t as u32)?,
-    };
+    let (part, numbers) = filled(mesh, fill)?;
     let block = around(&mesh.bounds());
     let mut caps = Vec::new();
     let mut off = 0.0_f64;
@@ -77,7 +78,7 @@ pub(super) fn divided(
         Some(all) => (part.without(&all)?, part.and(&all)?),
         None => (part.clone(), part.without(&part)?),
     };
-    let half = |solid: &Solid| half(solid, number, &caps);
+    let half = |solid: &Solid| half(solid, &numbers, &caps);
     Ok(Divided {
         halves: Halves {
             kept: half(&kept)?,
@@ -154,7 +155,7 @@ impl Region<'_> {
 }
 
 /// The faces of a solid that are of the part, then its caps by region and clip-surface.
-fn half(solid: &Solid, part: u32, caps: &[CapOf]) -> Result<Half, Undivided> {
+fn half(solid: &Solid, part: &[u32], caps: &[CapOf]) -> Result<Half, Undivided> {
     let (mesh, origins) = solid.mesh();
     if Edges::of(&mesh.triangles).count().open > 0 {
         return Err(Undivided::Failed {
@@ -167,7 +168,7 @@ fn half(solid: &Solid, part: u32, caps: &[CapOf]) -> Result<Half, Undivided> {
         cap.map(|cap| (cap.region, cap.surface.unwrap_or(origin.face as usize)))
     };
     let mut order: Vec<_> = (origins.iter().enumerate())
-        .map(|(t, origin)| match origin.mesh == part {
+        .map(|(t, origin)| match part.contains(&origin.mesh) {
             true => (None, origin.face, t),
             false => (place(origin), 0, t),
         })

@@ -3,7 +3,8 @@
 //! The outline is what the directed edges in the plane, of all faces above it, do not cancel among themselves. Its curves are those of a
 //! [`Section`](crate::slice::Section), and the cap covers what they wind around, each point as often as they do: the winding number
 //! of the mesh at each point stays what it was on the kept side and becomes 0 on the other. So any fill rule finds in what is left
-//! the solid that it found in the mesh, and halves add up to the whole, also where shells overlap.
+//! the solid that it found in the mesh, and halves add up to the whole, also where shells overlap. Bodies that overlap are capped one by
+//! one ([`groups`](super::groups)).
 //!
 //! Where faces do not agree which side is out there is no winding number, but for a closed mesh its parity: the cap is then where curves
 //! wind an odd number of times, once.
@@ -23,6 +24,8 @@ use crate::scene::weld::has_three;
 /// A use of an edge in a plane by a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct PlaneUse {
+    /// Of the candidate.
+    group: u32,
     /// The lesser first.
     ends: [u32; 2],
     /// From the greater to the lesser.
@@ -32,8 +35,9 @@ pub(super) struct PlaneUse {
 }
 
 impl PlaneUse {
-    pub(super) fn new(from: u32, to: u32, is_above: bool) -> Self {
+    pub(super) fn new([from, to]: [u32; 2], is_above: bool, group: u32) -> Self {
         Self {
+            group,
             ends: [from.min(to), from.max(to)],
             is_down: from > to,
             is_above,
@@ -44,16 +48,18 @@ impl PlaneUse {
 /// An edge of an outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
+    /// Of the faces at it.
+    pub(super) group: u32,
     ends: [u32; 2],
     /// Whether the faces at it agree which side is out.
     is_oriented: bool,
 }
 
-/// What the faces above a plane do not cancel.
+/// What the faces above a plane do not cancel, group by group.
 pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
     uses.sort_unstable();
     let mut pieces = Vec::new();
-    for run in uses.chunk_by(|a, b| a.ends == b.ends) {
+    for run in uses.chunk_by(|a, b| (a.group, a.ends) == (b.group, b.ends)) {
         let net = |all: bool| -> i32 {
             let counted = run.iter().filter(|u| all || u.is_above);
             counted.map(|u| if u.is_down { -1 } else { 1 }).sum()
@@ -64,23 +70,29 @@ pub(super) fn pieces(mut uses: Vec<PlaneUse>) -> Vec<Piece> {
             true => net_above.unsigned_abs() as usize,
             false => above % 2,
         };
+        let group = run[0].group;
         let [low, high] = run[0].ends;
         let ends = if net_above < 0 {
             [high, low]
         } else {
             [low, high]
         };
-        pieces.extend(std::iter::repeat_n(Piece { ends, is_oriented }, count));
+        let piece = Piece {
+            group,
+            ends,
+            is_oriented,
+        };
+        pieces.extend(std::iter::repeat_n(piece, count));
     }
     pieces
 }
 
 impl Complex<'_> {
-    /// Closes the candidates at a plane, below which they are, along an outline.
+    /// Closes the candidates of a group at a plane, below which they are, along their outline.
     pub(super) fn cap(&mut self, number: usize, pieces: &[Piece]) {
-        if pieces.is_empty() {
+        let Some(group) = pieces.first().map(|piece| piece.group) else {
             return;
-        }
+        };
         let MarkedPlane { plane, mark } = self.planes[number];
         let plane = plane.seen_from(self.middle);
         let halves: Vec<loops::Piece> = (pieces.iter())
@@ -154,6 +166,7 @@ impl Complex<'_> {
                 corners,
                 source: CAP | number as u32,
                 state: State::Candidate,
+                group,
             };
             std::iter::repeat_n(face, count as usize)
         });

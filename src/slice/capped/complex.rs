@@ -27,6 +27,7 @@ use rayon::prelude::*;
 use super::super::slicer::share;
 use super::super::{SectionDefect, SlicePlane};
 use super::cap::{Piece, PlaneUse, pieces};
+use super::groups::groups;
 use crate::scene::weld::has_three;
 use crate::scene::{Bounds, Mesh};
 
@@ -50,6 +51,8 @@ pub(super) struct Face {
     /// Number of the triangle of the mesh; of a cap [`CAP`] and the number of its plane.
     pub(super) source: u32,
     pub(super) state: State,
+    /// The bodies that it is capped with ([`groups`]).
+    pub(super) group: u32,
 }
 
 /// Marks the source of a cap.
@@ -94,12 +97,16 @@ impl<'a> Complex<'a> {
         planes: &[SlicePlane],
         is_usable: impl Fn(usize) -> bool,
     ) -> Self {
-        let faces: Vec<Face> = (mesh.triangles.iter().enumerate())
+        let usable: Vec<(usize, [u32; 3])> = (mesh.triangles.iter().copied().enumerate())
             .filter(|(i, _)| is_usable(*i))
-            .map(|(i, t)| Face {
+            .collect();
+        let corners: Vec<[u32; 3]> = usable.iter().map(|(_, t)| *t).collect();
+        let faces: Vec<Face> = (usable.iter().zip(groups(mesh, &corners)))
+            .map(|((i, t), group)| Face {
                 corners: *t,
-                source: i as u32,
+                source: *i as u32,
                 state: State::Kept,
+                group,
             })
             .collect();
         let corners = |f: &Face| f.corners.map(|i| mesh.positions[i as usize]);
@@ -136,7 +143,9 @@ impl<'a> Complex<'a> {
         }
         for plane in region.clone() {
             let pieces = self.cut(plane, region.start);
-            self.cap(plane, &pieces);
+            for of_group in pieces.chunk_by(|a, b| a.group == b.group) {
+                self.cap(plane, of_group);
+            }
             if !self.faces.iter().any(|f| f.state == State::Candidate) {
                 break;
             }
@@ -212,7 +221,8 @@ impl<'a> Complex<'a> {
             for i in 0..3 {
                 let j = (i + 1) % 3;
                 if of[i] == 0 && of[j] == 0 {
-                    uses.push(PlaneUse::new(face.corners[i], face.corners[j], is_above));
+                    let ends = [face.corners[i], face.corners[j]];
+                    uses.push(PlaneUse::new(ends, is_above, face.group));
                 }
             }
             if is_above {

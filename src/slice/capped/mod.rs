@@ -3,7 +3,8 @@
 //! A cut removes the intersection of the removed sides of its planes, a scene the union of its cuts. Regions are removed one after the
 //! other, and each by its planes one after the other: what is above a plane stays, what is below all of them goes, and the caps of what
 //! goes, turned over, close what stays ([`complex`]). The surface stays one all the while, so that no wall
-//! is left between regions that touch; triangles that planes divide beyond their regions are put together again ([`restore`]).
+//! is left between regions that touch; triangles that planes divide beyond their regions are put together again ([`restore`]), and edges
+//! without length that division made become points ([`slivers`]).
 //!
 //! A closed mesh whose faces agree which side is out gives two closed meshes whose faces do, whatever the planes meet and however often
 //! the mesh passes through itself. Both share their vertices on the caps to the last bit, and their volumes add up to that of the mesh but
@@ -19,8 +20,10 @@
 
 mod cap;
 mod complex;
+mod groups;
 mod restore;
 mod scene;
+mod slivers;
 
 use std::ops::Range;
 
@@ -126,6 +129,7 @@ pub fn halves(mesh: &Mesh, regions: &[Vec<SlicePlane>]) -> Halves {
     if planes.len() > 1 {
         complex.restore();
     }
+    complex.collapse();
     let (mut kept, mut removed) = (Vec::new(), Vec::new());
     for face in &complex.faces {
         let [a, b, c] = face.corners;

@@ -125,6 +125,7 @@ mod tests {
             corners: *corners,
             source: 0,
             state: State::Kept,
+            group: 0,
         };
         triangles.iter().map(part).collect()
     }

@@ -117,7 +117,7 @@ fn divided<'a>(
         }
     };
     let regions: Vec<Region<'_>> = cuts.map(region).collect();
-    let divided = boolean::divided(mesh, &regions, relief_cells).map_err(|why| {
+    let divided = boolean::divided(mesh, part.fill, &regions, relief_cells).map_err(|why| {
         let what = format!("it cannot be cut by a relief or by a mesh: {why}");
         Error::input(format!("part `{}`", part.name), what, why.help())
     })?;

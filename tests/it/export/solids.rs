@@ -147,3 +147,84 @@ fn a_part_that_reliefs_cannot_cut_is_named() {
     folder.run("export open.obj --section z=30% -o half.stl");
     assert_eq!(folder.files(), ["half.stl", "open.obj"]);
 }
+
+/// Two cubes of size 1 in one mesh, of which the second is moved by (0.5, 0.1, 0.1).
+fn two_that_overlap() -> String {
+    let faces = [
+        [1, 3, 4, 2],
+        [5, 6, 8, 7],
+        [1, 2, 6, 5],
+        [3, 7, 8, 4],
+        [1, 5, 7, 3],
+        [2, 4, 8, 6],
+    ];
+    let cube = |first: usize, to: DVec3| {
+        let corner =
+            |i: usize| to + DVec3::new((i & 1) as f64, ((i >> 1) & 1) as f64, (i >> 2) as f64);
+        let vertices =
+            (0..8).map(|i| format!("v {} {} {}\n", corner(i).x, corner(i).y, corner(i).z));
+        let faces = faces.iter().map(|f| {
+            let [a, b, c, d] = f.map(|i| first + i);
+            format!("f {a} {b} {c} {d}\n")
+        });
+        vertices.chain(faces).collect::<String>()
+    };
+    cube(0, DVec3::ZERO) + &cube(8, DVec3::new(0.5, 0.1, 0.1))
+}
+
+#[test]
+fn a_relief_cuts_the_solid_that_the_fill_rule_makes_of_bodies_that_overlap() {
+    let folder = Scratch::new("export-fill");
+    folder.write("two.obj", two_that_overlap());
+    let [below, above, both] = [0.55, 0.45, 0.5 * 0.9 * 0.45];
+    for (fill, volume) in [
+        ("", below + above - 2.0 * both),
+        ("--fill even-odd", below + above - 2.0 * both),
+        ("--fill nonzero", below + above - both),
+    ] {
+        let line = format!(
+            "export two.obj --section=-z=50% --relief sawtooth:amplitude=1% {fill} -o r.ply"
+        );
+        folder.run(&line).exits(0);
+        let read = read(&folder, "r.ply");
+        let facts = Topology::from_parts(&read.parts);
+        assert!(
+            facts.closed && (facts.volume - volume).abs() < 0.01,
+            "{fill}: {} and {volume}",
+            facts.volume
+        );
+        // Points clearly below the relief, far from faces: inside by the rule.
+        for (point, crossings) in [
+            (DVec3::new(0.25, 0.5, 0.25), 1),
+            (DVec3::new(0.75, 0.5, 0.25), 2),
+            (DVec3::new(1.25, 0.5, 0.25), 1),
+            (DVec3::new(0.75, 0.5, 0.05), 1),
+        ] {
+            let is_inside = match fill {
+                "--fill nonzero" => crossings > 0,
+                _ => crossings % 2 == 1,
+            };
+            let found = winding(&read.parts[0].mesh, point).round();
+            assert_eq!(found, f64::from(u8::from(is_inside)), "{fill} at {point}");
+        }
+    }
+}
+
+#[test]
+fn planes_leave_bodies_that_overlap_as_manifold_as_they_are() {
+    let folder = Scratch::new("export-overlap");
+    folder.write("two.obj", two_that_overlap());
+    for extension in ["stl", "3mf"] {
+        folder
+            .run(&format!(
+                "export two.obj --section x=0.75 -o half.{extension}"
+            ))
+            .exits(0);
+        let facts = facts(&folder, &format!("half.{extension}"));
+        assert_eq!(
+            [facts.non_manifold_edges, facts.coincident_faces],
+            [0, 0],
+            "{extension}"
+        );
+    }
+}

@@ -242,7 +242,7 @@ const MENDED: &[(Whole, Fault)] = &[
                 let weights = d.floats(&[[0.0; 4]; 12]);
                 d.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = json!(weights);
             },
-            &["12 vertices are pulled by no joint and follow the node"],
+            &["12 vertices have no weight that is greater than zero"],
         ),
     ),
     (

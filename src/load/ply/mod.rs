@@ -1,42 +1,41 @@
-//! PLY, ASCII and binary of either byte order, through `ply-rs-bw`.
+//! PLY, ASCII and binary of either byte order; headers and binary elements through `ply-rs-bw`.
 //!
 //! Elements `vertex` (`x`, `y`, `z`, optionally `nx`, `ny`, `nz`; any number type; `red`, `green`, `blue` of
-//! `uchar`, `ushort`, `float` or `double`) and `face` (`vertex_indices` or
-//! `vertex_index`, polygons become fans from their first corner). Other elements are parsed and dropped. A line of the
-//! header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
-//! versions of Blender wrote such lines.
+//! `uchar`, `ushort`, `float` or `double`), `face` (`vertex_indices`, by whatever name; polygons become fans from their first corner) and
+//! `tristrips` (strips of triangles, which a negative index ends). Other elements are parsed and dropped.
 
-use std::borrow::Cow;
-use std::io::{ErrorKind, Read};
+mod fault;
+mod header;
+mod text;
+
+use std::io::{BufRead, Read};
 use std::path::Path;
 
 use glam::{DVec3, Vec3};
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyDef,
+    PropertyType,
+};
 
 use super::{Draft, without_mark};
 use crate::error::{Error, Result};
+use crate::scene::weld::has_three;
 use crate::scene::{Coat, CoatedTriangle, Mesh};
 
-/// First words of the lines of a header.
-const HEADER_WORDS: [&str; 7] = [
-    "ply",
-    "format",
-    "comment",
-    "obj_info",
-    "element",
-    "property",
-    "end_header",
-];
+use fault::Fault;
+use text::Words;
+
+/// The list of corners of a face, as it is called here.
+const CORNERS: &str = "vertex_indices";
+
+/// The element of triangle strips.
+const STRIPS: &str = "tristrips";
+
+const DAMAGED: &str = "the file is cut off, damaged or no PLY: export or download it again";
 
 /// Colours of vertices.
 const COLORS: [&str; 3] = ["red", "green", "blue"];
-
-/// A header is looked for in so many bytes.
-const LONGEST_HEADER: usize = 1 << 20;
-
-/// A word that is as similar to one of [`HEADER_WORDS`] is that word misspelt.
-const MISSPELT: f64 = 0.8;
 
 #[derive(Debug, Default)]
 struct Vertex {
@@ -52,13 +51,28 @@ struct Face {
 }
 
 /// The indices as the file types them: converting each list on its own would double the allocations.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 enum Corners {
-    #[default]
-    None,
-    Small(Vec<u32>),
     Signed(Vec<i32>),
     Unsigned(Vec<u32>),
+    /// Numbers that are not whole.
+    Broken,
+}
+
+impl Corners {
+    /// Some programs type indices as floating-point numbers.
+    fn of_floats(all: impl Iterator<Item = f64>) -> Self {
+        let whole = |n: f64| (n == f64::from(n as i32)).then_some(n as i32);
+        all.map(whole)
+            .collect::<Option<_>>()
+            .map_or(Self::Broken, Self::Signed)
+    }
+}
+
+impl Default for Corners {
+    fn default() -> Self {
+        Self::Unsigned(Vec::new())
+    }
 }
 
 #[derive(Debug, Default)]
@@ -110,14 +124,18 @@ impl PropertyAccess for Face {
     }
 
     fn set_property(&mut self, name: &str, value: Property) -> PropertyAccessResult {
-        if !is_corner_list(name) {
+        if name != CORNERS {
             return PropertyAccessResult::Ignored;
         }
         self.corners = match value {
             Property::ListInt(all) => Corners::Signed(all),
             Property::ListUInt(all) => Corners::Unsigned(all),
-            Property::ListUChar(all) => Corners::Small(all.into_iter().map(u32::from).collect()),
-            Property::ListUShort(all) => Corners::Small(all.into_iter().map(u32::from).collect()),
+            Property::ListUChar(all) => Corners::Unsigned(all.into_iter().map(u32::from).collect()),
+            Property::ListUShort(all) => {
+                Corners::Unsigned(all.into_iter().map(u32::from).collect())
+            }
+            Property::ListFloat(all) => Corners::of_floats(all.into_iter().map(f64::from)),
+            Property::ListDouble(all) => Corners::of_floats(all.into_iter()),
             Property::ListChar(all) => Corners::Signed(all.into_iter().map(i32::from).collect()),
             Property::ListShort(all) => Corners::Signed(all.into_iter().map(i32::from).collect()),
             _ => return PropertyAccessResult::UnsupportedType,
@@ -132,88 +150,120 @@ impl PropertyAccess for Ignored {
     }
 }
 
-fn is_corner_list(name: &str) -> bool {
-    name == "vertex_indices" || name == "vertex_index"
+/// What a mesh is made of, and whether its vertices have all of a normal and all of a colour.
+#[derive(Default)]
+struct Elements {
+    vertices: Vec<Vertex>,
+    faces: Vec<Face>,
+    strips: Vec<Face>,
+    has_normals: bool,
+    has_colors: bool,
 }
 
-/// Header and payload; lines of text that nothing introduces have become comments, each on its line.
-fn with_comments<'a>(path: &Path, bytes: &'a [u8], notes: &mut Vec<String>) -> [Cow<'a, [u8]>; 2] {
-    const END: &[u8] = b"\nend_header";
-    let head = &bytes[..bytes.len().min(LONGEST_HEADER)];
-    let end = head.windows(END.len()).position(|w| w == END);
-    let Some((header, payload)) = end.map(|end| bytes.split_at(end)) else {
-        return [Cow::Borrowed(bytes), Cow::Borrowed(&[])];
-    };
-    let is_bare = |line: &str| {
-        let word = line.split_whitespace().next().unwrap_or("").to_lowercase();
-        let is_like = |known: &str| strsim::jaro_winkler(known, &word) > MISSPELT;
-        !word.is_empty() && !HEADER_WORDS.iter().any(|known| is_like(known))
-    };
-    let Some(text) = std::str::from_utf8(header)
-        .ok()
-        .filter(|t| t.lines().any(is_bare))
-    else {
-        return [Cow::Borrowed(header), Cow::Borrowed(payload)];
-    };
-    let mut commented = Vec::with_capacity(text.len() + 64);
-    for (number, line) in (1..).zip(text.split_inclusive('\n')) {
-        if is_bare(line) {
-            let shown: String = line.trim().chars().take(40).collect();
-            let file = path.display();
-            notes.push(format!("{file}:{number}: read as a comment: {shown:?}"));
-            commented.extend(b"comment ");
+/// Where elements are read from, in the order of the header.
+enum Source<'a, 'b, R: BufRead> {
+    Binary(&'a mut Reader<R>, &'a Header),
+    Text(&'a mut Words<'b>),
+}
+
+impl<R: BufRead> Source<'_, '_, R> {
+    fn read<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<Vec<E>, Fault> {
+        match self {
+            Self::Binary(reader, header) => Parser::<E>::new()
+                .read_payload_for_element(reader, element, header)
+                .map_err(|e| Fault::of(&e)),
+            Self::Text(words) => words.read(element),
         }
-        commented.extend(line.bytes());
     }
-    [Cow::Owned(commented), Cow::Borrowed(payload)]
+
+    fn elements(&mut self, elements: &[ElementDef]) -> Result<Elements, Fault> {
+        let mut read = Elements::default();
+        for element in elements {
+            match element.name.as_str() {
+                "vertex" => {
+                    read.has_normals = ["nx", "ny", "nz"].iter().all(|n| has(element, n));
+                    read.has_colors = COLORS.iter().all(|n| has(element, n));
+                    read.vertices = self.read(element)?;
+                }
+                "face" => read.faces = self.read(element)?,
+                STRIPS => read.strips = self.read(element)?,
+                _ => _ = self.read::<Ignored>(element)?,
+            }
+        }
+        Ok(read)
+    }
 }
 
 pub(super) fn read(path: &Path, bytes: &[u8], notes: &mut Vec<String>) -> Result<Draft> {
     let bytes = without_mark(bytes);
-    let [header, payload] = with_comments(path, bytes, notes);
-    let mut reader = Reader::new(header.as_ref().chain(payload.as_ref()));
+    let (header_text, payload) = header::split(path, bytes, notes);
+    let refuse = |fault: Fault| match fault.line {
+        Some(line) => Error::file_line(path, line, fault.what, DAMAGED),
+        None => Error::file(path, fault.what, DAMAGED),
+    };
+    let mut reader = Reader::new(header_text.as_bytes().chain(payload));
     let header = Parser::<Ignored>::new()
         .read_header(&mut reader)
-        .map_err(|e| wrong(path, bytes, &e, true))?;
-    let in_lines = header.encoding == Encoding::Ascii;
-    let mut vertices = Vec::new();
-    let mut faces = Vec::new();
-    let mut has_normals = false;
-    let mut has_colors = false;
-    for (name, element) in &header.elements {
+        .map_err(|e| refuse(Fault::in_header(&e, &header_text)))?;
+    let mut elements: Vec<ElementDef> = header.elements.values().cloned().collect();
+    for element in &mut elements {
+        name_corner_list(element);
         check(path, element)?;
-        let complain = |e: ParseError| wrong(path, bytes, &e, in_lines);
-        match name.as_str() {
-            "vertex" => {
-                has_normals = ["nx", "ny", "nz"].iter().all(|n| has(element, n));
-                has_colors = COLORS.iter().all(|n| has(element, n));
-                vertices = Parser::<Vertex>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(complain)?;
-            }
-            "face" => {
-                faces = Parser::<Face>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(complain)?;
-            }
-            _ => {
-                Parser::<Ignored>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(complain)?;
-            }
-        }
     }
-    if faces.is_empty() {
+    let read = match header.encoding {
+        Encoding::Ascii => {
+            let text = String::from_utf8_lossy(payload);
+            let before = header_text.lines().count();
+            text::in_either_layout(&text, before, |words| {
+                Source::<&[u8]>::Text(words).elements(&elements)
+            })
+        }
+        _ => Source::Binary(&mut reader, &header).elements(&elements),
+    };
+    let read = read.map_err(refuse)?;
+    if read.faces.is_empty() && read.strips.is_empty() {
         return Err(Error::file(
             path,
-            format!("it has {} vertices and no faces", vertices.len()),
+            format!("it has {} vertices and no faces", read.vertices.len()),
             "a cloud of points is not a solid: reconstruct a surface first",
         ));
     }
     Ok(Draft {
-        mesh: mesh_of(path, &vertices, &faces, [has_normals, has_colors])?,
+        mesh: mesh_of(path, &read)?,
         ..Draft::default()
     })
+}
+
+/// Gives the list of corners of a face or strip the name that it has here. Programs call it `vertexIndices` and more; where no name is
+/// known, it is the only list.
+fn name_corner_list(element: &mut ElementDef) {
+    if element.name != "face" && element.name != STRIPS {
+        return;
+    }
+    let is_known = |name: &str| {
+        let plain = name.replace('_', "").to_lowercase();
+        ["vertexindices", "vertexindex", "vertices", "indices"].contains(&plain.as_str())
+    };
+    let lists = || {
+        let is_list = |p: &&PropertyDef| matches!(p.data_type, PropertyType::List(..));
+        element.properties.values().filter(is_list)
+    };
+    let named = lists().find(|p| is_known(&p.name));
+    let found = named.or_else(|| lists().next().filter(|_| lists().count() == 1));
+    let Some(found) = found.map(|p| p.name.clone()) else {
+        return;
+    };
+    let renamed = element.properties.values().map(|p| {
+        let name = match p.name == found {
+            true => CORNERS,
+            false => &p.name,
+        };
+        (
+            name.to_owned(),
+            PropertyDef::new(name.to_owned(), p.data_type.clone()),
+        )
+    });
+    element.properties = renamed.collect();
 }
 
 fn has(element: &ElementDef, property: &str) -> bool {
@@ -224,9 +274,7 @@ fn has(element: &ElementDef, property: &str) -> bool {
 fn check(path: &Path, element: &ElementDef) -> Result<()> {
     let missing = match element.name.as_str() {
         "vertex" => ["x", "y", "z"].into_iter().find(|n| !has(element, n)),
-        "face" if !element.properties.iter().any(|(n, _)| is_corner_list(n)) => {
-            Some("vertex_indices")
-        }
+        "face" | STRIPS if !has(element, CORNERS) => Some(CORNERS),
         _ if element.properties.iter().count() == 0 => Some("any property"),
         _ => None,
     };
@@ -238,42 +286,46 @@ fn check(path: &Path, element: &ElementDef) -> Result<()> {
             "export it as a plain triangle mesh",
         ));
     }
-    if element.name == "tristrips" && element.count > 0 {
-        let what = "its faces are triangle strips, which are not read";
-        return Err(Error::file(path, what, "export it with the element `face`"));
-    }
     Ok(())
 }
 
-fn mesh_of(
-    path: &Path,
-    vertices: &[Vertex],
-    faces: &[Face],
-    [has_normals, has_colors]: [bool; 2],
-) -> Result<Mesh> {
-    let mut triangles = Vec::with_capacity(faces.len());
-    for (number, face) in faces.iter().enumerate() {
-        let mut fan = |all: &[u32]| {
-            if let [first, rest @ ..] = all {
-                triangles.extend(rest.windows(2).map(|w| [*first, w[0], w[1]]));
-            }
-        };
+fn mesh_of(path: &Path, read: &Elements) -> Result<Mesh> {
+    let wrong = |what: String| Error::file(path, what, "the file is damaged: export it again");
+    let vertices = &read.vertices;
+    let mut triangles = Vec::with_capacity(read.faces.len());
+    for (number, face) in read.faces.iter().enumerate() {
         match &face.corners {
-            Corners::None => {}
-            Corners::Small(all) | Corners::Unsigned(all) => fan(all),
             Corners::Signed(all) => {
                 if let Some(index) = all.iter().find(|i| **i < 0) {
-                    return Err(Error::file(
-                        path,
-                        format!("face {number} refers to vertex {index}"),
-                        "the file is damaged: export it again",
-                    ));
+                    return Err(wrong(format!("face {number} refers to vertex {index}")));
                 }
-                match *all.as_slice() {
-                    [a, b, c] => fan(&[a as u32, b as u32, c as u32]),
-                    ref more => fan(&more.iter().map(|i| *i as u32).collect::<Vec<_>>()),
-                }
+                fan(all, |i| i as u32, &mut triangles);
             }
+            Corners::Unsigned(all) => fan(all, |i| i, &mut triangles),
+            Corners::Broken => {
+                let what = format!("the corners of face {number} are not whole numbers");
+                return Err(wrong(what));
+            }
+        }
+    }
+    for (number, strip) in read.strips.iter().enumerate() {
+        let corners: Vec<i64> = match &strip.corners {
+            Corners::Signed(all) => all.iter().map(|i| i64::from(*i)).collect(),
+            Corners::Unsigned(all) => all.iter().map(|i| i64::from(*i)).collect(),
+            Corners::Broken => {
+                let what = format!("the corners of strip {number} are not whole numbers");
+                return Err(wrong(what));
+            }
+        };
+        // A negative index ends a strip.
+        for strip in corners.split(|i| *i < 0) {
+            let strip = strip.windows(3).enumerate().map(|(k, w)| match k % 2 {
+                0 => [w[0], w[1], w[2]],
+                _ => [w[1], w[0], w[2]],
+            });
+            let strip = strip.map(|t| t.map(|i| i as u32));
+            // A corner is repeated to go on elsewhere.
+            triangles.extend(strip.filter(has_three));
         }
     }
     // Out of range indices are for the door to refuse by number; only then is it safe to look normals up.
@@ -281,11 +333,11 @@ fn mesh_of(
         .iter()
         .flatten()
         .all(|i| (*i as usize) < vertices.len());
-    let corner_normals = (has_normals && in_range).then(|| {
+    let corner_normals = (read.has_normals && in_range).then(|| {
         let normal = |i: u32| vertices[i as usize].normal.normalize_or_zero();
         triangles.iter().map(|t| t.map(normal)).collect()
     });
-    let coat = (has_colors && in_range).then(|| {
+    let coat = (read.has_colors && in_range).then(|| {
         let color = |i: u32| vertices[i as usize].color;
         let coated = triangles.iter().map(|t: &[u32; 3]| CoatedTriangle {
             colors: t.map(color),
@@ -304,28 +356,11 @@ fn mesh_of(
     })
 }
 
-/// The parser's complaint in one line; for text, the line at fault. The parser takes no NaN and no infinity either.
-fn wrong(path: &Path, bytes: &[u8], error: &ParseError, in_lines: bool) -> Error {
-    let help = "the file is cut off, damaged or no PLY: export or download it again";
-    let line = error.line().filter(|_| in_lines);
-    let shown = |text: &str| text.chars().take(160).collect::<String>();
-    if let Some(number) = line
-        && error.kind() != ErrorKind::UnexpectedEof
-    {
-        let text = bytes.split(|b| *b == b'\n').nth(number - 1).unwrap_or(b"");
-        let text = shown(String::from_utf8_lossy(text).trim());
-        let what = format!("`{text}` is not what a PLY has here");
-        return Error::file_line(path, number, what, help);
-    }
-    let text = error.to_string();
-    let text = match text.split_once(": ") {
-        Some((_, rest)) if error.line().is_some() => rest,
-        _ => &text,
-    };
-    let what = shown(text.lines().next().unwrap_or(text));
-    match line {
-        Some(line) => Error::file_line(path, line, what, help),
-        None => Error::file(path, what, help),
+/// The triangles of a polygon, from its first corner.
+fn fan<T: Copy>(corners: &[T], index: impl Fn(T) -> u32, triangles: &mut Vec<[u32; 3]>) {
+    if let [first, rest @ ..] = corners {
+        let fan = rest.windows(2).map(|w| [*first, w[0], w[1]].map(&index));
+        triangles.extend(fan);
     }
 }
 

@@ -1,0 +1,50 @@
+//! What is wrong with a PLY file, in one line. The parser takes no NaN and no infinity.
+
+use std::io::ErrorKind;
+
+use ply_rs_bw::parser::ParseError;
+
+/// What is wrong, and in which line.
+pub(super) struct Fault {
+    pub(super) line: Option<usize>,
+    pub(super) what: String,
+}
+
+impl Fault {
+    /// The parser's complaint in one line.
+    pub(super) fn of(error: &ParseError) -> Self {
+        let text = error.to_string();
+        let text = match text.split_once(": ") {
+            Some((_, rest)) if error.line().is_some() => rest,
+            _ => &text,
+        };
+        Self {
+            line: None,
+            what: shown(text.lines().next().unwrap_or(text)),
+        }
+    }
+
+    /// The parser's complaint about a header, with the line at fault.
+    pub(super) fn in_header(error: &ParseError, header: &str) -> Self {
+        match error.line() {
+            Some(line) if error.kind() != ErrorKind::UnexpectedEof => {
+                Self::of_line(line, header.lines().nth(line - 1).unwrap_or_default())
+            }
+            line => Self {
+                line,
+                ..Self::of(error)
+            },
+        }
+    }
+
+    pub(super) fn of_line(line: usize, text: &str) -> Self {
+        Self {
+            line: Some(line),
+            what: format!("`{}` is not what a PLY has here", shown(text.trim())),
+        }
+    }
+}
+
+fn shown(text: &str) -> String {
+    text.chars().take(160).collect()
+}

@@ -1,0 +1,69 @@
+//! The header of a PLY file, apart from its payload.
+//!
+//! A line of the header that begins with none of its words, nor with one misspelt, is read as the comment that it was meant to be: old
+//! versions of Blender wrote such lines. Blank lines are comments, too. Lines may end by LF, CR LF, or CR alone.
+
+use std::path::Path;
+
+/// First words of the lines of a header.
+const WORDS: [&str; 7] = [
+    "ply",
+    "format",
+    "comment",
+    "obj_info",
+    "element",
+    "property",
+    "end_header",
+];
+
+/// A header is looked for in so many bytes.
+const LONGEST: usize = 1 << 20;
+
+/// A word that is as similar to one of [`WORDS`] is that word misspelt.
+const MISSPELT: f64 = 0.8;
+
+/// Header and payload; lines of the header end by LF, and those that nothing introduces have become comments, each on its line. Without
+/// an end of the header all is header.
+pub(super) fn split<'a>(
+    path: &Path,
+    bytes: &'a [u8],
+    notes: &mut Vec<String>,
+) -> (String, &'a [u8]) {
+    let (header, payload) = bytes.split_at(length(bytes));
+    let header = String::from_utf8_lossy(header);
+    let mut text = String::with_capacity(header.len() + 64);
+    for (number, line) in (1..).zip(super::super::lines::lines(&header)) {
+        let word = line.split_whitespace().next().unwrap_or("").to_lowercase();
+        let is_like = |known: &&str| strsim::jaro_winkler(known, &word) > MISSPELT;
+        let is_known = WORDS.iter().any(is_like);
+        if !word.is_empty() && !is_known {
+            let shown: String = line.trim().chars().take(40).collect();
+            let file = path.display();
+            notes.push(format!("{file}:{number}: read as a comment: {shown:?}"));
+        }
+        if !is_known {
+            text.push_str("comment ");
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    (text, payload)
+}
+
+/// How many bytes the header has, with the end of its last line.
+fn length(bytes: &[u8]) -> usize {
+    const END: &[u8] = b"end_header";
+    let head = &bytes[..bytes.len().min(LONGEST)];
+    let is_at = |at: &usize| head[*at..].starts_with(END) && matches!(head[at - 1], b'\n' | b'\r');
+    let Some(end) = (1..head.len()).find(is_at) else {
+        return bytes.len();
+    };
+    // Where LF ends no line before, the first byte of a payload may be one.
+    let ends = if head[..end].contains(&b'\n') {
+        b'\n'
+    } else {
+        b'\r'
+    };
+    let rest = bytes[end..].iter().position(|byte| *byte == ends);
+    rest.map_or(bytes.len(), |rest| end + rest + 1)
+}

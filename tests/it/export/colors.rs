@@ -1,0 +1,150 @@
+//! Colours of vertices and images survive the cut in all formats that have a place for them; others say so.
+
+use super::*;
+use cutaway::scene::Mesh;
+
+/// A cube whose vertices have the colours of their coordinates, as PLY.
+fn colored_cube() -> String {
+    let corner = |i: usize| [i & 1, (i >> 1) & 1, i >> 2];
+    let vertices = (0..8).map(|i| {
+        let [x, y, z] = corner(i);
+        format!("{x} {y} {z} {} {} {}\n", 255 * x, 255 * y, 255 * z)
+    });
+    let faces = [
+        "0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5",
+    ];
+    let faces = faces.map(|f| format!("4 {f}\n")).concat();
+    format!(
+        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
+         property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 6\n\
+         property list uchar int vertex_indices\nend_header\n{}{faces}",
+        vertices.collect::<String>()
+    )
+}
+
+/// As IEC 61966-2-1 has it.
+fn srgb_from_linear(v: f32) -> f32 {
+    match v <= 0.003_130_8 {
+        true => 12.92 * v,
+        false => 1.055 * v.powf(1.0 / 2.4) - 0.055,
+    }
+}
+
+/// The faces of a mesh that are not in the plane x = 0.5, each with the colours of its corners.
+fn faces(mesh: &Mesh) -> impl Iterator<Item = ([glam::DVec3; 3], [[u8; 4]; 3])> {
+    let coat = mesh.coat.as_ref().expect("colours");
+    let all = (0..mesh.triangles.len()).map(|t| (mesh.corners(t), coat.triangles[t].colors));
+    all.filter(|(corners, _)| corners.iter().any(|p| p.x != 0.5))
+}
+
+#[test]
+fn colours_of_vertices_survive_in_all_formats_that_hold_them() {
+    let folder = Scratch::new("export-colours");
+    folder.write("cube.ply", colored_cube());
+    for extension in ["glb", "obj", "ply", "3mf"] {
+        let ran = folder.run(
+            &format!("export cube.ply --section x=0.5 --unit mm -o half.{extension}").replace(
+                " --unit mm",
+                if extension == "3mf" { " --unit mm" } else { "" },
+            ),
+        );
+        let ran = ran.exits(0);
+        assert!(
+            !ran.stderr.contains("without"),
+            "{extension}: {}",
+            ran.stderr
+        );
+        let read = read(&folder, &format!("half.{extension}"));
+        let facts = Topology::from_parts(&read.parts);
+        assert!(
+            facts.closed && (facts.volume - 0.5).abs() < 1e-9,
+            "{extension}"
+        );
+        let mesh = &read.parts[0].mesh;
+        let mut count = 0;
+        for (corners, colors) in faces(mesh) {
+            count += 1;
+            for (p, color) in corners.iter().zip(colors) {
+                for axis in 0..3 {
+                    let expected = 255.0 * srgb_from_linear(p[axis] as f32);
+                    let off = (f32::from(color[axis]) - expected).abs();
+                    assert!(off < 1.5, "{extension}: {color:?} at {p}");
+                }
+            }
+        }
+        assert!(count >= 10, "{extension}: {count} faces");
+        // A cap has the one colour of caps, and no corner that of the faces beside it.
+        let coat = mesh.coat.as_ref().expect("colours");
+        let caps: Vec<[[u8; 4]; 3]> = (0..mesh.triangles.len())
+            .filter(|t| mesh.corners(*t).iter().all(|p| p.x == 0.5))
+            .map(|t| coat.triangles[t].colors)
+            .collect();
+        assert!(
+            caps.len() >= 2 && caps.iter().all(|c| *c == [caps[0][0]; 3]),
+            "{extension}: {caps:?}"
+        );
+    }
+    let ran = folder
+        .run("export cube.ply --section x=0.5 -o half.stl")
+        .exits(0);
+    assert!(ran.stderr.contains("without colours"), "{}", ran.stderr);
+}
+
+#[test]
+fn images_survive_in_glb_and_are_missed_elsewhere() {
+    let folder = Scratch::new("export-images");
+    let mut png = image::RgbImage::new(2, 2);
+    png.put_pixel(0, 0, image::Rgb([255, 0, 0]));
+    png.save(folder.path("wall.png")).unwrap();
+    folder.write("cube.mtl", "newmtl wall\nmap_Kd wall.png\n");
+    let corner = |i: usize| [i & 1, (i >> 1) & 1, i >> 2];
+    let vertices: String = (0..8)
+        .map(|i| format!("v {} {} {}\n", corner(i)[0], corner(i)[1], corner(i)[2]))
+        .collect();
+    let faces = [
+        [1, 3, 4, 2],
+        [5, 6, 8, 7],
+        [1, 2, 6, 5],
+        [3, 7, 8, 4],
+        [1, 5, 7, 3],
+        [2, 4, 8, 6],
+    ];
+    let faces: String = faces
+        .iter()
+        .map(|[a, b, c, d]| format!("f {a}/1 {b}/2 {c}/3 {d}/4\n"))
+        .collect();
+    folder.write(
+        "cube.obj",
+        format!("mtllib cube.mtl\n{vertices}vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wall\n{faces}"),
+    );
+    folder
+        .run("export cube.obj --section x=0.25 -o half.glb")
+        .exits(0);
+    let read = read(&folder, "half.glb");
+    let mesh = &read.parts[0].mesh;
+    let coat = mesh.coat.as_ref().expect("an image");
+    assert_eq!(coat.images.len(), 1);
+    assert_eq!(coat.images[0].size(), [2, 2]);
+    assert!(Topology::from_parts(&read.parts).closed);
+    // On the face below, whose first corner is at the origin, u goes with y and v down from 1 with x.
+    let mut count = 0;
+    for t in 0..mesh.triangles.len() {
+        let corners = mesh.corners(t);
+        if corners.iter().all(|p| p.z == 0.0) {
+            count += 1;
+            for (p, uv) in corners.iter().zip(coat.triangles[t].uv) {
+                let expected = glam::Vec2::new(p.y as f32, 1.0 - p.x as f32);
+                assert!(uv.distance(expected) < 1e-6, "{uv} at {p}");
+            }
+        }
+    }
+    assert!(count >= 2, "{count} triangles below");
+    for extension in ["obj", "ply", "stl"] {
+        let ran = folder
+            .run(&format!(
+                "export cube.obj --section x=0.25 -o half2.{extension}"
+            ))
+            .exits(0);
+        assert!(ran.stderr.contains("images"), "{extension}: {}", ran.stderr);
+    }
+}
