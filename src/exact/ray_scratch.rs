@@ -19,8 +19,9 @@ pub(super) struct RayScratch {
     pub(super) ranks: Vec<u16>,
     /// Per surface: its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings and the clip-surfaces that their triangles are settled by: no rounding changes their order.
-    pub(super) settled: Vec<(u32, u16)>,
+    /// Crossings and the clip-surfaces that their triangles are settled by, each with its place as [`Crossing::place`] has it: no
+    /// rounding changes their order.
+    pub(super) settled: Vec<(u32, u16, i8)>,
     pub(super) start: State,
     pub(super) state: State,
     pub(super) scratch: Scratch,

@@ -68,6 +68,18 @@ pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
         .then_with(|| a.source.cmp(&b.source))
 }
 
+/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
+/// the few are moved by.
+pub(super) fn restore_order(events: &mut [Event]) {
+    for unplaced in 1..events.len() {
+        let mut at = unplaced;
+        while at > 0 && by_depth(&events[at], &events[at - 1]).is_lt() {
+            events.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
 /// Where a ray stands.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
