@@ -26,6 +26,7 @@ use super::{
 
 mod cuts;
 mod part;
+mod removed;
 mod volume;
 
 use cuts::CutTable;
@@ -189,6 +190,9 @@ impl Prepared {
         parts.sort_by_cached_key(|p| who_wins(&scene.parts[p.part], p.volume_at_rest, p.part));
 
         let (cuts, surfaces) = table.placed(scene, &space, place_volume);
+        parts.par_iter_mut().for_each(|part| {
+            part.is_removed = removed::is_removed(part, &cuts, &surfaces);
+        });
         Self {
             name: scene.name.clone(),
             bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {

@@ -1,6 +1,7 @@
 //! Promise: cuts along faces, and just beside them, are exact in every view, by every exact strategy and both rasterisers
 //! (hard cases 2 and 51), and a cut leaves nothing without thickness.
 
+mod removed;
 mod turned;
 
 use crate::common;

@@ -33,6 +33,8 @@ pub struct PreparedPart {
     pub is_on_device: bool,
     /// It is [whole](crate::scene::Role::Whole) and cuts remove all of it: it has no triangles here.
     pub is_hidden: bool,
+    /// Some cut removes all of it.
+    pub is_removed: bool,
     /// Bounds of `positions`, or a box that holds what the device makes of them.
     pub bounds: Bounds,
     /// How far off a plane the vertices of a face in it may be, in scene units; 0 in a pose.
@@ -105,6 +107,7 @@ impl PreparedPart {
             shading: Arc::default(),
             is_on_device: true,
             is_hidden: false,
+            is_removed: false,
             is_posed: !part.pose.is_rest(),
             bounds,
             plane_tolerance: 0.0,
