@@ -272,7 +272,7 @@ fn a_comparison_that_decides_little_is_a_warning_and_fails_the_gate() {
         alone.stderr
     );
     assert!(alone.stderr.contains("help:"), "{}", alone.stderr);
-    let exact = &serde_json::from_str::<Value>(&alone.text()).unwrap()["exact"];
+    let exact = &serde_json::from_str::<Value>(alone.text()).unwrap()["exact"];
     let [undecided, judged] = ["undecided_px", "judged_px"].map(|f| exact[f].as_u64().unwrap());
     let covered = exact["cap_px"].as_u64().unwrap() + exact["surface_px"].as_u64().unwrap();
     assert!(undecided > 100 && judged < covered, "{exact}");

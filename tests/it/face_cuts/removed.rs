@@ -48,7 +48,7 @@ fn an_open_part_that_is_wholly_removed_has_no_cap() {
                     let Ok(method) = method.parse::<Method>() else {
                         continue;
                     };
-                    let judged = question.answer(&method);
+                    let judged = question.answer(method);
                     assert_eq!(judged.comparison.decided_wrong_px, 0, "{what}: {method}");
                 }
             }

@@ -41,7 +41,7 @@ fn faults_of_face(question: &Question, what: &str) -> Vec<String> {
         all.push(format!("{what}: {undecided} of {covered} px undecided"));
     }
     for name in EXACT {
-        let judged = question.answer(&name.parse::<Method>().expect("a strategy"));
+        let judged = question.answer(name.parse::<Method>().expect("a strategy"));
         if judged.comparison.interior_wrong_px > 0 {
             let px = judged.comparison.interior_wrong_px;
             all.push(format!("{what}: {name}: {px} inner px differ"));
@@ -247,7 +247,7 @@ fn a_face_inside_another_body_has_the_cap_of_that_body() {
             let question = Question::through(&scene, &looking(eye, DVec3::ZERO, 50.0), [96, 72]);
             let what = format!("{fill:?}, {normal}");
             let judged = EXACT.map(|name| {
-                let judged = question.answer(&name.parse::<Method>().expect("a strategy"));
+                let judged = question.answer(name.parse::<Method>().expect("a strategy"));
                 (name, judged.comparison.decided_wrong_px)
             });
             let wrong: Vec<_> = judged.iter().filter(|(_, px)| *px > 0).collect();
