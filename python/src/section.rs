@@ -5,6 +5,7 @@
 //! and y, in `x=..` y and z, in `y=..` z and x.
 
 use cutaway::document::section as section_draft;
+use cutaway::scene::SceneSpace;
 use cutaway::slice::{SectionDefect, SlicePlane, Slicer};
 use glam::{DVec2, DVec3};
 use pyo3::prelude::*;
@@ -109,10 +110,11 @@ fn sliced(scene: &Scene, spec: &str, asked: Asked) -> Result<Sliced> {
         perimeter: 0.0,
         doubts: Vec::new(),
     };
+    let space = SceneSpace::new(&shown.bounds());
     for part in &shown.parts {
         // Coordinates are taken from a point near the part, where they have most digits.
         let near = plane.seen_from(part.bounds_in_world().centre());
-        let found = Slicer::of_part(part).section_by(&near, part.fill);
+        let found = Slicer::of_part_in(part, &space).section_by(&near, part.fill);
         let point = |number: &u32| {
             let at: DVec2 = found.points[*number as usize];
             axes.uv(near.point(at))

@@ -6,7 +6,7 @@
 
 #define_import_path cutaway::decision
 
-#import cutaway::crossings::{crossings_before, depth_at, head_of, is_cut_short, listed, surface_at, word_at}
+#import cutaway::crossings::{cappable, crossings_before, depth_at, head_of, is_cut_short, surface_at, word_at}
 #import cutaway::cuts::{cut_table, is_removed, parts}
 #import cutaway::frame::{frame, depth_from_buffer, pixel_index}
 #import cutaway::inside::{in_doubt, is_blank, next_inside, next_starting}
@@ -85,13 +85,14 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         return Decision(word, normal, depth, NONE);
     }
     let head = head_of(at);
-    var limit = listed(head.x);
+    var limit = cappable(at);
     if kind_of(word) != BACKGROUND {
         // The surface's place in the list stands where its clip-surface would, unless its part was drawn plainly.
-        limit = clip_surface_of(word);
-        if limit == UNCOUNTED {
-            limit = crossings_before(drawn.z, at).behind;
+        var before = clip_surface_of(word);
+        if before == UNCOUNTED {
+            before = crossings_before(drawn.z, at).behind;
         }
+        limit = min(limit, before);
         word &= 0xffff00ffu;
     }
 

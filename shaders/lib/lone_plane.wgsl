@@ -3,7 +3,7 @@
 
 #define_import_path cutaway::lone_plane
 
-#import cutaway::frame::{buffer_from_depth, frame, is_behind}
+#import cutaway::frame::{box_interval, buffer_from_depth, depth_from_buffer, frame, is_behind, ray_through}
 #import cutaway::rays::{along_ray, ray_table}
 
 struct LonePlane {
@@ -24,6 +24,13 @@ fn lone_plane_at(at_px: vec2<f32>) -> LonePlane {
         return LonePlane(0.0, !rises);
     }
     return LonePlane(buffer_from_depth(depth), rises);
+}
+
+// Whether the ray crosses the plane where a cap may be: in the box of the cut solids, as a list of crossings has it.
+fn is_in_box(plane: LonePlane, at_px: vec2<f32>) -> bool {
+    let interval = box_interval(ray_through(at_px));
+    let depth = depth_from_buffer(plane.z);
+    return plane.z > 0.0 && depth > interval.x && depth < interval.y;
 }
 
 // Whether a fragment of the pixel is kept.

@@ -16,7 +16,9 @@ use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::Result;
 use crate::compare::legend;
-use crate::experiment::{Judgement, Measurement, Renderer, SceneAtTime, check_memory, picture};
+use crate::experiment::{
+    Judgement, MOST_UNDECIDED, Measurement, Renderer, SceneAtTime, Warning, check_memory, picture,
+};
 use crate::report;
 use crate::session::Session;
 use crate::strategies::Means;
@@ -61,7 +63,8 @@ pub(super) struct CompareArgs {
     /// Folder for a picture and a heat map of each strategy, the picture of exact, and a legend
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     heatmaps: Option<PathBuf>,
-    /// Exit 1 if a strategy that draws has more decided wrong pixels
+    /// Exit 1 if a strategy that draws has more decided wrong pixels, or if more than 1/1000 of the pixels that show something are
+    /// undecided
     #[arg(long, value_name = "N", help_heading = "Test")]
     max_decided_wrong: Option<usize>,
     #[command(flatten)]
@@ -122,6 +125,23 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
 
 fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verdict {
     let mut verdict = Verdict::Done;
+    let doubt = Warning::of_undecided(&report.exact);
+    if let Some(doubt) = &doubt {
+        let (undecided, judged) = (report.exact.undecided_px, report.exact.judged_px);
+        let counts = format!("{undecided} px, {} are judged", judged.unwrap_or_default());
+        console.warn(format!(
+            "{} ({counts})\n  help: {}",
+            doubt.text(),
+            doubt.remedy()
+        ));
+    }
+    if most.is_some() && doubt.is_some() {
+        console.failed(format!(
+            "exact: {} undecided pixels, at most {} of those that show something are allowed",
+            report.exact.undecided_px, MOST_UNDECIDED
+        ));
+        verdict = Verdict::Failed;
+    }
     for (strategy, most) in report.strategies.iter().filter_map(|s| Some((s, most?))) {
         let Some(comparison) = &strategy.comparison else {
             continue;

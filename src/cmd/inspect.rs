@@ -17,7 +17,7 @@ use super::stdin::StdinArgs;
 use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::Table;
-use crate::scene::numbers::round;
+use crate::scene::numbers::{describe_bounds, round};
 use crate::scene::weld::thousands;
 use crate::scene::{Bodies, Clip, Part, Topology};
 use crate::{Error, Result};
@@ -195,17 +195,8 @@ fn to_text(facts: &[Facts<'_>], total: &Facts<'_>) -> String {
     }
     let mut text = table.to_text();
     let bounds = total.topology.bounds;
-    let (min, max) = (bounds.min, bounds.max);
-    for axis in 0..3 {
-        let name = ["x", "y", "z"][axis];
-        text.push_str(&format!(
-            "{}{name} {} to {}",
-            if axis == 0 { "bounds: " } else { ", " },
-            round(min[axis]),
-            round(max[axis])
-        ));
-    }
-    text.push('\n');
+    let bounds = describe_bounds(bounds.min, bounds.max);
+    text.push_str(&format!("bounds: {bounds}\n"));
     for Facts {
         name,
         topology: facts,

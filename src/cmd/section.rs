@@ -28,7 +28,7 @@ use super::subject::{Subject, document};
 use super::when::TimeArgs;
 use crate::report::{Drawn, PartReport, PlaneReport, SectionReport, Table, dxf, svg};
 use crate::scene::numbers::round;
-use crate::scene::{Fill, LengthUnit, Part, Scene, doubts, who_wins};
+use crate::scene::{Fill, LengthUnit, Part, Scene, SceneSpace, doubts, who_wins};
 use crate::slice::{Section, Slicer, Trim};
 use crate::{Error, Result};
 
@@ -180,6 +180,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
     parts.sort_by_cached_key(|(index, p)| {
         Reverse(who_wins(p, p.placed_volume(p.mesh.volume()), *index))
     });
+    let space = SceneSpace::new(&scene.bounds());
     let drawn: Vec<Drawn> = (planes.iter())
         .map(|p| Drawn::of(&p.plane, scene.camera.up))
         .collect();
@@ -189,7 +190,7 @@ fn sliced(scene: &Scene, planes: &[Plane], is_whole: bool) -> SectionReport {
             if !planes.iter().any(|p| is_cut(&p)) {
                 return planes.iter().map(|_| Sliced::Missed).collect();
             }
-            let (slicer, bounds) = (Slicer::of_part(part), part.bounds_in_world());
+            let (slicer, bounds) = (Slicer::of_part_in(part, &space), part.bounds_in_world());
             let of_plane = |(p, drawn): (&Plane, &Drawn)| {
                 if !is_cut(&p) {
                     return Sliced::Missed;

@@ -17,7 +17,7 @@ use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
 use super::outline::{Brush, NEAR_PX};
 use super::raster::{Crossing, Projected};
-use super::walk::{Cause, Event, Sight, State, by_depth, walk};
+use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 use crate::scene::{Prepared, View};
 
 /// Four ulp of f32 at a depth. Scene space has a radius of about 1 and its coordinates are rounded to ulps of 1, so
@@ -79,8 +79,8 @@ pub(super) struct Case<'a> {
     pub(super) cutters: &'a Cutters,
     /// The answer.
     pub(super) sight: Option<Sight>,
-    /// Crossings, and the clip-surfaces that their triangles are settled by.
-    pub(super) settled: &'a [(u32, u16)],
+    /// Crossings, and the clip-surfaces that their triangles are settled by, before or behind.
+    pub(super) settled: &'a [(u32, u16, i8)],
 }
 
 /// Buffers of repeated walks.
@@ -313,12 +313,13 @@ impl Case<'_> {
             let cut = self.prepared.surfaces[surface as usize].cut;
             self.prepared.parts[rank as usize].cuts.contains(&cut)
         };
-        let is_settled =
-            |mesh: &Event, surface: u16| self.settled.contains(&(mesh.source, surface));
+        let is_settled = |mesh: &Event, surface: u16| {
+            (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
+        };
         match (a.cause, b.cause) {
             // Of one part it matters which side of the mesh is seen.
             (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
-                (p != q || s != t) && !self.share_triangle(a, b)
+                (p != q || s != t) && !self.share_triangle(a, b) && !self.is_between(a, b)
             }
             (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
                 meets(p, surface) && !is_settled(a, surface)
@@ -335,6 +336,15 @@ impl Case<'_> {
                 s != t && (apart || of_cutter(s) || of_cutter(t))
             }
         }
+    }
+
+    /// Whether two crossings lie on different sides of one clip-surface.
+    fn is_between(&self, a: &Event, b: &Event) -> bool {
+        let of = |event: &Event| {
+            let source = event.source;
+            (self.settled.iter()).filter(move |(crossing, _, _)| *crossing == source)
+        };
+        of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
     }
 
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {
@@ -375,18 +385,6 @@ impl Case<'_> {
                 }
             }
             _ => Openness::All,
-        }
-    }
-}
-
-/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
-/// the few are moved by.
-fn restore_order(events: &mut [Event]) {
-    for unplaced in 1..events.len() {
-        let mut at = unplaced;
-        while at > 0 && by_depth(&events[at], &events[at - 1]).is_lt() {
-            events.swap(at, at - 1);
-            at -= 1;
         }
     }
 }

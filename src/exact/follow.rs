@@ -47,6 +47,7 @@ impl<'a> Lines<'a> {
                 slack.min(0.5 * view.near)
             };
         let odd = bench.sort_crossings(found, brushes, before_near);
+        bench.end_open_parts(found);
         let depths = (bench.crossings.iter().map(|c| c.depth))
             .chain(
                 brushes

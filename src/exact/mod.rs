@@ -9,7 +9,8 @@
 //! *Inside* is by the part's [`Fill`](crate::scene::Fill). The crossings of the whole line count, behind the eye too: inside
 //! at the near plane is what those before it say. An open part has pixels where all of them together still say inside: an odd
 //! number or, where the rule is nonzero, a sum that is not 0; they are marked ([`Exact::odd_parity`]) and drawn as if the line
-//! started outside. An eye that is on a mesh to the last bit has no side, and gets odd pixels too.
+//! started outside, and ended where it last crosses the part. An eye that is on a mesh to the last bit has no side, and gets odd pixels
+//! too.
 //!
 //! Cost: time and memory of the crossings, plus one step per texel border near the relief between the first and the last
 //! crossing of a ray. Rows are handled in bands, each with lists of its own, on all threads.
@@ -75,6 +76,14 @@ impl Exact {
     /// Number of undecided pixels.
     pub fn undecided_px(&self) -> usize {
         self.undecided.iter().filter(|u| **u).count()
+    }
+
+    /// Number of pixels that show something and are decided.
+    pub fn judged_px(&self) -> usize {
+        let pixels = self.layers.pixels.iter().zip(&self.undecided);
+        let is_judged =
+            |(layer, undecided): &(&Layer, &bool)| layer.kind != Kind::Background && !**undecided;
+        pixels.filter(is_judged).count()
     }
 
     /// Undecided pixels per covered pixel; 0 where nothing is covered and nothing undecided.

@@ -33,12 +33,16 @@ pub(super) struct Projected<'a> {
 }
 
 impl<'a> Projected<'a> {
-    /// Projects a part.
+    /// Projects a part; one of which a cut removes all has nothing to be crossed.
     pub(super) fn of(view: &View, part: &'a PreparedPart) -> Self {
+        let triangles = match part.is_removed {
+            true => &[],
+            false => part.triangles.as_slice(),
+        };
         Self {
             fill: part.fill,
             shading: Some(&*part.shading),
-            ..Self::of_mesh(view, &part.positions, &part.triangles)
+            ..Self::of_mesh(view, &part.positions, triangles)
         }
     }
 

@@ -19,8 +19,9 @@ pub(super) struct RayScratch {
     pub(super) ranks: Vec<u16>,
     /// Per surface: its roots are listed.
     pub(super) met: Vec<bool>,
-    /// Crossings and the clip-surfaces that their triangles are settled by: no rounding changes their order.
-    pub(super) settled: Vec<(u32, u16)>,
+    /// Crossings and the clip-surfaces that their triangles are settled by, each with its place as [`Crossing::place`] has it: no
+    /// rounding changes their order.
+    pub(super) settled: Vec<(u32, u16, i8)>,
     pub(super) start: State,
     pub(super) state: State,
     pub(super) scratch: Scratch,
@@ -70,6 +71,14 @@ impl RayScratch {
         self.ranks.iter().any(|r| self.end.is_inside(*r))
     }
 
+    /// Ends the parts that are open along the line where they are last crossed: beyond there is nothing of them to cap.
+    pub(super) fn end_open_parts(&mut self, found: &[Crossing]) {
+        for rank in self.ranks.iter().filter(|r| self.end.is_inside(**r)) {
+            let depths = found.iter().filter(|c| c.rank == *rank).map(|c| c.depth);
+            self.start.ends[usize::from(*rank)] = depths.fold(f64::NEG_INFINITY, f64::max);
+        }
+    }
+
     pub(super) fn merge_events(&mut self) {
         self.events
             .extend(self.crossings.iter().enumerate().map(|(i, c)| Event {
@@ -97,6 +106,7 @@ impl RayScratch {
     pub(super) fn clear(&mut self) {
         for rank in self.ranks.drain(..) {
             self.start.winding[rank as usize] = 0;
+            self.start.ends[rank as usize] = f64::INFINITY;
             self.end.winding[rank as usize] = 0;
         }
         self.crossings.clear();

@@ -68,12 +68,13 @@ impl Lines<'_> {
             for (settled, rim) in self.settled[rank].by(crossing.triangle) {
                 let corners = self.parts[rank].corners(crossing.triangle);
                 let is_by_the_rim = (0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e));
-                if !is_by_the_rim {
-                    bench.settled.push((index as u32, settled.surface));
-                }
                 let mut roots = bench.roots.iter();
                 if let Some(root) = roots.find(|r| r.surface == settled.surface) {
                     let is_behind = (settled.side == Side::Kept) == root.to_kept;
+                    if !is_by_the_rim {
+                        let place = if is_behind { 1 } else { -1 };
+                        bench.settled.push((index as u32, settled.surface, place));
+                    }
                     if (crossing.depth > root.depth) != is_behind || crossing.depth == root.depth {
                         crossing.depth = root.depth;
                         crossing.place = if is_behind { 1 } else { -1 };
@@ -85,7 +86,8 @@ impl Lines<'_> {
                     crossing.depth = root.depth;
                     crossing.place = crossing.step();
                     if self.goes_on(at, root, crossing) {
-                        bench.settled.push((index as u32, root.surface));
+                        let place = crossing.place;
+                        bench.settled.push((index as u32, root.surface, place));
                     }
                 }
             }

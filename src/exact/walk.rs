@@ -68,6 +68,18 @@ pub(super) fn by_depth(a: &Event, b: &Event) -> Ordering {
         .then_with(|| a.source.cmp(&b.source))
 }
 
+/// Sorts events of which all but a few are in order, by insertion: it costs as many steps as there are events, and as many more as
+/// the few are moved by.
+pub(super) fn restore_order(events: &mut [Event]) {
+    for unplaced in 1..events.len() {
+        let mut at = unplaced;
+        while at > 0 && by_depth(&events[at], &events[at - 1]).is_lt() {
+            events.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
 /// Where a ray stands.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
@@ -77,6 +89,9 @@ pub(super) struct State {
     pub(super) fill: Vec<Fill>,
     /// Per clip-surface: on its removed side.
     pub(super) removed: Vec<bool>,
+    /// Per rank: the depth from which on there is nothing of the part. Of an open part that is its last crossing, whatever the winding
+    /// number is there; of a closed one it never matters.
+    pub(super) ends: Vec<f64>,
 }
 
 impl State {
@@ -86,6 +101,7 @@ impl State {
             winding: vec![0; prepared.parts.len()],
             fill: prepared.parts.iter().map(|p| p.fill).collect(),
             removed: vec![false; prepared.surfaces.len()],
+            ends: vec![f64::INFINITY; prepared.parts.len()],
         }
     }
 
@@ -93,6 +109,7 @@ impl State {
     pub(super) fn set(&mut self, other: &Self) {
         self.winding.copy_from_slice(&other.winding);
         self.removed.copy_from_slice(&other.removed);
+        self.ends.copy_from_slice(&other.ends);
     }
 
     /// Whether the ray is inside a part here.
@@ -230,6 +247,11 @@ pub(super) fn pass_clips(
     let candidates: Vec<(u16, Event)> = ranks
         .iter()
         .filter(|r| state.is_inside(**r))
+        .filter(|r| {
+            events
+                .iter()
+                .any(|e| e.depth <= state.ends[usize::from(**r)])
+        })
         .filter_map(|r| freed(state, *r).map(|e| (*r, e)))
         .collect();
     for event in events {

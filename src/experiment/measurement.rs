@@ -33,6 +33,12 @@ impl<T> PerClock<T> {
     }
 }
 
+/// The largest share of undecided pixels, of those that show something, with which a comparison proves anything.
+pub const MOST_UNDECIDED: f64 = 1e-3;
+
+/// So few undecided pixels are those of outlines in a small picture, whatever their share.
+const FEW_UNDECIDED_PX: usize = 20;
+
 /// The exact reference of a frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
@@ -44,6 +50,9 @@ pub struct Reference {
     pub background_px: usize,
     /// Pixels where sampling is ambiguous, so that no answer can be called wrong.
     pub undecided_px: usize,
+    /// Pixels that show something and are decided; none in records of before these were counted.
+    #[serde(default)]
+    pub judged_px: Option<usize>,
     /// Pixels whose cap several solids share.
     pub overlap_px: usize,
     /// Time of the evaluation on the CPU.
@@ -58,9 +67,20 @@ impl Reference {
             surface_px: exact.layers.count(Kind::Surface),
             background_px: exact.layers.count(Kind::Background),
             undecided_px: exact.undecided_px(),
+            judged_px: Some(exact.judged_px()),
             overlap_px: exact.layers.overlap_px(),
             time_ms,
         }
+    }
+
+    /// Undecided pixels per pixel that shows something.
+    pub fn undecided_share(&self) -> f64 {
+        self.undecided_px as f64 / (self.cap_px + self.surface_px).max(1) as f64
+    }
+
+    /// Whether so many pixels are undecided that the rest proves little: more than [`MOST_UNDECIDED`], and not merely a few.
+    pub fn is_doubtful(&self) -> bool {
+        self.undecided_px > FEW_UNDECIDED_PX && self.undecided_share() > MOST_UNDECIDED
     }
 }
 
@@ -321,6 +341,7 @@ pub(crate) mod tests {
                 surface_px: 20,
                 background_px: 3042,
                 undecided_px: 1,
+                judged_px: Some(0),
                 overlap_px: 0,
                 time_ms: 5.0,
             },

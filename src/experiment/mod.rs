@@ -29,7 +29,8 @@ pub use definition::{Definition, Moves};
 pub use identity::Identity;
 pub use judge::{Frame, Judgement, Question, error_steps, errors, times, timing_steps};
 pub use measurement::{
-    Ending, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement, Timing,
+    Ending, MOST_UNDECIDED, Measurement, PassTime, PerClock, Price, Reference, StrategyMeasurement,
+    Timing,
 };
 pub use memory::check_memory;
 pub use parameter::{Parameter, Parameters};

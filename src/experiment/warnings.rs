@@ -3,7 +3,7 @@
 //! Thresholds are habits, not laws: they say when a reader should look at the samples before believing a median.
 
 use super::measurement::Timing;
-use super::{Ending, Machine, Measurement, Samples, Warning};
+use super::{Ending, Machine, Measurement, Reference, Samples, Warning};
 
 /// Times scatter if their median absolute deviation is this share of their median.
 const NOISY: f64 = 0.10;
@@ -19,9 +19,6 @@ const ROUNDS_OF_A_TREND: usize = 6;
 
 /// Rounds that tell a spread.
 const ROUNDS_OF_A_SPREAD: usize = 5;
-
-/// Exact leaves many pixels undecided at this share of those that show something.
-const UNDECIDED: f64 = 1e-3;
 
 /// The machine is busy if this share of its processors had work before.
 const BUSY: f64 = 0.5;
@@ -49,11 +46,7 @@ impl Warning {
         if let Some(spread) = spread(&measurement.draw_only_ms) {
             all.push(Self::NoisyDrawOnly { spread });
         }
-        let exact = &measurement.exact;
-        let share = exact.undecided_px as f64 / (exact.cap_px + exact.surface_px).max(1) as f64;
-        if share > UNDECIDED {
-            all.push(Self::Undecided { share });
-        }
+        all.extend(Self::of_undecided(&measurement.exact));
         for strategy in &measurement.strategies {
             let name = || strategy.name.clone();
             if strategy.outcome == Ending::Overflowed {
@@ -68,6 +61,12 @@ impl Warning {
             }
         }
         all
+    }
+
+    /// The warning of a reference that leaves more than [`MOST_UNDECIDED`](super::MOST_UNDECIDED) of the pixels undecided.
+    pub fn of_undecided(exact: &Reference) -> Option<Self> {
+        let share = exact.undecided_share();
+        exact.is_doubtful().then_some(Self::Undecided { share })
     }
 
     /// What was said when the scene was opened, as it stands on standard error: several lines, the last of which may say what to do.
@@ -246,7 +245,7 @@ mod tests {
             ("overflowed", |m| {
                 m.strategies[0].outcome = Ending::Overflowed
             }),
-            ("undecided", |m| m.exact.undecided_px = 2),
+            ("undecided", |m| m.exact.undecided_px = 21),
         ];
         for (kind, plant) in faults {
             let mut planted = calm();

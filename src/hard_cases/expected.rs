@@ -184,6 +184,10 @@ pub struct Tally {
     pub wrong_px: usize,
     /// Pixels that exact covers in those that were not refused.
     pub covered_px: usize,
+    /// Those of them that exact is sure of.
+    pub judged_px: usize,
+    /// Pixels that exact leaves undecided in them.
+    pub undecided_px: usize,
     /// How many were refused.
     pub refused: usize,
     /// How many overflowed.
@@ -202,10 +206,11 @@ impl Tally {
         self.wrong_px += judged.comparison.decided_wrong_px;
         let is_refused = matches!(judged.outcome, Outcome::Refused(_));
         self.refused += usize::from(is_refused);
-        self.covered_px += match is_refused {
-            true => 0,
-            false => judged.exact.covered_px(),
-        };
+        if !is_refused {
+            self.covered_px += judged.exact.covered_px();
+            self.judged_px += judged.exact.judged_px();
+            self.undecided_px += judged.exact.undecided_px();
+        }
         self.overflowed += usize::from(matches!(judged.outcome, Outcome::Overflowed(_)));
         self.faults.extend(fault.map(|f| format!("{name}: {f}")));
     }
@@ -215,6 +220,8 @@ impl Tally {
         self.pictures += other.pictures;
         self.wrong_px += other.wrong_px;
         self.covered_px += other.covered_px;
+        self.judged_px += other.judged_px;
+        self.undecided_px += other.undecided_px;
         self.unasked_px.retain(|px| other.unasked_px.contains(px));
         self.refused += other.refused;
         self.overflowed += other.overflowed;
@@ -273,8 +280,10 @@ impl Tally {
         let mut line = match self.refused == self.pictures {
             true => "refused".to_owned(),
             false => format!(
-                "{} decided wrong in {} pictures",
+                "{} decided wrong of {} judged px, {} undecided, in {} pictures",
                 self.wrong_px,
+                self.judged_px,
+                self.undecided_px,
                 self.pictures - self.refused
             ),
         };

@@ -220,6 +220,7 @@ impl Model {
         for part in &mut uncut.prepared.parts {
             part.cuts.clear();
             part.is_hidden = false;
+            part.is_removed = false;
         }
         uncut.first_texel.clear();
         uncut.settled = None;

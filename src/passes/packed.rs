@@ -18,6 +18,7 @@ use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
 use crate::scene::{
     Bounds, Mesh, Motion, Part, PreparedPart, SceneSpace, doubled_faces, is_same_motion,
+    tolerance_of,
 };
 
 /// A part packed for upload.
@@ -123,6 +124,7 @@ impl Packed {
         );
         let placed = PreparedPart {
             triangles: rest.triangles.clone(),
+            plane_tolerance: tolerance_of(part, &rest.bounds, space),
             ..outline
         };
         Self {

@@ -6,7 +6,7 @@
 
 use super::Refusal;
 use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
-use crate::scene::{Bounds, Prepared, PreparedSurface, View};
+use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 
 /// Parts that the 16 bits of a layer can name.
 const MOST_PARTS: usize = 1 << 16;
@@ -74,13 +74,13 @@ impl Relevance {
         let mut cuts: Vec<(usize, u32)> = Vec::new();
         let mut parts = Vec::with_capacity(prepared.parts.len());
         for part in &prepared.parts {
-            if part.is_hidden {
+            if part.is_hidden || part.is_removed {
                 parts.push(Treatment::Removed);
                 continue;
             }
             // What removes a part altogether is asked first: the other cuts of such a part do not matter.
             let reached: Vec<(usize, bool)> = (part.cuts.iter())
-                .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, &part.bounds)?)))
+                .filter_map(|cut| Some((*cut, removes_all(prepared, *cut, part)?)))
                 .collect();
             if reached.iter().any(|(_, all)| *all) {
                 parts.push(Treatment::Removed);
@@ -246,18 +246,20 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
 }
 
 /// Whether a cut removes all of a box; `None` where it does not reach it.
-fn removes_all(prepared: &Prepared, cut: usize, bounds: &Bounds) -> Option<bool> {
+fn removes_all(prepared: &Prepared, cut: usize, part: &PreparedPart) -> Option<bool> {
+    // Faces in a surface may be so far off it.
+    let touching = TOUCHING.max(part.plane_tolerance);
     let sides: Vec<Side> = (prepared.cuts[cut].surfaces.iter())
-        .map(|s| side_of(&prepared.surfaces[*s], bounds))
+        .map(|s| side_of(&prepared.surfaces[*s], &part.bounds, touching))
         .collect();
     (!sides.contains(&Side::Kept)).then(|| sides.iter().all(|s| *s == Side::Removed))
 }
 
-fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {
+fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
     if let Some(volume) = &surface.volume {
         // What is beside the cutter's box is outside of the cutter; of the rest nothing is known.
-        let apart = (volume.bounds.min - bounds.max).max_element() > TOUCHING
-            || (bounds.min - volume.bounds.max).max_element() > TOUCHING;
+        let apart = (volume.bounds.min - bounds.max).max_element() > touching
+            || (bounds.min - volume.bounds.max).max_element() > touching;
         return match (apart, volume.keeps_inside) {
             (false, _) => Side::Across,
             (true, false) => Side::Kept,
@@ -272,9 +274,9 @@ fn side_of(surface: &PreparedSurface, bounds: &Bounds) -> Side {
     });
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + relief[0].min(relief[1]);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + relief[0].max(relief[1]);
-    if low > TOUCHING {
+    if low > touching {
         Side::Kept
-    } else if high < -TOUCHING {
+    } else if high < -touching {
         Side::Removed
     } else {
         Side::Across

@@ -85,20 +85,18 @@ impl Sorted {
     /// `doubled` are those that lie on another one.
     pub(super) fn of(
         surfaces: &[Numbered],
-        positions: &[Vec3],
-        triangles: &[[u32; 3]],
+        (positions, triangles): (&[Vec3], &[[u32; 3]]),
+        plane_tolerance: f64,
         (indices, doubled): (&[u8], &[u32]),
     ) -> Option<Self> {
         let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
         for (number, surface) in surfaces {
             match surface {
                 Settling::Flat(flat) => {
-                    for (triangle, side) in flat.settled(positions, triangles) {
-                        let lie = lies.entry(triangle).or_default();
-                        lie.sides.push((*number, side));
-                        let corners =
-                            triangles[triangle as usize].map(|i| positions[i as usize].as_dvec3());
-                        if flat.side_of_face(corners).is_some() {
+                    for settled in flat.settled(positions, triangles, plane_tolerance) {
+                        let lie = lies.entry(settled.triangle).or_default();
+                        lie.sides.push((*number, settled.side));
+                        if settled.is_in {
                             lie.flush.push(*number);
                         }
                     }
@@ -216,7 +214,8 @@ fn surfaces_near(prepared: &Prepared, part: &PreparedPart) -> Vec<Numbered> {
         match &surface.volume {
             Some(volume) => Some(Settling::Volume(volume.clone())),
             None => {
-                let flat = surface.flat().filter(|f| f.comes_near(&part.bounds));
+                let flat = surface.flat();
+                let flat = flat.filter(|f| f.comes_near(&part.bounds, part.plane_tolerance));
                 flat.map(Settling::Flat)
             }
         }

@@ -28,14 +28,13 @@ const DOUBT_MARGIN: f64 = 1e-3;
 /// Curves within this of their first point are rounding, as a share of the radius of the part's box.
 const SPECK: f64 = 1e-6;
 
-/// The section of a part by a plane, packed for upload.
+/// What a plane caps of a part, packed for upload.
 #[derive(Clone)]
 pub(super) struct PackedSection {
     /// As [`Vertices::Mesh`](crate::plan::Vertices::Mesh) has them, in scene space; nobody reads their normals.
     pub(super) vertices: Arc<[u8]>,
     pub(super) vertex_count: u32,
-    /// Three to a triangle: those of the section and of faces in its plane, and after them those of all that its plane can meet of the
-    /// part.
+    /// Three to a triangle: those of the section, and after them those of all that its plane can meet of the part.
     pub(super) indices: Arc<[u8]>,
     /// Indices of the section.
     pub(super) index_count: u32,
@@ -134,14 +133,18 @@ impl Sliced {
         match &*last {
             Some(last) if last.surfaces == surfaces => last.sorted.clone(),
             _ => {
+                let sort = |at: &[Vec3]| {
+                    let mesh = (at, part.triangles.as_slice());
+                    Sorted::of(surfaces, mesh, part.plane_tolerance, indices)
+                };
                 let sorted = match &self.posed {
                     Some((of, space)) if !surfaces.is_empty() => {
                         let at: Vec<Vec3> = (positions_of(of, space).iter())
                             .map(|p| p.as_vec3())
                             .collect();
-                        Sorted::of(surfaces, &at, &part.triangles, indices)
+                        sort(&at)
                     }
-                    _ => Sorted::of(surfaces, &part.positions, &part.triangles, indices),
+                    _ => sort(&part.positions),
                 };
                 let sorted = sorted.map(Arc::new);
                 *last = Some(SortedBy {
@@ -169,14 +172,14 @@ impl Sliced {
             Some((part, space)) => positions_of(part, space),
             None => part.positions.par_iter().map(|p| p.as_dvec3()).collect(),
         };
-        Slicer::new(positions, &part.triangles)
+        Slicer::new(positions, &part.triangles).in_scene(SceneSpace::ITSELF, part.plane_tolerance)
     }
 
     /// Slices the part, and fills the section by its rule.
     pub(super) fn slice(&self, part: &PreparedPart, plane: &SlicePlane) -> PackedSection {
         let slicer = self.slicer.get_or_init(|| self.new_slicer(part));
-        let section = slicer.section_by(plane, part.fill);
-        PackedSection::of(&section, plane, &slicer.faces_in(plane), &part.bounds)
+        let cap = slicer.cap_by(plane, part.fill);
+        PackedSection::of(&cap, plane, &part.bounds)
     }
 }
 
@@ -189,29 +192,25 @@ fn positions_of(part: &Part, space: &SceneSpace) -> Vec<DVec3> {
 }
 
 impl PackedSection {
-    /// `faces` lie in the plane and are in the section, and make no cap: drawn once more, they take away what the section says there.
-    fn of(section: &Section, plane: &SlicePlane, faces: &[[DVec3; 3]], bounds: &Bounds) -> Self {
+    fn of(section: &Section, plane: &SlicePlane, bounds: &Bounds) -> Self {
         let doubted = match is_doubtful(section, bounds) {
             true => plane.across(&with_margin(bounds)),
             false => Vec::new(),
         };
-        let of_section = section.points.len() as u32;
-        let of_faces = (0..faces.len() as u32).map(|t| [0, 1, 2].map(|i| of_section + 3 * t + i));
-        let first = of_section + 3 * faces.len() as u32;
+        let first = section.points.len() as u32;
         let fan = (first + 2..first + doubted.len() as u32).map(|i| [first, i - 1, i]);
         let own = section.triangles.iter().copied();
-        let triangles: Vec<[u32; 3]> = own.chain(of_faces).chain(fan).collect();
+        let triangles: Vec<[u32; 3]> = own.chain(fan).collect();
         let vertex = |p: DVec3| Vertex {
             position: p.as_vec3().to_array(),
             normal: 0,
         };
         let lifted = |p: &DVec2| vertex(plane.point(*p));
         let vertices: Vec<Vertex> = (section.points.iter().map(lifted))
-            .chain(faces.as_flattened().iter().map(|p| vertex(*p)))
             .chain(doubted.iter().map(lifted))
             .collect();
         let indices = triangles.as_flattened();
-        let index_count = 3 * (section.triangles.len() + faces.len()) as u32;
+        let index_count = 3 * section.triangles.len() as u32;
         Self {
             vertex_count: vertices.len() as u32,
             index_count,

@@ -35,7 +35,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             )
         })
         .collect();
-    const FIRST: [&str; 17] = [
+    const FIRST: [&str; 18] = [
         "folder",
         "experiment",
         "run",
@@ -52,6 +52,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
         "cap_px",
         "surface_px",
         "undecided_px",
+        "judged_px",
         "truth",
     ];
     let heading = FIRST.iter().map(|f| (*f).to_owned());
@@ -84,6 +85,7 @@ pub(super) fn csv(recorded: &Recorded) -> String {
             m.exact.cap_px.to_string(),
             m.exact.surface_px.to_string(),
             m.exact.undecided_px.to_string(),
+            (m.exact.judged_px).map_or_else(String::new, |px| px.to_string()),
             (row.record.truth.as_ref())
                 .map_or("own", |_| "other")
                 .to_owned(),

@@ -19,10 +19,11 @@ pub fn text(report: &Measurement) -> String {
     );
     let exact = &report.exact;
     text.push_str(&format!(
-        "exact: {} cap px, {} surface px, {} undecided px, {} ms on the CPU\n\n",
+        "exact: {} cap px, {} surface px, {} undecided px{}, {} ms on the CPU\n\n",
         exact.cap_px,
         exact.surface_px,
         exact.undecided_px,
+        (exact.judged_px).map_or_else(String::new, |px| format!(", {px} judged px")),
         milliseconds(exact.time_ms)
     ));
     text.push_str(&errors(report).to_text());

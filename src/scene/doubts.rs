@@ -1,7 +1,11 @@
 //! What is nearly always a slip in a scene, or makes its caps a matter of opinion.
 
 use super::numbers::describe_bounds;
-use super::{Cut, Cutter, Fill, Part, Role, Scene, Topology};
+use super::{Bounds, Cut, Cutter, Fill, Part, Role, Scene, Topology};
+
+fn described(bounds: &Bounds) -> String {
+    describe_bounds(bounds.min.to_array(), bounds.max.to_array())
+}
 
 /// What is said of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,7 +44,7 @@ pub fn doubts(scene: &Scene) -> Vec<Remark> {
             "section {} misses the model: all of it is on the side that {side}\n  bounds: {}\n  help: give a position within \
              the bounds, or a percentage of them such as z=50%",
             cut.name,
-            describe_bounds(&bounds)
+            described(&bounds)
         )));
     }
     let spared = scene.parts.iter().filter(|p| p.role != Role::Exterior);
@@ -86,7 +90,7 @@ fn missing(cutter: &Cutter, scene: &Scene) -> Option<Remark> {
     let (bounds, own) = (scene.bounds(), cutter.bounds_in_world());
     let is_apart = (own.min.cmpgt(bounds.max) | bounds.min.cmpgt(own.max)).any();
     is_apart.then(|| {
-        let (name, own, of_model) = (cutter.name(), describe_bounds(&own), describe_bounds(&bounds));
+        let (name, own, of_model) = (cutter.name(), described(&own), described(&bounds));
         Remark::warning(format!(
             "the cutter {name} misses the model\n  bounds: {own}; of the model: {of_model}\n  help: in a scene file `translate`, \
              `scale` and `rotate_deg` place it"
@@ -118,6 +122,6 @@ pub(crate) fn empty_picture(scene: &Scene) -> Remark {
     Remark::warning(format!(
         "the picture is empty: all of the model is cut away or outside the view\n  bounds: {}\n  help: keep the \
          other side (--flip), move the section, or leave the camera options out",
-        describe_bounds(&scene.bounds())
+        described(&scene.bounds())
     ))
 }

@@ -22,6 +22,7 @@ mod decimals;
 mod doubled;
 mod doubts;
 mod exact_sum;
+mod faces_in_plane;
 mod facing;
 mod fill;
 mod fitting;
@@ -80,6 +81,7 @@ pub use decimals::to_decimals;
 pub(crate) use doubled::doubled_faces;
 pub use doubts::{Remark, doubts};
 pub(crate) use doubts::{empty_picture, misses};
+pub(crate) use faces_in_plane::{Candidates, FacesInPlane, plane_tolerance};
 pub use fill::Fill;
 pub(crate) use fitting::{distance_around, half_height_around};
 pub(crate) use grown::Grown;
@@ -96,10 +98,10 @@ pub use outline::Outline;
 pub(crate) use part::who_wins;
 pub use part::{Part, Role};
 pub use plane_spec::{Amount, PlaneSpec};
-pub(crate) use prepared::facing_out;
 pub use prepared::{
     Prepared, PreparedCut, PreparedPart, PreparedSurface, PreparedVolume, SceneSpace,
 };
+pub(crate) use prepared::{facing_out, tolerance_of};
 pub(crate) use regions::in_common;
 pub use regions::{Block, Face, Wedge, next_axis};
 pub use settled::{FlatSurface, Settled, Side};

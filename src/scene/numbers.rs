@@ -1,7 +1,5 @@
 //! Numbers for readers.
 
-use super::Bounds;
-
 /// A number with six significant digits and no more zeros than it needs.
 pub(crate) fn round(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -19,15 +17,23 @@ pub(crate) fn round(value: f64) -> String {
     }
 }
 
+/// A coordinate with as many digits as `f32` needs to read it back: typed into a plane, a face that is there is in the plane.
+pub(crate) fn coordinate(value: f64) -> String {
+    let short = round(value);
+    match short.parse::<f32>() {
+        Ok(read) if read != value as f32 && !short.contains('e') => format!("{}", value as f32),
+        _ => short,
+    }
+}
+
 /// Bounds, axis by axis.
-pub(super) fn describe_bounds(bounds: &Bounds) -> String {
-    let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
+pub(crate) fn describe_bounds(min: [f64; 3], max: [f64; 3]) -> String {
     let axis = |i: usize| {
         format!(
             "{} {} to {}",
             ["x", "y", "z"][i],
-            round(min[i]),
-            round(max[i])
+            coordinate(min[i]),
+            coordinate(max[i])
         )
     };
     format!("{}, {}, {}", axis(0), axis(1), axis(2))
@@ -36,6 +42,19 @@ pub(super) fn describe_bounds(bounds: &Bounds) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn coordinates_are_read_back_as_the_same_f32() {
+        for (value, text) in [
+            (0.25, "0.25"),
+            (73.055_328_369_140_62, "73.05533"),
+            (5_001.370_117_187_5, "5001.37"),
+            (-1_234_567.75, "-1234567.8"),
+        ] {
+            assert_eq!(coordinate(value), text);
+            assert_eq!(text.parse::<f32>(), Ok(value as f32));
+        }
+    }
 
     #[test]
     fn numbers_are_written_short() {

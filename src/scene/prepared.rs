@@ -20,17 +20,18 @@ use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::{
-    Bounds, Camera, ClipSurface, Cutter, OffsetMap, Outline, Part, Scene, Style, SurfaceFrame,
-    View, Wrap, is_removed_whole, who_wins,
+    Bounds, Camera, ClipSurface, Cutter, FlatSurface, OffsetMap, Outline, Part, Scene, Style,
+    SurfaceFrame, View, Wrap, is_removed_whole, who_wins,
 };
 
 mod cuts;
 mod part;
+mod removed;
 mod volume;
 
 use cuts::CutTable;
 pub use part::PreparedPart;
-pub(crate) use part::facing_out;
+pub(crate) use part::{facing_out, tolerance_of};
 pub use volume::PreparedVolume;
 
 /// Where scene space lies in the world: `scene = (world - centre) * scale`.
@@ -43,6 +44,12 @@ pub struct SceneSpace {
 }
 
 impl SceneSpace {
+    /// The space of what is in scene space already.
+    pub(crate) const ITSELF: Self = Self {
+        centre_in_world: DVec3::ZERO,
+        scale: 1.0,
+    };
+
     /// The space in which a box has a radius between 1/2 and 1.
     pub fn new(world: &Bounds) -> Self {
         let radius = world.radius();
@@ -62,6 +69,20 @@ impl SceneSpace {
     /// A point of the world.
     pub fn point(&self, world: DVec3) -> DVec3 {
         (world - self.centre_in_world) * self.scale
+    }
+
+    /// A vertex: a point of the world rounded to `f32`.
+    pub(crate) fn vertex(&self, world: DVec3) -> Vec3 {
+        self.point(world).as_vec3()
+    }
+
+    /// A flat clip-surface of the world, as [`PreparedSurface::flat`] has it.
+    pub(crate) fn flat(&self, world: &FlatSurface) -> FlatSurface {
+        FlatSurface {
+            origin: rounded_near(self.point(world.origin)),
+            normal: world.normal,
+            lift: world.lift * self.scale,
+        }
     }
 
     /// The map from world space.
@@ -169,6 +190,9 @@ impl Prepared {
         parts.sort_by_cached_key(|p| who_wins(&scene.parts[p.part], p.volume_at_rest, p.part));
 
         let (cuts, surfaces) = table.placed(scene, &space, place_volume);
+        parts.par_iter_mut().for_each(|part| {
+            part.is_removed = removed::is_removed(part, &cuts, &surfaces);
+        });
         Self {
             name: scene.name.clone(),
             bounds: if scene.stage.is_some() || parts.iter().any(|p| p.is_on_device) {
@@ -314,12 +338,16 @@ impl PreparedSurface {
                 }
             }
         }
-        for c in self.origin.as_mut() {
-            if c.abs() <= NEAR_MODEL {
-                *c = f64::from(*c as f32);
-            }
-        }
+        self.origin = rounded_near(self.origin);
     }
+}
+
+/// The origin of a clip-surface, rounded as vertices are where it is near the model.
+fn rounded_near(origin: DVec3) -> DVec3 {
+    DVec3::from_array((origin.to_array()).map(|c| match c.abs() <= NEAR_MODEL {
+        true => f64::from(c as f32),
+        false => c,
+    }))
 }
 
 #[cfg(test)]

@@ -6,12 +6,11 @@
 //!
 //! - all on one side, or on the surface: it lies on that side; so do triangles that share a vertex with one so close, as the walls
 //!   around a face do;
-//! - all on the surface: it lies on the side on which its solid is. A cut thus leaves nothing without thickness: a solid is taken
-//!   without its boundary (design: a face by which a ray enters is infinitesimally farther, one by which it leaves infinitesimally
-//!   nearer, which is the same, whichever way the ray runs).
+//! - of a face in the surface ([`FacesInPlane`](super::faces_in_plane)): it lies on the side on which its solid is. A cut thus leaves
+//!   nothing without thickness: a solid is taken without its boundary (design: a face by which a ray enters is infinitesimally farther, one
+//!   by which it leaves infinitesimally nearer, which is the same, whichever way the ray runs). Vertices of such a face are on the surface.
 //!
-//! Which side the solid is on follows from the triangle's orientation, counter-clockwise from outside, turned round where the mesh as a
-//! whole is inside out (of negative volume). Signs are those of the exact real numbers that the f64s define.
+//! Signs are those of the exact real numbers that the f64s define.
 //!
 //! Cost: one product per vertex and surface; where three vertices are close a look at every triangle, and where something is settled another.
 //!
@@ -24,6 +23,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::exact_sum::sum_of_products;
+use super::faces_in_plane::Candidates;
 use super::{Bounds, Prepared, PreparedPart, PreparedSurface};
 
 /// How close to a surface triangles are settled, in scene units: about what the 1/256 px of a rasteriser's vertices make of depth
@@ -67,6 +67,17 @@ pub struct Settled {
     pub side: Side,
 }
 
+/// A triangle whose side of one clip-surface is known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SettledTriangle {
+    /// Its number.
+    pub(crate) triangle: u32,
+    /// Where it lies.
+    pub(crate) side: Side,
+    /// It is of a face in the surface.
+    pub(crate) is_in: bool,
+}
+
 /// A clip-surface without relief, or with a flat one: the points with `(P - O).N + lift = 0`; those with less are removed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlatSurface {
@@ -91,6 +102,11 @@ impl FlatSurface {
         }
     }
 
+    /// Kept height of a point, give or take what f64 rounds.
+    pub(crate) fn rough_height(&self, point: DVec3) -> f64 {
+        (point - self.origin).dot(self.normal) + self.lift
+    }
+
     /// Kept height of a point, rounded once. Some 100 ns.
     pub fn exact_height(&self, point: DVec3) -> f64 {
         let (p, o, n) = (point, self.origin, self.normal);
@@ -105,35 +121,60 @@ impl FlatSurface {
         ])
     }
 
-    /// Whether something in a box may be close enough to be settled.
-    pub fn comes_near(&self, bounds: &Bounds) -> bool {
+    /// Whether something in a box may be close enough to be settled; vertices of faces in the surface may be as far off as `tolerance`.
+    pub fn comes_near(&self, bounds: &Bounds, tolerance: f64) -> bool {
         let heights = bounds.corners().map(|c| self.height(c));
-        heights.iter().any(|h| *h <= CLOSE) && heights.iter().any(|h| *h >= -CLOSE)
+        let close = CLOSE.max(tolerance);
+        heights.iter().any(|h| *h <= close) && heights.iter().any(|h| *h >= -close)
     }
 
-    /// The triangles that are settled, in order, each with its side.
-    pub fn settled(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<(u32, Side)> {
+    /// The triangles of a mesh that are settled, in order; vertices of faces in the surface may be as far off as `tolerance`.
+    pub(crate) fn settled(
+        &self,
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        tolerance: f64,
+    ) -> Vec<SettledTriangle> {
+        let reach = CLOSE.max(tolerance);
         let close: Vec<bool> = (positions.par_iter().with_min_len(1 << 14))
-            .map(|p| {
-                let height = (p.as_dvec3() - self.origin).dot(self.normal) + self.lift;
-                height.abs() <= CLOSE
-            })
+            .map(|p| self.rough_height(p.as_dvec3()).abs() <= reach)
             .collect();
         if close.iter().filter(|c| **c).take(3).count() < 3 {
             return Vec::new();
         }
-        let candidates: Vec<u32> = (triangles.par_iter().enumerate().with_min_len(1 << 13))
+        let near: Vec<u32> = (triangles.par_iter().enumerate().with_min_len(1 << 13))
             .filter(|(_, t)| t.iter().all(|i| close[*i as usize]))
             .map(|(index, _)| index as u32)
             .collect();
-        if candidates.is_empty() {
+        if near.is_empty() {
             return Vec::new();
         }
-        let is_inside_out = volume_sign(positions, triangles) < 0.0;
-        let points = |t: u32| triangles[t as usize].map(|i| positions[i as usize].as_dvec3());
-        let faces: BTreeMap<u32, Side> = candidates
+        let at = |i: u32| positions[i as usize].as_dvec3();
+        let in_plane = self.faces_in(Candidates {
+            triangles,
+            position: at,
+            near: near.clone(),
+            tolerance,
+            is_inside_out: &|| volume_sign(positions, triangles) < 0.0,
+        });
+        let is_of_face = |i: u32| close[i as usize] && in_plane.holds(at(i));
+        let height = |i: u32| match is_of_face(i) {
+            true => 0.0,
+            false => self.height(at(i)),
+        };
+        let side_of_all = |t: u32| side_of_all(triangles[t as usize].map(height));
+        let is_along = |t: u32| {
+            let [a, b, c] = triangles[t as usize].map(at);
+            let normal = (b - a).cross(c - a);
+            normal.cross(self.normal).length() <= STEEPEST * normal.length()
+        };
+        let side_of = |t: u32| match in_plane.side(t) {
+            Some(side) => Some(side),
+            None => side_of_all(t).filter(|_| is_along(t)),
+        };
+        let faces: BTreeMap<u32, Side> = near
             .into_iter()
-            .filter_map(|t| Some((t, self.side_of(points(t), is_inside_out)?)))
+            .filter_map(|t| Some((t, side_of(t)?)))
             .collect();
         if faces.is_empty() {
             return Vec::new();
@@ -144,53 +185,34 @@ impl FlatSurface {
         }
         let side = |t: u32| {
             let face = faces.get(&t).copied();
-            let is_wall = || triangles[t as usize].iter().any(|i| is_rim[*i as usize]);
-            face.or_else(|| is_wall().then(|| self.side_of_all(points(t)))?)
+            let is_wall = || {
+                let at_rim = |i: &u32| is_rim[*i as usize] || is_of_face(*i);
+                triangles[t as usize].iter().any(at_rim)
+            };
+            face.or_else(|| is_wall().then(|| side_of_all(t))?)
         };
         (0..triangles.len() as u32)
             .into_par_iter()
             .with_min_len(1 << 13)
-            .filter_map(|t| Some((t, side(t)?)))
+            .filter_map(|t| {
+                Some(SettledTriangle {
+                    triangle: t,
+                    side: side(t)?,
+                    is_in: in_plane.side(t).is_some(),
+                })
+            })
             .collect()
     }
+}
 
-    /// The side that the solid behind a triangle in the surface is on, by its orientation; none where the triangle does not lie in the
-    /// surface or has no area.
-    pub fn side_of_face(&self, [a, b, c]: [DVec3; 3]) -> Option<Side> {
-        let is_in = [a, b, c].iter().all(|p| self.height(*p) == 0.0);
-        is_in.then(|| self.side_behind((b - a).cross(c - a)))?
-    }
-
-    fn side_behind(&self, outward: DVec3) -> Option<Side> {
-        let facing = outward.dot(self.normal);
-        (facing != 0.0).then_some(if facing > 0.0 {
-            Side::Removed
-        } else {
-            Side::Kept
-        })
-    }
-
-    /// The side of a triangle close by, if it is settled.
-    fn side_of(&self, points: [DVec3; 3], is_inside_out: bool) -> Option<Side> {
-        if let Some(side) = self.side_of_face(points) {
-            return Some(if is_inside_out { side.other() } else { side });
-        }
-        let [a, b, c] = points;
-        let normal = (b - a).cross(c - a);
-        let is_along = normal.cross(self.normal).length() <= STEEPEST * normal.length();
-        self.side_of_all(points).filter(|_| is_along)
-    }
-
-    /// The side that all of some points are on or touch, if they are not all on the surface.
-    fn side_of_all(&self, points: [DVec3; 3]) -> Option<Side> {
-        let heights = points.map(|p| self.height(p));
-        let is_above = heights.iter().any(|h| *h > 0.0);
-        let is_below = heights.iter().any(|h| *h < 0.0);
-        match (is_above, is_below) {
-            (true, false) => Some(Side::Kept),
-            (false, true) => Some(Side::Removed),
-            _ => None,
-        }
+/// The side that all of some heights are on or touch, if they are not all on the surface.
+fn side_of_all(heights: [f64; 3]) -> Option<Side> {
+    let is_above = heights.iter().any(|h| *h > 0.0);
+    let is_below = heights.iter().any(|h| *h < 0.0);
+    match (is_above, is_below) {
+        (true, false) => Some(Side::Kept),
+        (false, true) => Some(Side::Removed),
+        _ => None,
     }
 }
 
@@ -234,14 +256,15 @@ impl Prepared {
         let mut all = Vec::new();
         for surface in part.cuts.iter().flat_map(|c| &self.cuts[*c].surfaces) {
             let flat = self.surfaces[*surface].flat();
-            let Some(flat) = flat.filter(|f| f.comes_near(&part.bounds)) else {
+            let Some(flat) = flat.filter(|f| f.comes_near(&part.bounds, part.plane_tolerance))
+            else {
                 continue;
             };
-            let of_one = flat.settled(&part.positions, &part.triangles).into_iter();
-            all.extend(of_one.map(|(triangle, side)| Settled {
-                triangle,
+            let of_one = flat.settled(&part.positions, &part.triangles, part.plane_tolerance);
+            all.extend(of_one.into_iter().map(|one| Settled {
+                triangle: one.triangle,
                 surface: *surface as u16,
-                side,
+                side: one.side,
             }));
         }
         all.sort_unstable();

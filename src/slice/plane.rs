@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::slicer::share;
-use crate::scene::{Bounds, ClipSurface, FlatSurface, PreparedSurface, Side, SurfaceFrame};
+use crate::scene::{Bounds, ClipSurface, FlatSurface, PreparedSurface, SurfaceFrame};
 
 /// Coordinates up to this are computed with: differences and products with directions stay finite.
 pub(super) const LARGEST: f64 = 1e300;
@@ -131,12 +131,8 @@ impl SlicePlane {
         is_parallel && is_in
     }
 
-    /// The side that the solid behind a triangle in the plane is on; none where the triangle does not lie in it.
-    pub(super) fn side_of_face(&self, corners: [DVec3; 3]) -> Option<Side> {
-        self.flat().side_of_face(corners)
-    }
-
-    fn flat(&self) -> FlatSurface {
+    /// As a clip-surface.
+    pub(super) fn flat(&self) -> FlatSurface {
         FlatSurface {
             origin: self.origin,
             normal: self.frame.normal,
@@ -144,8 +140,9 @@ impl SlicePlane {
         }
     }
 
-    /// Whether all of a box is clearly on one side. May say no of a box that is, never yes of one that is not.
-    pub(super) fn misses(&self, bounds: &Bounds) -> bool {
+    /// Whether all of a box is clearly on one side, and farther away than `margin`. May say no of a box that is, never yes of one that
+    /// is not.
+    pub(super) fn misses(&self, bounds: &Bounds, margin: f64) -> bool {
         // Halves first: the sum of two coordinates may be too large.
         let (low, high) = (bounds.min * 0.5, bounds.max * 0.5);
         let (centre, reach) = (low + high, high - low);
@@ -154,7 +151,7 @@ impl SlicePlane {
         let extent = reach.dot(normal);
         let size = (centre.abs() + self.origin.abs() + reach).dot(normal) + self.lift.abs();
         // Of infinities and NaN nothing is clear.
-        distance > extent + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
+        distance > extent + margin + size * (16.0 * f64::EPSILON) + f64::MIN_POSITIVE
     }
 
     /// The convex polygon in which the plane meets a box, by its corners in order: no section of what is in the box reaches beyond
@@ -255,7 +252,11 @@ mod tests {
             (-3.0, 0.999, true),
             (-1e300, 1e300, false),
         ] {
-            assert_eq!(plane.misses(&between(low, high)), misses, "{low}..{high}");
+            assert_eq!(
+                plane.misses(&between(low, high), 0.0),
+                misses,
+                "{low}..{high}"
+            );
         }
     }
 

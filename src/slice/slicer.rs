@@ -1,5 +1,6 @@
 //! The mesh made ready to be cut again and again, and one cut of it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
@@ -11,7 +12,7 @@ use super::loops::{Curves, Piece, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::tree::{BRANCHES, Tree, sort};
-use crate::scene::{Bounds, Fill, Part, Side};
+use crate::scene::{Bounds, Candidates, FacesInPlane, Fill, Part, SceneSpace, Side, tolerance_of};
 
 /// A mesh with a tree over its triangles. Building it looks at every triangle, a section only at those near the plane.
 #[derive(Debug)]
@@ -22,6 +23,16 @@ pub struct Slicer {
     tree: Tree,
     /// Triangles left out.
     unusable: usize,
+    /// Where it is decided which faces lie in a plane, and how far off their vertices may be there; without it a vertex is on a plane to
+    /// the last bit.
+    scene: Option<(SceneSpace, f64)>,
+}
+
+/// What is crossed by a plane, and which faces lie in it.
+struct Cut<'a> {
+    slicer: &'a Slicer,
+    plane: &'a SlicePlane,
+    in_plane: FacesInPlane,
 }
 
 impl Slicer {
@@ -43,6 +54,7 @@ impl Slicer {
             unusable: triangles.len() - usable.len(),
             triangles: usable,
             positions,
+            scene: None,
         }
     }
 
@@ -52,6 +64,21 @@ impl Slicer {
         Self::new(mesh.positions, &mesh.triangles)
     }
 
+    /// [`Slicer::of_part`], where the faces that lie in a plane are those that lie in it in the picture of the scene: vertices of a planar
+    /// face may be some steps of `f32` off it.
+    pub fn of_part_in(part: &Part, space: &SceneSpace) -> Self {
+        let tolerance = tolerance_of(part, &part.mesh.bounds(), space);
+        Self::of_part(part).in_scene(*space, tolerance)
+    }
+
+    /// The same, where faces within a tolerance in scene space lie in a plane.
+    pub(crate) fn in_scene(self, space: SceneSpace, tolerance: f64) -> Self {
+        Self {
+            scene: Some((space, tolerance)),
+            ..self
+        }
+    }
+
     /// The section by a plane, of the points that an odd number of crossings encloses.
     pub fn section(&self, plane: &SlicePlane) -> Section {
         self.section_by(plane, Fill::EvenOdd)
@@ -59,6 +86,32 @@ impl Slicer {
 
     /// The section by a plane, of the points that the mesh encloses by a rule.
     pub fn section_by(&self, plane: &SlicePlane, rule: Fill) -> Section {
+        let is_decided = self.scene.is_some();
+        self.filled(plane, rule, |cut| {
+            if is_decided {
+                cut.in_plane = self.faces_in(plane);
+            }
+            cut.pieces()
+        })
+    }
+
+    /// What a plane caps: the section less the faces that lie in it with the solid above them, for what is seen there is the face
+    /// itself.
+    pub fn cap_by(&self, plane: &SlicePlane, rule: Fill) -> Section {
+        self.filled(plane, rule, |cut| {
+            cut.in_plane = self.faces_in(plane);
+            let mut pieces = cut.pieces();
+            pieces.extend(cut.rims_of_faces());
+            pieces
+        })
+    }
+
+    fn filled(
+        &self,
+        plane: &SlicePlane,
+        rule: Fill,
+        pieces_of: impl FnOnce(&mut Cut<'_>) -> Vec<Piece>,
+    ) -> Section {
         let mut section = Section::default();
         if self.unusable > 0 {
             section.defects.push(SectionDefect::Unusable {
@@ -69,13 +122,18 @@ impl Slicer {
             section.defects.push(SectionDefect::Plane);
             return section;
         }
-        let pieces = self.pieces(plane);
+        let mut cut = Cut {
+            slicer: self,
+            plane,
+            in_plane: FacesInPlane::default(),
+        };
+        let pieces = pieces_of(&mut cut);
         let Curves {
             points,
             loops,
             open,
             turned,
-        } = join(&pieces, |edge| self.crossing(plane, edge));
+        } = join(&pieces, |edge| cut.crossing(edge));
         let Filled {
             added,
             triangles,
@@ -115,41 +173,88 @@ impl Slicer {
         section
     }
 
-    /// The triangles that lie in a plane, with the solid above them, by their corners: they are in the section, and in no cap, for what
-    /// is seen there is the face itself.
-    pub fn faces_in(&self, plane: &SlicePlane) -> Vec<[DVec3; 3]> {
-        let groups = self.tree.groups(|b: &Bounds| plane.misses(b));
-        let corners = |t: &[u32; 3]| t.map(|i| self.positions[i as usize]);
-        let of_group = |group: &usize| {
+    /// The faces that lie in a plane.
+    fn faces_in(&self, plane: &SlicePlane) -> FacesInPlane {
+        let tolerance = self.scene.map_or(0.0, |(_, tolerance)| tolerance);
+        let flat = match &self.scene {
+            Some((space, _)) => space.flat(&plane.flat()),
+            None => plane.flat(),
+        };
+        let is_near = |t: &u32| {
+            let corners = self.triangles[*t as usize];
+            let mut heights = corners.iter().map(|i| flat.height(self.in_scene_space(*i)));
+            heights.all(|h| h.abs() <= tolerance)
+        };
+        let groups = self.groups_near(plane);
+        let near = groups.par_iter().with_min_len(256).flat_map_iter(|group| {
             let first = group * BRANCHES;
             let last = (first + BRANCHES).min(self.triangles.len());
-            let near = self.triangles[first..last].iter().map(corners);
-            near.filter_map(|c| Some((plane.side_of_face(c)?, c)))
-        };
-        let found: Vec<_> = groups.par_iter().flat_map_iter(of_group).collect();
-        if found.is_empty() {
-            return Vec::new();
+            (first as u32..last as u32).filter(is_near)
+        });
+        flat.faces_in(Candidates {
+            triangles: &self.triangles,
+            position: |i| self.in_scene_space(i),
+            near: near.collect(),
+            tolerance,
+            is_inside_out: &|| self.volume_sign() < 0.0,
+        })
+    }
+
+    /// Where a vertex is in the space in which faces are decided.
+    fn in_scene_space(&self, vertex: u32) -> DVec3 {
+        let position = self.positions[vertex as usize];
+        match &self.scene {
+            Some((space, _)) => space.vertex(position).as_dvec3(),
+            None => position,
         }
+    }
+
+    /// A number with the sign of the volume that the mesh encloses.
+    fn volume_sign(&self) -> f64 {
         let volumes = self.triangles.par_iter().map(|t| {
-            let [a, b, c] = corners(t);
+            let [a, b, c] = t.map(|i| self.positions[i as usize]);
             a.dot(b.cross(c))
         });
-        let solid_above = match volumes.sum::<f64>() < 0.0 {
-            true => Side::Removed,
-            false => Side::Kept,
-        };
-        let faces = found.into_iter().filter(|(side, _)| *side == solid_above);
-        faces.map(|(_, corners)| corners).collect()
+        volumes.sum()
+    }
+
+    /// The groups of the tree in which a plane may cross triangles, or have faces.
+    fn groups_near(&self, plane: &SlicePlane) -> Vec<usize> {
+        let margin = (self.scene.as_ref()).map_or(0.0, |(space, t)| 2.0 * t / space.scale);
+        self.tree.groups(|b: &Bounds| plane.misses(b, margin))
+    }
+}
+
+impl Cut<'_> {
+    fn position(&self, vertex: u32) -> DVec3 {
+        self.slicer.positions[vertex as usize]
+    }
+
+    /// Whether a vertex is on the plane for being one of a face in it.
+    fn is_of_face(&self, vertex: u32) -> bool {
+        !self.in_plane.is_empty() && self.in_plane.holds(self.slicer.in_scene_space(vertex))
+    }
+
+    fn is_above(&self, vertex: u32) -> bool {
+        self.plane.is_above(self.position(vertex)) && !self.is_of_face(vertex)
+    }
+
+    /// How far a vertex is from the plane.
+    fn distance(&self, vertex: u32) -> f64 {
+        match self.is_of_face(vertex) {
+            true => 0.0,
+            false => self.plane.height(self.position(vertex)).abs(),
+        }
     }
 
     /// The pieces that crossed triangles make, in the order of the tree.
-    fn pieces(&self, plane: &SlicePlane) -> Vec<Piece> {
-        let groups = self.tree.groups(|b: &Bounds| plane.misses(b));
+    fn pieces(&self) -> Vec<Piece> {
+        let groups = self.slicer.groups_near(self.plane);
         let of_group = |group: &usize| {
             let first = group * BRANCHES;
-            let last = (first + BRANCHES).min(self.triangles.len());
-            let triangles = self.triangles[first..last].iter();
-            triangles.filter_map(|t| self.piece(plane, *t))
+            let last = (first + BRANCHES).min(self.slicer.triangles.len());
+            let triangles = self.slicer.triangles[first..last].iter();
+            triangles.filter_map(|t| self.piece(*t))
         };
         groups
             .par_iter()
@@ -159,8 +264,8 @@ impl Slicer {
     }
 
     /// From the edge in which a triangle goes down, in its own order, to that in which it goes up: then the inner side is left.
-    fn piece(&self, plane: &SlicePlane, triangle: [u32; 3]) -> Option<Piece> {
-        let above = triangle.map(|i| plane.is_above(self.positions[i as usize]));
+    fn piece(&self, triangle: [u32; 3]) -> Option<Piece> {
+        let above = triangle.map(|i| self.is_above(i));
         if above[0] == above[1] && above[1] == above[2] {
             return None;
         }
@@ -178,15 +283,37 @@ impl Slicer {
         (from != to).then_some(Piece { from, to })
     }
 
+    /// Around the faces in the plane with the solid above them: what they wind around counts once less.
+    fn rims_of_faces(&self) -> Vec<Piece> {
+        let above = (self.in_plane.faces().iter()).filter(|(_, side)| *side == Side::Kept);
+        let mut count: BTreeMap<[u32; 2], i32> = BTreeMap::new();
+        for (triangle, _) in above {
+            let [a, b, c] = self.slicer.triangles[*triangle as usize];
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                let way = if from < to { 1 } else { -1 };
+                *count.entry([from.min(to), from.max(to)]).or_default() += way;
+            }
+        }
+        let pieces = count.into_iter().flat_map(|([low, high], net)| {
+            let [from, to] = if net > 0 { [low, high] } else { [high, low] };
+            let piece = Piece {
+                from: [from, from],
+                to: [to, to],
+            };
+            std::iter::repeat_n(piece, net.unsigned_abs() as usize)
+        });
+        pieces.collect()
+    }
+
     /// Where a crossed edge meets the plane. Computed from the lesser of its ends, so that edges that are equal in all
     /// coordinates are equal here.
-    fn crossing(&self, plane: &SlicePlane, edge: [u32; 2]) -> DVec2 {
-        let [mut a, mut b] = edge.map(|i| self.positions[i as usize]);
-        if b.to_array() < a.to_array() {
+    fn crossing(&self, edge: [u32; 2]) -> DVec2 {
+        let [mut a, mut b] = edge;
+        if self.position(b).to_array() < self.position(a).to_array() {
             (a, b) = (b, a);
         }
-        let [height_a, height_b] = [a, b].map(|p| plane.height(p).abs());
-        let [at_a, at_b] = [a, b].map(|p| plane.coordinates(p));
+        let [height_a, height_b] = [a, b].map(|v| self.distance(v));
+        let [at_a, at_b] = [a, b].map(|v| self.plane.coordinates(self.position(v)));
         // Shares of the way from either end: at most 1, and 0 exactly where that end is on the plane. From the nearer end.
         let at = if height_a <= height_b {
             at_a + (at_b - at_a) * share(height_a, height_b)

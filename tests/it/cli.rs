@@ -253,6 +253,37 @@ fn compare_reports_every_field_and_keeps_expectations() {
 }
 
 #[test]
+fn a_comparison_that_decides_little_is_a_warning_and_fails_the_gate() {
+    let folder = Scratch::new("undecided");
+    // Two balls so close that no rounding tells which is seen.
+    let ball = |name: &str, x: &str| {
+        format!("[[part]]\nname = \"{name}\"\nshape = \"sphere\"\ntranslate = [{x}, 0, 0]\n")
+    };
+    let scene = ball("a", "0") + &ball("b", "1e-6");
+    fs::write(folder.path("scene.toml"), scene).unwrap();
+    let compare = |what: &str| {
+        let options = "--resolution 64,48 --rounds 1 --strategies raycast+mask";
+        folder.run(&format!("compare {what} {options}"))
+    };
+    let alone = compare("scene.toml --section=-z=50% --json -").exits(0);
+    assert!(
+        alone.stderr.contains("warning: exact leaves"),
+        "{}",
+        alone.stderr
+    );
+    assert!(alone.stderr.contains("help:"), "{}", alone.stderr);
+    let exact = &serde_json::from_str::<Value>(alone.text()).unwrap()["exact"];
+    let [undecided, judged] = ["undecided_px", "judged_px"].map(|f| exact[f].as_u64().unwrap());
+    let covered = exact["cap_px"].as_u64().unwrap() + exact["surface_px"].as_u64().unwrap();
+    assert!(undecided > 100 && judged < covered, "{exact}");
+    let gated = compare("scene.toml --section=-z=50% --max-decided-wrong 0").exits(1);
+    assert!(gated.stderr.contains("failed: exact:"), "{}", gated.stderr);
+    // The control: one ball is decided.
+    let one = compare("shape:sphere --section=-z=50% --max-decided-wrong 0").exits(0);
+    assert!(!one.stderr.contains("warning"), "{}", one.stderr);
+}
+
+#[test]
 fn inspect_gives_each_part_and_the_total() {
     let folder = Scratch::new("inspect");
     let json = folder

@@ -1,6 +1,9 @@
 //! Promise: cuts along faces, and just beside them, are exact in every view, by every exact strategy and both rasterisers
 //! (hard cases 2 and 51), and a cut leaves nothing without thickness.
 
+mod removed;
+mod turned;
+
 use crate::common;
 
 use std::collections::BTreeMap;
@@ -13,7 +16,7 @@ use common::scenes::{looking, of_parts, sectioned};
 use cutaway::hard_cases::Judged;
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
-use cutaway::scene::{Camera, ClipSurface, Mesh, Scene};
+use cutaway::scene::{Camera, ClipSurface, Mesh, Part, Scene};
 use cutaway::slice::{SlicePlane, Slicer};
 use cutaway::strategies::{Method, Obstacle};
 use glam::DVec3;

@@ -34,6 +34,11 @@ fn listed(head: u32) -> u32 {
     return head & MOST_CROSSINGS;
 }
 
+// How many crossings may be caps: all that are listed.
+fn cappable(at: vec2<u32>) -> u32 {
+    return listed(head_of(at).x);
+}
+
 // Clip-surface of a crossing, and what else is kept of it.
 fn word_at(index: u32, at: vec2<u32>) -> u32 {
     if !keeps_words() {

@@ -18,6 +18,10 @@ fn listed(head: u32) -> u32 {
     return 0u;
 }
 
+fn cappable(at: vec2<u32>) -> u32 {
+    return 0u;
+}
+
 fn word_at(index: u32, at: vec2<u32>) -> u32 {
     return 0u;
 }

@@ -6,7 +6,7 @@
 #define_import_path cutaway::crossings
 
 #import cutaway::frame::{centre_of, depth_from_buffer, is_behind}
-#import cutaway::lone_plane::{LonePlane, lone_plane_at}
+#import cutaway::lone_plane::{LonePlane, is_in_box, lone_plane_at}
 #import cutaway::passed::Before
 #import cutaway::surfaces::surface_of
 
@@ -26,6 +26,11 @@ fn is_cut_short(at: vec2<u32>) -> bool {
 
 fn listed(head: u32) -> u32 {
     return head;
+}
+
+// How many crossings may be caps: those in the box of the cut solids.
+fn cappable(at: vec2<u32>) -> u32 {
+    return select(0u, 1u, is_in_box(plane_at(at), centre_of(at)));
 }
 
 fn word_at(index: u32, at: vec2<u32>) -> u32 {

@@ -109,6 +109,7 @@ impl Windings {
         let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
         for (rank, part) in prepared.parts.iter().enumerate() {
             if let Some([from, to]) = within(&ray, &part.bounds)
+                && !part.is_removed
                 && to >= view.near
             {
                 bench.ranks.push(rank as u16);

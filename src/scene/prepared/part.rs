@@ -8,7 +8,9 @@ use std::sync::Arc;
 use glam::{DMat3, Vec3};
 
 use super::SceneSpace;
-use crate::scene::{Bounds, DEFAULT_CREASE_DEG, Faces, Fill, Material, Part, ShadingMesh};
+use crate::scene::{
+    Bounds, DEFAULT_CREASE_DEG, Faces, Fill, Material, Part, ShadingMesh, plane_tolerance,
+};
 
 /// A part in scene space.
 #[derive(Clone, Debug)]
@@ -31,8 +33,12 @@ pub struct PreparedPart {
     pub is_on_device: bool,
     /// It is [whole](crate::scene::Role::Whole) and cuts remove all of it: it has no triangles here.
     pub is_hidden: bool,
+    /// Some cut removes all of it.
+    pub is_removed: bool,
     /// Bounds of `positions`, or a box that holds what the device makes of them.
     pub bounds: Bounds,
+    /// How far off a plane the vertices of a face in it may be, in scene units; 0 in a pose.
+    pub(crate) plane_tolerance: f64,
     /// Volume of the mesh in its rest pose, as it is placed, in world units: who wins where solids share a point.
     pub volume_at_rest: f64,
     /// Look.
@@ -56,7 +62,7 @@ impl PreparedPart {
         };
         let mesh = part.posed_mesh();
         let positions: Vec<Vec3> = (mesh.positions.iter())
-            .map(|p| space.point(m.transform_point3(*p)).as_vec3())
+            .map(|p| space.vertex(m.transform_point3(*p)))
             .collect();
         let triangles = mesh.triangles.iter();
         let mut placed = Self {
@@ -68,6 +74,7 @@ impl PreparedPart {
                 Arc::new(turned.collect())
             }),
             is_on_device: false,
+            plane_tolerance: tolerance_of(part, &part.mesh.bounds(), space),
             ..Self::outline(index, part, Bounds::EMPTY, part.mesh.volume(), cuts)
         };
         placed.shading = Arc::new(ShadingMesh::new(placed.faces(), DEFAULT_CREASE_DEG));
@@ -100,13 +107,23 @@ impl PreparedPart {
             shading: Arc::default(),
             is_on_device: true,
             is_hidden: false,
+            is_removed: false,
             is_posed: !part.pose.is_rest(),
             bounds,
+            plane_tolerance: 0.0,
             volume_at_rest: part.placed_volume(volume),
             material: part.material.clone(),
             fill: part.fill,
             cuts,
         }
+    }
+}
+
+/// [`PreparedPart::plane_tolerance`] of a part whose mesh fills `in_part`.
+pub(crate) fn tolerance_of(part: &Part, in_part: &Bounds, space: &SceneSpace) -> f64 {
+    match part.pose.is_rest() {
+        true => plane_tolerance(in_part, &part.world_from_part, space),
+        false => 0.0,
     }
 }
 

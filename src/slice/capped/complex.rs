@@ -29,7 +29,7 @@ use super::super::{SectionDefect, SlicePlane};
 use super::cap::{Piece, PlaneUse, pieces};
 use super::groups::groups;
 use crate::scene::weld::has_three;
-use crate::scene::{Bounds, Mesh};
+use crate::scene::{Bounds, FacesInPlane, Mesh, Side};
 
 /// What has become of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,9 @@ pub(super) struct Complex<'a> {
     pub(super) defects: Vec<SectionDefect>,
     /// A point near the mesh.
     pub(super) middle: DVec3,
-    is_inside_out: bool,
+    pub(super) is_inside_out: bool,
+    /// The faces in each plane, where that was decided beforehand.
+    pub(super) in_planes: Vec<FacesInPlane>,
 }
 
 impl<'a> Complex<'a> {
@@ -133,6 +135,7 @@ impl<'a> Complex<'a> {
             defects: Vec::new(),
             middle,
             is_inside_out: volume < 0.0,
+            in_planes: Vec::new(),
         }
     }
 
@@ -170,6 +173,7 @@ impl<'a> Complex<'a> {
     /// Divides the candidates by a plane, and keeps those above. The outline that is to be capped: directed edges with the solid on
     /// their left, seen from above. Caps of planes from `first` on are of the region itself, and end at the plane.
     fn cut(&mut self, plane: usize, first: usize) -> Vec<Piece> {
+        let in_plane = self.in_planes.get(plane).cloned().unwrap_or_default();
         let MarkedPlane { plane, mark } = self.planes[plane];
         let mut sides: Vec<i8> = (self.positions.par_iter().zip(&self.marks))
             .with_min_len(1 << 12)
@@ -208,6 +212,9 @@ impl<'a> Complex<'a> {
             let corners = || face.corners.map(|i| self.positions[i as usize]);
             let is_above = match of.iter().find(|s| **s != 0) {
                 Some(side) => *side > 0,
+                None if in_plane.side(face.source).is_some() => {
+                    in_plane.side(face.source) == Some(Side::Kept)
+                }
                 None => {
                     let [a, b, c] = corners();
                     let up = (b - a).cross(c - a).dot(plane.frame.normal);

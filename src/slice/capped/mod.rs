@@ -21,6 +21,7 @@
 mod cap;
 mod complex;
 mod groups;
+mod in_scene;
 mod restore;
 mod scene;
 mod slivers;
@@ -33,6 +34,7 @@ pub(super) use self::scene::in_world;
 pub use self::scene::{CappedPart, RELIEF_CELLS, capped, capped_with};
 
 use self::complex::{Complex, Face, State};
+use self::in_scene::InScene;
 use super::plane::is_within;
 use super::{SectionDefect, SlicePlane};
 use crate::scene::Mesh;
@@ -107,10 +109,18 @@ impl Half {
 /// # Ok::<(), cutaway::Error>(())
 /// ```
 pub fn halves(mesh: &Mesh, regions: &[Vec<SlicePlane>]) -> Halves {
+    halves_in(mesh, regions, None)
+}
+
+/// [`halves`], where the faces that lie in planes are decided in a scene.
+fn halves_in(mesh: &Mesh, regions: &[Vec<SlicePlane>], decided: Option<&InScene>) -> Halves {
     let planes: Vec<SlicePlane> = regions.concat();
     let usable: Vec<bool> = mesh.triangles.iter().map(|t| is_usable(mesh, t)).collect();
     let unusable = usable.iter().filter(|u| !**u).count();
     let mut complex = Complex::new(mesh, &planes, |t| usable[t]);
+    if let Some(decided) = decided {
+        complex.take_in(decided);
+    }
     if unusable > 0 {
         complex.defects.push(SectionDefect::Unusable {
             triangles: unusable,

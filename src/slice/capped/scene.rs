@@ -3,8 +3,9 @@
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
-use super::{Half, Halves, halves};
-use crate::scene::{Cut, Mesh, Part, Scene, is_removed_whole};
+use super::in_scene::InScene;
+use super::{Half, Halves, halves_in};
+use crate::scene::{Cut, Mesh, Part, Scene, SceneSpace, is_removed_whole};
 use crate::slice::SlicePlane;
 #[cfg(feature = "boolean")]
 use crate::slice::boolean::{self, Region};
@@ -59,6 +60,7 @@ pub fn capped(scene: &Scene) -> Result<Vec<CappedPart>> {
 /// By name, a part that is open and cut by a relief or a cutter; without the feature `boolean`, a cut with either.
 pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> {
     let world = scene.bounds();
+    let space = SceneSpace::new(&world);
     let capped = |(index, part): (usize, &Part)| {
         let mesh = in_world(&part.posed_mesh(), &part.world_from_part);
         let cuts: Vec<usize> = (0..scene.cuts.len())
@@ -80,7 +82,10 @@ pub fn capped_with(scene: &Scene, relief_cells: u32) -> Result<Vec<CappedPart>> 
                 };
                 (halves, 0.0)
             }
-            (false, Some(planes)) => (halves(&mesh, &planes), 0.0),
+            (false, Some(planes)) => {
+                let decided = InScene::of(part, &space);
+                (halves_in(&mesh, &planes, Some(&decided)), 0.0)
+            }
             (false, None) => divided(part, &mesh, applied, relief_cells)?,
         };
         Ok(CappedPart {

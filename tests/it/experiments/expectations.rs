@@ -54,6 +54,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
             surface_px: 1,
             background_px: 1,
             undecided_px: 0,
+            judged_px: None,
             overlap_px: 0,
             time_ms: 0.0,
         },

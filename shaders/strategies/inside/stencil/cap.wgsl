@@ -4,7 +4,7 @@
 #import cutaway::cuts::{cut_table, parts}
 #import cutaway::full_screen::corner_of_screen
 #import cutaway::layers::{CAP, layer_word, pack_normal}
-#import cutaway::lone_plane::lone_plane_at
+#import cutaway::lone_plane::{is_in_box, lone_plane_at}
 
 struct Corner {
     @builtin(position) position: vec4<f32>,
@@ -26,5 +26,5 @@ fn fragment(corner: Corner) -> Cap {
     let plane = lone_plane_at(corner.position.xy);
     let word = layer_word(CAP, cut_table.surfaces[0].surface, parts[corner.instance].part);
     let normal = pack_normal(-cut_table.surfaces[0].normal.xyz);
-    return Cap(vec2<u32>(word, normal), select(0.0, plane.z, plane.begins_removed));
+    return Cap(vec2<u32>(word, normal), select(0.0, plane.z, plane.begins_removed && is_in_box(plane, corner.position.xy)));
 }

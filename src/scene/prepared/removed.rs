@@ -1,0 +1,54 @@
+//! Parts of which a cut removes all: they have no surface and no cap, closed or open, in the reference as in strategies.
+//!
+//! Of an open part crossings along a ray do not tell inside from outside; but nothing of a part that lies wholly on the removed side is in
+//! a clip-surface, so that it has no cap there.
+//!
+//! Cost: a look at the vertices of a part until one is kept: of a part that is cut, few.
+//!
+//! Cannot: look at vertices that a device makes; there the box of the part is asked, which may say no of a part that is removed.
+
+use glam::DVec3;
+
+use super::{PreparedCut, PreparedPart, PreparedSurface};
+
+/// Whether some cut removes all of a part.
+pub(super) fn is_removed(
+    part: &PreparedPart,
+    cuts: &[PreparedCut],
+    surfaces: &[PreparedSurface],
+) -> bool {
+    part.cuts.iter().any(|cut| {
+        let mut numbers = cuts[*cut].surfaces.iter().peekable();
+        numbers.peek().is_some() && numbers.all(|s| is_beyond(part, &surfaces[*s]))
+    })
+}
+
+/// Whether all of a part is on the removed side of a clip-surface.
+fn is_beyond(part: &PreparedPart, surface: &PreparedSurface) -> bool {
+    if surface.volume.is_some() {
+        return false;
+    }
+    let highest = surface.relief.as_ref().map_or(0.0, |map| {
+        let [low, high] = map.range().map(|h| f64::from(h) * surface.height_scale);
+        low.max(high)
+    });
+    let height = |p: DVec3| (p - surface.origin).dot(surface.frame.normal) + highest;
+    let tolerance = part.plane_tolerance;
+    let corners = part.bounds.corners().map(height);
+    // What has no thickness may be a face in the surface.
+    if corners.iter().all(|h| *h >= -tolerance) {
+        return false;
+    }
+    let is_within = |h: f64| h <= tolerance;
+    if corners.into_iter().all(is_within) {
+        return true;
+    }
+    let mut heights = part.positions.iter().map(|p| height(p.as_dvec3()));
+    let first = heights.next();
+    first.is_some_and(is_within)
+        && heights.all(is_within)
+        && part
+            .positions
+            .iter()
+            .any(|p| height(p.as_dvec3()) < -tolerance)
+}
