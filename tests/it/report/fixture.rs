@@ -99,7 +99,7 @@ pub(crate) fn record(size: &str, strategies: Vec<StrategyMeasurement>) -> Record
                 surface_px: 20,
                 background_px: 3042,
                 undecided_px: 1,
-                judged_px: Some(0),
+                judged_px: Some(29),
                 overlap_px: 0,
                 time_ms: 5.0,
             },

@@ -121,7 +121,7 @@ fn a_point_says_its_scene_its_truth_and_what_was_said_of_it() {
             assert_eq!(page.matches(said).count(), count, "{said} in\n{page}");
         }
     }
-    assert!(pages.csv.contains(",10,20,1,other,"), "{}", pages.csv);
+    assert!(pages.csv.contains(",10,20,1,29,other,"), "{}", pages.csv);
 }
 
 #[test]
