@@ -178,16 +178,23 @@ impl Pending {
         cannot_write(&self.path, e)
     }
 
+    /// Makes sure that the disk has all of it: network file systems find only now that it is full.
+    pub(super) fn sync(&self) -> Result<()> {
+        if self.is_placed {
+            return Ok(());
+        }
+        let opened = fs::OpenOptions::new().append(true).open(&self.beside);
+        let synced = opened.and_then(|file| file.sync_all());
+        synced.map_err(|e| self.failed(&e))
+    }
+
     /// Puts it into its place, whole.
     pub(super) fn place(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
         }
-        // Network file systems find only now that the disk is full.
-        let opened = fs::OpenOptions::new().append(true).open(&self.beside);
-        let synced = opened.and_then(|file| file.sync_all());
-        let placed = synced.and_then(|()| fs::rename(&self.beside, &self.place));
-        placed.map_err(|e| self.failed(&e))?;
+        self.sync()?;
+        fs::rename(&self.beside, &self.place).map_err(|e| self.failed(&e))?;
         self.is_placed = true;
         Ok(())
     }

@@ -9,8 +9,9 @@ use image::{DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, RgbImage};
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::output::{checked_folder, write_file, write_stdout};
+use super::output::{Output, checked_folder, write_stdout};
 use super::places::InputFiles;
+use super::results::Results;
 use crate::document::section;
 use crate::load::Assets;
 use crate::scene::Bounds;
@@ -77,8 +78,10 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         console.step("occlusion");
         let size = map.size();
         let [offset_name, normal_name, occlusion_name] = MAPS;
-        let write =
-            |name: &str, image: DynamicImage| write_file(&folder.join(name), &png(&image, name)?);
+        let mut results = Results::default();
+        let mut write = |name: &str, image: DynamicImage| {
+            results.add(&Output::File(folder.join(name)), png(&image, name)?)
+        };
         let [low, high] = map.range().map(f64::from);
         let span = if high > low { high - low } else { 1.0 };
         let heights = map.texels().iter();
@@ -95,6 +98,7 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         let visibility = map.visibility(&scale).into_iter().map(byte);
         let occlusion = GrayImage::from_raw(size[0], size[1], visibility.collect());
         write(occlusion_name, occlusion.unwrap_or_default().into())?;
+        results.place()?;
     }
     let steepest = normals.iter().map(|n| n.z).fold(1.0_f32, f32::min);
     let [width, rows] = texels;

@@ -24,6 +24,7 @@ mod export;
 mod face_cuts;
 mod files;
 mod framing;
+mod full_disk;
 mod halves;
 mod hard_cases;
 mod height_filter;
