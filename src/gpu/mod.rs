@@ -16,6 +16,7 @@ mod real;
 mod report;
 mod target;
 mod timing;
+mod uniforms;
 mod viewport;
 mod words;
 

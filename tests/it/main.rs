@@ -34,6 +34,7 @@ mod hostile_meshes;
 mod hostile_scenes;
 mod interference;
 mod lists;
+mod memory;
 mod motions;
 mod moving;
 mod paths;
