@@ -60,6 +60,7 @@ mod split;
 mod stdin;
 mod strategies;
 mod style;
+mod supersample;
 mod threemf;
 mod timelines;
 mod winding;
