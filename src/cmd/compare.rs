@@ -10,8 +10,9 @@ use super::args::{AdapterArgs, MeansArgs, SceneArgs};
 use super::console::{Console, ConsoleArgs};
 use super::judge::{self, judge};
 use super::look::Usual;
-use super::output::{Output, checked_folder, write_file, write_stdout};
+use super::output::{Output, checked_folder, write_stdout};
 use super::places::paths_of;
+use super::results::Results;
 use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::Result;
@@ -110,13 +111,23 @@ pub(super) fn run(args: &CompareArgs) -> Result<Verdict> {
     let shown = SceneAtTime::new(&subject.scene);
     let judgement = judge(&mut session, &shown, &subject, &renderers, rounds, &console)?;
 
+    let mut results = Results::default();
     if let Some(folder) = &args.heatmaps {
-        write_pictures(folder, &mut session, &shown, &subject, &judgement)?;
+        add_pictures(
+            &mut results,
+            folder,
+            &mut session,
+            &shown,
+            &subject,
+            &judgement,
+        )?;
     }
     let report = &judgement.measurement;
     if let Some(output) = &json {
-        output.write(format!("{:#}\n", serde_json::json!(report)).as_bytes())?;
+        let json = format!("{:#}\n", serde_json::json!(report));
+        results.add(output, json.into_bytes())?;
     }
+    results.place()?;
     if json != Some(Output::Stdout) {
         write_stdout(report::text(report).as_bytes())?;
     }
@@ -191,7 +202,7 @@ fn file_stem(name: &impl ToString) -> String {
     name.to_string().replace([':', ',', '@'], "-")
 }
 
-/// The files that [`write_pictures`] may write.
+/// The files that [`add_pictures`] may write.
 fn files_of(folder: &Path, renderers: &[Renderer]) -> Vec<PathBuf> {
     let of_renderer = |renderer: &Renderer| {
         let stem = file_stem(renderer);
@@ -205,28 +216,29 @@ fn files_of(folder: &Path, renderers: &[Renderer]) -> Vec<PathBuf> {
     .collect()
 }
 
-fn write_pictures(
+fn add_pictures(
+    results: &mut Results,
     folder: &Path,
     session: &mut Session,
     shown: &SceneAtTime,
     subject: &Subject,
     judgement: &Judgement,
 ) -> Result<()> {
-    let write =
-        |name: &str, image: &RgbaImage| write_file(&folder.join(name), &picture::png(image)?);
+    let mut write = |name: &str, bytes| results.add(&Output::File(folder.join(name)), bytes);
     let view = subject.view(&shown.model.prepared);
     let truth = session.shade(&shown.model, &view, &judgement.exact.layers)?;
-    write("exact.png", &picture::plain(&truth, view.size_px))?;
-    write("legend.png", &legend_picture())?;
-    write_file(&folder.join("legend.txt"), legend_text().as_bytes())?;
+    let exact = picture::plain(&truth, view.size_px);
+    write("exact.png", picture::png(&exact)?)?;
+    write("legend.png", picture::png(&legend_picture())?)?;
+    write("legend.txt", legend_text().into_bytes())?;
     for frame in &judgement.frames {
         let Some(heatmap) = judgement.heatmap(frame) else {
             continue;
         };
         let stem = file_stem(&frame.renderer);
         let drawn = picture::plain(&judgement.picture(session, frame)?, view.size_px);
-        write(&format!("{stem}.png"), &drawn)?;
-        write(&format!("{stem}.heatmap.png"), &heatmap)?;
+        write(&format!("{stem}.png"), picture::png(&drawn)?)?;
+        write(&format!("{stem}.heatmap.png"), picture::png(&heatmap)?)?;
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use clap::Args;
 use super::output::Output;
 use super::stdin;
 use crate::document::{Document, Node, Origin, Value};
+use crate::load::place_of;
 use crate::{Error, Result};
 
 #[derive(Args, Clone, Debug, Default)]
@@ -54,8 +55,9 @@ impl EditArgs {
             let what = "a scene is saved to a file";
             return Err(Error::input("--save -", what, help));
         };
-        if !self.force && path.exists() && !holds(&path, &document.moved_to(&path)?) {
-            let is_read = same_file::is_same_file(&path, document.path()).unwrap_or(false);
+        let place = place_of(&path);
+        if !self.force && place.exists() && !holds(&place, &document.moved_to(&path)?) {
+            let is_read = same_file::is_same_file(&place, document.path()).unwrap_or(false);
             let what = match is_read {
                 true => "it is the scene that is read, and would be overwritten",
                 false => "there is such a file, and it holds something else",

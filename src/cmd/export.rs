@@ -2,7 +2,7 @@
 //!
 //! Parts are cut in f64, in world space, in their poses; nothing is rounded but for the format of the file. The file of what is removed
 //! has the name of the other with `.removed` before its extension, as the material library of an OBJ file has `.mtl` behind its stem.
-//! All of them are written beside their places before the first takes its own, and none where one of the places is a folder.
+//! All of them are written beside their places before the first takes its own ([`Results`]), and none where one of the places is a folder.
 
 mod facts;
 
@@ -20,8 +20,9 @@ use super::edits::EditArgs;
 use super::holes::HoleArgs;
 use super::interrupt::Interrupt;
 use super::look::Usual;
-use super::output::{Output, Pending, begun_with};
+use super::output::Output;
 use super::places::{no_place_twice, paths_of};
+use super::results::Results;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::stdin::StdinArgs;
@@ -45,7 +46,8 @@ Examples:
 What is written is closed where the model is, and all faces of it agree which side is out where those of the model do. Each part is a
 solid of its own. Caps are a group of their own: a group in OBJ, a primitive in GLB, triangles of a material in 3MF, a property in PLY;
 STL has no groups. OBJ, PLY and 3MF hold every bit of a coordinate, STL and GLB the 24 of f32. Planes cut exactly, and open meshes too; reliefs
-and cutters cut closed meshes, by Boolean operations. Exit code 1 where a cap is missing, because the mesh is open there.";
+and cutters cut closed meshes, by Boolean operations. Exit code 1 where a cap is missing, because the mesh is open there; 130 where Ctrl-C or
+SIGTERM has ended it, without a file.";
 
 /// Options of `export`.
 #[derive(Args)]
@@ -154,20 +156,18 @@ pub(super) fn run(args: &ExportArgs) -> Result<Verdict> {
         unit,
         console: &console,
     };
-    let mut files = writer.files(&outputs.kept, &parts, |p| &p.halves.kept)?;
+    let mut results = Results::default();
+    writer.add(&mut results, &outputs.kept, &parts, |p| &p.halves.kept)?;
     if let Some(to) = &outputs.removed {
-        files.extend(writer.files(to, &parts, |p| &p.halves.removed)?);
+        writer.add(&mut results, to, &parts, |p| &p.halves.removed)?;
     }
     let facts: Vec<Facts> = parts.iter().map(|p| Facts::of(scene, p)).collect();
     let all: Vec<Value> = facts.iter().map(Facts::to_json).collect();
     let json = format!("{:#}\n", json!({ "scene": scene.name, "parts": all }));
-    if let Some(Output::File(path)) = &outputs.json {
-        files.push(begun_with(path, json.as_bytes())?);
+    if let Some(output) = &outputs.json {
+        results.add(output, json.into_bytes())?;
     }
-    files.into_iter().try_for_each(Pending::place)?;
-    if let Some(output @ Output::Stdout) = &outputs.json {
-        output.write(json.as_bytes())?;
-    }
+    results.place()?;
     if outputs.kept.format == Format::ThreeMf && facts.iter().any(|f| f.kept.open_edges > 0) {
         console.note("3MF asks for closed meshes: programs may refuse or mend what is open");
     }
@@ -274,13 +274,14 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// The files of one half, not yet in their places.
-    fn files(
+    /// Adds the files of one half.
+    fn add(
         &self,
+        results: &mut Results,
         to: &MeshFile,
         parts: &[CappedPart],
         half: impl Fn(&CappedPart) -> &Half,
-    ) -> Result<Vec<Pending>> {
+    ) -> Result<()> {
         let solids: Vec<Solid<'_>> = (parts.iter())
             .map(|p| Solid::of(&self.scene.parts[p.part], half(p)))
             .filter(|s| !s.mesh.triangles.is_empty())
@@ -313,11 +314,11 @@ impl Writer<'_> {
             let help = "write .ply or .obj, which hold all digits and any size";
             Error::file(&to.path, e.to_string(), help)
         })?;
-        let mut files = vec![begun_with(&to.path, &bytes)?];
-        if let Some(path) = to.library() {
-            files.push(begun_with(&path, &material_library(&solids))?);
+        results.add(&Output::File(to.path.clone()), bytes)?;
+        match to.library() {
+            Some(path) => results.add(&Output::File(path), material_library(&solids)),
+            None => Ok(()),
         }
-        Ok(files)
     }
 }
 

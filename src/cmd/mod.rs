@@ -4,8 +4,8 @@
 //! outputs can be written. Standard output carries only what was asked for; notes, warnings, progress and errors go to
 //! standard error. What is written to a file is complete or not there at all.
 //!
-//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 interrupted, where what is complete
-//! is kept.
+//! Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM, where what is
+//! complete is kept.
 
 mod animate;
 mod args;
@@ -35,6 +35,7 @@ mod reference;
 mod relief;
 mod render;
 mod report;
+mod results;
 mod roles;
 mod scene;
 mod section;
@@ -51,12 +52,14 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+pub use output::write_file;
+pub use places::is_one_file;
 pub use view::{Opened, Window};
 
 use crate::Result;
 use crate::generate::shapes::SHAPES;
 
-/// Exit code of a command that was interrupted: 128 and the number of SIGINT, as shells have it.
+/// Exit code of a command that Ctrl-C or SIGTERM has ended: 128 and the number of SIGINT, as shells have it.
 const INTERRUPTED: u8 = 130;
 
 /// How a command that ran to its end came out.
@@ -84,7 +87,7 @@ Examples:
   cutaway report target/measure
   cutaway demo
 
-Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage.";
+Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM.";
 
 #[derive(Parser)]
 #[command(

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::places::is_special;
+use crate::load::place_of;
 use crate::{Error, Result};
 
 /// A destination.
@@ -29,13 +30,14 @@ impl Output {
         }
         let culprit = || format!("{option} {value}");
         let path = PathBuf::from(value);
-        if path.is_dir() || value.is_empty() || value.ends_with(std::path::MAIN_SEPARATOR) {
+        let place = place_of(&path);
+        if place.is_dir() || value.is_empty() || value.ends_with(std::path::MAIN_SEPARATOR) {
             let help = "give the name of a file, or `-` for standard output";
             return Err(Error::input(culprit(), "it is a folder", help));
         }
         let extension = path.extension().map(|e| e.to_ascii_lowercase());
         let known = |e: &&str| extension.as_ref().is_some_and(|have| have == e);
-        if !extensions.is_empty() && !is_special(&path) && !extensions.iter().any(known) {
+        if !extensions.is_empty() && !is_special(&place) && !extensions.iter().any(known) {
             let list: Vec<String> = extensions.iter().map(|e| format!(".{e}")).collect();
             return Err(Error::input(
                 culprit(),
@@ -43,7 +45,7 @@ impl Output {
                 format!("let the name end in {}", list.join(" or ")),
             ));
         }
-        check_folder(&culprit(), folder_of(&path))?;
+        check_folder(&culprit(), folder_of(&place))?;
         Ok(Self::File(path))
     }
 
@@ -67,11 +69,12 @@ impl Output {
 /// A folder for several files, made if need be.
 pub(super) fn checked_folder(option: &str, path: &Path) -> Result<()> {
     let culprit = format!("{option} {}", path.display());
-    if path.exists() && !path.is_dir() {
+    let place = place_of(path);
+    if place.exists() && !place.is_dir() {
         let help = "give the name of a folder, which is made if need be";
         return Err(Error::input(culprit, "it is a file, not a folder", help));
     }
-    check_folder(&culprit, path)
+    check_folder(&culprit, &place)
 }
 
 /// Writes text or bytes to standard output. A reader that has gone away, as `head` does, is no error.
@@ -87,8 +90,12 @@ pub(super) fn write_stdout(bytes: &[u8]) -> Result<()> {
     }
 }
 
-/// Writes a file whole, making its folder.
-pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+/// Writes a file, whole or not at all, making its folder. Whoever reads it meanwhile, or where this fails, finds the old one.
+///
+/// # Errors
+///
+/// A place that takes no file, or a disk that is full.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
     begun_with(path, bytes)?.place()
 }
 
@@ -115,10 +122,14 @@ pub(super) fn remove_pending() {
 }
 
 /// A file that is written piece by piece beside its place and takes it at the end. Dropped before that, it leaves nothing
-/// behind.
+/// behind, nor the folders that were made for it.
 pub(super) struct Pending {
+    /// As it is named.
     path: PathBuf,
+    place: PathBuf,
     beside: PathBuf,
+    /// Folders that were made for it, the innermost first.
+    made: Vec<PathBuf>,
     is_placed: bool,
 }
 
@@ -126,25 +137,32 @@ impl Pending {
     /// Begins a file, making its folder. The handle is for writing to it; [`Pending::place`] wants it closed.
     pub(super) fn begin(path: &Path) -> Result<(Self, fs::File)> {
         // A link is followed: what it points to is replaced, not the link.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let place = place_of(path);
+        let path = path.to_owned();
         let fault = |e: std::io::Error| cannot_write(&path, &e);
-        if is_special(&path) {
-            let file = fs::OpenOptions::new().write(true).open(&path);
+        if is_special(&place) {
+            let file = fs::OpenOptions::new().write(true).open(&place);
             let file = file.map_err(fault)?;
             let pending = Self {
-                beside: path.clone(),
                 path,
+                beside: place.clone(),
+                place,
+                made: Vec::new(),
                 is_placed: true,
             };
             return Ok((pending, file));
         }
-        let folder = folder_of(&path);
+        let folder = folder_of(&place);
+        let missing = folder.ancestors().take_while(|above| !above.exists());
+        let made = missing.map(Path::to_owned).collect();
         fs::create_dir_all(folder).map_err(fault)?;
-        let (file, beside) = unnamed(&path, folder).map_err(fault)?;
+        let (file, beside) = unnamed(&place, folder).map_err(fault)?;
         pending_files().insert(beside.clone());
         let pending = Self {
             path,
+            place,
             beside,
+            made,
             is_placed: false,
         };
         Ok((pending, file))
@@ -160,16 +178,23 @@ impl Pending {
         cannot_write(&self.path, e)
     }
 
+    /// Makes sure that the disk has all of it: network file systems find only now that it is full.
+    pub(super) fn sync(&self) -> Result<()> {
+        if self.is_placed {
+            return Ok(());
+        }
+        let opened = fs::OpenOptions::new().append(true).open(&self.beside);
+        let synced = opened.and_then(|file| file.sync_all());
+        synced.map_err(|e| self.failed(&e))
+    }
+
     /// Puts it into its place, whole.
     pub(super) fn place(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
         }
-        // Network file systems find only now that the disk is full.
-        let opened = fs::OpenOptions::new().append(true).open(&self.beside);
-        let synced = opened.and_then(|file| file.sync_all());
-        let placed = synced.and_then(|()| fs::rename(&self.beside, &self.path));
-        placed.map_err(|e| self.failed(&e))?;
+        self.sync()?;
+        fs::rename(&self.beside, &self.place).map_err(|e| self.failed(&e))?;
         self.is_placed = true;
         Ok(())
     }
@@ -181,6 +206,8 @@ impl Drop for Pending {
         if !self.is_placed {
             // What went wrong is being said; a rest that cannot be removed changes nothing about it.
             let _ = fs::remove_file(&self.beside);
+            // One that holds something by now stays.
+            let _ = self.made.iter().try_for_each(fs::remove_dir);
         }
     }
 }
@@ -263,6 +290,9 @@ mod tests {
         }
         let left = fs::read_dir(path.parent().unwrap()).unwrap().count();
         assert_eq!(left, 1, "only the file itself");
+        drop(Pending::begin(&folder.join("deep/too/deep/out.json")).unwrap());
+        let left = fs::read_dir(folder.join("deep")).unwrap().count();
+        assert_eq!(left, 1, "the folders of a file that is dropped are gone");
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -1,16 +1,17 @@
 //! No result replaces an input, and none replaces another: looked at before anything is drawn or written.
 //!
-//! Two names are of one file where they lead to the same one, through `..`, symbolic links or hard links. What does not exist yet is
-//! known by the place that it will have.
+//! Two names are of one file where they lead to the same one, through `..`, symbolic links or hard links, and also where a folder on the
+//! way is yet to be made: each is compared by the place that it will have ([`place_of`]).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use same_file::is_same_file;
 
 use super::output::Output;
+use crate::load::place_of;
 use crate::{Error, Result};
 
 /// The files that a command reads; meshes are opened in parallel.
@@ -38,14 +39,15 @@ impl InputFiles {
         let inputs = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let mut places = BTreeMap::new();
         for (option, path) in outputs {
-            if is_special(&path) {
+            let place = place_of(&path);
+            if is_special(&place) {
                 continue;
             }
             let culprit = || format!("{option} {}", path.display());
-            let is_there = path.exists();
+            let is_there = place.exists();
             let replaced = inputs
                 .iter()
-                .find(|input| is_there && is_one_file(input, &path));
+                .find(|input| is_there && is_one_file(input, &place));
             if let Some(input) = replaced {
                 let what = if *input == path {
                     "it is an input of this command, and would be overwritten".to_owned()
@@ -58,12 +60,10 @@ impl InputFiles {
                 let help = "write to another file: an output never replaces an input";
                 return Err(Error::input(culprit(), what, help));
             }
-            let other = places.get(&place_of(&path)).copied();
-            if let Some(first) = other {
+            if let Some(first) = places.insert(place, option) {
                 let what = format!("it is the file of {first}");
                 return Err(Error::input(culprit(), what, "give each its own name"));
             }
-            places.insert(place_of(&path), option);
         }
         Ok(())
     }
@@ -97,32 +97,11 @@ pub(super) fn paths_of<'a>(
     })
 }
 
-/// Whether two names lead to one file that exists. Most differ in length, which costs least to see.
-fn is_one_file(a: &Path, b: &Path) -> bool {
+/// Whether two names lead to one file that exists, through links of both kinds. Most differ in length, which costs least to see.
+pub fn is_one_file(a: &Path, b: &Path) -> bool {
     let length = |path: &Path| fs::metadata(path).ok().map(|m| m.len());
     let lengths = (length(a), length(b));
     matches!(lengths, (Some(a), Some(b)) if a == b) && is_same_file(a, b).unwrap_or(false)
-}
-
-/// The file that a path names or will name, by whichever words.
-fn place_of(path: &Path) -> PathBuf {
-    if let Ok(place) = fs::canonicalize(path) {
-        return place;
-    }
-    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    // What exists is followed through its links, what does not has none.
-    let mut place = PathBuf::new();
-    for step in absolute.components() {
-        match step {
-            Component::ParentDir => {
-                place.pop();
-            }
-            Component::CurDir => {}
-            step => place.push(step),
-        }
-        place = fs::canonicalize(&place).unwrap_or(place);
-    }
-    place
 }
 
 /// A device or a pipe, which nothing replaces.

@@ -9,8 +9,11 @@ use image::{DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, RgbImage};
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::output::{write_file, write_stdout};
+use super::output::{Output, checked_folder, write_stdout};
+use super::places::InputFiles;
+use super::results::Results;
 use crate::document::section;
+use crate::load::Assets;
 use crate::scene::Bounds;
 use crate::scene::numbers::round;
 use crate::scene::relief::MapScale;
@@ -25,6 +28,9 @@ Examples:
 offset.png has 16 bits of grey from the lowest to the highest place. normal.png has x, y and z of unit normals along U, V and the normal of the
 plane, -1 to 1 as 0 to 255. occlusion.png is white where all of the sky is seen. They hang on how high the relief is over how long: on
 `amplitude` and `period`, of which percentages are of a cube's diagonal.";
+
+/// The images, of heights, normals and occlusion.
+const MAPS: [&str; 3] = ["offset.png", "normal.png", "occlusion.png"];
 
 /// Images have at least so many pixels along each side.
 const FEWEST_TEXELS: u32 = 128;
@@ -49,11 +55,19 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
         min: DVec3::ZERO,
         max: DVec3::ONE,
     };
-    let surface = section("z=50%").relief(&args.relief).on(&cube)?;
+    let mut assets = Assets::default();
+    let surface = section("z=50%").relief(&args.relief);
+    let surface = surface.on_from(&cube, &mut assets)?;
     let Some(map) = &surface.relief else {
         let help = "write for example sawtooth, or the name of an image";
         return Err(Error::input(&args.relief, "it is no relief", help));
     };
+    if let Some(folder) = &args.maps {
+        checked_folder("--maps", folder)?;
+        let inputs = InputFiles::default();
+        inputs.add(assets.files().map(Path::to_owned));
+        inputs.keep_from(MAPS.map(|name| ("--maps", folder.join(name))))?;
+    }
     let scale = MapScale::of(&surface);
     // Of a map of few texels the slopes lie between these.
     let texels = map.size();
@@ -63,24 +77,28 @@ pub(super) fn run(args: &ReliefCommandArgs) -> Result<Verdict> {
     if let Some(folder) = &args.maps {
         console.step("occlusion");
         let size = map.size();
-        let write =
-            |name: &str, image: DynamicImage| write_file(&folder.join(name), &png(&image, name)?);
+        let [offset_name, normal_name, occlusion_name] = MAPS;
+        let mut results = Results::default();
+        let mut write = |name: &str, image: DynamicImage| {
+            results.add(&Output::File(folder.join(name)), png(&image, name)?)
+        };
         let [low, high] = map.range().map(f64::from);
         let span = if high > low { high - low } else { 1.0 };
         let heights = map.texels().iter();
         let heights = heights.map(|h| ((f64::from(*h) - low) / span * 65535.0).round() as u16);
         let offset: Option<ImageBuffer<Luma<u16>, Vec<u16>>> =
             ImageBuffer::from_raw(size[0], size[1], heights.collect());
-        write("offset.png", offset.unwrap_or_default().into())?;
+        write(offset_name, offset.unwrap_or_default().into())?;
         let byte = |v: f32| (v.clamp(0.0, 1.0) * 255.0).round() as u8;
         let colors = normals
             .iter()
             .flat_map(|n| (*n * 0.5 + 0.5).to_array().map(byte));
         let normal = RgbImage::from_raw(size[0], size[1], colors.collect());
-        write("normal.png", normal.unwrap_or_default().into())?;
+        write(normal_name, normal.unwrap_or_default().into())?;
         let visibility = map.visibility(&scale).into_iter().map(byte);
         let occlusion = GrayImage::from_raw(size[0], size[1], visibility.collect());
-        write("occlusion.png", occlusion.unwrap_or_default().into())?;
+        write(occlusion_name, occlusion.unwrap_or_default().into())?;
+        results.place()?;
     }
     let steepest = normals.iter().map(|n| n.z).fold(1.0_f32, f32::min);
     let [width, rows] = texels;

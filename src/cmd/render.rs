@@ -14,8 +14,9 @@ use super::image_test::{self, Finding};
 use super::layers_file;
 use super::look::{LookArgs, Usual};
 use super::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
-use super::output::{Output, write_file};
+use super::output::Output;
 use super::places::{no_place_twice, paths_of};
+use super::results::Results;
 use super::subject::Subject;
 use super::when::TimeArgs;
 use crate::compare::may_be_wrong;
@@ -128,7 +129,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     };
 
     console.step("writing");
-    outputs.picture.write(&picture::png(&drawn)?)?;
+    let mut results = Results::default();
+    results.add(&outputs.picture, picture::png(&drawn)?)?;
     if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
         let drawn = session.style_channels(&shown.model, &view, layers)?;
         let about = layers_file::About {
@@ -138,11 +140,11 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
             may_be_wrong: &facts.may_be_wrong,
             drawn: &drawn,
         };
-        output.write(&layers_file::exr(layers, &about)?)?;
+        results.add(output, layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
         let json = facts.json(&subject, &session, &shown.model, &chosen);
-        output.write(format!("{json:#}\n").as_bytes())?;
+        results.add(output, format!("{json:#}\n").into_bytes())?;
     }
     if let Outcome::Overflowed(reason) = &facts.outcome {
         console.failed(format!("{renderer} did not draw all of it: {reason}"));
@@ -154,12 +156,14 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
             let beside = image_test::difference_path(path);
             console.failed(format!("{}: {what}", path.display()));
             if let Some(difference) = difference {
-                write_file(&beside, &picture::png(&difference)?)?;
+                let output = Output::File(beside.clone());
+                results.add(&output, picture::png(&difference)?)?;
                 console.note(format!("the difference is in {}", beside.display()));
             }
             verdict = Verdict::Failed;
         }
     }
+    results.place()?;
     Ok(verdict)
 }
 

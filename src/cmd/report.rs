@@ -6,8 +6,9 @@ use clap::Args;
 
 use super::Verdict;
 use super::console::{Console, ConsoleArgs};
-use super::output::{checked_folder, write_file, write_stdout};
+use super::output::{Output, checked_folder, write_stdout};
 use super::places::InputFiles;
+use super::results::Results;
 use crate::Result;
 use crate::experiment::Run;
 use crate::report::{PictureOptions, Recorded, method_pages, pages};
@@ -106,12 +107,13 @@ pub(super) fn run(args: &ReportArgs) -> Result<Verdict> {
     };
     checked_folder("--out", out)?;
     console.step("writing");
-    let mut written = String::new();
-    for (name, text) in names.iter().zip(&texts) {
+    let (mut written, mut results) = (String::new(), Results::default());
+    for (name, text) in names.iter().zip(texts) {
         let path = out.join(name);
-        write_file(&path, text.as_bytes())?;
         written.push_str(&format!("{}\n", path.display()));
+        results.add(&Output::File(path), text.into_bytes())?;
     }
+    results.place()?;
     let verdict = completeness(&recorded, args, &console);
     drop(console);
     write_stdout(written.as_bytes())?;

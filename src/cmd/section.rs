@@ -21,6 +21,7 @@ use super::holes::HoleArgs;
 use super::look::Usual;
 use super::output::{Output, write_stdout};
 use super::places::{no_place_twice, paths_of};
+use super::results::Results;
 use super::sections::SectionArgs;
 use super::split::SplitArgs;
 use super::stdin::StdinArgs;
@@ -108,20 +109,22 @@ pub(super) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     console.step("slicing");
     let report = sliced(scene, &planes, args.whole);
     console.step("writing");
+    let mut results = Results::default();
     if let Some(output) = &outputs.drawing {
         let drawing = match has_extension(output, "dxf") {
             true => dxf(&report, args.unit),
             false => svg(&report, args.unit),
         };
-        output.write(drawing.as_bytes())?;
+        results.add(output, drawing.into_bytes())?;
     }
     if let Some(output) = &outputs.json {
         let json = serde_json::to_string_pretty(&report).map_err(|e| {
             let help = "leave --json out, and report this";
             Error::input("--json", format!("cannot be encoded: {e}"), help)
         })?;
-        output.write(format!("{json}\n").as_bytes())?;
+        results.add(output, format!("{json}\n").into_bytes())?;
     }
+    results.place()?;
     if outputs.drawing.is_none() && outputs.json != Some(Output::Stdout) {
         write_stdout(to_text(&report).as_bytes())?;
     }

@@ -1,6 +1,5 @@
 //! What a command is about: the document that its words amount to, and what that shows.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::console::Console;
@@ -14,8 +13,8 @@ use super::stdin::{self, StdinArgs};
 use crate::document::{Document, GuessedUp, Timeline, UpReason, part};
 use crate::experiment::{SceneAtTime, means};
 use crate::generate::shapes::shape;
-use crate::load::Assets;
 use crate::load::frames::Pattern;
+use crate::load::{Assets, place_of};
 use crate::scene::{Bounds, LengthUnit, Prepared, Scene, SceneSpace, Up, View, doubts};
 use crate::strategies::Means;
 use crate::{Error, Result};
@@ -114,9 +113,8 @@ impl Subject {
         outputs: impl IntoIterator<Item = (&'a str, PathBuf)>,
         edits: &EditArgs,
     ) -> Result<()> {
-        let own = fs::canonicalize(self.document.path()).ok();
         // Only the scene itself may be replaced, where that is wanted.
-        let is_own = |path: &Path| own.is_some() && fs::canonicalize(path).ok() == own;
+        let is_own = |path: &Path| place_of(path) == place_of(self.document.path());
         let is_checked = |path: &PathBuf| !(edits.is_forced() && is_own(path));
         let save = self.saved.clone().filter(is_checked);
         let save = save.map(|path| ("--save", path));

@@ -1,6 +1,5 @@
 //! The files that a document names, and how they are named from elsewhere.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,7 +8,7 @@ use super::paths::{PATHS, Takes};
 use super::{Document, read};
 use crate::error::Result;
 use crate::load::frames::Pattern;
-use crate::load::{Files, companions};
+use crate::load::{Files, companions, place_of};
 
 impl Document {
     /// The files that it names by its keys, and those that they name in turn: of numbered ones those that there are. A file
@@ -169,26 +168,21 @@ fn from_folder(path: &Path, to: &Path) -> String {
     text.replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-/// The place of a file that need not exist.
+/// A file in the place of its folder; a link is not followed, for names are found from where it is.
 fn place(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default();
     folder(path.parent().unwrap_or_else(|| Path::new(""))).join(name)
 }
 
-/// A folder by a name without links, or else by whichever leads there.
+/// The place of a folder, of which an empty path is the present one.
 fn folder(path: &Path) -> PathBuf {
-    let path = if path.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        path
-    };
-    fs::canonicalize(path)
-        .or_else(|_| std::path::absolute(path))
-        .unwrap_or_else(|_| path.to_owned())
+    place_of(&Path::new(".").join(path))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::load::Disk;
 

@@ -65,7 +65,7 @@ impl Compositor {
         let uniform = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("composite"),
             size: size_of::<Composite>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            usage: gpu.uniform_usage() | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         let read = match attachments.is_g_buffer() {

@@ -2,7 +2,6 @@
 //!
 //! Everything runs on core WebGPU; native features are asked for by question ([`Gpu::has_timestamps`]) and used when there.
 
-use std::borrow::Cow;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 
@@ -11,6 +10,7 @@ use super::composite::Compositors;
 use super::pipelines::Pipelines;
 use super::preparation::Preparation;
 use super::timing::timed;
+use super::uniforms;
 use crate::plan::{Contents, Limits};
 use crate::strategies::AdapterTraits;
 use crate::{Error, Result};
@@ -49,6 +49,8 @@ pub struct Gpu {
     report: AdapterReport,
     limits: Limits,
     timestamps: bool,
+    /// Whether uniforms are better read from storage.
+    pub(super) inlines_uniforms: bool,
     complaint: Arc<Mutex<Option<String>>>,
     /// Large contents that several programs share, by identity.
     shared: Mutex<Vec<(Contents, wgpu::BufferUsages, wgpu::Buffer)>>,
@@ -150,6 +152,11 @@ impl Gpu {
     /// as large as the adapter allows, and the wanted features that it offers. A host adds what it wants besides.
     pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         let have = adapter.limits();
+        let mut required = Self::required_limits();
+        if uniforms::are_inlined(&adapter.get_info()) {
+            required.max_storage_buffers_per_shader_stage =
+                have.max_storage_buffers_per_shader_stage;
+        }
         wgpu::DeviceDescriptor {
             label: Some("cutaway"),
             required_features: adapter.features() & Self::wanted_features(),
@@ -157,7 +164,7 @@ impl Gpu {
                 max_storage_buffer_binding_size: have.max_storage_buffer_binding_size,
                 max_buffer_size: have.max_buffer_size,
                 max_texture_dimension_2d: have.max_texture_dimension_2d,
-                ..Self::required_limits()
+                ..required
             },
             ..wgpu::DeviceDescriptor::default()
         }
@@ -210,6 +217,7 @@ impl Gpu {
                 software,
             },
             timestamps: !software && features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            inlines_uniforms: uniforms::are_inlined(info),
             device,
             queue,
             complaint: Arc::default(),
@@ -312,15 +320,6 @@ impl Gpu {
             help: "ask for a smaller picture (--resolution), or choose another adapter (--adapter)"
                 .to_owned(),
         }
-    }
-
-    /// A shader module of what was composed.
-    pub(super) fn module(&self, label: &str, composed: naga::Module) -> wgpu::ShaderModule {
-        self.device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(label),
-                source: wgpu::ShaderSource::Naga(Cow::Owned(composed)),
-            })
     }
 
     /// A buffer with contents; large ones that stay as they are are shared between programs.

@@ -17,6 +17,7 @@ mod report;
 mod sub_pixel;
 mod target;
 mod timing;
+mod uniforms;
 mod viewport;
 mod words;
 

@@ -41,7 +41,7 @@ fn texel_bytes(format: wgpu::TextureFormat) -> u32 {
 pub(super) fn make(gpu: &Gpu, resource: &Resource) -> Real {
     let usage = |role| match role {
         Role::Storage => wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        Role::Uniform => wgpu::BufferUsages::UNIFORM,
+        Role::Uniform => gpu.uniform_usage(),
         // The compute rasteriser reads the mesh from the same buffers as the GPU's own.
         Role::Vertex => {
             wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC

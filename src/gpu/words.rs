@@ -75,7 +75,7 @@ pub fn run_words_with(
             None => return Err(Error::Plan(format!("`{}` is given no words", w.name))),
         };
         let usage = match w.kind {
-            BindingKind::Uniform => wgpu::BufferUsages::UNIFORM,
+            BindingKind::Uniform => gpu.uniform_usage(),
             BindingKind::StorageRead | BindingKind::StorageReadWrite => wgpu::BufferUsages::STORAGE,
             BindingKind::Texture
             | BindingKind::DepthTexture

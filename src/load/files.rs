@@ -11,7 +11,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::fs;
 use std::io::{self, ErrorKind, Read};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
+
+use super::place::walked;
 
 /// Most bytes of a file, and of what a packed one holds: some 100 million triangles of binary STL fit, and what is made of them
 /// still fits into the memory of a workstation.
@@ -173,18 +175,7 @@ impl fmt::Debug for Memory {
 }
 
 fn normal(path: &Path) -> PathBuf {
-    let mut normal = PathBuf::new();
-    for step in path.components() {
-        let above = normal.components().next_back();
-        match (step, above) {
-            (Component::CurDir, _) | (Component::ParentDir, Some(Component::RootDir)) => {}
-            (Component::ParentDir, Some(Component::Normal(_))) => {
-                normal.pop();
-            }
-            _ => normal.push(step),
-        }
-    }
-    normal
+    walked(path, |place| place)
 }
 
 #[cfg(test)]

@@ -25,6 +25,7 @@ mod obj;
 mod obj_coat;
 mod painted;
 mod pat;
+mod place;
 mod ply;
 mod stl;
 mod texture;
@@ -44,6 +45,7 @@ pub(crate) use files::MOST_BYTES;
 pub use files::{Disk, Files, Memory};
 pub use image::{read_offset_map, read_offset_map_from};
 pub use pat::read_patterns;
+pub use place::place_of;
 pub use texture::read_texture_from;
 
 use crate::error::{Error, Result, did_you_mean};

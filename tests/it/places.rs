@@ -85,7 +85,7 @@ fn contents(folder: &Scratch) -> Vec<(String, Vec<u8>)> {
 /// Refused with exit code 2, with words that name the output, and nothing is changed.
 #[track_caller]
 fn is_refused(folder: &Scratch, line: &str, culprit: &str) {
-    let before = contents(folder);
+    let (before, names) = (contents(folder), folder.files());
     let ran = folder.run(line).exits(2);
     for phrase in [culprit, "overwritten"] {
         assert!(
@@ -96,6 +96,7 @@ fn is_refused(folder: &Scratch, line: &str, culprit: &str) {
     }
     assert!(ran.stdout.is_empty(), "{line}");
     assert_eq!(contents(folder), before, "{line} changed a file");
+    assert_eq!(folder.files(), names, "{line} left something");
 }
 
 #[test]
@@ -222,6 +223,91 @@ fn links_of_both_kinds_are_followed() {
     folder.run("inspect a.obj --json copy.json").exits(0);
     folder.run("inspect a.obj --json -").exits(0);
     folder.run("inspect a.obj --json /dev/null").exits(0);
+}
+
+#[test]
+fn folders_that_are_yet_to_be_made_hide_no_input() {
+    let folder = inputs("places-made");
+    for (from, to) in [("a.obj", "in.stl"), ("r.png", "offset.png")] {
+        fs::copy(folder.path(from), folder.path(to)).unwrap();
+    }
+    folder
+        .run("export a.obj --section z=50% -o in.stl")
+        .exits(0);
+    fs::create_dir(folder.path("maps")).unwrap();
+    for number in 1..=3 {
+        let frame = folder.path(&format!("maps/{number}.png"));
+        fs::copy(folder.path("good.png"), frame).unwrap();
+    }
+    fs::copy(folder.path("r.png"), folder.path("maps/exact.png")).unwrap();
+    let cut = "--section z=50%";
+    let small = "--resolution 32,32";
+    let ragged = "--relief maps/exact.png:wrap=mirror";
+    for (line, culprit) in [
+        (format!("export in.stl {cut} -o no/../in.stl"), "--output"),
+        (
+            format!("export a.obj {cut} -o no/../in.obj --json no/such/../../a.mtl"),
+            "--json",
+        ),
+        ("inspect a.obj --json no/../a.obj".to_owned(), "--json"),
+        (
+            "inspect a.obj --json no/./such/../../a.obj".to_owned(),
+            "--json",
+        ),
+        (format!("section a.obj {cut} --json no/../a.obj"), "--json"),
+        (
+            format!("section a.obj {cut} {ragged} -o cut.svg --json maps/no/../exact.png"),
+            "--json",
+        ),
+        ("plan s.toml --json no/../cutter.obj".to_owned(), "--json"),
+        ("plan s.toml --save no/../s.toml".to_owned(), "--save"),
+        (format!("render s.toml {small} -o no/../r.png"), "--output"),
+        (
+            format!("render s.toml {small} -o o.png --json no/../s.toml"),
+            "--json",
+        ),
+        (
+            format!("compare s.toml {small} --strategies raycast+mask --json no/../a.obj"),
+            "--json",
+        ),
+        (
+            format!(
+                "compare a.obj {cut} {ragged} {small} --strategies raycast+mask --heatmaps no/../maps"
+            ),
+            "--heatmaps",
+        ),
+        (
+            format!("animate s.toml {small} --turntable --frames 2 -o no/../r.png"),
+            "--output",
+        ),
+        (
+            format!(
+                "animate a.obj {cut} {ragged} {small} --turntable --frames 2 -o o.gif --json maps/no/../exact.png"
+            ),
+            "--json",
+        ),
+        (
+            "encode maps/%d.png -o maps/no/../1.png".to_owned(),
+            "--output",
+        ),
+        (
+            "relief offset.png:amplitude=5% --maps no/..".to_owned(),
+            "--maps",
+        ),
+        (
+            "relief offset.png:amplitude=5% --maps .".to_owned(),
+            "--maps",
+        ),
+    ] {
+        is_refused(&folder, &line, culprit);
+    }
+    let line = format!("plan a.obj {cut} --save no/../s.toml");
+    let said = ["--save no/../s.toml", "holds something else"];
+    folder.run(&line).must_refuse(&said);
+    // The control: what stands in nobody's way is written there, and no more than that is made.
+    folder.run("inspect a.obj --json no/../facts.json").exits(0);
+    assert!(folder.path("facts.json").is_file(), "it is written");
+    assert!(!folder.path("no").exists(), "nothing is in this folder");
 }
 
 #[test]

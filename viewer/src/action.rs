@@ -27,8 +27,10 @@ pub enum Selection {
 pub enum Action {
     /// Takes files in: a scene in the place of this one, models as further parts, an image as the relief of the selected cut.
     Take(Vec<PathBuf>),
-    /// Writes the scene to a file, and goes on with that.
+    /// Writes the scene to a new file, or to that which it was read from, and goes on with that.
     Save(PathBuf),
+    /// The same, in the place of any file that is no input of the scene.
+    SaveOver(PathBuf),
     /// Reads all files again.
     Reload,
     /// Takes the last step back.

@@ -5,9 +5,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
+use cutaway::cmd::write_file;
 use cutaway::{Document, Error, Result};
 
-use crate::disk::write_whole;
 use crate::notice::Notice;
 
 /// How many times as fine as the window pictures are drawn.
@@ -69,7 +69,7 @@ impl Export {
         let scene = folder.path().join("scene.toml");
         // Made here, and put into its place when it is whole.
         let made = folder.path().join(format!("made.{ending}"));
-        write_whole(&scene, document.moved_to(&scene)?.to_string().as_bytes())?;
+        write_file(&scene, document.moved_to(&scene)?.to_string().as_bytes())?;
         let (subcommand, options) = (words[0], &words[1..]);
         let child = Command::new(program)
             .arg(subcommand)
@@ -100,7 +100,7 @@ impl Export {
         if status.success() {
             let read = std::fs::read(&self.made);
             let read = read.map_err(|e| Error::file(&self.made, e.to_string(), "export it again"));
-            let placed = read.and_then(|bytes| write_whole(&self.path, &bytes));
+            let placed = read.and_then(|bytes| write_file(&self.path, &bytes));
             let done = format!("exported {}", self.path.display());
             return Some(placed.map_or_else(Notice::from, |()| Notice::done(done)));
         }

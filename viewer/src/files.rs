@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cutaway::load::Files;
+use cutaway::load::{Files, place_of};
 use cutaway::{Error, Result};
 
 /// Where files are read from and written to.
@@ -13,6 +13,11 @@ pub trait Store: Files {
     ///
     /// A place that takes no file.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<()>;
+
+    /// Whether two paths lead to one file.
+    fn is_one(&self, a: &Path, b: &Path) -> bool {
+        place_of(a) == place_of(b)
+    }
 }
 
 /// What a file is, by its name.

@@ -10,9 +10,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use std::{env, fs, thread};
 
+use cutaway::cmd::write_file;
 use cutaway::{Error, Result};
-
-use crate::disk;
 
 /// So many are kept.
 const MOST: usize = 8;
@@ -87,7 +86,7 @@ impl Recent {
         change(&mut paths);
         self.paths = paths;
         let bytes: Vec<u8> = self.paths.iter().flat_map(|path| line_of(path)).collect();
-        disk::write_whole(&self.file, &bytes)
+        write_file(&self.file, &bytes)
     }
 }
 

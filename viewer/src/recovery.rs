@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::{fs, process};
 
+use cutaway::cmd::write_file;
 use cutaway::{Error, Result};
 
-use crate::disk;
 use crate::recent::Recent;
 use crate::state::State;
 
@@ -33,7 +33,7 @@ fn keep_in(state: &State, path: &Path) -> Result<()> {
         })?;
     }
     let document = state.as_moving()?.moved_to(path)?;
-    disk::write_whole(path, document.to_string().as_bytes())
+    write_file(path, document.to_string().as_bytes())
 }
 
 #[cfg(test)]

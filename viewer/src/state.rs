@@ -9,6 +9,7 @@ mod ahead;
 mod edits;
 mod intake;
 mod keys;
+mod writing;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -302,6 +303,7 @@ impl State {
         match action {
             Action::Take(paths) => self.take(&paths),
             Action::Save(path) => self.save(&path),
+            Action::SaveOver(path) => self.save_over(&path),
             Action::Reload => self.reload(),
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),

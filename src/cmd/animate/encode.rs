@@ -31,7 +31,8 @@ Examples:
   cutaway encode 'frames/%04d.png' -o run.mp4
 
 The pictures are those of one animation, drawn in one go or in shares: cutaway animate ... -o 'frames/%04d.png' [--shard I/N]. They are
-numbered without a gap, from 0 or 1 on, and stay as they are.";
+numbered without a gap, from 0 or 1 on, and stay as they are. Ctrl-C or SIGTERM ends after the present one, with exit code 130 and
+without a file.";
 
 /// Options of `encode`.
 #[derive(Args)]

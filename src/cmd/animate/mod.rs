@@ -30,6 +30,7 @@ use super::interrupt::Interrupt;
 use super::look::{LookArgs, Usual};
 use super::output::Output;
 use super::places::{no_place_twice, paths_of};
+use super::results::Results;
 use super::shard::Shard;
 use super::stdin;
 use super::subject::Subject;
@@ -56,7 +57,8 @@ Examples:
   cutaway animate part.stl --section z=50% --turntable=90 --frames 12 -o 'frames/%04d.png'
 
 What moves is the scene's business: keys of a scene file, animations of a glTF file. A turntable comes on top of it.
-Ctrl-C ends after the present frame. Numbered frames that are there stay, and the same command goes on from them.";
+Ctrl-C or SIGTERM ends after the present frame, with exit code 130. Numbered frames that are there stay, and the same command goes on
+from them; of an animation in one file no file is written.";
 
 /// The usual rate of a GIF, whose delays are then 8 hundredths: about half of that of a film, for a file of half the bytes in half the time.
 const USUAL_GIF_FPS: f64 = 12.5;
@@ -206,11 +208,13 @@ pub(super) fn run(args: &AnimateArgs) -> Result<Verdict> {
         });
         return Ok(Verdict::Interrupted);
     }
-    encoder.finish(&console)?;
+    let mut results = Results::default();
     if let Some(output) = &json {
         let json = film.json(&session, &target, &frames);
-        output.write(format!("{json:#}\n").as_bytes())?;
+        results.add(output, format!("{json:#}\n").into_bytes())?;
     }
+    encoder.finish(&console)?;
+    results.place()?;
     film.say(&frames, &console);
     Ok(match verdict(&frames, renderer, &console) {
         Verdict::Done if film.has_failed => Verdict::Failed,

@@ -43,7 +43,7 @@ Examples:
   cutaway measure mine.toml --shard auto/16 --out shared/mine        # a task of an array: experiments/cluster
 
 Ctrl-C ends after the present round. The same command again goes on where it stopped.
-Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130 interrupted.";
+Exit codes: 0 done; 1 done, but an expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM.";
 
 /// Options of `measure`.
 #[derive(Args)]

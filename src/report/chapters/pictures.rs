@@ -11,6 +11,7 @@ use super::figures::times;
 use super::point::{Point, Points};
 use crate::compare::{LegendEntry, legend};
 use crate::experiment::Picture;
+use crate::load::place_of;
 use crate::report::document::{Block, Cell, Gallery, Image, Shot, Source, Swatch, Tone};
 use crate::report::look::look;
 
@@ -263,25 +264,13 @@ fn image(path: &Path, options: &PictureOptions, left: u64) -> Result<(Image, u64
 
 /// A path as it is seen from a folder.
 fn relative(from: &Path, to: &Path) -> String {
-    let (from, to) = (whole(from), whole(to));
+    let (from, to) = (place_of(from), place_of(to));
     let common = from.components().zip(to.components());
     let common = common.take_while(|(a, b)| a == b).count();
     let up = from.components().skip(common).map(|_| "..".to_owned());
     let down = to.components().skip(common);
     let down = down.map(|c| c.as_os_str().to_string_lossy().into_owned());
     up.chain(down).collect::<Vec<_>>().join("/")
-}
-
-/// A path from the root without links, of which the end need not be there yet.
-fn whole(path: &Path) -> PathBuf {
-    match (fs::canonicalize(path), path.parent(), path.file_name()) {
-        (Ok(whole), ..) => whole,
-        (Err(_), Some(parent), Some(name)) => {
-            let is_here = parent.as_os_str().is_empty();
-            whole(if is_here { Path::new(".") } else { parent }).join(name)
-        }
-        _ => path.to_owned(),
-    }
 }
 
 /// What the colours of heat maps mean.

@@ -47,12 +47,16 @@ fn the_same_command_goes_on_where_it_stopped() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_leaves_whole_files_alone() {
+fn an_interrupt_and_sigterm_leave_whole_files_alone() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
 
     let folder = Scratch::new("animate-interrupt");
-    for output in ["out/%04d.png", "out/film.gif"] {
+    for (output, signal) in [
+        ("out/%04d.png", "-INT"),
+        ("out/film.gif", "-INT"),
+        ("out/film.gif", "-TERM"),
+    ] {
         fs::create_dir_all(folder.path("out")).unwrap();
         let names = || {
             let entries = fs::read_dir(folder.path("out")).unwrap();
@@ -77,13 +81,13 @@ fn an_interrupt_leaves_whole_files_alone() {
         let pid = child.id().to_string();
         assert!(
             Command::new("kill")
-                .args(["-INT", &pid])
+                .args([signal, &pid])
                 .status()
                 .unwrap()
                 .success()
         );
         let ended = child.wait().unwrap();
-        assert_eq!(ended.code(), Some(130), "{output}: {ended}");
+        assert_eq!(ended.code(), Some(130), "{output} {signal}: {ended}");
         let left = names();
         if output.contains('%') {
             assert!((2..80_000).contains(&left.len()), "{} frames", left.len());

@@ -1,4 +1,4 @@
-//! Files that are taken in, and the file that the document is saved to.
+//! Files that are taken in.
 
 use std::path::{Path, PathBuf};
 
@@ -129,20 +129,6 @@ impl State {
             document.remove("camera")?;
         }
         Ok(both[0] != both[1])
-    }
-
-    /// Writes the document to a file, with who draws the first slot, and goes on with that.
-    pub(super) fn save(&mut self, path: &Path) -> Result<()> {
-        let document = self.with_settings(self.document.clone())?;
-        let document = document.moved_to(path)?;
-        self.store.write(path, document.to_string().as_bytes())?;
-        let document = Document::read_from(path, &*self.store)?;
-        self.show(document, false)?;
-        self.saved = self.document.clone();
-        self.history.clear();
-        self.tell(Notice::done(format!("saved {}", path.display())));
-        self.opened.push(path.to_owned());
-        Ok(())
     }
 
     /// Takes over what a document asks for beside its scene.

@@ -7,7 +7,7 @@ use cutaway::{Error, Result};
 use eframe::egui::{Context, Ui};
 
 use super::Viewer;
-use super::menu::Asks;
+use super::naming::Asks;
 use crate::action::Action;
 use crate::export::Export;
 
@@ -60,7 +60,11 @@ impl Viewer {
             self.toasts.add(ctx, error.into());
             return;
         }
-        match self.try_export(path) {
+        let begun = self
+            .state
+            .must_not_be_read(path)
+            .and_then(|()| self.try_export(path));
+        match begun {
             Ok(export) => self.outside.export = Some(export),
             Err(error) => self.toasts.add(ctx, error.into()),
         }

@@ -1,66 +1,13 @@
-//! The menus, the keys, and the windows over the picture: what the keys are, and the name of a file.
-
-use std::path::Path;
+//! The menus, the keys, and what the keys are.
 
 use cutaway::scene::STANDARD_VIEWS;
-use eframe::egui::{self, Button, Context, Grid, TextEdit, ThemePreference, Ui, Window};
+use eframe::egui::{Button, Context, Grid, ThemePreference, Ui, Window};
 
 use super::Viewer;
 use super::keys::{self, Does};
 use crate::action::Action;
 use crate::camera::CameraMove;
 use crate::notice::Notice;
-
-/// What a name of a file is asked for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    target_arch = "wasm32",
-    allow(dead_code, reason = "a page has files chosen by the browser")
-)]
-enum For {
-    Open,
-    Save,
-    Export,
-}
-
-/// A file that is asked for, and what is typed so far.
-pub(super) struct Asks {
-    what_for: For,
-    typed: String,
-}
-
-impl Asks {
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn open() -> Self {
-        Self {
-            what_for: For::Open,
-            typed: String::new(),
-        }
-    }
-
-    fn export() -> Self {
-        Self {
-            what_for: For::Export,
-            typed: "cut.png".to_owned(),
-        }
-    }
-
-    fn title(&self) -> &'static str {
-        match self.what_for {
-            For::Open => "Open a mesh, a scene or an image",
-            For::Save => "Save the scene",
-            For::Export => "Export a picture (.png), a film (.gif, .mp4) or a drawing (.svg)",
-        }
-    }
-
-    fn verb(&self) -> &'static str {
-        match self.what_for {
-            For::Open => "Open",
-            For::Save => "Save",
-            For::Export => "Export",
-        }
-    }
-}
 
 impl Viewer {
     pub(super) fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
@@ -148,7 +95,7 @@ impl Viewer {
             self.ask_for_save();
         }
         if ui.button("Export ...").clicked() {
-            self.asks = Some(Asks::export());
+            self.ask_for_export();
         }
         if ui.button("Reload files").clicked() {
             actions.push(Action::Reload);
@@ -160,18 +107,6 @@ impl Viewer {
         if ui.button("Copy link").clicked() {
             self.copy_link(&ui.ctx().clone());
         }
-    }
-
-    pub(super) fn ask_for_save(&mut self) {
-        let path = self.state.document().path();
-        let typed = match path.as_os_str().is_empty() {
-            true => "scene.toml".to_owned(),
-            false => path.display().to_string(),
-        };
-        self.asks = Some(Asks {
-            what_for: For::Save,
-            typed,
-        });
     }
 
     fn copy_command(&mut self, ctx: &Context) {
@@ -197,39 +132,6 @@ impl Viewer {
             });
         });
         self.shows_keys = is_open;
-        let Some(asks) = &mut self.asks else {
-            return;
-        };
-        let mut answer = None;
-        Window::new(asks.title())
-            .collapsible(false)
-            .show(ctx, |ui| {
-                let field = ui.add(TextEdit::singleline(&mut asks.typed).desired_width(360.0));
-                let field = field.accessible_name("File name");
-                let has_entered =
-                    field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
-                ui.horizontal(|ui| {
-                    if ui.button(asks.verb()).clicked() || has_entered {
-                        answer = Some(true);
-                    }
-                    if ui.button("Cancel").clicked() {
-                        answer = Some(false);
-                    }
-                });
-            });
-        let Some(is_meant) = answer else {
-            return;
-        };
-        if let Some(Asks { typed, what_for }) = self.asks.take().filter(|_| is_meant) {
-            let path = Path::new(typed.trim()).to_owned();
-            match what_for {
-                #[cfg(not(target_arch = "wasm32"))]
-                For::Open => self.apply_or_ask(Action::Take(vec![path])),
-                #[cfg(target_arch = "wasm32")]
-                For::Open => self.apply(Action::Take(vec![path])),
-                For::Save => self.state.apply(Action::Save(path)),
-                For::Export => self.begin_export(ctx, &path),
-            }
-        }
+        self.file_dialog(ctx);
     }
 }

@@ -16,6 +16,7 @@ mod keys;
 mod latest;
 mod magnifier;
 mod menu;
+mod naming;
 mod opening;
 #[cfg(target_arch = "wasm32")]
 mod page;
@@ -60,7 +61,7 @@ use desktop::Outside;
 use frames::Last;
 use judged::Judged;
 use magnifier::Magnifier;
-use menu::Asks;
+use naming::Asks;
 #[cfg(target_arch = "wasm32")]
 use page::Outside;
 use pointing::Pointing;

@@ -10,6 +10,7 @@ mod device;
 mod flow;
 mod handles;
 mod opening;
+mod overwriting;
 mod parts;
 mod pointer;
 mod random;

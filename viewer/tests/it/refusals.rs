@@ -37,8 +37,12 @@ fn bad_files_and_values_are_told_and_change_nothing() {
         (set("part.0.material.hatch", "stele"), "stele"),
         (Action::MovePlane(PlaneMove::Flip), "no cut is selected"),
         (
-            Action::Save(scratch.path("no/such/folder/scene.toml")),
+            Action::Save(scratch.path("bad.obj/scene.toml")),
             "cannot be written",
+        ),
+        (
+            Action::Save(scratch.path("bad.toml")),
+            "there is such a file",
         ),
     ] {
         let mut state = state(TORUS);
