@@ -117,7 +117,7 @@ impl Plan {
         if !is_for_arguments {
             return wrong(format!("{} is no buffer of arguments", of.name));
         }
-        if arguments.offset % 4 != 0 || arguments.offset + bytes > of.shape.bytes() {
+        if !arguments.offset.is_multiple_of(4) || arguments.offset + bytes > of.shape.bytes() {
             return wrong(format!(
                 "there are no arguments at byte {} of {}",
                 arguments.offset, of.name
