@@ -86,3 +86,30 @@ pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Co
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generate::shapes::shape;
+
+    #[test]
+    fn marks_on_closed_meshes_are_no_fault_of_the_mesh() {
+        let scene = Scene {
+            parts: shape("cube").unwrap_or_else(|e| panic!("{e}")),
+            ..Scene::default()
+        };
+        let by = |name: &str| -> Renderer { name.parse().unwrap_or_else(|e| panic!("{e}")) };
+        assert!(is_own_fault(by("raycast+mask@compute"), &scene));
+        // What approximates a solid marks for reasons of its own, and counts of windings may run over.
+        assert!(!is_own_fault(by("raycast+vds:64"), &scene));
+        assert!(!is_own_fault(by("exact"), &scene));
+        let mut nonzero = scene.clone();
+        nonzero.parts[0].fill = Fill::Nonzero;
+        assert!(!is_own_fault(by("raycast+mask"), &nonzero));
+        let mut open = scene;
+        std::sync::Arc::make_mut(&mut open.parts[0].mesh)
+            .triangles
+            .pop();
+        assert!(!is_own_fault(by("raycast+mask"), &open));
+    }
+}

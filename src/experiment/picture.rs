@@ -14,7 +14,7 @@ use crate::experiment::{Renderer, SceneAtTime};
 use crate::passes::{GroundShadow, Model};
 use crate::scene::{View, linear_from_srgb, srgb_from_linear};
 use crate::session::{Drawn, Outcome, Session};
-use crate::strategies::{Refusal, Strategy};
+use crate::strategies::{Obstacle, Refusal, Strategy};
 use crate::{Error, Result};
 
 /// A picture, and the frames that it was made of.
@@ -117,7 +117,9 @@ pub fn strategy_name(renderer: Renderer) -> String {
 
 /// The error of a strategy that does not draw what it was asked to.
 pub fn refused(renderer: Renderer, refusal: &Refusal) -> Error {
-    let help = if renderer
+    let help = if refusal.obstacle == Obstacle::Cuts {
+        "cut the mesh by some of them first (`cutaway export MODEL --section ... -o part.ply`), then draw part.ply with the others"
+    } else if renderer
         .method()
         .is_some_and(|m| m.strategy == Strategy::RAYCAST_MASK)
     {

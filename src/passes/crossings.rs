@@ -68,7 +68,7 @@ impl AskedCrossings {
             surfaces_file,
             bindings: Vec::new(),
             rounds: match surfaces_file {
-                ONE_SURFACE => capacity.min(SHORT).max(capacity.max(1).ilog2() + 1),
+                ONE_SURFACE => capacity.min(SHORT_LIST).max(capacity.max(1).ilog2() + 1),
                 _ => capacity,
             },
             capacity,
@@ -104,7 +104,7 @@ impl AskedCrossings {
 }
 
 /// Lists up to this length are looked through one by one: `shaders/lib/crossings/list.wgsl`.
-const SHORT: u32 = 8;
+const SHORT_LIST: u32 = 8;
 
 /// The file that reads the list.
 const LIST: &str = "lib/crossings/list.wgsl";

@@ -27,6 +27,9 @@ pub enum Obstacle {
     /// More than one clip-surface.
     #[error("it cuts by one plane")]
     Surfaces,
+    /// More cuts or clip-surfaces than the words of a pixel have bits for.
+    #[error("it has bits for 32 clip-surfaces and 32 cuts")]
+    Cuts,
     /// The near plane in a part that is cut.
     #[error("it makes no cap where the near plane meets a part")]
     NearPlane,

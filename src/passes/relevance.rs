@@ -4,7 +4,7 @@
 //! wholly in the removed region is not drawn. Only what is left needs structures. The box is conservative: a part may be
 //! called cut though only its box is.
 
-use super::Refusal;
+use super::{Obstacle, Refusal};
 use crate::plan::pack::{MAX_CUTS, MAX_SURFACES};
 use crate::scene::{Bounds, Prepared, PreparedPart, PreparedSurface, View};
 
@@ -95,9 +95,12 @@ impl Relevance {
                         let first = surfaces.len();
                         surfaces.extend(numbers);
                         if surfaces.len() > MAX_SURFACES || cuts.len() == MAX_CUTS {
-                            return Err(Refusal::amount(format!(
-                                "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
-                            )));
+                            return Err(Refusal::new(
+                                Obstacle::Cuts,
+                                format!(
+                                    "more than {MAX_SURFACES} clip-surfaces or {MAX_CUTS} cuts meet the parts"
+                                ),
+                            ));
                         }
                         cuts.push((*cut, (first..surfaces.len()).fold(0, |b, i| b | 1 << i)));
                         cuts.len() - 1

@@ -120,8 +120,16 @@ fn what_cannot_be_drawn_is_refused_with_a_reason() {
         assert_eq!(refusal.obstacle, Obstacle::Pairing, "{refusal}");
     }
     let cuts = (0..33).map(|_| planes(0.1, 1)).collect();
-    let message = refusal(&scene_of(&["cube"], cuts), "raycast+mask");
-    assert!(message.contains("more than 32"), "{message}");
+    let many = refused(&scene_of(&["cube"], cuts), Strategy::RAYCAST_MASK);
+    assert_eq!(many.obstacle, Obstacle::Cuts, "{many}");
+    // A smaller picture has as many cuts.
+    let error = cutaway::experiment::picture::refused(Strategy::RAYCAST_MASK.into(), &many);
+    let message = error.to_string();
+    assert!(
+        message.contains("more than 32") && message.contains("export"),
+        "{message}"
+    );
+    assert!(!message.contains("--resolution"), "{message}");
     // 32 are not too many.
     let cuts = (0..32).map(|_| planes(0.1, 1)).collect();
     let plan = plan_of(&scene_of(&["cube"], cuts), &Strategy::RAYCAST_MASK);
