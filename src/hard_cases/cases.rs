@@ -57,7 +57,7 @@ const NUMBERED: &[Case] = &[
         solids::planes_in_faces,
         Plane,
         Exact,
-        IN_FACE,
+        Band,
     ),
     case(
         "3",

@@ -12,9 +12,10 @@ use cutaway::strategies::{Method, Obstacle};
 use crate::common::session;
 
 /// Cases in which nothing is capped.
-const CAPLESS: [&str; 3] = [
+const CAPLESS: [&str; 4] = [
     "every face twice",
     "plane in a face",
+    "a face in the plane, or an ulp beside it",
     "a plane in the face between two products",
 ];
 
