@@ -33,7 +33,8 @@ impl State {
     pub fn replaces(&self, path: &Path) -> bool {
         let path = &*place_of(path);
         let is_own = self.is_own(path);
-        let on_disk = || Document::read_from(path, &*self.store).ok();
+        // By the name that the scene has for it: a document holds its own.
+        let on_disk = || Document::read_from(self.document.path(), &*self.store).ok();
         self.store.is_file(path) && !(is_own && on_disk().is_some_and(|there| there == self.saved))
     }
 
