@@ -2,7 +2,7 @@
 //!
 //! No file replaces an input of the scene, and none replaces another unasked, but the scene that was read.
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use cutaway::document::Node;
 use cutaway::load::place_of;
@@ -84,6 +84,10 @@ impl State {
     /// As [`State::save`], where another file may be in the way.
     pub(super) fn save_over(&mut self, path: &Path) -> Result<()> {
         self.must_not_be_read(path)?;
+        // A way back from a folder that is not there can be written through, but not read: the scene gets the name of the place.
+        let goes_back = path.components().any(|step| step == Component::ParentDir);
+        let place = goes_back.then(|| place_of(path));
+        let path = place.as_deref().unwrap_or(path);
         let document = self.with_settings(self.document.clone())?;
         let document = document.moved_to(path)?;
         self.store.write(path, document.to_string().as_bytes())?;
