@@ -151,6 +151,13 @@ impl Console {
         }
     }
 
+    /// The same where it takes work to find the words.
+    pub(super) fn detail_by(&self, text: impl FnOnce() -> String) {
+        if self.args.verbose {
+            self.say(&text());
+        }
+    }
+
     /// A stated expectation that did not hold.
     pub(super) fn failed(&self, text: impl AsRef<str>) {
         self.say(&format!("failed: {}", text.as_ref()));

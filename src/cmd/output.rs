@@ -189,11 +189,16 @@ impl Pending {
     }
 
     /// Puts it into its place, whole.
-    pub(super) fn place(mut self) -> Result<()> {
+    pub(super) fn place(self) -> Result<()> {
+        self.sync()?;
+        self.place_synced()
+    }
+
+    /// The same once the disk has all of it.
+    pub(super) fn place_synced(mut self) -> Result<()> {
         if self.is_placed {
             return Ok(());
         }
-        self.sync()?;
         fs::rename(&self.beside, &self.place).map_err(|e| self.failed(&e))?;
         self.is_placed = true;
         Ok(())

@@ -99,7 +99,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<Verdict> {
     let drawer = subject.drawer()?;
     subject.save_beside(outputs.paths.clone(), &args.scene.edits)?;
     let mut session = args.device.session(args.json.is_some())?;
-    console.detail(adapter_in_words(session.gpu()));
+    console.detail_by(|| adapter_in_words(session.gpu()));
     let shown = subject.shown()?;
     let view = subject.view(&shown.model.prepared);
 

@@ -31,7 +31,7 @@ impl Results {
         }
         std::mem::take(&mut self.files)
             .into_iter()
-            .try_for_each(Pending::place)
+            .try_for_each(Pending::place_synced)
     }
 }
 

@@ -88,11 +88,7 @@ fn removed(surface: &PreparedSurface, (origin, direction): (DVec3, DVec3)) -> [S
     }
     let at_eye = (origin - surface.origin).dot(surface.frame.normal);
     let step = direction.dot(surface.frame.normal);
-    let slab = surface.relief.as_ref().map_or([0.0; 2], |map| {
-        let [low, high] = map.range().map(|h| f64::from(h) * surface.height_scale);
-        [low.min(high), low.max(high)]
-    });
-    slab.map(|height| {
+    surface.slab().map(|height| {
         let at_eye = at_eye + height;
         if step > 0.0 {
             [f64::NEG_INFINITY, -at_eye / step]

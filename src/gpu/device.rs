@@ -245,12 +245,15 @@ impl Gpu {
         &self.report
     }
 
-    /// What the choice of a rasteriser depends on.
+    /// What the choice of a rasteriser depends on. Sub-pixel bits are measured where the choice needs them.
     pub fn traits(&self) -> AdapterTraits<'_> {
         AdapterTraits {
             limits: &self.limits,
             software: self.report.software,
-            sub_pixel_bits: self.sub_pixel_bits_if_known(),
+            sub_pixel_bits: match self.report.software {
+                true => None,
+                false => self.sub_pixel_bits_if_known(),
+            },
         }
     }
 

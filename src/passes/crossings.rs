@@ -27,9 +27,7 @@ pub(crate) struct AskedCrossings {
     pub(super) surfaces_file: &'static str,
     /// What it binds.
     pub bindings: Vec<Binding>,
-    /// Rounds of a loop until the crossings before a fragment are counted.
-    pub(super) rounds: u32,
-    /// Crossings of a list.
+    /// Crossings that a list has room for; 0 where there is none.
     pub(super) capacity: u32,
 }
 
@@ -67,11 +65,17 @@ impl AskedCrossings {
             file: LIST,
             surfaces_file,
             bindings: Vec::new(),
-            rounds: match surfaces_file {
-                ONE_SURFACE => capacity.min(SHORT_LIST).max(capacity.max(1).ilog2() + 1),
-                _ => capacity,
-            },
             capacity,
+        }
+    }
+
+    /// Rounds of a loop until the crossings before a fragment are counted.
+    pub(super) fn rounds(&self) -> u32 {
+        match self.surfaces_file {
+            ONE_SURFACE if self.capacity > 0 => {
+                self.capacity.min(SHORT_LIST).max(self.capacity.ilog2() + 1)
+            }
+            _ => self.capacity,
         }
     }
 
@@ -86,7 +90,6 @@ impl AskedCrossings {
             file: "lib/crossings/nothing.wgsl",
             surfaces_file: ONE_SURFACE,
             bindings: Vec::new(),
-            rounds: 0,
             capacity: 0,
         }
     }
@@ -97,7 +100,6 @@ impl AskedCrossings {
             file: "lib/crossings/plane.wgsl",
             surfaces_file: ONE_SURFACE,
             bindings: vec![scene.ray_table.clone()],
-            rounds: 0,
             capacity: 0,
         }
     }

@@ -11,7 +11,7 @@
 use super::scan::{Run, Scan, Total};
 use super::sweep::groups_along;
 use super::{AskedCrossings, SceneBuffers, Screen, Store};
-use crate::plan::{Arguments, Binding, Pass, Plan, Work};
+use crate::plan::{Access, Arguments, Pass, Plan, Work};
 use crate::shader::Shader;
 
 /// Rounds of loops that samples may take in one invocation: below those 65,535, with room for the rest.
@@ -43,7 +43,7 @@ impl Share {
             Some(_) => 2 * crossings.capacity,
             None => 0,
         };
-        Self::of_rounds(store.rounds + crossings.rounds + settled)
+        Self::of_rounds(store.rounds + crossings.rounds() + settled)
     }
 
     /// The largest share of samples that take so many rounds each.
@@ -84,18 +84,13 @@ impl Screen {
     /// Records how the queued triangles are shared out, once they are all there.
     pub(super) fn count_pieces(&self, plan: &mut Plan) {
         if self.may_clip {
+            let mut bindings = self.bindings();
+            bindings.push(self.queue(Access::ReadWrite));
             let pass = Pass::new(
                 self.named("clipped"),
                 "what the near plane and the guard band leave of triangles, in pieces",
                 Shader::from("passes/rasterise/clipped.wgsl").with(self.rows()),
-                vec![
-                    self.frame.clone(),
-                    self.sweep.clone(),
-                    self.drawn_parts.clone(),
-                    self.indices.clone(),
-                    self.vertices(),
-                    Binding::update("queue", self.queue),
-                ],
+                bindings,
                 Work::Compute {
                     groups: groups_along(self.triangle_count),
                 },

@@ -25,15 +25,14 @@ pub(crate) struct OnScreen {
     nearest: ResourceId,
     layers: ResourceId,
     picture: Option<ResourceId>,
-    /// The tiles that have something: to be found by the first sweep unless a pass has.
+    /// The tiles that have something: to be found by the first sweep unless a pass has, which then has filled the queue as well.
     pub(crate) touched: Touched,
-    by_sweep: bool,
 }
 
 impl<'a> SceneBuffers<'a> {
     /// Takes the mesh to the screen before crossings are looked for, so that this is done in touched tiles alone; makes pixels ready for
-    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where lists are to be those of all pixels, as for hosts. The
-    /// reason where there are too many parts.
+    /// fragments on the way. `to_come` are the crossings as they will be listed. Nothing is done for the GPU's own rasteriser, and where lists
+    /// are to be those of all pixels, as for hosts. The reason where there are too many parts.
     pub(crate) fn on_screen_first(
         mut self,
         plan: &mut Plan,
@@ -130,25 +129,18 @@ fn take_to_screen(
         layers,
         picture,
         touched,
-        by_sweep,
     })
 }
 
 /// Finds the touched tiles, of small triangles one by one, then of the pieces of the others, which are queued on the way.
 fn find_tiles(plan: &mut Plan, screen: &Screen, touched: Touched) {
     let bindings = |queue_access| {
-        vec![
-            screen.frame.clone(),
-            screen.sweep.clone(),
-            screen.drawn_parts.clone(),
-            screen.indices.clone(),
-            screen.vertices(),
+        let mut all = screen.bindings();
+        all.extend([
             touched.binding(Access::ReadWrite),
-            Binding {
-                access: queue_access,
-                ..Binding::read("queue", screen.queue)
-            },
-        ]
+            screen.queue(queue_access),
+        ]);
+        all
     };
     let pass = Pass::new(
         "tiles",
@@ -185,7 +177,6 @@ pub(super) fn rasterise(
         layers,
         picture,
         touched,
-        by_sweep,
     } = match &scene.on_screen {
         Some(on_screen) => on_screen.clone(),
         None => {
@@ -200,7 +191,7 @@ pub(super) fn rasterise(
         store: Some(store),
         crossings: Some(crossings),
         bindings: vec![Binding::update("nearest", nearest)],
-        touched: by_sweep.then_some(touched),
+        touched: (!screen.is_queued).then_some(touched),
         again: false,
     };
     if input.wide_atomics {

@@ -239,7 +239,7 @@ fn beyond_words(number: usize, surface: &PreparedSurface, cut_box: &Bounds) -> O
         }
         steepest = steepest.max(per_unit);
     }
-    let [low, high] = map.range().map(|h| f64::from(h) * surface.height_scale);
+    let [low, high] = surface.slab();
     let height = low.abs().max(high.abs());
     (height * steepest > STEEPEST).then(|| {
         format!(
@@ -272,11 +272,9 @@ fn side_of(surface: &PreparedSurface, bounds: &Bounds, touching: f64) -> Side {
     let heights = bounds
         .corners()
         .map(|c| (c - surface.origin).dot(surface.frame.normal));
-    let relief = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
-        m.range().map(|h| f64::from(h) * surface.height_scale)
-    });
-    let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + relief[0].min(relief[1]);
-    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + relief[0].max(relief[1]);
+    let [lowest, highest] = surface.slab();
+    let low = heights.iter().copied().fold(f64::INFINITY, f64::min) + lowest;
+    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max) + highest;
     if low > touching {
         Side::Kept
     } else if high < -touching {

@@ -16,7 +16,8 @@ use super::sweep::groups_along;
 use super::{Input, Lanes, Refusal, SceneBuffers};
 use crate::plan::pack::{DrawnPart, MOST_DRAWN_PARTS, Sweep};
 use crate::plan::{
-    Binding, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource, ResourceId, Role, Work,
+    Access, Binding, Clock, Contents, DISPATCH_ARGUMENT_BYTES, Pass, Plan, Resource, ResourceId,
+    Role, Work,
 };
 use crate::scene::View;
 use crate::shader::Shader;
@@ -109,6 +110,25 @@ impl Screen {
         match self.has_one_row {
             true => "lib/rows/one.wgsl",
             false => "lib/rows/any.wgsl",
+        }
+    }
+
+    /// What every pass over its triangles binds of it.
+    pub(super) fn bindings(&self) -> Vec<Binding> {
+        vec![
+            self.frame.clone(),
+            self.sweep.clone(),
+            self.drawn_parts.clone(),
+            self.indices.clone(),
+            self.vertices(),
+        ]
+    }
+
+    /// The queue of triangles.
+    pub(super) fn queue(&self, access: Access) -> Binding {
+        Binding {
+            access,
+            ..Binding::read("queue", self.queue)
         }
     }
 

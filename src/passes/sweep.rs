@@ -78,16 +78,13 @@ impl<'a> Sweep<'a> {
                 None => shader,
             }
         };
-        let mut bindings = vec![
-            screen.frame.clone(),
-            match self.again {
-                true => screen.sweep_again.clone(),
-                false => screen.sweep.clone(),
-            },
-            screen.drawn_parts.clone(),
-            screen.indices.clone(),
-            screen.vertices(),
-        ];
+        let mut bindings = screen.bindings();
+        if self.again {
+            let first = bindings.iter_mut().find(|b| **b == screen.sweep);
+            first
+                .into_iter()
+                .for_each(|b| *b = screen.sweep_again.clone());
+        }
         bindings.extend(self.bindings.iter().cloned());
         bindings.extend(self.touched.map(|t| t.binding(Access::ReadWrite)));
         if let Some(store) = self.store {
@@ -98,17 +95,12 @@ impl<'a> Sweep<'a> {
             bindings.extend(crossings.bindings.iter().cloned());
             bindings.extend(screen.settled.clone());
         }
-        let queue = Binding::read("queue", screen.queue);
         let mut small = bindings.clone();
-        small.push(if self.again {
-            queue.clone()
-        } else {
-            Binding {
-                access: Access::ReadWrite,
-                ..queue.clone()
-            }
-        });
-        bindings.push(queue);
+        small.push(screen.queue(match self.again {
+            true => Access::Read,
+            false => Access::ReadWrite,
+        }));
+        bindings.push(screen.queue(Access::Read));
         let lane_bits = scene.lanes.constant();
         let name = |what: &str| screen.named(&format!("{} {what}", self.name));
         let groups = groups_along(screen.triangle_count);

@@ -269,9 +269,6 @@ pub fn clip_surface(
     };
     let texels = surface.relief.as_ref().map_or([1, 1], |m| m.size());
     let texels_per_unit = texels_per_unit(surface);
-    let range = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
-        m.range().map(|h| f64::from(h) * surface.height_scale)
-    });
     let affine = |direction: DVec3, factor: f64, offset: f64| -> [f32; 4] {
         let d = direction * factor;
         let w = offset - d.dot(surface.origin);
@@ -290,7 +287,7 @@ pub fn clip_surface(
             surface.height_scale as f32,
             0.0,
         ],
-        slab: [range[0].min(range[1]) as f32, range[0].max(range[1]) as f32],
+        slab: surface.slab().map(|height| height as f32),
         first_texel,
         wrap: surface.wrap.code(),
         map_size: texels,

@@ -236,6 +236,14 @@ impl PreparedSurface {
         (low == high || self.height_scale == 0.0).then(|| f64::from(low) * self.height_scale)
     }
 
+    /// Least and greatest height of the relief over the plane, in scene units; zeros for a plane.
+    pub fn slab(&self) -> [f64; 2] {
+        let ends = self.relief.as_ref().map_or([0.0; 2], |map| {
+            map.range().map(|h| f64::from(h) * self.height_scale)
+        });
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    }
+
     /// The flat surface that this one is, unless it is a relief or a cutter.
     pub fn flat(&self) -> Option<FlatSurface> {
         let lift = self.flat_height().filter(|_| self.volume.is_none())?;

@@ -7,9 +7,10 @@
 //!
 //! Limits: the product over nested loops is not formed, and what an override is set to is the plan's affair.
 
+use super::loops::{children, loaded, local};
 use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, MathFunction,
-    Module, Statement,
+    Module, ScalarKind, Statement,
 };
 
 /// Expressions within each other that are followed.
@@ -30,10 +31,8 @@ impl Place<'_> {
 
     /// Whether a counter begins at or above a constant, or is unsigned.
     pub(super) fn begins_high(self, counter: Handle<LocalVariable>, inside: &Block) -> bool {
-        let variable = &self.function.local_variables[counter];
-        let is_unsigned = (self.module.types[variable.ty].inner.scalar())
-            .is_some_and(|s| s.kind == naga::ScalarKind::Uint);
-        is_unsigned || self.begins(counter, inside, |place, e| place.is_high(e, 0))
+        self.counts_unsigned(counter)
+            || self.begins(counter, inside, |place, e| place.is_high(e, 0))
     }
 
     /// Whether a counter begins at or below a constant.
@@ -144,11 +143,8 @@ impl Place<'_> {
 
     /// Whether every call of the function gives a limited argument.
     fn argument_is_limited(self, index: u32, depth: u32) -> bool {
-        let own = self.module.functions.iter();
-        let Some((own, _)) = own
-            .into_iter()
-            .find(|(_, f)| std::ptr::eq(*f, self.function))
-        else {
+        let mut named = self.module.functions.iter();
+        let Some((own, _)) = named.find(|(_, f)| std::ptr::eq(*f, self.function)) else {
             return false;
         };
         let functions = self.module.functions.iter().map(|(_, f)| f);
@@ -179,7 +175,7 @@ impl Place<'_> {
                 Expression::Literal(Literal::I32(n)) => n,
                 _ => -1,
             };
-            let is_own = matches!(self.function.expressions[left], Expression::Load { pointer } if self.function.expressions[pointer] == Expression::LocalVariable(variable));
+            let is_own = loaded(self.function, left) == Some(variable);
             op == BinaryOperator::Add && by >= 0 && is_own
         };
         let mut values = Vec::new();
@@ -187,19 +183,21 @@ impl Place<'_> {
         (values.iter()).all(|value| is_step_up(*value) || self.is_high(*value, depth))
     }
 
+    fn counts_unsigned(self, variable: Handle<LocalVariable>) -> bool {
+        let ty = self.function.local_variables[variable].ty;
+        let scalar = self.module.types[ty].inner.scalar();
+        scalar.is_some_and(|s| s.kind == ScalarKind::Uint)
+    }
+
     fn is_unsigned(self, expression: Handle<Expression>) -> bool {
         match self.function.expressions[expression] {
             Expression::Literal(literal) => matches!(literal, Literal::U32(_)),
-            Expression::As { kind, .. } => kind == naga::ScalarKind::Uint,
+            Expression::As { kind, .. } => kind == ScalarKind::Uint,
             Expression::Binary { left, right, .. } => {
                 self.is_unsigned(left) || self.is_unsigned(right)
             }
             Expression::Load { pointer } => match self.function.expressions[pointer] {
-                Expression::LocalVariable(v) => {
-                    let ty = self.function.local_variables[v].ty;
-                    (self.module.types[ty].inner.scalar())
-                        .is_some_and(|s| s.kind == naga::ScalarKind::Uint)
-                }
+                Expression::LocalVariable(variable) => self.counts_unsigned(variable),
                 _ => false,
             },
             _ => false,
@@ -219,7 +217,7 @@ impl Place<'_> {
             | Expression::ZeroValue(_) => true,
             Expression::Unary { expr, .. } => self.limited(expr, depth + 1),
             Expression::As { kind, expr, .. } => {
-                kind == naga::ScalarKind::Uint || high(expr) || self.is_unsigned(expr)
+                kind == ScalarKind::Uint || high(expr) || self.is_unsigned(expr)
             }
             Expression::Binary { op, left, right } => match op {
                 BinaryOperator::Add | BinaryOperator::Multiply => high(left) && high(right),
@@ -252,11 +250,11 @@ fn stored(
 ) {
     for statement in block.iter() {
         if let Statement::Store { pointer, value } = statement
-            && super::loops::local(function, *pointer) == Some(variable)
+            && local(function, *pointer) == Some(variable)
         {
             values.push(*value);
         }
-        for child in super::loops::children(statement) {
+        for child in children(statement) {
             stored(function, child, variable, values);
         }
     }
@@ -267,7 +265,7 @@ fn returned(block: &Block, values: &mut Vec<Handle<Expression>>) {
         if let Statement::Return { value } = statement {
             values.extend(value);
         }
-        for child in super::loops::children(statement) {
+        for child in children(statement) {
             returned(child, values);
         }
     }
@@ -289,7 +287,7 @@ fn arguments_in(
         {
             given.extend(arguments.get(index as usize));
         }
-        for child in super::loops::children(statement) {
+        for child in children(statement) {
             arguments_in(child, of, index, given);
         }
     }

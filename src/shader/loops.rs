@@ -130,7 +130,10 @@ fn stores_in(function: &Function, block: &Block, stores: &mut Vec<Handle<LocalVa
     }
 }
 
-fn loaded(function: &Function, expression: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+pub(super) fn loaded(
+    function: &Function,
+    expression: Handle<Expression>,
+) -> Option<Handle<LocalVariable>> {
     match function.expressions[expression] {
         Expression::Load { pointer } => match function.expressions[pointer] {
             Expression::LocalVariable(variable) => Some(variable),

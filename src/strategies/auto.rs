@@ -42,7 +42,7 @@ pub struct AdapterTraits<'a> {
     pub limits: &'a Limits,
     /// Whether it runs on the CPU.
     pub software: bool,
-    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser.
+    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser, or not needed, as on the CPU.
     pub sub_pixel_bits: Option<u32>,
 }
 

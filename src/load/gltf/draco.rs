@@ -5,13 +5,12 @@ use std::collections::BTreeMap;
 
 use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
 use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
-use gltf::json::buffer::View;
 use gltf::json::mesh::Mode;
 use gltf::json::validation::{Checked, USize64};
 use gltf::json::{Index, Root};
 use serde::Deserialize;
 
-use super::packed::{Room, add_buffer, range};
+use super::packed::{Room, add_view, range};
 
 /// What the extension says of a primitive.
 #[derive(Deserialize)]
@@ -136,19 +135,7 @@ fn give(
     bytes: Vec<u8>,
     (place, accessor): (Option<Index<Accessor>>, Accessor),
 ) -> Index<Accessor> {
-    let byte_length = USize64::from(bytes.len());
-    let buffer = add_buffer(root, buffers, bytes);
-    let view = Index::new(root.buffer_views.len() as u32);
-    root.buffer_views.push(View {
-        buffer,
-        byte_length,
-        byte_offset: None,
-        byte_stride: None,
-        name: None,
-        target: None,
-        extensions: None,
-        extras: None,
-    });
+    let view = add_view(root, buffers, bytes);
     let accessor = Accessor {
         buffer_view: Some(view),
         byte_offset: None,

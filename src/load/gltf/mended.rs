@@ -9,13 +9,12 @@
 //! | materials, textures, images, samplers or cameras that are not valid | all of them left out, with a note |
 
 use gltf::json::accessor::{Accessor, Type};
-use gltf::json::buffer::View;
-use gltf::json::validation::{Checked, Error, USize64, Validate};
-use gltf::json::{Animation, Index, Path, Root};
+use gltf::json::validation::{Checked, Error, Validate};
+use gltf::json::{Animation, Path, Root};
 use gltf::{Document, Semantic};
 use serde_json::{Value, json};
 
-use super::packed::add_buffer;
+use super::packed::add_view;
 
 /// Bytes that accessors without a buffer view share; one that states more is not mended.
 const MOST_ZEROS: usize = 1 << 28;
@@ -142,19 +141,7 @@ fn give_zeros(
     let Some(most) = bare.iter().map(|(_, bytes)| *bytes).max() else {
         return;
     };
-    let byte_length = USize64::from(most);
-    let buffer = add_buffer(root, buffers, vec![0; most]);
-    let view = Index::new(root.buffer_views.len() as u32);
-    root.buffer_views.push(View {
-        buffer,
-        byte_length,
-        byte_offset: None,
-        byte_stride: None,
-        name: None,
-        target: None,
-        extensions: None,
-        extras: None,
-    });
+    let view = add_view(root, buffers, vec![0; most]);
     for (number, _) in bare {
         let accessor = &mut root.accessors[number];
         accessor.buffer_view = Some(view);

@@ -85,11 +85,7 @@ impl Room {
 }
 
 /// Puts bytes into a buffer of their own.
-pub(super) fn add_buffer(
-    root: &mut Root,
-    buffers: &mut Vec<Vec<u8>>,
-    bytes: Vec<u8>,
-) -> Index<Buffer> {
+fn add_buffer(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u8>) -> Index<Buffer> {
     let buffer = Index::new(buffers.len() as u32);
     root.buffers.push(Buffer {
         byte_length: USize64::from(bytes.len()),
@@ -100,6 +96,24 @@ pub(super) fn add_buffer(
     });
     buffers.push(bytes);
     buffer
+}
+
+/// Puts bytes into a buffer and a view of their own.
+pub(super) fn add_view(root: &mut Root, buffers: &mut Vec<Vec<u8>>, bytes: Vec<u8>) -> Index<View> {
+    let byte_length = USize64::from(bytes.len());
+    let buffer = add_buffer(root, buffers, bytes);
+    let view = Index::new(root.buffer_views.len() as u32);
+    root.buffer_views.push(View {
+        buffer,
+        byte_length,
+        byte_offset: None,
+        byte_stride: None,
+        name: None,
+        target: None,
+        extensions: None,
+        extras: None,
+    });
+    view
 }
 
 /// The bytes of a range of a buffer.

@@ -28,10 +28,7 @@ fn is_beyond(part: &PreparedPart, surface: &PreparedSurface) -> bool {
     if surface.volume.is_some() {
         return false;
     }
-    let highest = surface.relief.as_ref().map_or(0.0, |map| {
-        let [low, high] = map.range().map(|h| f64::from(h) * surface.height_scale);
-        low.max(high)
-    });
+    let [_, highest] = surface.slab();
     let height = |p: DVec3| (p - surface.origin).dot(surface.frame.normal) + highest;
     let tolerance = part.plane_tolerance;
     let corners = part.bounds.corners().map(height);

@@ -81,15 +81,13 @@ fn record(
         bindings: vec![Binding::update("mask", mask)],
         rounds,
     };
-    let to_come = match input.asks_plane() {
-        true => AskedCrossings::of_plane(&scene),
-        false => AskedCrossings::to_come(input, capacity),
-    };
-    let scene = scene.on_screen_first(plan, &store, &to_come)?;
     // Planes are never drawn as sheets.
-    let crossings = match input.asks_plane() {
-        true => AskedCrossings::of_plane(&scene),
-        false => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
+    let plane = input.asks_plane().then(|| AskedCrossings::of_plane(&scene));
+    let to_come = || AskedCrossings::to_come(input, capacity);
+    let scene = scene.on_screen_first(plan, &store, &plane.clone().unwrap_or_else(to_come))?;
+    let crossings = match plane {
+        Some(plane) => plane,
+        None => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
     };
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;
     let inside = match nonzero {

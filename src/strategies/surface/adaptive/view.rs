@@ -27,9 +27,7 @@ pub(super) fn refinement(
     let view = input.view;
     let number = input.relevance.surfaces[index];
     let surface = &input.model.prepared.surfaces[number];
-    let heights = surface.relief.as_ref().map_or([0.0, 0.0], |m| {
-        m.range().map(|h| f64::from(h) * surface.height_scale)
-    });
+    let heights = surface.slab();
     let mut refinement: Refinement = bytemuck::Zeroable::zeroed();
     refinement.capacity = capacity;
     refinement.borders = borders(input, row, heights, surface);

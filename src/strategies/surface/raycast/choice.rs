@@ -111,8 +111,7 @@ fn passed(
     let map = surface.relief.as_ref()?;
     let height = (origin - surface.origin).dot(surface.frame.normal);
     let slope = direction.dot(surface.frame.normal);
-    let slab = map.range().map(|h| -f64::from(h) * surface.height_scale);
-    let [a, b] = slab.map(|h| (h - height) / slope);
+    let [a, b] = surface.slab().map(|h| (-h - height) / slope);
     let (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
     let axes = [surface.frame.u_hat, surface.frame.v_hat];
     let per_depth: f64 = (0..2)
