@@ -13,7 +13,7 @@ use crate::gpu::{ClockSet, Gpu, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{GroundShadow, Model};
 use crate::plan::{Capacities, Clock, Plan};
-use crate::scene::{Style, View};
+use crate::scene::{Style, USUAL_SUB_PIXEL_BITS, View};
 use crate::strategies::{self, Method, Obstacle, Rasteriser, Refusal, Strategy};
 use crate::{Error, Result};
 
@@ -232,6 +232,14 @@ impl Session {
     /// The plan of the last frame by a method, of its first band where it was drawn in several.
     pub fn plan(&self, method: impl Into<Method>) -> Result<&Plan> {
         Ok(self.first_band(method)?.program.plan())
+    }
+
+    /// To which fraction of a pixel, 2^-bits, vertices were snapped in the last frame by a method: by the adapter where its rasteriser drew
+    /// them.
+    pub fn sub_pixel_bits(&self, method: impl Into<Method>) -> Result<u32> {
+        let of_adapter = self.gpu.report().sub_pixel_bits;
+        let snaps = self.plan(method)?.draws_triangles();
+        Ok(of_adapter.filter(|_| snaps).unwrap_or(USUAL_SUB_PIXEL_BITS))
     }
 
     /// In how many bands the last frame by a method was drawn.

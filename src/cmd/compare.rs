@@ -18,7 +18,8 @@ use super::when::TimeArgs;
 use crate::Result;
 use crate::compare::legend;
 use crate::experiment::{
-    Judgement, MOST_UNDECIDED, Measurement, Renderer, SceneAtTime, Warning, check_memory, picture,
+    Judgement, MOST_UNDECIDED, Measurement, Reference, Renderer, SceneAtTime, Warning,
+    check_memory, picture,
 };
 use crate::report;
 use crate::session::Session;
@@ -157,6 +158,20 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
         let Some(comparison) = &strategy.comparison else {
             continue;
         };
+        if let Some(undecided_px) = strategy.undecided_px {
+            let own = Reference {
+                undecided_px,
+                ..report.exact.clone()
+            };
+            if own.is_doubtful() {
+                console.failed(format!(
+                    "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: {} snaps \
+                     vertices to coarse steps\n  help: draw by --rasteriser compute",
+                    strategy.name, report.adapter.name
+                ));
+                verdict = Verdict::Failed;
+            }
+        }
         if comparison.decided_wrong_px > most {
             console.failed(format!(
                 "{}: {} decided wrong pixels, at most {most} are allowed",

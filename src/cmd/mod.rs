@@ -15,6 +15,7 @@ mod completions;
 mod console;
 mod defects;
 mod demo;
+mod doctor;
 mod drawer;
 mod edits;
 mod environment;
@@ -85,6 +86,7 @@ Examples:
   cutaway plan shape:crank --section z=50%
   cutaway measure experiments/curated/01-paper.toml --quick --out target/measure
   cutaway report target/measure
+  cutaway doctor
   cutaway demo
 
 Exit codes: 0 done; 1 done, but a stated expectation failed; 2 bad input or usage; 130 ended by Ctrl-C or SIGTERM.";
@@ -150,6 +152,9 @@ enum Command {
     /// Cut the built-in crank with every strategy: pictures, heat maps, a report
     #[command(after_help = demo::EXAMPLES)]
     Demo(demo::DemoArgs),
+    /// Say which graphics adapters there are, and test whether what is claimed of strategies holds on one
+    #[command(after_help = doctor::EXAMPLES)]
+    Doctor(doctor::DoctorArgs),
     /// Print what a shell needs to complete the options of this command
     #[command(after_help = completions::EXAMPLES)]
     Completions(completions::CompletionsArgs),
@@ -193,6 +198,7 @@ pub fn main_with(window: Option<Window>) -> ExitCode {
         Command::Measure(args) => measure::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Demo(args) => demo::run(&args),
+        Command::Doctor(args) => doctor::run(&args),
         Command::Completions(args) => completions::completions(&args, Cli::command()),
         Command::Man(args) => completions::man(&args, Cli::command()),
     };

@@ -11,9 +11,9 @@ use crate::scene::{Fill, Scene, Topology, empty_picture, misses};
 /// The adapter, for who reports a fault.
 pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
     let report = gpu.report();
-    let bits = match gpu.sub_pixel_bits() {
-        Ok(bits) => format!("{bits} sub-pixel bits"),
-        Err(e) => format!("sub-pixel bits unknown: {e}"),
+    let bits = match report.sub_pixel_bits {
+        Some(bits) => format!("{bits} sub-pixel bits"),
+        None => "sub-pixel bits unknown".to_owned(),
     };
     format!("adapter: {}, {}, {bits}", report.name, report.driver)
 }

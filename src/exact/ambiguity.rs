@@ -15,7 +15,7 @@ use glam::DVec3;
 
 use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
-use super::outline::{Brush, NEAR_PX};
+use super::outline::Brush;
 use super::raster::{Crossing, Projected};
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 use crate::scene::{Prepared, View};
@@ -127,7 +127,7 @@ impl Case<'_> {
                     self.view,
                     self.ray.direction,
                     event.depth,
-                    NEAR_PX,
+                    self.view.doubt_px(),
                 )
             }
             Cause::Clip { .. } => {

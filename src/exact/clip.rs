@@ -8,7 +8,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::outline::{NEAR_PX, change_per_px};
+use super::outline::change_per_px;
 use super::relief::Relief;
 use crate::scene::{PreparedSurface, View};
 
@@ -54,9 +54,9 @@ pub(super) struct Root {
 }
 
 impl Root {
-    /// How much its depth may change when the sample moves by [`NEAR_PX`].
+    /// How much its depth may change when the sample moves by [`View::doubt_px`].
     pub(super) fn depth_change(&self, view: &View, ray: &Ray) -> f64 {
-        let change = change_per_px(view, self.gradient, self.depth) * NEAR_PX;
+        let change = change_per_px(view, self.gradient, self.depth) * view.doubt_px();
         let slope = self.gradient.dot(ray.direction).abs();
         // Near a tangent point the square takes over from the slope.
         let change = (change / slope).min((change / self.bend.abs()).sqrt());
@@ -65,7 +65,7 @@ impl Root {
 }
 
 /// A place where a ray all but touches a clip-surface, or just crosses it twice: an extremum of `F` along the ray that
-/// moving the sample by [`NEAR_PX`] may push to the other side of 0.
+/// moving the sample by [`View::doubt_px`] may push to the other side of 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Graze {
     /// Number of the surface.

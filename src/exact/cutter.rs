@@ -16,7 +16,7 @@
 use glam::DVec2;
 
 use super::clip::{Face, Ray, Root};
-use super::outline::{Brush, NEAR_PX};
+use super::outline::Brush;
 use super::raster::{Crossing, Projected};
 use super::screen::Corner;
 use super::walk::{Cause, Event, State};
@@ -110,31 +110,31 @@ pub(super) fn meet(
 }
 
 /// Whether two triangles in one plane are both met, whoever moves a sample a little.
-pub(super) fn share_the_sample(at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
+pub(super) fn share_the_sample(near_px: f64, at: DVec2, triangles: [[&Corner; 3]; 2]) -> bool {
     !triangles
         .into_iter()
-        .any(|corners| is_by_an_edge(at, corners))
+        .any(|corners| is_by_an_edge(near_px, at, corners))
 }
 
 /// Whether a sample is so close to an edge of a triangle that who moves it a little may find the next triangle; also where the
 /// triangle reaches behind the eye.
-fn is_by_an_edge(at: DVec2, corners: [&Corner; 3]) -> bool {
+fn is_by_an_edge(near_px: f64, at: DVec2, corners: [&Corner; 3]) -> bool {
     if corners.iter().any(|c| c.at.z <= 0.0) {
         return true;
     }
-    (0..3).any(|edge| is_by_edge(at, corners, edge))
+    (0..3).any(|edge| is_by_edge(near_px, at, corners, edge))
 }
 
 /// Whether a sample is so close to the edge of a triangle that begins at a corner that, moved a little, it may find the next triangle;
 /// also where the edge reaches behind the eye.
-pub(super) fn is_by_edge(at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
+pub(super) fn is_by_edge(near_px: f64, at: DVec2, corners: [&Corner; 3], edge: usize) -> bool {
     let ends = [corners[edge], corners[(edge + 1) % 3]];
     if ends.iter().any(|c| c.at.z <= 0.0) {
         return true;
     }
     let [from, to] = ends.map(Corner::pixel);
     let share = (at - from).dot(to - from) / from.distance_squared(to);
-    from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= NEAR_PX
+    from.lerp(to, share.clamp(0.0, 1.0)).distance(at) <= near_px
 }
 
 /// Whether a pair of crossings with a cutter at one of its outlines, there or not, may change what is seen. `events` are those

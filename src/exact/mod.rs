@@ -30,6 +30,7 @@ mod settle;
 mod shading;
 mod table;
 mod trace;
+mod truth;
 mod walk;
 mod winding;
 
@@ -48,6 +49,7 @@ use crate::layers::{Kind, Layer, Layers};
 use crate::scene::{Prepared, View};
 
 pub use trace::{Crossed, RayCrossing, Trace, trace};
+pub use truth::Truth;
 pub use winding::Windings;
 
 /// The right answer for every pixel of a view, rows from the top.
@@ -55,9 +57,9 @@ pub use winding::Windings;
 pub struct Exact {
     /// What each pixel shows.
     pub layers: Layers,
-    /// Whether sampling itself is ambiguous there: within 1/256 px of an outline, or two events too close to order.
+    /// Whether sampling itself is ambiguous there: within [`View::doubt_px`] of an outline, or two events too close to order.
     pub undecided: Vec<bool>,
-    /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within 1/256 px, as between two
+    /// Whether kind, part and clip-surface are decided there but the depth is not: it jumps within as much, as between two
     /// folds of a relief. No undecided pixel is one of them.
     pub depth_open: Vec<bool>,
     /// Whether solids overlap at the cap is open, be it because its depth is. No undecided pixel is one of them.

@@ -6,8 +6,8 @@
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]).
 //!
-//! Rasterisers round vertices to 1/256 px, which moves an edge by up to 1/512 px along each axis, and f32 transforms move
-//! it by less than that again: a sample farther than [`NEAR_PX`] from every outline is hit alike by all of them.
+//! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
+//! [`View::doubt_px`] from every outline is hit alike by all of them.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -15,9 +15,6 @@ use rayon::prelude::*;
 use super::raster::{Facet, Projected, centres, lateral};
 use super::screen::Corner;
 use crate::scene::View;
-
-/// Distance in pixels under which an edge leaves a sample undecided.
-pub(super) const NEAR_PX: f64 = 1.0 / 256.0;
 
 /// An edge that is an outline, from the near plane on.
 pub(super) struct Outline {
@@ -39,7 +36,7 @@ pub(super) struct Brush {
     pub(super) odd: bool,
     /// Depth of the edge.
     pub(super) depth: f64,
-    /// How far in depth the faces at the edge may reach within [`NEAR_PX`].
+    /// How far in depth the faces at the edge may reach within [`View::doubt_px`].
     pub(super) margin: f64,
 }
 
@@ -134,7 +131,7 @@ fn points(projected: &Projected<'_>) -> Vec<u32> {
 /// and so the depth it finds in it, is anybody's guess. Its edges are outlines: there is no telling on which side of them it lies.
 ///
 /// Of one whose depths differ by more than a pixel is wide it is these depths. A smaller one counts where its plane changes by as much
-/// within [`NEAR_PX`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there.
+/// within [`View::doubt_px`]: some rasterisers cover samples beside it, by the rounded corners, and read the plane of the others there.
 fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option<f64> {
     let corners = projected.corners(triangle);
     if corners.iter().any(|c| c.depth <= view.near) {
@@ -145,7 +142,7 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
         .map(DVec2::length)
         .into_iter()
         .fold(0.0, f64::max);
-    let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * NEAR_PX * longest;
+    let is_narrow = (b - a).perp_dot(c - a).abs() < 2.0 * view.doubt_px() * longest;
     if !is_narrow {
         return None;
     }
@@ -155,7 +152,7 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     candidates.into_iter().find(|reach| *reach > pixel)
 }
 
-/// How much depth changes on the plane of a face within [`NEAR_PX`].
+/// How much depth changes on the plane of a face within [`View::doubt_px`].
 fn plane_change(view: &View, facet: &Facet) -> f64 {
     let centre = (facet.points[0] + facet.points[1] + facet.points[2]) / 3.0;
     let depth = (centre - view.eye).dot(view.forward);
@@ -164,7 +161,7 @@ fn plane_change(view: &View, facet: &Facet) -> f64 {
     } else {
         (centre - view.eye) / depth
     };
-    facet.plane_change(view, direction, depth, NEAR_PX)
+    facet.plane_change(view, direction, depth, view.doubt_px())
 }
 
 /// The piece of an edge beyond a depth.
@@ -181,9 +178,9 @@ fn beyond(near: f64, a: Corner, b: Corner) -> Option<[Corner; 2]> {
 impl Outline {
     /// Rows whose samples may be near.
     pub(super) fn rows(&self, view: &View) -> Option<[u32; 2]> {
-        let [a, b] = self.ends.map(|e| e.pixel());
-        centres(a.x.min(b.x), a.x.max(b.x), NEAR_PX, view.size_px[0])?;
-        centres(a.y.min(b.y), a.y.max(b.y), NEAR_PX, view.size_px[1])
+        let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());
+        centres(a.x.min(b.x), a.x.max(b.x), near_px, view.size_px[0])?;
+        centres(a.y.min(b.y), a.y.max(b.y), near_px, view.size_px[1])
     }
 
     /// Lists the samples of a band that are near.
@@ -193,8 +190,8 @@ impl Outline {
         [first_row, end_row]: [u32; 2],
         found: &mut Vec<Brush>,
     ) {
-        let [a, b] = self.ends.map(|e| e.pixel());
-        let Some([lo, hi]) = centres(a.y.min(b.y), a.y.max(b.y), NEAR_PX, view.size_px[1]) else {
+        let ([a, b], near_px) = (self.ends.map(|e| e.pixel()), view.doubt_px());
+        let Some([lo, hi]) = centres(a.y.min(b.y), a.y.max(b.y), near_px, view.size_px[1]) else {
             return;
         };
         let along = b - a;
@@ -202,13 +199,13 @@ impl Outline {
             let y = f64::from(row) + 0.5;
             let share = |y: f64| ((y - a.y) / along.y).clamp(0.0, 1.0);
             // The piece of the edge that passes this row; all of it when it runs along the row.
-            let (from, to) = if along.y.abs() > NEAR_PX {
-                (share(y - NEAR_PX), share(y + NEAR_PX))
+            let (from, to) = if along.y.abs() > near_px {
+                (share(y - near_px), share(y + near_px))
             } else {
                 (0.0, 1.0)
             };
             let (x0, x1) = (a.x + along.x * from, a.x + along.x * to);
-            let Some([left, right]) = centres(x0.min(x1), x0.max(x1), NEAR_PX, view.size_px[0])
+            let Some([left, right]) = centres(x0.min(x1), x0.max(x1), near_px, view.size_px[0])
             else {
                 continue;
             };
@@ -216,7 +213,7 @@ impl Outline {
                 let at = DVec2::new(f64::from(column) + 0.5, y);
                 let t = (at - a).dot(along) / along.length_squared();
                 let t = if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
-                if (a + along * t).distance_squared(at) > NEAR_PX * NEAR_PX {
+                if (a + along * t).distance_squared(at) > near_px * near_px {
                     continue;
                 }
                 let [za, zb] = self.ends.map(|e| e.depth);

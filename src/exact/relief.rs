@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::ambiguity::rounding;
 use super::blocks::{Block, Blocks, SMALLEST};
 use super::clip::{Graze, Ray, Root};
-use super::outline::{NEAR_PX, change_per_px};
+use super::outline::change_per_px;
 use super::quadratic::Quadratic;
 use super::table::Table;
 use crate::scene::{OffsetMap, PreparedSurface, View};
@@ -311,7 +311,8 @@ impl Walk<'_> {
         // No gradient between these heights is longer than `steep`, so no small shift of the sample moves F by more than `reach`.
         let axes = &self.relief.axes;
         let steep = 1.0 + (hi - lo) * (axes[0].length() + axes[1].length());
-        let reach = steep * (self.view.pixel_size(end).abs() * NEAR_PX + self.blur(end));
+        let reach =
+            steep * (self.view.pixel_size(end).abs() * self.view.doubt_px() + self.blur(end));
         let kept = g0.min(g1) + lo > reach;
         let is_far =
             (kept && removed != Some(true)) || (g0.max(g1) + hi < -reach && removed != Some(false));
@@ -365,8 +366,8 @@ impl Walk<'_> {
         for (s, least) in [crease, inside].into_iter().flatten() {
             let (value, depth) = (f.at(s), start + s);
             let gradient = relief.gradient(&cell, self.local(depth, at));
-            let change =
-                change_per_px(self.view, gradient, depth) * NEAR_PX + gradient.length() * blur;
+            let change = change_per_px(self.view, gradient, depth) * self.view.doubt_px()
+                + gradient.length() * blur;
             if value.abs() < change {
                 grazes.push(Graze {
                     surface: self.surface,

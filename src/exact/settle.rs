@@ -67,7 +67,8 @@ impl Lines<'_> {
             let rank = usize::from(crossing.rank);
             for (settled, rim) in self.settled[rank].by(crossing.triangle) {
                 let corners = self.parts[rank].corners(crossing.triangle);
-                let is_by_the_rim = (0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e));
+                let is_by_the_rim = (0..3)
+                    .any(|e| rim[e] && cutter::is_by_edge(self.view.doubt_px(), at, corners, e));
                 let mut roots = bench.roots.iter();
                 if let Some(root) = roots.find(|r| r.surface == settled.surface) {
                     let is_behind = (settled.side == Side::Kept) == root.to_kept;
@@ -111,7 +112,7 @@ impl Lines<'_> {
         root.face.is_none_or(|face| {
             let of_cutter = self.mesh_of_cutter(root.surface).corners(face.triangle);
             let of_part = self.parts[usize::from(crossing.rank)].corners(crossing.triangle);
-            cutter::share_the_sample(at, [of_cutter, of_part])
+            cutter::share_the_sample(self.view.doubt_px(), at, [of_cutter, of_part])
         })
     }
 }

@@ -8,6 +8,8 @@
 //! Where the device has no timestamps to trust, every pass is timed by the wall (see [`crate::gpu`]). What runs on the CPU, as the
 //! renderer `winding` does, always is.
 
+use std::sync::Arc;
+
 use image::RgbaImage;
 
 use super::measurement::{
@@ -15,12 +17,12 @@ use super::measurement::{
 };
 use super::{Evaluator, Renderer, Samples, SceneAtTime, Stopwatch};
 use crate::compare::{Comparison, compare, heatmap};
-use crate::exact::{Exact, evaluate};
+use crate::exact::{Exact, Truth};
 use crate::gpu::{ClockSet, PassTime as TimeOfPass, RunTimes};
 use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::Clock;
-use crate::scene::{Prepared, View};
+use crate::scene::{Prepared, USUAL_SUB_PIXEL_BITS, View};
 use crate::session::{Outcome, Session};
 use crate::strategies::{Means, Rasteriser};
 use crate::{Error, Result};
@@ -66,6 +68,8 @@ pub struct Frame {
     pub outcome: Outcome,
     /// What it shows; none if it was refused.
     pub layers: Option<Layers>,
+    /// The truth, as undecided as who drew it snaps vertices.
+    exact: Arc<Exact>,
 }
 
 /// All that was found of a scene.
@@ -73,7 +77,7 @@ pub struct Judgement {
     /// The numbers; times are empty until [`times`] has run.
     pub measurement: Measurement,
     /// The truth.
-    pub exact: Exact,
+    pub exact: Arc<Exact>,
     /// The frames, in the order of the measurement.
     pub frames: Vec<Frame>,
     means: Means,
@@ -84,7 +88,7 @@ pub struct Judgement {
 impl Judgement {
     /// Where a frame differs from exact; none if it was refused.
     pub fn heatmap(&self, frame: &Frame) -> Option<RgbaImage> {
-        frame.layers.as_ref().map(|l| heatmap(&self.exact, l))
+        (frame.layers.as_ref()).map(|l| heatmap(&frame.exact, l))
     }
 
     /// The picture of a frame, at the resolution that was measured: RGBA8, rows from the top.
@@ -117,17 +121,18 @@ pub fn errors(
     let model = &question.shown.model;
     step("exact".to_owned());
     let watch = Stopwatch::start();
-    let exact = evaluate(question.whole()?, &question.view);
+    let truth = Truth::new(question.whole()?, question.view);
     let exact_ms = watch.ms();
 
     let mut frames = Vec::with_capacity(renderers.len());
     let mut found = Vec::with_capacity(renderers.len());
     for renderer in renderers {
         step(renderer.to_string());
-        let (frame, strategy) = draw_by(session, question, renderer, &exact)?;
+        let (frame, strategy) = draw_by(session, question, renderer, &truth)?;
         frames.push(frame);
         found.push(strategy);
     }
+    let exact = truth.at(USUAL_SUB_PIXEL_BITS);
     let gpu = session.gpu();
     let measurement = Measurement {
         scene: question.name.clone(),
@@ -209,7 +214,7 @@ fn draw_by(
     session: &mut Session,
     question: &Question<'_>,
     renderer: &Renderer,
-    exact: &Exact,
+    truth: &Truth<&Prepared>,
 ) -> Result<(Frame, StrategyMeasurement)> {
     let (model, view) = (&question.shown.model, &question.view);
     let (outcome, layers, bytes) = match renderer.or(question.means) {
@@ -229,13 +234,20 @@ fn draw_by(
             (Outcome::Complete, Some(evaluated.layers), bytes)
         }
     };
+    let bits = match (&layers, renderer.or(question.means)) {
+        (Some(_), Renderer::Method(method)) => session.sub_pixel_bits(method)?,
+        _ => USUAL_SUB_PIXEL_BITS,
+    };
+    let exact = truth.at(bits);
     let comparison: Option<Comparison> =
-        (layers.as_ref()).map(|l| compare(exact, l, view, model.prepared.scale));
+        (layers.as_ref()).map(|l| compare(&exact, l, view, model.prepared.scale));
+    let own_doubt = bits < USUAL_SUB_PIXEL_BITS && comparison.is_some();
     let found = StrategyMeasurement {
         name: renderer.to_string(),
         outcome: Ending::from_outcome(&outcome),
         reason: outcome.reason().map(str::to_owned),
         comparison,
+        undecided_px: own_doubt.then(|| exact.undecided_px()),
         bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
@@ -247,6 +259,7 @@ fn draw_by(
         renderer: *renderer,
         outcome,
         layers,
+        exact,
     };
     Ok((frame, found))
 }

@@ -187,6 +187,10 @@ pub struct StrategyMeasurement {
         deserialize_with = "all_or_nulls"
     )]
     pub comparison: Option<Comparison>,
+    /// Undecided pixels of exact for this strategy, where they are more than those of [`Measurement::exact`]: the adapter's rasteriser
+    /// drew it, and snaps vertices to coarser steps than usual.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub undecided_px: Option<usize>,
     /// Bytes of what each clock produces.
     pub bytes: PerClock<u64>,
     /// Time of each clock.
@@ -287,6 +291,7 @@ pub(crate) mod tests {
                 edge_wrong_px: 3,
                 ..Comparison::default()
             }),
+            undecided_px: None,
             bytes: PerClock {
                 solid: 0,
                 cut: 2048,
@@ -315,6 +320,7 @@ pub(crate) mod tests {
             outcome: Ending::Refused,
             reason: Some("a relief | is no plane".to_owned()),
             comparison: None,
+            undecided_px: None,
             bytes: PerClock::default(),
             time_ms: PerClock::default(),
             frame_over_draw_only: None,
@@ -333,6 +339,7 @@ pub(crate) mod tests {
                 backend: "vulkan".to_owned(),
                 driver: "d 1".to_owned(),
                 software: true,
+                sub_pixel_bits: Some(8),
             },
             timing: Timing::Timestamps,
             rounds: 3,

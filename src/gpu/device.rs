@@ -5,6 +5,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 
+use super::adapter::AdapterReport;
 use super::clip::ClipLayout;
 use super::composite::Compositors;
 use super::pipelines::Pipelines;
@@ -22,20 +23,6 @@ pub struct GpuOptions {
     pub adapter: Option<String>,
     /// Prefer a software adapter: the same everywhere, so tests ask for it.
     pub prefer_software: bool,
-}
-
-/// What is known of an adapter, for reports.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct AdapterReport {
-    /// Name of the device.
-    pub name: String,
-    /// Graphics interface.
-    pub backend: String,
-    /// Driver and its version.
-    pub driver: String,
-    /// Runs on the CPU.
-    pub software: bool,
 }
 
 /// What [`Limits::wide_atomics`] asks for.
@@ -60,8 +47,6 @@ pub struct Gpu {
     preparation: Mutex<Preparation>,
     /// What shaders of a host bind, once it is asked for.
     pub(super) clip: OnceLock<ClipLayout>,
-    /// Once they are measured.
-    pub(super) sub_pixel_bits: OnceLock<u32>,
 }
 
 /// Contents of at least this many bytes are worth sharing.
@@ -198,7 +183,7 @@ impl Gpu {
             });
         }
         let software = info.device_type == wgpu::DeviceType::Cpu;
-        Ok(Self {
+        let mut gpu = Self {
             limits: Limits {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
                 buffer_bytes: have.max_buffer_size,
@@ -208,14 +193,7 @@ impl Gpu {
                 filters_f32: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
                 ..Limits::CORE
             },
-            report: AdapterReport {
-                name: info.name.clone(),
-                backend: info.backend.to_string(),
-                driver: format!("{} {}", info.driver, info.driver_info)
-                    .trim()
-                    .to_owned(),
-                software,
-            },
+            report: AdapterReport::of(info),
             timestamps: !software && features.contains(wgpu::Features::TIMESTAMP_QUERY),
             inlines_uniforms: uniforms::are_inlined(info),
             device,
@@ -226,8 +204,13 @@ impl Gpu {
             compositors: Mutex::default(),
             preparation: Mutex::default(),
             clip: OnceLock::new(),
-            sub_pixel_bits: OnceLock::new(),
-        })
+        };
+        // A device that refuses so small a draw gives its reason at the first frame.
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Ok(bits) = super::sub_pixel::measure(&gpu) {
+            gpu.report.sub_pixel_bits = Some(bits);
+        }
+        Ok(gpu)
     }
 
     /// The device.
@@ -245,15 +228,12 @@ impl Gpu {
         &self.report
     }
 
-    /// What the choice of a rasteriser depends on. Sub-pixel bits are measured where the choice needs them.
+    /// What the choice of a rasteriser depends on.
     pub fn traits(&self) -> AdapterTraits<'_> {
         AdapterTraits {
             limits: &self.limits,
             software: self.report.software,
-            sub_pixel_bits: match self.report.software {
-                true => None,
-                false => self.sub_pixel_bits_if_known(),
-            },
+            sub_pixel_bits: self.report.sub_pixel_bits,
         }
     }
 

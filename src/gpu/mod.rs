@@ -1,5 +1,6 @@
 //! The only module that names `wgpu`: the device, programs made of plans, read-back and timing.
 
+mod adapter;
 mod arrival;
 mod bind;
 mod clip;
@@ -14,6 +15,7 @@ mod program;
 mod readback;
 mod real;
 mod report;
+#[cfg(not(target_arch = "wasm32"))]
 mod sub_pixel;
 mod target;
 mod timing;
@@ -23,10 +25,11 @@ mod words;
 
 pub use ::wgpu;
 pub use ::wgpu::{BindGroup, CommandEncoder};
+pub use adapter::AdapterReport;
 pub use clip::clip_wgsl;
 pub(crate) use clip::{Clip, ClipTable};
 pub(crate) use composite::Compositor;
-pub use device::{AdapterReport, Gpu, GpuOptions};
+pub use device::{Gpu, GpuOptions};
 pub use layer_words::{layers_from_words, words_from_layers};
 pub use pick::Pick;
 pub use preparation::Preparation;

@@ -3,7 +3,7 @@
 //! Vulkan and WebGPU promise 4 bits and have no query for more, so it is measured: sixteen rectangles that end ever closer to a column of
 //! samples, and which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once for each device.
 //!
-//! Cannot: tell more than [`MOST_BITS`] bits, nor be asked in a browser, where nothing can be waited for.
+//! Cannot: tell more than [`MOST_BITS`] bits, nor run in a browser, where nothing can be waited for.
 
 use super::Gpu;
 use crate::Result;
@@ -19,31 +19,12 @@ const COLUMN: usize = 8;
 const ROW_BYTES: u32 = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-impl Gpu {
-    /// The same where they can be measured at once.
-    pub(super) fn sub_pixel_bits_if_known(&self) -> Option<u32> {
-        #[cfg(not(target_arch = "wasm32"))]
-        let bits = self.sub_pixel_bits().ok();
-        #[cfg(target_arch = "wasm32")]
-        let bits = self.sub_pixel_bits.get().copied();
-        bits
-    }
-
-    /// Bits behind the point of a pixel coordinate, as the adapter's rasteriser keeps them; measured at the first call.
-    ///
-    /// # Errors
-    ///
-    /// A device that refuses the draw or is lost.
-    pub fn sub_pixel_bits(&self) -> Result<u32> {
-        if let Some(known) = self.sub_pixel_bits.get() {
-            return Ok(*known);
-        }
-        let bits = measure(self)?;
-        Ok(*self.sub_pixel_bits.get_or_init(|| bits))
-    }
-}
-
-fn measure(gpu: &Gpu) -> Result<u32> {
+/// Bits behind the point of a pixel coordinate, as the adapter's rasteriser keeps them.
+///
+/// # Errors
+///
+/// A device that refuses the draw or is lost.
+pub(super) fn measure(gpu: &Gpu) -> Result<u32> {
     let composed = shader::compose(&Shader::from("gpu/sub_pixel.wgsl"))?;
     let staging = gpu.staging(u64::from(ROW_BYTES * SIZE_PX));
     gpu.scoped(|| {

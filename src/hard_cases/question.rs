@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::compare::{Comparison, compare};
-use crate::exact::{Exact, evaluate};
+use crate::exact::{Exact, Truth};
 use crate::layers::{Kind, Layer, Layers};
 use crate::passes::Model;
-use crate::scene::{Camera, Scene, View};
+use crate::scene::{Camera, Prepared, Scene, USUAL_SUB_PIXEL_BITS, View};
 use crate::session::{Outcome, Session};
 use crate::strategies::Method;
 
@@ -22,14 +22,14 @@ pub struct Question {
     /// The view.
     pub view: View,
     /// The reference.
-    pub exact: Arc<Exact>,
+    pub exact: Arc<Truth<Prepared>>,
 }
 
 /// What a strategy made of a question.
 pub struct Judged {
     /// Error against exact; all zero where the strategy refused.
     pub comparison: Comparison,
-    /// The reference.
+    /// The reference, for what drew it.
     pub exact: Arc<Exact>,
     /// What the strategy drew; background where it refused.
     pub layers: Layers,
@@ -47,20 +47,33 @@ impl Question {
     pub fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
         let model = Model::new(scene);
         let view = model.prepared.view_of(camera, size_px);
-        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
     }
 
     /// The answer of a method, judged. Fails where the device does; a refusal is an outcome.
     pub fn answer(&self, session: &mut Session, method: &Method) -> Result<Judged> {
         let outcome = session.draw(&self.model, &self.view, method)?.outcome;
-        let is_drawn = !matches!(outcome, Outcome::Refused(_));
-        let layers = is_drawn.then(|| session.layers(method)).transpose()?;
-        let comparison = layers.as_ref().map(|l| self.compare(l));
+        match outcome {
+            Outcome::Refused(_) => Ok(Judged {
+                comparison: Comparison::default(),
+                exact: self.exact.at(USUAL_SUB_PIXEL_BITS),
+                layers: Layers::background(self.view.size_px),
+                outcome,
+            }),
+            _ => self.judge(session, *method, outcome),
+        }
+    }
+
+    /// Judges the last frame by a method, which ended so.
+    pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
+        let layers = session.layers(method)?;
+        let exact = self.exact.at(session.sub_pixel_bits(method)?);
+        let scale = self.model.prepared.scale;
         Ok(Judged {
-            comparison: comparison.unwrap_or_default(),
-            exact: self.exact.clone(),
-            layers: layers.unwrap_or_else(|| Layers::background(self.view.size_px)),
+            comparison: compare(&exact, &layers, &self.view, scale),
+            exact,
+            layers,
             outcome,
         })
     }

@@ -39,7 +39,15 @@ pub struct View {
     pub halo_rows: [u32; 2],
     /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
     pub fineness: u32,
+    /// To which fraction of a pixel, 2^-bits, vertices are snapped on their way to the picture that is judged: [`USUAL_SUB_PIXEL_BITS`],
+    /// or what the adapter's rasteriser keeps.
+    pub sub_pixel_bits: u32,
 }
+
+/// What graphics cards keep, and the compute rasteriser. Vulkan promises 4.
+pub const USUAL_SUB_PIXEL_BITS: u32 = 8;
+/// So many pixels along a side are drawn from f32 coordinates as exactly as vertices are snapped.
+const FINE_SIZE_PX: u32 = 2048;
 
 impl View {
     /// Why the view cannot be drawn, if it cannot: rays are computed in f32, in radii of the model, and lengths are squared.
@@ -139,6 +147,14 @@ impl View {
         let k = 1.0 / (self.plane_per_px() * if self.orthographic { 1.0 } else { depth });
         let at = DVec2::new(d.dot(self.right), -d.dot(self.up)) * k;
         (self.centre_px + at, depth)
+    }
+
+    /// Distance in pixels within which an outline leaves a sample undecided. Snapping moves an edge by up to half a step along each axis;
+    /// what f32 moves it by is less than that again up to [`FINE_SIZE_PX`], and grows with the picture.
+    pub fn doubt_px(&self) -> f64 {
+        let size_px = self.size_px[0].max(self.band[1]);
+        let growth = f64::from(size_px.max(FINE_SIZE_PX)) / f64::from(FINE_SIZE_PX);
+        growth * 0.5_f64.powi(self.sub_pixel_bits as i32)
     }
 
     /// Edge length of a pixel at a depth, in scene units.

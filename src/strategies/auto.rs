@@ -21,7 +21,7 @@ use super::{Means, Method, Rasteriser, Strategy, plan};
 use crate::Error;
 use crate::passes::Model;
 use crate::plan::{Capacities, Limits};
-use crate::scene::View;
+use crate::scene::{USUAL_SUB_PIXEL_BITS, View};
 
 /// The name that stands for the choice.
 pub const AUTO: &str = "auto";
@@ -42,12 +42,9 @@ pub struct AdapterTraits<'a> {
     pub limits: &'a Limits,
     /// Whether it runs on the CPU.
     pub software: bool,
-    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser, or not needed, as on the CPU.
+    /// To which fraction of a pixel it snaps vertices, 2^-bits; `None` where that is not known, as in a browser.
     pub sub_pixel_bits: Option<u32>,
 }
-
-/// Sub-pixel bits of the compute rasteriser.
-const COMPUTE_BITS: u32 = 8;
 
 /// Chooses the method for a scene in a view; `asked` are the means that are settled already, `adapter` that which will draw.
 pub fn choose(
@@ -75,7 +72,7 @@ pub fn choose(
             limits,
             sub_pixel_bits: Some(bits),
             ..
-        }) if bits < COMPUTE_BITS => (
+        }) if bits < USUAL_SUB_PIXEL_BITS => (
             limits,
             format!("the adapter snaps vertices to 1/{} px, the compute rasteriser to 1/256", 1 << bits),
         ),

@@ -9,6 +9,7 @@ use serde_json::Value;
 
 mod cameras;
 mod completions;
+mod doctor;
 use crate::common::command;
 mod gallery;
 mod saved;

@@ -7,7 +7,7 @@
 use crate::common;
 
 use common::real::{cut, files, is_closed};
-use common::{Judged, Question, session, strategy};
+use common::{Question, session, strategy};
 use cutaway::compare::Comparison;
 use cutaway::gpu::Gpu;
 use cutaway::scene::Topology;
@@ -122,14 +122,8 @@ fn answer(session: &mut Session, question: &Question, method: Method) -> Answer 
         Outcome::Refused(r) if slots && r.reason.contains("nearest fragments") => None,
         Outcome::Refused(refusal) => Some(refusal.reason.clone()),
         outcome => {
-            let layers = session.layers(method).expect("layers of a drawn frame");
-            let c = question.compare(&layers);
-            let judged = Judged {
-                comparison: c,
-                exact: question.exact.clone(),
-                layers,
-                outcome: outcome.clone(),
-            };
+            let judged = question.judge(session, method, outcome.clone());
+            let c = &judged.comparison;
             let wrong = [c.decided_wrong_px, c.crack_px, c.odd_parity_px];
             let short = slots && matches!(outcome, Outcome::Overflowed(_));
             let unmarked = judged.decided_wrong();

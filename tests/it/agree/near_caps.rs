@@ -1,7 +1,7 @@
 //! Near planes in solids: with a cap there, and without one, where what the ray enters next is seen.
 
 use cutaway::Model;
-use cutaway::exact::evaluate;
+use cutaway::exact::Truth;
 use cutaway::hard_cases::{Judged, Question};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::{Camera, Scene};
@@ -64,7 +64,7 @@ fn scenes_of(near_cap: bool) -> Vec<(String, Scene)> {
 fn question(scene: &Scene) -> Question {
     let model = Model::new(scene);
     let view = model.prepared.view([96, 80]);
-    let exact = evaluate(&model.truth(scene), &view).into();
+    let exact = Truth::new(model.truth(scene).into_owned(), view).into();
     Question { model, view, exact }
 }
 

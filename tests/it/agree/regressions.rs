@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cutaway::exact::evaluate;
+use cutaway::exact::Truth;
 
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
@@ -233,7 +233,7 @@ fn regression_0009_beside_a_needle_nothing_is_decided() {
     scene.cuts = vec![Cut::new("ragged", vec![surface])];
     let still = Question::new(&scene, [400, 300]);
     let view = still.view.sampled_at(DVec2::new(0.5 + 31.0 / 64.0, 0.5));
-    let exact = Arc::new(evaluate(&still.model.truth(&scene), &view));
+    let exact = Arc::new(Truth::new(still.model.truth(&scene).into_owned(), view));
     let moved = Question {
         view,
         exact,

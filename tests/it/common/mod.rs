@@ -19,12 +19,12 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use cutaway::Model;
 use cutaway::compare::{Comparison, compare};
-use cutaway::exact::{Exact, evaluate};
+use cutaway::exact::Truth;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::hard_cases::{self};
 use cutaway::layers::Layers;
-use cutaway::scene::{Camera, Scene, View};
-use cutaway::session::Session;
+use cutaway::scene::{Camera, Prepared, Scene, View};
+use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Method, Strategy};
 
 pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
@@ -68,7 +68,7 @@ pub(crate) struct Question {
     /// The view.
     pub(crate) view: View,
     /// The reference.
-    pub(crate) exact: Arc<Exact>,
+    pub(crate) exact: Arc<Truth<Prepared>>,
 }
 
 impl Question {
@@ -81,14 +81,14 @@ impl Question {
     pub(crate) fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
         let model = Model::new(scene);
         let view = model.prepared.view_of(camera, size_px);
-        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
     }
 
     /// The scene through its own camera, of a model that may have been updated from another.
     pub(crate) fn of_model(model: Model, scene: &Scene, size_px: [u32; 2]) -> Self {
         let view = model.prepared.view(size_px);
-        let exact = Arc::new(evaluate(&model.truth(scene), &view));
+        let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
     }
 
@@ -97,6 +97,11 @@ impl Question {
         let method = method.into();
         (self.asked().answer(&mut session(), &method))
             .unwrap_or_else(|e| panic!("{method} could not draw: {e}"))
+    }
+
+    /// Judges the last frame of a session by a method, which ended so.
+    pub(crate) fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Judged {
+        (self.asked().judge(session, method, outcome)).expect("layers of a drawn frame")
     }
 
     /// Pixels of the exact image with a neighbour of another kind, part or clip-surface, or far away in depth.

@@ -25,13 +25,7 @@ pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
         !matches!(outcome, Outcome::Refused(_)),
         "{name}: {outcome:?}"
     );
-    let layers = session.layers(method).expect("layers of a drawn frame");
-    Judged {
-        comparison: question.compare(&layers),
-        exact: question.exact.clone(),
-        layers,
-        outcome,
-    }
+    question.judge(&session, method, outcome)
 }
 
 /// A cutter of a mesh where it is.

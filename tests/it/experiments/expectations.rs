@@ -28,6 +28,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
             crack_px,
             ..Comparison::default()
         }),
+        undecided_px: None,
         bytes: PerClock::default(),
         time_ms: PerClock::default(),
         frame_over_draw_only: None,
@@ -46,6 +47,7 @@ fn measurement(found: &[Found<'_>]) -> Measurement {
             backend: String::new(),
             driver: String::new(),
             software: true,
+            sub_pixel_bits: Some(8),
         },
         timing: Timing::Wall,
         rounds: 0,

@@ -1,10 +1,13 @@
 //! Cases 7 and 40: what many triangles and many frames ask beyond their outcome.
 
+use std::sync::Arc;
+
+use cutaway::Model;
+use cutaway::exact::Truth;
 use cutaway::hard_cases::{Question, class_of, scenes};
 use cutaway::layers::Layers;
-use cutaway::scene::{Camera, Scene, Viewpoint};
+use cutaway::scene::{Camera, Prepared, Scene, Viewpoint};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
-use cutaway::{Exact, Model};
 use glam::DVec2;
 
 use crate::common::session;
@@ -26,15 +29,15 @@ fn drifting(scene: &Scene, method: &Method) -> Flicker {
     let truth = model.truth(scene);
     let whole = model.prepared.view([SIDE_PX; 2]);
     let mut flicker = Flicker::default();
-    let mut before: Option<(Layers, Exact)> = None;
+    let mut before: Option<(Layers, Arc<Truth<Prepared>>)> = None;
     for frame in 0..FRAMES {
         let drift = DVec2::new(f64::from(frame) / 64.0, 0.0);
         let view = whole.sampled_at(DVec2::splat(0.5) + drift);
-        let exact = cutaway::exact::evaluate(&truth, &view);
+        let exact = Arc::new(Truth::new(truth.clone().into_owned(), view));
         let question = Question {
             model: model.clone(),
             view,
-            exact: std::sync::Arc::new(exact.clone()),
+            exact: exact.clone(),
         };
         let judged = question.answer(&mut session(), method).expect("a frame");
         assert_eq!(judged.outcome.reason(), None, "{method}: frame {frame}");

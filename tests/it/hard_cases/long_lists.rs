@@ -47,15 +47,9 @@ fn answer(
     let method = Method::new(*strategy, Means { list, ..means });
     let drawn = (session.draw(&question.model, &question.view, method))
         .unwrap_or_else(|e| panic!("{strategy}: {e}"));
-    let layers = session.layers(method).expect("layers of a drawn frame");
     let mask = session.words(method, "mask").expect("a mask");
     let capacity = session.plan(method).expect("a plan").bounded[0].capacity;
-    let judged = Judged {
-        comparison: question.compare(&layers),
-        exact: question.exact.clone(),
-        layers,
-        outcome: drawn.outcome,
-    };
+    let judged = question.judge(&session, method, drawn.outcome);
     (judged, mask, capacity)
 }
 

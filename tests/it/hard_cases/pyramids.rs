@@ -30,13 +30,7 @@ fn by(walk: ReliefWalk, question: &Question) -> Judged {
     );
     let drawn =
         (session.draw(&question.model, &question.view, method)).unwrap_or_else(|e| panic!("{e}"));
-    let layers = session.layers(method).expect("layers of a drawn frame");
-    Judged {
-        comparison: question.compare(&layers),
-        exact: question.exact.clone(),
-        layers,
-        outcome: drawn.outcome,
-    }
+    question.judge(&session, method, drawn.outcome)
 }
 
 /// Holds both ways to exact and to each other; what they show.

@@ -49,14 +49,8 @@ fn by_compute(question: &Question) -> (Judged, Vec<u32>) {
     let mut session = session();
     let method = Method::new(Strategy::RAYCAST_MASK, Means::by(Rasteriser::Compute));
     let drawn = (session.draw(&question.model, &question.view, method)).expect("a frame");
-    let layers = session.layers(method).expect("its layers");
     let mask = session.words(method, "mask").expect("its mask");
-    let judged = Judged {
-        comparison: question.compare(&layers),
-        exact: question.exact.clone(),
-        layers,
-        outcome: drawn.outcome,
-    };
+    let judged = question.judge(&session, method, drawn.outcome);
     (judged, mask)
 }
 

@@ -6,7 +6,7 @@ use cutaway::session::Session;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::common::real::{cut, files, is_closed};
-use super::common::{Judged, Question, software};
+use super::common::{Question, software};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 
@@ -25,13 +25,7 @@ fn every_closed_mesh_by_an_oblique_plane() {
             let method = Method::new(Strategy::PLANAR, Means::by(by));
             let drawn = session.draw(&question.model, &question.view, method);
             let outcome = drawn.unwrap_or_else(|e| panic!("{name}: {e}")).outcome;
-            let layers = session.layers(method).expect("layers");
-            let judged = Judged {
-                comparison: question.compare(&layers),
-                exact: question.exact.clone(),
-                layers,
-                outcome,
-            };
+            let judged = question.judge(&session, method, outcome);
             let c = &judged.comparison;
             println!("{name} by {by}: {} edge pixels wrong", c.edge_wrong_px);
             if let Some(fault) = judged.fault_of_exact() {

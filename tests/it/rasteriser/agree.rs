@@ -80,7 +80,6 @@ fn answer(question: &Question, options: Means) -> (Judged, Mask) {
     let drawn = session
         .draw(&question.model, &question.view, method)
         .unwrap_or_else(|e| panic!("{e}"));
-    let layers = session.layers(method).expect("layers of a drawn frame");
     let words = |name: &str| {
         let words = session.words(method, name);
         words.unwrap_or_else(|e| panic!("{e}"))
@@ -89,12 +88,7 @@ fn answer(question: &Question, options: Means) -> (Judged, Mask) {
         words: words("mask"),
         lane_bits: lane_bits(session.plan(method).expect("the plan of a drawn frame")),
     };
-    let judged = Judged {
-        comparison: question.compare(&layers),
-        exact: question.exact.clone(),
-        layers,
-        outcome: drawn.outcome,
-    };
+    let judged = question.judge(&session, method, drawn.outcome);
     (judged, mask)
 }
 

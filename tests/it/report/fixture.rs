@@ -24,6 +24,7 @@ pub(crate) fn adapter(name: &str) -> AdapterReport {
         backend: "vulkan".to_owned(),
         driver: "driver 1".to_owned(),
         software: true,
+        sub_pixel_bits: Some(8),
     }
 }
 
@@ -38,6 +39,7 @@ pub(crate) fn drawn(name: &str, wrong_px: usize, ratio: f64) -> StrategyMeasurem
             edge_wrong_px: wrong_px,
             ..Comparison::default()
         }),
+        undecided_px: None,
         bytes: PerClock {
             solid: 1 << 20,
             cut: 0,
@@ -64,6 +66,7 @@ pub(crate) fn refused(name: &str, reason: &str) -> StrategyMeasurement {
         outcome: Ending::Refused,
         reason: Some(reason.to_owned()),
         comparison: None,
+        undecided_px: None,
         bytes: PerClock::default(),
         time_ms: PerClock::default(),
         frame_over_draw_only: None,

@@ -77,6 +77,7 @@ fn view(pixels: u32) -> View {
         band: [0, 1],
         halo_rows: [0; 2],
         fineness: 1,
+        sub_pixel_bits: 8,
     }
 }
 

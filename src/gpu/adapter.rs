@@ -1,0 +1,54 @@
+//! Adapters: what is known of each before a device is opened on it.
+
+#[cfg(not(target_arch = "wasm32"))]
+use super::Gpu;
+
+/// What is known of an adapter, for reports.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct AdapterReport {
+    /// Name of the device.
+    pub name: String,
+    /// Graphics interface.
+    pub backend: String,
+    /// Driver and its version.
+    pub driver: String,
+    /// Runs on the CPU.
+    pub software: bool,
+    /// To which fraction of a pixel its rasteriser snaps vertices: 2^-bits. None where it could not be measured, as in a browser, and in
+    /// records of before it was.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub sub_pixel_bits: Option<u32>,
+}
+
+impl AdapterReport {
+    /// What there is to say before a device is open.
+    pub(super) fn of(info: &wgpu::AdapterInfo) -> Self {
+        Self {
+            name: info.name.clone(),
+            backend: info.backend.to_string(),
+            driver: format!("{} {}", info.driver, info.driver_info)
+                .trim()
+                .to_owned(),
+            software: info.device_type == wgpu::DeviceType::Cpu,
+            sub_pixel_bits: None,
+        }
+    }
+
+    /// Name, interface and driver, as a line.
+    pub fn in_words(&self) -> String {
+        format!("{} ({}, {})", self.name, self.backend, self.driver)
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Gpu {
+    /// All adapters of this machine, each [in words](AdapterReport::in_words).
+    pub fn adapters() -> Vec<String> {
+        let instance =
+            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        let in_words = |a: &wgpu::Adapter| AdapterReport::of(&a.get_info()).in_words();
+        adapters.iter().map(in_words).collect()
+    }
+}
