@@ -17,6 +17,7 @@ use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
 use super::outline::{Brush, NEAR_PX};
 use super::raster::{Crossing, Projected};
+use super::settle::share_plane;
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 use crate::scene::{Prepared, View};
 
@@ -323,7 +324,7 @@ impl Case<'_> {
             (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
                 (p != q || s != t)
                     && !self.share_triangle(a, b)
-                    && !self.share_plane(a, b)
+                    && !share_plane(self.shared, [a, b])
                     && !self.is_between(a, b)
             }
             (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
@@ -350,18 +351,6 @@ impl Case<'_> {
             (self.settled.iter()).filter(move |(crossing, _, _)| *crossing == source)
         };
         of(a).any(|(_, by, place)| of(b).any(|(_, other, there)| by == other && place != there))
-    }
-
-    /// Whether two crossings are with faces of two parts in one plane.
-    fn share_plane(&self, a: &Event, b: &Event) -> bool {
-        let of = |event: &Event| {
-            let at = self
-                .shared
-                .iter()
-                .find(|(source, _)| *source == event.source);
-            at.map(|(_, plane)| *plane)
-        };
-        of(a).is_some() && of(a) == of(b)
     }
 
     fn share_triangle(&self, a: &Event, b: &Event) -> bool {

@@ -19,6 +19,7 @@ use glam::DVec2;
 use super::clip::{Ray, Root};
 use super::raster::Crossing;
 use super::ray_scratch::RayScratch;
+use super::walk::Event;
 use super::{Lines, ambiguity, cutter};
 use crate::scene::{Prepared, PreparedPart, Settled, Side, lies_in};
 
@@ -82,6 +83,16 @@ fn rims<K: Ord + Copy>(
         *uses.entry(edge).or_default() += 1;
     }
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
+}
+
+/// Whether two crossings are with faces of parts in one plane; `shared` are the crossings in such planes, with their numbers.
+pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
+    let of = |event: &Event| {
+        let at = shared.iter().find(|(source, _)| *source == event.source);
+        at.map(|(_, plane)| *plane)
+    };
+    let [a, b] = events.map(of);
+    a.is_some() && a == b
 }
 
 impl Lines<'_> {

@@ -9,7 +9,7 @@
 //! hash lookups each. Kept from frame to frame as long as parts keep their vertices.
 //!
 //! Cannot: take in parts in a pose or that the device places, slivers, or triangles so small that rounding tilts them; more than
-//! [`MOST_MEMBERS`] parts of planes, of which those with the largest triangles count.
+//! [`MOST_MEMBERS`] parts of planes, of which those with the largest triangles count; scenes of more than [`MOST_PARTS`] parts.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -20,6 +20,9 @@ use super::{Bounds, PreparedPart, View};
 
 /// So many parts of planes are settled; with the sides of cuts they fit into the groups of a frame.
 const MOST_MEMBERS: usize = 256;
+
+/// Of so many parts it is found out which meet, pair by pair.
+const MOST_PARTS: usize = 4096;
 
 /// Cells of a unit normal's component, and of the distance from the origin.
 const CELLS: [f64; 2] = [128.0, 512.0];
@@ -72,11 +75,14 @@ impl SharedPlane {
     }
 }
 
+/// The vertices and the triangles of a part.
+type FoundIn = (Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>);
+
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SharedPlanes {
     /// Of each part by rank, what they were found in.
-    meshes: Vec<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>,
+    meshes: Vec<FoundIn>,
     planes: Vec<SharedPlane>,
     /// By rank: triangles in order, each with the number of its plane.
     faces: Vec<Arc<[(u32, u16)]>>,
@@ -130,7 +136,7 @@ impl SharedPlanes {
     }
 
     fn is_of(&self, parts: &[PreparedPart]) -> bool {
-        let is_same = |(p, (at, of)): (&PreparedPart, &(Arc<Vec<Vec3>>, Arc<Vec<_>>))| {
+        let is_same = |(p, (at, of)): (&PreparedPart, &FoundIn)| {
             Arc::ptr_eq(&p.positions, at) && Arc::ptr_eq(&p.triangles, of)
         };
         self.meshes.len() == parts.len() && parts.iter().zip(&self.meshes).all(is_same)
@@ -205,6 +211,9 @@ fn near_others(parts: &[PreparedPart]) -> Vec<(usize, Bounds)> {
         !p.is_posed && !p.is_on_device && !p.is_removed && !p.triangles.is_empty()
     };
     let here: Vec<usize> = (0..parts.len()).filter(|r| is_here(&parts[*r])).collect();
+    if here.len() > MOST_PARTS {
+        return Vec::new();
+    }
     let boxes: Vec<(Bounds, f64)> = (here.iter())
         .map(|r| (parts[*r].bounds, parts[*r].plane_tolerance))
         .collect();
@@ -289,6 +298,9 @@ fn overlapping<'a>(faces: impl Iterator<Item = &'a Face>) -> Vec<u16> {
     for face in faces {
         let of_rank = (boxes.entry(face.rank)).or_insert((Bounds::EMPTY, face.tolerance));
         of_rank.0 = of_rank.0.union(Bounds::from_points(face.points));
+    }
+    if boxes.len() > MOST_MEMBERS {
+        return Vec::new();
     }
     let (ranks, boxes): (Vec<usize>, Vec<(Bounds, f64)>) = boxes.into_iter().unzip();
     let mut found: Vec<u16> = Vec::new();
