@@ -18,6 +18,9 @@ struct SettledGroup {
     padding: vec2<u32>,
     // Normal of these faces, either way round.
     normal: vec4<f32>,
+    // Depth-buffer value of the plane that they share with other parts: its change per pixel to the right and down, and that in the
+    // middle of the first pixel; then the place of the part in it, from 1 for the last; 0 where there is no such plane.
+    plane: vec4<f32>,
 }
 
 struct SettledGroups {
@@ -26,8 +29,19 @@ struct SettledGroups {
 
 @group(0) @binding(12) var<uniform> settled: SettledGroups;
 
+// Of triangles in a plane that parts share all have the depth of the plane, and the first part in rank is nearer than the next by the
+// least there is.
+fn of_shared(found: f32, at: vec2<u32>, plane: vec4<f32>) -> f32 {
+    if plane.w == 0.0 {
+        return found;
+    }
+    let z = clamp(plane.x * f32(at.x) + plane.y * f32(at.y) + plane.z, 0.0, 1.0);
+    return bitcast<f32>(bitcast<u32>(z) + u32(plane.w));
+}
+
 // Of triangles that lie on each other the one that faces the eye is seen: it is nearer by the least there is.
-fn of_doubled(z: f32, group: u32, front: bool) -> f32 {
+fn of_doubled(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
+    let z = of_shared(found, at, settled.groups[group].plane);
     return select(z, bitcast<f32>(bitcast<u32>(z) + 1u), settled.groups[group].doubled != 0u && front);
 }
 

@@ -39,7 +39,7 @@ fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
 
 // Depth-buffer value of a fragment of a group, which rasterising found at `z`.
 fn settled_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
-    let z = of_doubled(found, group, front);
+    let z = of_doubled(found, at, group, front);
     let surfaces = settled.groups[group].surfaces;
     let removed = settled.groups[group].removed;
     let flush = settled.groups[group].flush;

@@ -21,5 +21,5 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
         discard;
     }
     let part = parts[settled.groups[corner.instance].place].part;
-    return SurfaceAt(surface_words(corner, behind, part, front), of_doubled(corner.position.z, corner.instance, front));
+    return SurfaceAt(surface_words(corner, behind, part, front), of_doubled(corner.position.z, vec2<u32>(corner.position.xy), corner.instance, front));
 }

@@ -9,7 +9,7 @@
 //! the sample undecided where the part is not clearly removed and nothing hides it.
 //!
 //! What is known of whole triangles is decided: on which side of a flat clip-surface one close to it lies (see [`super::settle`]), and
-//! of two parts that share a triangle the first in rank has it.
+//! of two parts that share a triangle, or a plane ([`super::settle`]), the first in rank has it.
 
 use glam::DVec3;
 
@@ -17,6 +17,7 @@ use super::clip::{Graze, Ray, Root};
 use super::cutter::{self, Cutters};
 use super::outline::Brush;
 use super::raster::{Crossing, Projected};
+use super::settle::share_plane;
 use super::walk::{Cause, Event, Sight, State, restore_order, walk};
 use crate::scene::{Prepared, View};
 
@@ -81,6 +82,8 @@ pub(super) struct Case<'a> {
     pub(super) sight: Option<Sight>,
     /// Crossings, and the clip-surfaces that their triangles are settled by, before or behind.
     pub(super) settled: &'a [(u32, u16, i8)],
+    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    pub(super) shared: &'a [(u32, u16)],
 }
 
 /// Buffers of repeated walks.
@@ -319,7 +322,10 @@ impl Case<'_> {
         match (a.cause, b.cause) {
             // Of one part it matters which side of the mesh is seen.
             (Cause::Mesh { rank: p, step: s }, Cause::Mesh { rank: q, step: t }) => {
-                (p != q || s != t) && !self.share_triangle(a, b) && !self.is_between(a, b)
+                (p != q || s != t)
+                    && !self.share_triangle(a, b)
+                    && !share_plane(self.shared, [a, b])
+                    && !self.is_between(a, b)
             }
             (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
                 meets(p, surface) && !is_settled(a, surface)

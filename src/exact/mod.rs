@@ -141,6 +141,8 @@ struct Lines<'a> {
     clips: Vec<Clip>,
     /// By rank.
     settled: Vec<SettledFaces>,
+    /// By number, planes that parts share, as the depth buffer of the view has them; none of those seen edge-on.
+    shared_in_view: Vec<Option<[f64; 3]>>,
     triangles: Bands,
     outlines: Vec<Vec<Outline>>,
     outline_bands: Bands,
@@ -191,8 +193,11 @@ impl<'a> Lines<'a> {
                 .enumerate()
                 .map(|(i, s)| Clip::of(i as u16, s, radius))
                 .collect(),
-            settled: (prepared.parts.par_iter())
-                .map(|p| SettledFaces::of(prepared, p))
+            settled: (prepared.parts.par_iter().enumerate())
+                .map(|part| SettledFaces::of(prepared, part))
+                .collect(),
+            shared_in_view: (prepared.shared.planes().iter())
+                .map(|p| p.in_view(view))
                 .collect(),
             triangles: Bands::of(view.size_px[1], &triangle_rows),
             outline_bands: Bands::of(view.size_px[1], &outline_rows),
@@ -263,6 +268,7 @@ impl<'a> Lines<'a> {
                     cutters: &self.cutters,
                     sight,
                     settled: &bench.settled,
+                    shared: &bench.shared,
                 };
                 case.openness(&mut bench.scratch)
             }

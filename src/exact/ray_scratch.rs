@@ -22,6 +22,8 @@ pub(super) struct RayScratch {
     /// Crossings and the clip-surfaces that their triangles are settled by, each with its place as [`Crossing::place`] has it: no
     /// rounding changes their order.
     pub(super) settled: Vec<(u32, u16, i8)>,
+    /// Crossings, and the numbers of the planes that their triangles share with those of other parts.
+    pub(super) shared: Vec<(u32, u16)>,
     pub(super) start: State,
     pub(super) state: State,
     pub(super) scratch: Scratch,
@@ -40,6 +42,7 @@ impl RayScratch {
             ranks: Vec::new(),
             met: vec![false; prepared.surfaces.len()],
             settled: Vec::new(),
+            shared: Vec::new(),
             start: State::of(prepared),
             state: State::of(prepared),
             scratch: Scratch::of(prepared),
@@ -114,6 +117,7 @@ impl RayScratch {
         self.grazes.clear();
         self.events.clear();
         self.settled.clear();
+        self.shared.clear();
         self.met.fill(false);
         self.start.removed.fill(false);
     }

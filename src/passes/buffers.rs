@@ -88,8 +88,14 @@ impl<'a> SceneBuffers<'a> {
         let cut_table = upload("cut_table", Role::Uniform, Clock::Cut, cut_table(input));
         let ray_table = upload("ray_table", Role::Uniform, Clock::Frame, ray_table(input));
         let parts = upload("parts", Role::Storage, Clock::Cut, parts(input, &lanes));
-        let settled = (input.settled.as_ref())
-            .map(|_| upload("settled", Role::Uniform, Clock::Cut, input.settled_table()));
+        let settled = (input.settled.as_ref()).map(|_| {
+            upload(
+                "settled",
+                Role::Uniform,
+                input.settled_clock(),
+                input.settled_table(),
+            )
+        });
         let heights = upload("heights", Role::Storage, Clock::Cut, model.heights.clone());
         let filtered_heights = match input.sampled() {
             None => vec![heights.clone()],

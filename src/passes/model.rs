@@ -23,7 +23,7 @@ use super::sliced::Sliced;
 use crate::plan::Contents;
 use crate::plan::pack::NO_RELIEF;
 use crate::scene::{
-    Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, Style,
+    Cutter, Part, Prepared, PreparedPart, PreparedVolume, Scene, SceneSpace, SharedPlanes, Style,
 };
 
 /// A vertex as the shaders read it.
@@ -131,7 +131,9 @@ impl Model {
             let before = before.and_then(|b| b.prepared.surfaces.get(surface)?.volume.as_deref());
             Arc::new(PreparedVolume::place(cutter, space, before))
         };
-        let prepared = Prepared::with_parts(scene, &world, place, place_volume);
+        let mut prepared = Prepared::with_parts(scene, &world, place, place_volume);
+        let known = before.map(|b| &b.prepared.shared);
+        prepared.shared = SharedPlanes::of(&prepared.parts, known);
 
         let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
         let changes =
@@ -207,7 +209,9 @@ impl Model {
         if self.prepared.is_whole() {
             Cow::Borrowed(&self.prepared)
         } else {
-            Cow::Owned(Prepared::new(scene))
+            let mut whole = Prepared::new(scene);
+            whole.shared = self.prepared.shared.clone();
+            Cow::Owned(whole)
         }
     }
 

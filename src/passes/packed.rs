@@ -12,7 +12,7 @@ use glam::{DAffine3, Vec3};
 use super::coat::PackedCoat;
 use super::model::Vertex;
 use super::rest::Rest;
-use super::settled::{Numbered, Sorted};
+use super::settled::{Settlers, Sorted};
 use super::sliced::Sliced;
 use crate::plan::pack::pack_normal;
 use crate::plan::{Contents, INDEX_BYTES, Piece, VERTEX_BYTES};
@@ -163,10 +163,10 @@ impl Packed {
         }
     }
 
-    /// The indices with triangles that the surfaces settle at the end; nothing where they settle none.
-    pub(super) fn sorted(&self, part: &PreparedPart, by: &[Numbered]) -> Option<Arc<Sorted>> {
-        match (by, self.doubled.as_slice()) {
-            ([], []) => None,
+    /// The indices with triangles that are settled at the end; nothing where none is.
+    pub(super) fn sorted(&self, part: &PreparedPart, by: &Settlers) -> Option<Arc<Sorted>> {
+        match (by.is_empty(), self.doubled.as_slice()) {
+            (true, []) => None,
             _ => self.sliced.sorted(part, by, (&self.indices, &self.doubled)),
         }
     }

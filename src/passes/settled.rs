@@ -1,5 +1,6 @@
 //! Settled triangles as uploads: those of a part that lie alike go together, at the end of its indices; and those that lie on each
-//! other likewise, of which the one that faces the eye is to be seen.
+//! other likewise, of which the one that faces the eye is to be seen, and those in a plane that parts share
+//! ([`SharedPlanes`](crate::scene::SharedPlanes)), of which the first part in rank is.
 //!
 //! On which side of a clip-surface a triangle lies that is in it, or just beside it, is known
 //! ([`Settled`](crate::scene::Settled)). Its fragments are identified by the draw that they belong to: a group of triangles has a draw of
@@ -22,7 +23,7 @@ use glam::Vec3;
 use super::Input;
 use super::packed::{Packed, Room};
 use crate::plan::pack::{MOST_SETTLED_GROUPS, SettledGroup};
-use crate::plan::{Contents, Draw, INDEX_BYTES, Piece};
+use crate::plan::{Clock, Contents, Draw, INDEX_BYTES, Piece};
 use crate::scene::{FlatSurface, Prepared, PreparedPart, PreparedVolume, Side};
 
 /// What triangles may be settled by.
@@ -47,6 +48,22 @@ impl PartialEq for Settling {
 /// A clip-surface with its number.
 pub(super) type Numbered = (u16, Settling);
 
+/// What triangles of a part may be settled by.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Settlers {
+    /// Clip-surfaces that pass close by.
+    pub(super) surfaces: Vec<Numbered>,
+    /// Triangles in planes that parts share, each with the number of its plane.
+    pub(super) shared: Arc<[(u32, u16)]>,
+}
+
+impl Settlers {
+    /// Whether there is nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.surfaces.is_empty() && self.shared.is_empty()
+    }
+}
+
 /// So many steps of a component of a normal tell planes apart.
 const NORMAL_STEPS: f32 = 4096.0;
 
@@ -63,6 +80,8 @@ struct Lie {
     normal: [i32; 3],
     /// On other triangles.
     is_doubled: bool,
+    /// Number of the plane that they share with triangles of other parts.
+    plane: Option<u16>,
 }
 
 /// Triangles of a part that lie alike.
@@ -84,13 +103,13 @@ impl Sorted {
     /// Sorts the triangles of a part; nothing where none is settled. `indices` are the triangles as they are drawn, in the same order;
     /// `doubled` are those that lie on another one.
     pub(super) fn of(
-        surfaces: &[Numbered],
+        by: &Settlers,
         (positions, triangles): (&[Vec3], &[[u32; 3]]),
         plane_tolerance: f64,
         (indices, doubled): (&[u8], &[u32]),
     ) -> Option<Self> {
         let mut lies: BTreeMap<u32, Lie> = BTreeMap::new();
-        for (number, surface) in surfaces {
+        for (number, surface) in &by.surfaces {
             match surface {
                 Settling::Flat(flat) => {
                     for settled in flat.settled(positions, triangles, plane_tolerance) {
@@ -113,6 +132,9 @@ impl Sorted {
         }
         for triangle in doubled {
             lies.entry(*triangle).or_default().is_doubled = true;
+        }
+        for (triangle, plane) in by.shared.iter() {
+            lies.entry(*triangle).or_default().plane = Some(*plane);
         }
         if lies.is_empty() {
             return None;
@@ -166,8 +188,12 @@ impl SettledParts {
         rooms: &[Room],
         before: Option<&Self>,
     ) -> Option<Self> {
-        let sorted: Vec<_> = (prepared.parts.iter())
-            .map(|part| packed[part.part].sorted(part, &surfaces_near(prepared, part)))
+        let by = |(rank, part): (usize, &PreparedPart)| Settlers {
+            surfaces: surfaces_near(prepared, part),
+            shared: prepared.shared.faces(rank),
+        };
+        let sorted: Vec<_> = (prepared.parts.iter().enumerate())
+            .map(|(rank, part)| packed[part.part].sorted(part, &by((rank, part))))
             .collect();
         if sorted.iter().all(Option::is_none) {
             return None;
@@ -230,13 +256,13 @@ pub(crate) type GroupOfPart<'a> = (usize, &'a Group);
 
 impl<'a> Input<'a> {
     /// The groups of the parts that are drawn, in table order: of as many parts as there are numbers for. None where no clip-surface that
-    /// matters settles a triangle of these parts, and none lie on each other.
+    /// matters settles a triangle of these parts, none lie on each other, and none share a plane.
     pub(super) fn find_settled(&self) -> Option<Vec<GroupOfPart<'a>>> {
         let (model, order) = (self.model, &self.relevance.order);
         let of_parts = &model.settled.as_ref()?.groups;
         let settles = |group: &Group| {
             let [surfaces, _, cutters, _] = self.bits_of(group);
-            group.lie.is_doubled || surfaces | cutters != 0
+            group.lie.is_doubled || group.lie.plane.is_some() || surfaces | cutters != 0
         };
         if !order.iter().any(|rank| of_parts[*rank].iter().any(settles)) {
             return None;
@@ -266,7 +292,8 @@ impl<'a> Input<'a> {
             let is_shared = group.lie.in_cutters.contains(&(*number as u16));
             bits[2] |= u32::from(is_shared) << slot;
             // Of triangles that lie on each other the depths tell which is seen.
-            let is_flush = !group.lie.is_doubled && group.lie.flush.contains(&(*number as u16));
+            let is_alone = !group.lie.is_doubled && group.lie.plane.is_none();
+            let is_flush = is_alone && group.lie.flush.contains(&(*number as u16));
             bits[3] |= u32::from(is_flush) << slot;
             let side = group
                 .lie
@@ -296,9 +323,30 @@ impl<'a> Input<'a> {
                 cutters,
                 padding: [0; 2],
                 normal: [x, y, z, 0.0],
+                plane: self.plane_of(*rank, group),
             };
         }
         Contents::from_values(&table)
+    }
+
+    /// The plane that a group shares with other parts, as [`SettledGroup::plane`] has it.
+    fn plane_of(&self, rank: usize, group: &Group) -> [f32; 4] {
+        let shared = self.model.prepared.shared.planes();
+        let plane = group.lie.plane.map(|number| &shared[usize::from(number)]);
+        let seen = plane.and_then(|plane| Some((plane, plane.in_view(self.view)?)));
+        seen.map_or([0.0; 4], |(plane, [right, down, corner])| {
+            let centre = corner + 0.5 * (right + down);
+            [right, down, centre, plane.level(rank) as f64].map(|v| v as f32)
+        })
+    }
+
+    /// How often the table of groups changes: depths of shared planes are those of a view.
+    pub(super) fn settled_clock(&self) -> Clock {
+        let mut groups = self.settled_groups().iter();
+        match groups.any(|(_, group)| group.lie.plane.is_some()) {
+            true => Clock::Frame,
+            false => Clock::Cut,
+        }
     }
 
     /// The indices of all parts with settled triangles at the end of each, where some are settled in the frame.

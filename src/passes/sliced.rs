@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::model::Vertex;
-use super::settled::{Numbered, Sorted};
+use super::settled::{Settlers, Sorted};
 use crate::plan::Piece;
 use crate::plan::pack::MAX_SURFACES;
 use crate::scene::{Bounds, Fill, Part, PreparedPart, SceneSpace};
@@ -61,9 +61,9 @@ pub(super) struct Sliced {
     sorted: Mutex<Option<SortedBy>>,
 }
 
-/// What the surfaces that triangles were last sorted by make of them.
+/// What triangles were last sorted by, and what that made of them.
 struct SortedBy {
-    surfaces: Vec<Numbered>,
+    by: Settlers,
     sorted: Option<Arc<Sorted>>,
 }
 
@@ -122,23 +122,23 @@ impl Sliced {
         });
     }
 
-    /// The indices of the part with triangles that the surfaces settle at the end; nothing where they settle none.
+    /// The indices of the part with triangles that are settled at the end; nothing where none is.
     pub(super) fn sorted(
         &self,
         part: &PreparedPart,
-        surfaces: &[Numbered],
+        by: &Settlers,
         indices: (&[u8], &[u32]),
     ) -> Option<Arc<Sorted>> {
         let mut last = self.sorted.lock().unwrap_or_else(PoisonError::into_inner);
         match &*last {
-            Some(last) if last.surfaces == surfaces => last.sorted.clone(),
+            Some(last) if last.by == *by => last.sorted.clone(),
             _ => {
                 let sort = |at: &[Vec3]| {
                     let mesh = (at, part.triangles.as_slice());
-                    Sorted::of(surfaces, mesh, part.plane_tolerance, indices)
+                    Sorted::of(by, mesh, part.plane_tolerance, indices)
                 };
                 let sorted = match &self.posed {
-                    Some((of, space)) if !surfaces.is_empty() => {
+                    Some((of, space)) if !by.surfaces.is_empty() => {
                         let at: Vec<Vec3> = (positions_of(of, space).iter())
                             .map(|p| p.as_vec3())
                             .collect();
@@ -148,7 +148,7 @@ impl Sliced {
                 };
                 let sorted = sorted.map(Arc::new);
                 *last = Some(SortedBy {
-                    surfaces: surfaces.to_vec(),
+                    by: by.clone(),
                     sorted: sorted.clone(),
                 });
                 sorted

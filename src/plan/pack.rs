@@ -218,6 +218,9 @@ shared! {
         padding: [u32; 2],
         /// Normal of these faces, either way round; then 0.
         normal: [f32; 4],
+        /// Depth-buffer value of the plane that they share with other parts: its change per pixel to the right and down, and that in the
+        /// middle of the first pixel; then the place of the part in it, from 1 for the last; 0 where there is no such plane.
+        plane: [f32; 4],
     }
 }
 

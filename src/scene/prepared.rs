@@ -19,6 +19,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 
+use super::shared_planes::SharedPlanes;
 use super::{
     Bounds, Camera, ClipSurface, Cutter, FlatSurface, OffsetMap, Outline, Part, Scene, Style,
     SurfaceFrame, View, Wrap, is_removed_whole, who_wins,
@@ -150,6 +151,8 @@ pub struct Prepared {
     pub interference: Option<Vec3>,
     /// How it looks.
     pub style: Style,
+    /// Planes that faces of several parts lie in.
+    pub(crate) shared: Arc<SharedPlanes>,
     camera: Camera,
     outline: Option<Arc<Outline>>,
 }
@@ -160,7 +163,9 @@ impl Prepared {
         let place = |cutter: &Cutter, space: &SceneSpace, _: usize| {
             Arc::new(PreparedVolume::place(cutter, space, None))
         };
-        Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place)
+        let mut prepared = Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place);
+        prepared.shared = SharedPlanes::of(&prepared.parts, None);
+        prepared
     }
 
     /// As [`Prepared::new`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
@@ -207,6 +212,7 @@ impl Prepared {
             scale: space.scale,
             interference: scene.interference,
             style: scene.style,
+            shared: Arc::default(),
             camera: scene.camera,
             outline: scene.fitted_outline(),
         }

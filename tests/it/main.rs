@@ -55,6 +55,7 @@ mod section;
 mod shaders;
 mod shapes;
 mod shards;
+mod shared_planes;
 mod sheets;
 mod slice;
 mod split;

@@ -15,7 +15,7 @@ fn vertex(v: Vertex) -> Corner {
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> SurfaceAt {
     let group = settled.groups[corner.instance];
     let plane = lone_plane_at(corner.position.xy);
-    var z = of_doubled(corner.position.z, corner.instance, front);
+    var z = of_doubled(corner.position.z, vec2<u32>(corner.position.xy), corner.instance, front);
     var is_removed = !is_kept(plane, z);
     if group.surfaces != 0u {
         is_removed = group.removed != 0u;
