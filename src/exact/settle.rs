@@ -109,7 +109,7 @@ impl Lines<'_> {
         let buffer = corner + right * at.x + down * at.y;
         crossing.depth = self.view.depth_from_buffer(buffer);
         let corners = self.parts[rank].corners(crossing.triangle);
-        if !(0..3).any(|e| rim[e] && cutter::is_by_edge(at, corners, e)) {
+        if !(0..3).any(|e| rim[e] && cutter::is_by_edge(self.view.doubt_px(), at, corners, e)) {
             bench.shared.push((index, plane));
         }
     }

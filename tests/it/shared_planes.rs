@@ -77,7 +77,7 @@ fn judged(scene: &Scene, camera: &Camera, drawn: Option<&Scene>) -> (Vec<String>
     if let Some(drawn) = drawn {
         question.model = Model::new(drawn);
     }
-    let bits = common::session().gpu().sub_pixel_bits();
+    let bits = common::session().gpu().report().sub_pixel_bits;
     let is_fine = bits.expect("bits of the adapter") >= 8;
     let by_hardware = HARDWARE.iter().filter(|_| is_fine);
     let faults = by_hardware.chain(&COMPUTE).filter_map(|name| {
