@@ -15,7 +15,7 @@ use cutaway::scene::{Camera, ClipSurface, Mesh, Part, Scene};
 use cutaway::strategies::Method;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
-/// What draws planes exactly; the first strategies by hardware, which needs an adapter with 8 sub-pixel bits.
+/// What draws planes exactly by hardware; each is judged by the sub-pixel bits of the adapter.
 const HARDWARE: [&str; 5] = [
     "raycast+mask",
     "raycast+stencil",
@@ -77,10 +77,7 @@ fn judged(scene: &Scene, camera: &Camera, drawn: Option<&Scene>) -> (Vec<String>
     if let Some(drawn) = drawn {
         question.model = Model::new(drawn);
     }
-    let bits = common::session().gpu().report().sub_pixel_bits;
-    let is_fine = bits.expect("bits of the adapter") >= 8;
-    let by_hardware = HARDWARE.iter().filter(|_| is_fine);
-    let faults = by_hardware.chain(&COMPUTE).filter_map(|name| {
+    let faults = HARDWARE.iter().chain(&COMPUTE).filter_map(|name| {
         let judged = question.answer(name.parse::<Method>().expect("a strategy"));
         let is_wrong = judged.comparison.decided_wrong_px > 0;
         is_wrong.then(|| {
