@@ -51,7 +51,8 @@ impl SceneAtTime {
         let truth = if self.model.prepared.is_whole() {
             &self.model.prepared
         } else {
-            self.truth.get_or_init(|| Prepared::new(&self.scene))
+            let of_model = || self.model.truth(&self.scene).into_owned();
+            self.truth.get_or_init(of_model)
         };
         must_be_named(truth)?;
         Ok(truth)

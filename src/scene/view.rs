@@ -150,7 +150,7 @@ impl View {
     }
 
     /// Distance in pixels within which an outline leaves a sample undecided. Snapping moves an edge by up to half a step along each axis;
-    /// what f32 moves it by is less than that again up to [`FINE_SIZE_PX`], and grows with the picture.
+    /// what f32 moves it by is less than that again up to 2048 px, and grows with the picture.
     pub fn doubt_px(&self) -> f64 {
         let size_px = self.size_px[0].max(self.band[1]);
         let growth = f64::from(size_px.max(FINE_SIZE_PX)) / f64::from(FINE_SIZE_PX);
