@@ -166,7 +166,7 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
             if own.is_doubtful() {
                 console.failed(format!(
                     "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: {} snaps \
-                     vertices to coarse steps\n  help: draw by --rasteriser compute",
+                     vertices to coarse steps\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
                     strategy.name, report.adapter.name
                 ));
                 verdict = Verdict::Failed;

@@ -85,14 +85,15 @@ fn rims<K: Ord + Copy>(
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
 }
 
-/// Whether two crossings are with faces of parts in one plane; `shared` are the crossings in such planes, with their numbers.
+/// Whether two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them. `shared` are the crossings in such planes, with their numbers.
 pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     let of = |event: &Event| {
         let at = shared.iter().find(|(source, _)| *source == event.source);
         at.map(|(_, plane)| *plane)
     };
     let [a, b] = events.map(of);
-    a.is_some() && a == b
+    let is_at_once = events[0].depth == events[1].depth && events[0].place == events[1].place;
+    is_at_once && a.is_some() && a == b
 }
 
 impl Lines<'_> {

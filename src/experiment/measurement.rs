@@ -187,8 +187,8 @@ pub struct StrategyMeasurement {
         deserialize_with = "all_or_nulls"
     )]
     pub comparison: Option<Comparison>,
-    /// Undecided pixels of exact for this strategy, where they are more than those of [`Measurement::exact`]: the adapter's rasteriser
-    /// drew it, and snaps vertices to coarser steps than usual.
+    /// Undecided pixels of exact for this strategy, where they are not those of [`Measurement::exact`]: the adapter's rasteriser drew it,
+    /// and snaps vertices to coarser steps than usual.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undecided_px: Option<usize>,
     /// Bytes of what each clock produces.

@@ -156,7 +156,7 @@ impl Gpu {
     }
 
     /// On the device of a host, which goes on to own it: no handler of it is touched. What the device was created with decides what
-    /// plans may use.
+    /// plans may use. One small draw measures its sub-pixel bits, and is waited for, but in a browser.
     ///
     /// # Errors
     ///

@@ -6,9 +6,11 @@
 //! Cannot: tell more than [`MOST_BITS`] bits, nor run in a browser, where nothing can be waited for.
 
 use super::Gpu;
-use crate::Result;
 use crate::shader::{self, Shader};
+use crate::{Error, Result};
 
+/// What Vulkan and WebGPU promise.
+const LEAST_BITS: u32 = 4;
 /// Bits that are told apart, at most: more rows would end closer to the column than f32 is exact.
 const MOST_BITS: u32 = 12;
 /// Pixels along a side of the target: `shaders/gpu/sub_pixel.wgsl`.
@@ -23,7 +25,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 ///
 /// # Errors
 ///
-/// A device that refuses the draw or is lost.
+/// A device that refuses the draw or is lost, or that snaps to coarser steps than is promised.
 pub(super) fn measure(gpu: &Gpu) -> Result<u32> {
     let composed = shader::compose(&Shader::from("gpu/sub_pixel.wgsl"))?;
     let staging = gpu.staging(u64::from(ROW_BYTES * SIZE_PX));
@@ -37,7 +39,14 @@ pub(super) fn measure(gpu: &Gpu) -> Result<u32> {
         .chunks(ROW_BYTES as usize)
         .take(MOST_BITS as usize)
         .take_while(|row| row[COLUMN] != 0);
-    Ok(covered.count() as u32)
+    let bits = covered.count() as u32;
+    match bits >= LEAST_BITS {
+        true => Ok(bits),
+        false => Err(Error::Adapter {
+            what: format!("it snaps vertices to 1/{} px", 1_u32 << bits),
+            help: "use another adapter, or update its driver".to_owned(),
+        }),
+    }
 }
 
 fn submit(gpu: &Gpu, module: &wgpu::ShaderModule, staging: &wgpu::Buffer) {

@@ -336,7 +336,7 @@ impl<'a> Input<'a> {
         let seen = plane.and_then(|plane| Some((plane, plane.in_view(self.view)?)));
         seen.map_or([0.0; 4], |(plane, [right, down, corner])| {
             let centre = corner + 0.5 * (right + down);
-            [right, down, centre, plane.level(rank) as f64].map(|v| v as f32)
+            [right, down, centre, f64::from(plane.level(rank))].map(|v| v as f32)
         })
     }
 

@@ -158,7 +158,7 @@ impl Surfaces {
         };
         let doubled = scene.settled.as_ref().map(|settled| DrawPass {
             name: "surface doubled".to_owned(),
-            reason: "of faces that lie on each other the one that faces the eye".to_owned(),
+            reason: "of faces that lie on each other the one that faces the eye, in planes that parts share the first in rank".to_owned(),
             shader: "passes/doubled.wgsl".into(),
             bindings: vec![scene.frame.clone(), scene.parts.clone(), settled.clone()],
             draws: input.draws_of_groups(ranks),

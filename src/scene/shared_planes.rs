@@ -5,8 +5,8 @@
 //! at one depth the first in rank has it. A plane is that of its largest triangle; others are of it where all of their vertices are
 //! within the tolerance of both parts ([`plane_tolerance`](super::faces_in_plane::plane_tolerance)) and they face the same way.
 //!
-//! Cost: nothing but a look at pairs of boxes where no boxes of parts overlap; else, for triangles where they do, a sort by area and some
-//! hash lookups each. Kept from frame to frame as long as parts keep their vertices.
+//! Cost: nothing but a look at pairs of boxes where no boxes of parts overlap; else, for triangles where they do, a sort by area and for
+//! each at most 16 cells of [`MOST_IN_CELL`] planes. Kept from frame to frame as long as the parts that are looked at keep their vertices.
 //!
 //! Cannot: take in parts in a pose or that the device places, slivers, or triangles so small that rounding tilts them; more than
 //! [`MOST_MEMBERS`] parts of planes, of which those with the largest triangles count; scenes of more than [`MOST_PARTS`] parts.
@@ -21,8 +21,12 @@ use super::{Bounds, PreparedPart, View};
 /// So many parts of planes are settled; with the sides of cuts they fit into the groups of a frame.
 const MOST_MEMBERS: usize = 256;
 
-/// Of so many parts it is found out which meet, pair by pair.
-const MOST_PARTS: usize = 4096;
+/// Of so many parts it is found out which meet, pair by pair: each takes a group of a frame, and leaves half of them to settled faces.
+const MOST_PARTS: usize = 512;
+
+/// So many planes of one cell of normals and offsets are told apart, those with the largest triangles: what bounds the search on curved
+/// and on rough surfaces, where each triangle has a plane of its own.
+const MOST_IN_CELL: usize = 64;
 
 /// Cells of a unit normal's component, and of the distance from the origin.
 const CELLS: [f64; 2] = [128.0, 512.0];
@@ -42,8 +46,8 @@ pub(crate) struct SharedPlane {
     /// The way that the faces face.
     normal: DVec3,
     offset: f64,
-    /// The parts, by rank.
-    ranks: Vec<u16>,
+    /// The parts, by rank, each with its level: 1 where no later part is in its way.
+    levels: Vec<(u16, u16)>,
 }
 
 impl SharedPlane {
@@ -68,15 +72,15 @@ impl SharedPlane {
         (sine.abs() > EDGE_ON).then_some([slopes[0], slopes[1], corner])
     }
 
-    /// The place of a part among those of the plane, the last being 1: the higher, the nearer.
-    pub(crate) fn level(&self, rank: usize) -> usize {
-        let at = self.ranks.iter().position(|r| usize::from(*r) == rank);
-        at.map_or(0, |at| self.ranks.len() - at)
+    /// The level of a part in the plane: of two that meet in it the nearer has the higher one. 0 of a part that is not in it.
+    pub(crate) fn level(&self, rank: usize) -> u16 {
+        let at = (self.levels.iter()).find(|(r, _)| usize::from(*r) == rank);
+        at.map_or(0, |(_, level)| *level)
     }
 }
 
-/// The vertices and the triangles of a part.
-type FoundIn = (Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>);
+/// The vertices and the triangles of a part; none of one whose faces are not looked for.
+type FoundIn = Option<(Arc<Vec<Vec3>>, Arc<Vec<[u32; 3]>>)>;
 
 /// The planes that parts of a scene share.
 #[derive(Clone, Debug, Default)]
@@ -96,7 +100,7 @@ impl SharedPlanes {
         }
         let mut found = Self {
             meshes: (parts.iter())
-                .map(|p| (p.positions.clone(), p.triangles.clone()))
+                .map(|p| is_looked_at(p).then(|| (p.positions.clone(), p.triangles.clone())))
                 .collect(),
             planes: Vec::new(),
             faces: vec![Arc::from([]); parts.len()],
@@ -110,14 +114,17 @@ impl SharedPlanes {
         let mut by_rank: Vec<Vec<(u32, u16)>> = vec![Vec::new(); parts.len()];
         let mut members = 0;
         for (first, faces) in planes_of(&all) {
-            let ranks = overlapping(faces.iter().map(|f| &all[*f]));
-            if ranks.is_empty() || members + ranks.len() > MOST_MEMBERS {
+            let levels = overlapping(faces.iter().map(|f| &all[*f]));
+            if levels.is_empty() || members + levels.len() > MOST_MEMBERS {
                 continue;
             }
-            members += ranks.len();
+            members += levels.len();
             let number = found.planes.len() as u16;
             for face in faces.iter().map(|f| &all[*f]) {
-                if ranks.contains(&(face.rank as u16)) {
+                if levels
+                    .iter()
+                    .any(|(rank, _)| usize::from(*rank) == face.rank)
+                {
                     by_rank[face.rank].push((face.triangle, number));
                 }
             }
@@ -125,7 +132,7 @@ impl SharedPlanes {
             found.planes.push(SharedPlane {
                 normal,
                 offset,
-                ranks,
+                levels,
             });
         }
         for (faces, mut of_rank) in found.faces.iter_mut().zip(by_rank) {
@@ -136,8 +143,11 @@ impl SharedPlanes {
     }
 
     fn is_of(&self, parts: &[PreparedPart]) -> bool {
-        let is_same = |(p, (at, of)): (&PreparedPart, &FoundIn)| {
-            Arc::ptr_eq(&p.positions, at) && Arc::ptr_eq(&p.triangles, of)
+        let is_same = |(p, found): (&PreparedPart, &FoundIn)| match found {
+            Some((at, of)) => {
+                is_looked_at(p) && Arc::ptr_eq(&p.positions, at) && Arc::ptr_eq(&p.triangles, of)
+            }
+            None => !is_looked_at(p),
         };
         self.meshes.len() == parts.len() && parts.iter().zip(&self.meshes).all(is_same)
     }
@@ -205,12 +215,16 @@ fn meeting(boxes: &[(Bounds, f64)], mut pair: impl FnMut(usize, usize)) {
     }
 }
 
+/// Whether the faces of a part are looked for: whatever cuts leave of it, for they may move.
+fn is_looked_at(part: &PreparedPart) -> bool {
+    !part.is_posed && !part.is_on_device && !part.triangles.is_empty()
+}
+
 /// The parts, by rank, whose boxes meet those of others, each with a box that holds where they do.
 fn near_others(parts: &[PreparedPart]) -> Vec<(usize, Bounds)> {
-    let is_here = |p: &PreparedPart| {
-        !p.is_posed && !p.is_on_device && !p.is_removed && !p.triangles.is_empty()
-    };
-    let here: Vec<usize> = (0..parts.len()).filter(|r| is_here(&parts[*r])).collect();
+    let here: Vec<usize> = (0..parts.len())
+        .filter(|r| is_looked_at(&parts[*r]))
+        .collect();
     if here.len() > MOST_PARTS {
         return Vec::new();
     }
@@ -284,16 +298,19 @@ fn planes_of(all: &[Face]) -> Vec<(usize, Vec<usize>)> {
             Some(plane) => planes[plane].1.push(number),
             None => {
                 let cell = place.map(|c| c.floor() as i32);
-                cells.entry(cell).or_default().push(planes.len());
-                planes.push((number, vec![number]));
+                let of_cell = cells.entry(cell).or_default();
+                if of_cell.len() < MOST_IN_CELL {
+                    of_cell.push(planes.len());
+                    planes.push((number, vec![number]));
+                }
             }
         }
     }
     planes
 }
 
-/// The parts, by rank in order, whose faces of one plane meet those of others.
-fn overlapping<'a>(faces: impl Iterator<Item = &'a Face>) -> Vec<u16> {
+/// The parts whose faces of one plane meet those of others, by falling rank, each with its level: one above those that it hides.
+fn overlapping<'a>(faces: impl Iterator<Item = &'a Face>) -> Vec<(u16, u16)> {
     let mut boxes: HashMap<usize, (Bounds, f64)> = HashMap::new();
     for face in faces {
         let of_rank = (boxes.entry(face.rank)).or_insert((Bounds::EMPTY, face.tolerance));
@@ -303,11 +320,21 @@ fn overlapping<'a>(faces: impl Iterator<Item = &'a Face>) -> Vec<u16> {
         return Vec::new();
     }
     let (ranks, boxes): (Vec<usize>, Vec<(Bounds, f64)>) = boxes.into_iter().unzip();
-    let mut found: Vec<u16> = Vec::new();
+    let mut pairs: Vec<(u16, u16)> = Vec::new();
     meeting(&boxes, |a, b| {
-        found.extend([ranks[a], ranks[b]].map(|r| r as u16))
+        let (a, b) = (ranks[a] as u16, ranks[b] as u16);
+        pairs.extend([(a, b), (b, a)]);
     });
-    found.sort_unstable();
-    found.dedup();
-    found
+    pairs.sort_unstable_by(|a, b| b.cmp(a));
+    let mut levels: Vec<(u16, u16)> = Vec::new();
+    for (rank, other) in pairs {
+        // Later parts have their levels already.
+        let hidden = levels.iter().find(|(r, _)| other > rank && *r == other);
+        let least = hidden.map_or(1, |(_, level)| level + 1);
+        match levels.last_mut() {
+            Some((last, level)) if *last == rank => *level = least.max(*level),
+            _ => levels.push((rank, least)),
+        }
+    }
+    levels
 }

@@ -72,10 +72,10 @@ fn unit_block() -> Mesh {
 }
 
 /// Draws an assembly by all methods; what is wrong, and how many pixels are undecided and covered.
-fn judged(scene: &Scene, camera: &Camera, drawn: Option<&Scene>) -> (Vec<String>, [usize; 2]) {
+fn judged(scene: &Scene, camera: &Camera, drawn: Option<Model>) -> (Vec<String>, [usize; 2]) {
     let mut question = Question::through(scene, camera, SIZE);
     if let Some(drawn) = drawn {
-        question.model = Model::new(drawn);
+        question.model = drawn;
     }
     let faults = HARDWARE.iter().chain(&COMPUTE).filter_map(|name| {
         let judged = question.answer(name.parse::<Method>().expect("a strategy"));
@@ -137,6 +137,17 @@ fn a_pin_flush_with_a_plate_is_shown_by_priority() {
 }
 
 #[test]
+fn a_pin_that_a_cut_gives_back_is_shown_by_priority() {
+    let (scene, camera) = flush(1);
+    let mut before = scene.clone();
+    before.cuts[0].surfaces[0].origin.z = -0.6;
+    let without = Model::new(&before);
+    let mut parts = without.prepared.parts.iter();
+    assert!(parts.any(|p| p.is_removed), "the cut leaves something");
+    must_be_right(judged(&scene, &camera, Some(without.updated(&scene))));
+}
+
+#[test]
 fn boxes_that_share_sides_are_shown_by_priority() {
     let at = |name: &str, z: f64, priority: i32| {
         part(
@@ -159,7 +170,7 @@ fn boxes_that_share_sides_are_shown_by_priority() {
 fn the_check_finds_a_pin_that_is_drawn_with_another_priority() {
     let (scene, camera) = flush(1);
     let (other, _) = flush(-1);
-    let (faults, _) = judged(&scene, &camera, Some(&other));
+    let (faults, _) = judged(&scene, &camera, Some(Model::new(&other)));
     assert!(faults.len() >= COMPUTE.len(), "{}", faults.join("\n"));
 }
 
