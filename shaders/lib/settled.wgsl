@@ -32,7 +32,7 @@ struct SettledGroups {
 // Of triangles in a plane that parts share all have the depth of the plane, and the first part in rank is nearer than the next by the
 // least there is.
 fn of_shared(found: f32, at: vec2<u32>, plane: vec4<f32>) -> f32 {
-    if plane.w == 0.0 {
+    if plane.w < 0.5 {
         return found;
     }
     let z = clamp(plane.x * f32(at.x) + plane.y * f32(at.y) + plane.z, 0.0, 1.0);
