@@ -18,8 +18,7 @@ use super::when::TimeArgs;
 use crate::Result;
 use crate::compare::legend;
 use crate::experiment::{
-    Judgement, MOST_UNDECIDED, Measurement, Reference, Renderer, SceneAtTime, Warning,
-    check_memory, picture,
+    Judgement, MOST_UNDECIDED, Measurement, Renderer, SceneAtTime, Warning, check_memory, picture,
 };
 use crate::report;
 use crate::session::Session;
@@ -158,19 +157,14 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
         let Some(comparison) = &strategy.comparison else {
             continue;
         };
-        if let Some(undecided_px) = strategy.undecided_px {
-            let own = Reference {
-                undecided_px,
-                ..report.exact.clone()
-            };
-            if own.is_doubtful() {
-                console.failed(format!(
-                    "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: {} snaps \
-                     vertices to coarse steps\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
-                    strategy.name, report.adapter.name
-                ));
-                verdict = Verdict::Failed;
-            }
+        let own = (strategy.undecided_px).filter(|px| report.exact.is_doubtful_with(*px));
+        if let Some(undecided_px) = own {
+            console.failed(format!(
+                "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: {} snaps vertices \
+                 to coarse steps\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
+                strategy.name, report.adapter.name
+            ));
+            verdict = Verdict::Failed;
         }
         if comparison.decided_wrong_px > most {
             console.failed(format!(

@@ -85,7 +85,8 @@ fn rims<K: Ord + Copy>(
     alike.map(|s| edges(s).map(|e| uses[&e] != 2)).collect()
 }
 
-/// Whether two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them. `shared` are the crossings in such planes, with their numbers.
+/// Whether two crossings are with faces of parts in one plane, and at its depth: a clip-surface may have moved one of them. `shared` are
+/// the crossings in such planes, with their numbers.
 pub(super) fn share_plane(shared: &[(u32, u16)], events: [&Event; 2]) -> bool {
     let of = |event: &Event| {
         let at = shared.iter().find(|(source, _)| *source == event.source);

@@ -75,12 +75,22 @@ impl Reference {
 
     /// Undecided pixels per pixel that shows something.
     pub fn undecided_share(&self) -> f64 {
-        self.undecided_px as f64 / (self.cap_px + self.surface_px).max(1) as f64
+        self.share(self.undecided_px)
+    }
+
+    /// Of the pixels that show something.
+    fn share(&self, px: usize) -> f64 {
+        px as f64 / (self.cap_px + self.surface_px).max(1) as f64
     }
 
     /// Whether so many pixels are undecided that the rest proves little: more than [`MOST_UNDECIDED`], and not merely a few.
     pub fn is_doubtful(&self) -> bool {
-        self.undecided_px > FEW_UNDECIDED_PX && self.undecided_share() > MOST_UNDECIDED
+        self.is_doubtful_with(self.undecided_px)
+    }
+
+    /// Whether so many would be too many, as those of a rasteriser that snaps to coarser steps.
+    pub fn is_doubtful_with(&self, undecided_px: usize) -> bool {
+        undecided_px > FEW_UNDECIDED_PX && self.share(undecided_px) > MOST_UNDECIDED
     }
 }
 

@@ -3,6 +3,13 @@
 #[cfg(not(target_arch = "wasm32"))]
 use super::Gpu;
 
+/// All adapters, by every graphics interface.
+pub(super) async fn all() -> Vec<wgpu::Adapter> {
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    instance.enumerate_adapters(wgpu::Backends::all()).await
+}
+
 /// What is known of an adapter, for reports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -45,9 +52,7 @@ impl AdapterReport {
 impl Gpu {
     /// All adapters of this machine, each [in words](AdapterReport::in_words).
     pub fn adapters() -> Vec<String> {
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        let adapters = pollster::block_on(all());
         let in_words = |a: &wgpu::Adapter| AdapterReport::of(&a.get_info()).in_words();
         adapters.iter().map(in_words).collect()
     }

@@ -5,7 +5,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 
-use super::adapter::AdapterReport;
+use super::adapter::{self, AdapterReport};
 use super::clip::ClipLayout;
 use super::composite::Compositors;
 use super::pipelines::Pipelines;
@@ -33,7 +33,10 @@ const WIDE_ATOMICS: wgpu::Features =
 pub struct Gpu {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
-    report: AdapterReport,
+    /// Without its sub-pixel bits.
+    unmeasured: AdapterReport,
+    /// With them.
+    measured: OnceLock<AdapterReport>,
     limits: Limits,
     timestamps: bool,
     /// Whether uniforms are better read from storage.
@@ -61,9 +64,7 @@ impl Gpu {
 
     /// As [`Gpu::open`], where nothing may be waited for.
     pub async fn open_async(options: &GpuOptions) -> Result<Self> {
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let mut adapters = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let mut adapters = adapter::all().await;
         let names: Vec<String> = adapters.iter().map(|a| a.get_info().name).collect();
         if let Some(wanted) = &options.adapter {
             adapters.retain(|a| {
@@ -156,7 +157,7 @@ impl Gpu {
     }
 
     /// On the device of a host, which goes on to own it: no handler of it is touched. What the device was created with decides what
-    /// plans may use. One small draw measures its sub-pixel bits, and is waited for, but in a browser.
+    /// plans may use.
     ///
     /// # Errors
     ///
@@ -182,8 +183,8 @@ impl Gpu {
                     .to_owned(),
             });
         }
-        let software = info.device_type == wgpu::DeviceType::Cpu;
-        let mut gpu = Self {
+        let unmeasured = AdapterReport::of(info);
+        Ok(Self {
             limits: Limits {
                 storage_binding_bytes: have.max_storage_buffer_binding_size,
                 buffer_bytes: have.max_buffer_size,
@@ -193,8 +194,9 @@ impl Gpu {
                 filters_f32: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
                 ..Limits::CORE
             },
-            report: AdapterReport::of(info),
-            timestamps: !software && features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            timestamps: !unmeasured.software && features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            unmeasured,
+            measured: OnceLock::new(),
             inlines_uniforms: uniforms::are_inlined(info),
             device,
             queue,
@@ -204,13 +206,7 @@ impl Gpu {
             compositors: Mutex::default(),
             preparation: Mutex::default(),
             clip: OnceLock::new(),
-        };
-        // A device that refuses so small a draw gives its reason at the first frame.
-        #[cfg(not(target_arch = "wasm32"))]
-        if let Ok(bits) = super::sub_pixel::measure(&gpu) {
-            gpu.report.sub_pixel_bits = Some(bits);
-        }
-        Ok(gpu)
+        })
     }
 
     /// The device.
@@ -223,17 +219,31 @@ impl Gpu {
         &self.queue
     }
 
-    /// What is known of the adapter.
-    pub fn report(&self) -> &AdapterReport {
-        &self.report
+    /// Name of the adapter.
+    pub fn name(&self) -> &str {
+        &self.unmeasured.name
     }
 
-    /// What the choice of a rasteriser depends on.
+    /// What is known of the adapter. The first call measures its sub-pixel bits by one small draw and waits for it, but in a browser.
+    pub fn report(&self) -> &AdapterReport {
+        self.measured.get_or_init(|| AdapterReport {
+            // A device that refuses so small a draw gives its reason at the next frame.
+            #[cfg(not(target_arch = "wasm32"))]
+            sub_pixel_bits: super::sub_pixel::measure(self).ok(),
+            ..self.unmeasured.clone()
+        })
+    }
+
+    /// What the choice of a rasteriser depends on. On a software adapter sub-pixel bits do not matter to it, and are not measured for it.
     pub fn traits(&self) -> AdapterTraits<'_> {
+        let software = self.unmeasured.software;
         AdapterTraits {
             limits: &self.limits,
-            software: self.report.software,
-            sub_pixel_bits: self.report.sub_pixel_bits,
+            software,
+            sub_pixel_bits: match software {
+                true => None,
+                false => self.report().sub_pixel_bits,
+            },
         }
     }
 
@@ -299,7 +309,7 @@ impl Gpu {
 
     fn refused(&self, what: &str) -> Error {
         Error::Adapter {
-            what: format!("the adapter {} refused work: {what}", self.report.name),
+            what: format!("the adapter {} refused work: {what}", self.name()),
             help: "ask for a smaller picture (--resolution), or choose another adapter (--adapter)"
                 .to_owned(),
         }

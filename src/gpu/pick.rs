@@ -53,7 +53,7 @@ impl Arriving {
     ///
     /// A device that is lost.
     pub(crate) async fn layers(self, gpu: &Gpu) -> Result<Vec<Layer>> {
-        let words = self.0.awaited(&gpu.device, &gpu.report().name).await?;
+        let words = self.0.awaited(&gpu.device, gpu.name()).await?;
         Ok(layers_from_words(&words))
     }
 
@@ -63,6 +63,6 @@ impl Arriving {
     ///
     /// A device that is lost.
     pub(crate) async fn picture(self, gpu: &Gpu) -> Result<Vec<u8>> {
-        self.0.awaited(&gpu.device, &gpu.report().name).await
+        self.0.awaited(&gpu.device, gpu.name()).await
     }
 }

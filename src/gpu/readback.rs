@@ -57,7 +57,7 @@ impl Gpu {
     ) -> impl Future<Output = Result<Vec<u8>>> + use<> {
         let arrival = Arrival::new(&encoder, staging);
         self.queue.submit([encoder.finish()]);
-        let (device, name) = (self.device.clone(), self.report().name.clone());
+        let (device, name) = (self.device.clone(), self.name().to_owned());
         async move { arrival.awaited(&device, &name).await }
     }
 

@@ -1,7 +1,8 @@
 //! Sub-pixel bits: to which fraction of a pixel the rasteriser of an adapter snaps vertices, 2^-bits.
 //!
 //! Vulkan and WebGPU promise 4 bits and have no query for more, so it is measured: sixteen rectangles that end ever closer to a column of
-//! samples, and which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once for each device.
+//! samples, and which of them cover it (`shaders/gpu/sub_pixel.wgsl`). One draw into 16 x 16 pixels, once for each device, when
+//! its report is first read.
 //!
 //! Cannot: tell more than [`MOST_BITS`] bits, nor run in a browser, where nothing can be waited for.
 

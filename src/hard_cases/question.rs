@@ -47,6 +47,11 @@ impl Question {
     pub fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
         let model = Model::new(scene);
         let view = model.prepared.view_of(camera, size_px);
+        Self::of_model(model, scene, view)
+    }
+
+    /// The scene in a view, of a model that may have been updated from another.
+    pub fn of_model(model: Model, scene: &Scene, view: View) -> Self {
         let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
         Self { model, view, exact }
     }

@@ -131,9 +131,9 @@ impl Model {
             let before = before.and_then(|b| b.prepared.surfaces.get(surface)?.volume.as_deref());
             Arc::new(PreparedVolume::place(cutter, space, before))
         };
-        let mut prepared = Prepared::with_parts(scene, &world, place, place_volume);
-        let known = before.map(|b| &b.prepared.shared);
-        prepared.shared = SharedPlanes::of(&prepared.parts, known);
+        let shared =
+            |parts: &[PreparedPart]| SharedPlanes::of(parts, before.map(|b| &b.prepared.shared));
+        let prepared = Prepared::with_parts(scene, &world, place, place_volume, shared);
 
         let rooms = packed::rooms(&packed, before.map_or(&[], |b| &b.rooms));
         let changes =
@@ -209,9 +209,8 @@ impl Model {
         if self.prepared.is_whole() {
             Cow::Borrowed(&self.prepared)
         } else {
-            let mut whole = Prepared::new(scene);
-            whole.shared = self.prepared.shared.clone();
-            Cow::Owned(whole)
+            let shared = self.prepared.shared.clone();
+            Cow::Owned(Prepared::in_planes(scene, |_| shared))
         }
     }
 

@@ -8,14 +8,12 @@ use crate::experiment::{Measurement, StrategyMeasurement};
 /// The report as text.
 pub fn text(report: &Measurement) -> String {
     let mut text = format!(
-        "{} ({} triangles) at {} x {} on {} ({}, {})\n",
+        "{} ({} triangles) at {} x {} on {}\n",
         report.scene,
         report.triangles,
         report.resolution[0],
         report.resolution[1],
-        report.adapter.name,
-        report.adapter.backend,
-        report.adapter.driver
+        report.adapter.in_words()
     );
     let exact = &report.exact;
     text.push_str(&format!(

@@ -160,22 +160,30 @@ pub struct Prepared {
 impl Prepared {
     /// Poses, flattens, recentres and ranks a scene.
     pub fn new(scene: &Scene) -> Self {
+        Self::in_planes(scene, |parts| SharedPlanes::of(parts, None))
+    }
+
+    /// As [`Prepared::new`], with planes that were found in the parts before.
+    pub(crate) fn in_planes(
+        scene: &Scene,
+        shared: impl FnOnce(&[PreparedPart]) -> Arc<SharedPlanes>,
+    ) -> Self {
         let place = |cutter: &Cutter, space: &SceneSpace, _: usize| {
             Arc::new(PreparedVolume::place(cutter, space, None))
         };
-        let mut prepared = Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place);
-        prepared.shared = SharedPlanes::of(&prepared.parts, None);
-        prepared
+        Self::with_parts(scene, &scene.bounds(), PreparedPart::place, place, shared)
     }
 
     /// As [`Prepared::new`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
-    /// cuts that apply; and cutters likewise, from the cutter, scene space and the number of the clip-surface. `world` is what
+    /// cuts that apply; and cutters likewise, from the cutter, scene space and the number of the clip-surface; and the planes that parts share, from all parts by
+    /// rank. `world` is what
     /// [`Scene::bounds`] says, which may have to look at every vertex.
     pub(crate) fn with_parts(
         scene: &Scene,
         world: &Bounds,
         place: impl Fn(usize, &Part, &SceneSpace, Vec<usize>) -> PreparedPart + Sync,
         place_volume: impl Fn(&Cutter, &SceneSpace, usize) -> Arc<PreparedVolume>,
+        shared: impl FnOnce(&[PreparedPart]) -> Arc<SharedPlanes>,
     ) -> Self {
         let space = SceneSpace::new(world);
         let to_scene = |p: DVec3| space.point(p);
@@ -205,6 +213,7 @@ impl Prepared {
             } else {
                 (parts.iter().map(|p| p.bounds)).fold(Bounds::EMPTY, Bounds::union)
             },
+            shared: shared(&parts),
             parts,
             surfaces,
             cuts,
@@ -212,7 +221,6 @@ impl Prepared {
             scale: space.scale,
             interference: scene.interference,
             style: scene.style,
-            shared: Arc::default(),
             camera: scene.camera,
             outline: scene.fitted_outline(),
         }

@@ -120,20 +120,18 @@ impl SharedPlanes {
             }
             members += levels.len();
             let number = found.planes.len() as u16;
-            for face in faces.iter().map(|f| &all[*f]) {
-                if levels
-                    .iter()
-                    .any(|(rank, _)| usize::from(*rank) == face.rank)
-                {
-                    by_rank[face.rank].push((face.triangle, number));
-                }
-            }
             let Face { normal, offset, .. } = all[first];
-            found.planes.push(SharedPlane {
+            let plane = SharedPlane {
                 normal,
                 offset,
                 levels,
-            });
+            };
+            for face in faces.iter().map(|f| &all[*f]) {
+                if plane.level(face.rank) > 0 {
+                    by_rank[face.rank].push((face.triangle, number));
+                }
+            }
+            found.planes.push(plane);
         }
         for (faces, mut of_rank) in found.faces.iter_mut().zip(by_rank) {
             of_rank.sort_unstable();

@@ -153,8 +153,7 @@ impl View {
     /// what f32 moves it by is less than that again up to 2048 px, and grows with the picture.
     pub fn doubt_px(&self) -> f64 {
         let size_px = self.size_px[0].max(self.band[1]);
-        let growth = f64::from(size_px.max(FINE_SIZE_PX)) / f64::from(FINE_SIZE_PX);
-        growth * 0.5_f64.powi(self.sub_pixel_bits as i32)
+        f64::from(size_px.max(FINE_SIZE_PX)) / f64::from(FINE_SIZE_PX << self.sub_pixel_bits)
     }
 
     /// Edge length of a pixel at a depth, in scene units.

@@ -156,7 +156,7 @@ impl Window {
             (None, None) => return Err("there is nothing to be shown".to_owned()),
         };
         // Scripts wait for it.
-        println!("ready: {}", viewer.screen().gpu().report().name);
+        println!("ready: {}", viewer.screen().gpu().name());
         self.viewer = Some(viewer);
         let woken = made.egui_ctx.clone();
         let loss = DeviceLoss::watch(&host.device, move || woken.request_repaint());

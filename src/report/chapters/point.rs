@@ -116,7 +116,7 @@ impl<'a> Points<'a> {
         }
         words.push(match self.setups.iter().any(is_namesake) {
             false => adapter.name.clone(),
-            true => format!("{} ({}, {})", adapter.name, adapter.backend, adapter.driver),
+            true => adapter.in_words(),
         });
         if differ(&|b| b.is_quick == setup.is_quick) {
             words.push(if setup.is_quick { "quick" } else { "in full" }.to_owned());

@@ -1,7 +1,6 @@
 //! Near planes in solids: with a cap there, and without one, where what the ray enters next is seen.
 
 use cutaway::Model;
-use cutaway::exact::Truth;
 use cutaway::hard_cases::{Judged, Question};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::{Camera, Scene};
@@ -64,8 +63,7 @@ fn scenes_of(near_cap: bool) -> Vec<(String, Scene)> {
 fn question(scene: &Scene) -> Question {
     let model = Model::new(scene);
     let view = model.prepared.view([96, 80]);
-    let exact = Truth::new(model.truth(scene).into_owned(), view).into();
-    Question { model, view, exact }
+    Question::of_model(model, scene, view)
 }
 
 fn answer(question: &Question, name: &str) -> Judged {

@@ -1,9 +1,5 @@
 //! What once was wrong, by number, each in the smallest scene that showed it.
 
-use std::sync::Arc;
-
-use cutaway::exact::Truth;
-
 use cutaway::layers::Kind;
 use cutaway::load::load_mesh_file;
 use cutaway::scene::{Camera, ClipSurface, Cut, Cutter, Mesh, Scene, View, Viewpoint, Wrap};
@@ -233,12 +229,7 @@ fn regression_0009_beside_a_needle_nothing_is_decided() {
     scene.cuts = vec![Cut::new("ragged", vec![surface])];
     let still = Question::new(&scene, [400, 300]);
     let view = still.view.sampled_at(DVec2::new(0.5 + 31.0 / 64.0, 0.5));
-    let exact = Arc::new(Truth::new(still.model.truth(&scene).into_owned(), view));
-    let moved = Question {
-        view,
-        exact,
-        ..still
-    };
+    let moved = still.in_view(&scene, view);
     for strategy in [Strategy::RAYCAST_MASK, Strategy::RAYCAST_STENCIL] {
         assert_eq!(moved.answer(strategy).fault_of_exact(), None, "{strategy}");
     }

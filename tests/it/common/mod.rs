@@ -79,16 +79,22 @@ impl Question {
 
     /// The scene through another camera.
     pub(crate) fn through(scene: &Scene, camera: &Camera, size_px: [u32; 2]) -> Self {
-        let model = Model::new(scene);
-        let view = model.prepared.view_of(camera, size_px);
-        let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
-        Self { model, view, exact }
+        Self::of(hard_cases::Question::through(scene, camera, size_px))
     }
 
     /// The scene through its own camera, of a model that may have been updated from another.
     pub(crate) fn of_model(model: Model, scene: &Scene, size_px: [u32; 2]) -> Self {
         let view = model.prepared.view(size_px);
-        let exact = Arc::new(Truth::new(model.truth(scene).into_owned(), view));
+        Self::of(hard_cases::Question::of_model(model, scene, view))
+    }
+
+    /// The scene in another view of this question's.
+    pub(crate) fn in_view(self, scene: &Scene, view: View) -> Self {
+        Self::of(hard_cases::Question::of_model(self.model, scene, view))
+    }
+
+    fn of(question: hard_cases::Question) -> Self {
+        let hard_cases::Question { model, view, exact } = question;
         Self { model, view, exact }
     }
 

@@ -28,7 +28,7 @@ pub(super) fn show(
             }
             if let Some(took_ms) = screen.took_ms() {
                 // Browsers keep the name to themselves.
-                let on = match screen.gpu().report().name.as_str() {
+                let on = match screen.gpu().name() {
                     "" => String::new(),
                     name => format!(" on {name}"),
                 };

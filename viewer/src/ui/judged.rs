@@ -83,7 +83,7 @@ impl Judged {
     /// The judge, started by the first question.
     pub(super) fn judge(&mut self, ctx: &Context, screen: &Screen) -> &Judge {
         let wake = ctx.clone();
-        let adapter = &screen.gpu().report().name;
+        let adapter = screen.gpu().name();
         (self.judge).get_or_insert_with(|| Judge::start(adapter, move || wake.request_repaint()))
     }
 

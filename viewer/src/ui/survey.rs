@@ -105,7 +105,7 @@ impl Viewer {
         let mut is_open = self.chart.is_open;
         let mut ends = false;
         let now = (self.state.document(), self.state.time_s(), self.size_px);
-        let adapter = &self.screen.gpu().report().name;
+        let adapter = self.screen.gpu().name();
         if let Some(measured) = &self.chart.measured {
             let then = (&measured.document, measured.time_s, measured.size_px);
             Window::new("Error against time")
