@@ -10,7 +10,8 @@ use pyo3::types::{PyDict, PyList};
 use crate::arrays::rows;
 use crate::door::{Result, detached};
 use crate::opened::Purpose;
-use crate::scene::{Asked, Scene};
+use crate::scene::Scene;
+use crate::state::{Asked, Shared};
 
 /// A half as arrays.
 struct Flat {
@@ -84,7 +85,8 @@ pub(crate) fn capped<'py>(
     relief_cells: u32,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyList>> {
-    let divided = detached(py, || divided(scene, relief_cells, asked))?;
+    let scene = scene.shared();
+    let divided = detached(py, move || divided(&scene, relief_cells, asked))?;
     let parts = PyList::empty(py);
     for part in divided {
         let entry = PyDict::new(py);
@@ -98,7 +100,7 @@ pub(crate) fn capped<'py>(
     Ok(parts)
 }
 
-fn divided(scene: &Scene, relief_cells: u32, asked: Asked) -> Result<Vec<Divided>> {
+fn divided(scene: &Shared, relief_cells: u32, asked: Asked) -> Result<Vec<Divided>> {
     let shown = scene
         .state()
         .open(asked, Purpose::Measurement)?

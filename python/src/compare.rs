@@ -1,44 +1,34 @@
 //! Strategies judged on a scene: the numbers of `cutaway compare`, as its JSON has them.
 
-use std::sync::Mutex;
+use std::sync::atomic::Ordering;
 
 use cutaway::Error;
 use cutaway::experiment::{Question, Renderer, check_memory, errors, means, times};
 use pyo3::prelude::*;
 
 use crate::device::with_session;
-use crate::door::{Result, detached};
+use crate::door::{Result, stoppable};
 use crate::opened::{Opened, Purpose, view};
-use crate::scene::{Asked, Scene};
+use crate::scene::Scene;
+use crate::state::Asked;
 
 /// Judges strategies, and gives JSON. An interrupt of Python ends it after the present round.
 pub(crate) fn compare(
     scene: &Scene,
     py: Python<'_>,
-    strategies: &[String],
+    strategies: Vec<String>,
     rounds: usize,
     asked: Asked,
     command: String,
 ) -> PyResult<String> {
-    let interrupt: Mutex<Option<PyErr>> = Mutex::new(None);
-    let goes_on = || {
-        let signal = Python::attach(|py| py.check_signals().err());
-        let goes_on = signal.is_none();
-        if let (Some(signal), Ok(mut slot)) = (signal, interrupt.lock()) {
-            *slot = Some(signal);
-        }
-        goes_on
-    };
-    let judged = detached(py, || {
-        let renderers = renderers(strategies)?;
+    let scene = scene.shared();
+    stoppable(py, move |stop| {
+        let renderers = renderers(&strategies)?;
         let mut state = scene.state();
         let opened = state.open(asked, Purpose::Measurement)?;
+        let goes_on = || !stop.load(Ordering::Relaxed);
         judged(opened, &renderers, rounds, command, &goes_on)
-    });
-    match interrupt.into_inner().ok().flatten() {
-        Some(signal) => Err(signal),
-        None => judged,
-    }
+    })
 }
 
 /// The renderers of some names, each once.

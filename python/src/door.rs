@@ -2,11 +2,18 @@
 //!
 //! What is bad input is a `ValueError` with the words of the library, its `help:` included. A file that is not there is a
 //! `FileNotFoundError`. Want of an adapter, and faults of the library itself, are a `RuntimeError`.
+//!
+//! What takes time runs on a thread of its own, so that Ctrl-C is raised at once. The call that it was raised from goes on to its end:
+//! nothing below can be stopped halfway. Whoever needs the same scene or the device then waits for that, and may be interrupted as well.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
 
 use cutaway::Error;
 use pyo3::exceptions::{PyFileNotFoundError, PyRuntimeError, PyValueError};
@@ -18,13 +25,53 @@ pub(crate) type Result<T> = cutaway::Result<T>;
 /// The process that first came through the door; 0 before.
 static OWNER: AtomicU32 = AtomicU32::new(0);
 
-/// Runs what takes time without the lock of the interpreter.
-pub(crate) fn detached<T: Send>(
+/// How long signals of Python wait at most.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+
+/// As much as the first thread of a process has.
+const STACK_BYTES: usize = 8 << 20;
+
+/// Runs what takes time without the lock of the interpreter; an interrupt of Python is raised meanwhile.
+pub(crate) fn detached<T: Send + 'static>(
     py: Python<'_>,
-    work: impl FnOnce() -> Result<T> + Send,
+    work: impl FnOnce() -> Result<T> + Send + 'static,
+) -> PyResult<T> {
+    stoppable(py, |_| work())
+}
+
+/// The same for work that looks whether it is to stop.
+pub(crate) fn stoppable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> Result<T> + Send + 'static,
 ) -> PyResult<T> {
     must_be_owner()?;
-    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    let stop = Arc::new(AtomicBool::new(false));
+    let (sender, mut receiver) = mpsc::channel();
+    let flag = stop.clone();
+    let thread = thread::Builder::new().stack_size(STACK_BYTES);
+    let begun = thread.spawn(move || {
+        let done = catch_unwind(AssertUnwindSafe(|| work(&flag)));
+        // After an interrupt nobody waits for it.
+        let _ = sender.send(done);
+    });
+    let lost = |what: String| {
+        let help = "close other programs, and try again";
+        PyRuntimeError::new_err(format!("{what}\n  help: {help}"))
+    };
+    begun.map_err(|e| lost(format!("no thread can be started: {e}")))?;
+    let done = loop {
+        let waited = py.detach(move || (receiver.recv_timeout(BETWEEN_LOOKS), receiver));
+        receiver = waited.1;
+        match waited.0 {
+            Ok(done) => break done,
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(lost("a thread was lost".to_owned()));
+            }
+            Err(RecvTimeoutError::Timeout) => py
+                .check_signals()
+                .inspect_err(|_| stop.store(true, Ordering::Relaxed))?,
+        }
+    };
     match done {
         Ok(result) => result.map_err(raised),
         Err(panic) => Err(PyRuntimeError::new_err(format!(

@@ -19,6 +19,7 @@ mod opened;
 mod render;
 mod scene;
 mod section;
+mod state;
 mod store;
 mod values;
 

@@ -1,12 +1,12 @@
 //! A picture and its layers, as `cutaway render` draws them: the layers at the resolution that is asked for, the picture smoothed.
 
+use cutaway::Session;
 use cutaway::compare::may_be_wrong;
 use cutaway::experiment::{Renderer, means, picture};
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{Remark, doubts};
 use cutaway::session::Outcome;
 use cutaway::strategies::{AUTO, Choice, choose};
-use cutaway::Session;
 use image::RgbaImage;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
@@ -17,7 +17,8 @@ use crate::arrays::pixels;
 use crate::device::with_session;
 use crate::door::{Result, detached};
 use crate::opened::{Opened, Purpose, shortfall, view};
-use crate::scene::{Asked, Scene};
+use crate::scene::Scene;
+use crate::state::Asked;
 
 /// How many times as fine pictures are drawn where nobody says it.
 const USUAL_SUPERSAMPLE: u32 = 2;
@@ -80,7 +81,8 @@ pub(crate) fn render<'py>(
     py: Python<'py>,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let drawn = detached(py, || {
+    let scene = scene.shared();
+    let drawn = detached(py, move || {
         let mut state = scene.state();
         let opened = state.open(asked, Purpose::Picture)?;
         with_session(|session| draw(session, opened))
@@ -201,6 +203,6 @@ pub(crate) fn png<'py>(
              help: give the array of a picture"
         )));
     };
-    let bytes = detached(py, || picture::png(&image))?;
+    let bytes = detached(py, move || picture::png(&image))?;
     Ok(PyBytes::new(py, &bytes))
 }

@@ -1,179 +1,46 @@
 //! The class `Scene` of Python: a document that always opens, and what it was last drawn as.
 //!
-//! A change is made on a copy of the document, which takes the place of the other only if it still opens. So an error is raised by the call
-//! that is at fault, and leaves the scene as it was.
+//! What a call does is done on a thread of its own ([`detached`]), which takes along what the scene holds ([`Shared`]).
 
-use std::collections::HashSet;
-use std::ffi::OsString;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::path::PathBuf;
+use std::sync::Arc;
 
-use cutaway::document::{CutDraft, Document, Node, Origin, PartDraft, Value, cut, part, section};
-use cutaway::load::Assets;
+use cutaway::document::{CutDraft, Document, Node, PartDraft, Value, cut, part, section};
 use cutaway::save::plain_ply;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-use crate::door::{Result, detached, raised};
-use crate::opened::{Opened, Purpose};
-use crate::store::Store;
-use crate::{arrays, camera, values};
-
-/// The name of a file, and what it holds.
-type NamedBytes = (String, Arc<[u8]>);
+use crate::door::{detached, raised};
+use crate::state::{Asked, Shared, State, entries, has_parts};
+use crate::{arrays, values};
 
 /// A scene: parts, cuts, a camera and a look, as a document has them.
 #[pyclass(frozen, module = "cutaway._native")]
-pub(crate) struct Scene {
-    state: Mutex<State>,
-}
+pub(crate) struct Scene(Arc<Shared>);
 
-/// What a scene holds.
-pub(crate) struct State {
-    pub(crate) document: Document,
-    pub(crate) assets: Assets,
-    store: Arc<Store>,
-    opened: Option<Opened>,
-}
-
-/// What a call asks for beside the scene, for itself alone: paths and their values, and keys of the camera.
-#[derive(Clone, Default)]
-pub(crate) struct Asked {
-    /// Values by their paths, the style among them by its name or file.
-    values: Vec<(String, Value)>,
-    camera: Vec<(String, Value)>,
-}
-
-impl Asked {
-    /// What two tables of Python ask for.
-    pub(crate) fn of(set: &Bound<'_, PyDict>, camera: &Bound<'_, PyDict>) -> PyResult<Self> {
-        Ok(Self {
-            values: entries(set)?,
-            camera: entries(camera)?,
-        })
+impl From<State> for Scene {
+    fn from(state: State) -> Self {
+        Self(Arc::new(state.into()))
     }
-}
-
-/// The entries of a table, in its order.
-fn entries(table: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Value)>> {
-    let entry = |(key, held): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-        Ok((key.extract()?, values::value(&held)?))
-    };
-    table.iter().map(entry).collect()
-}
-
-impl State {
-    fn new(document: Document) -> Self {
-        let store = Arc::new(Store::default());
-        Self {
-            document,
-            assets: Assets::from_files(store.clone()),
-            store,
-            opened: None,
-        }
-    }
-
-    /// Changes the document, if what comes out opens.
-    fn amend(&mut self, change: impl FnOnce(&mut Document) -> Result<()>) -> Result<()> {
-        let mut document = self.document.clone();
-        change(&mut document)?;
-        if has_parts(&document) {
-            document.timeline(&mut self.assets)?;
-        } else {
-            document.check(&self.assets)?;
-        }
-        self.document = document;
-        Ok(())
-    }
-
-    /// Opens the document with what a call asks for.
-    pub(crate) fn open(&mut self, asked: Asked, purpose: Purpose) -> Result<&Opened> {
-        let mut document = self.document.clone();
-        must_have_parts(&document)?;
-        camera::aim(&mut document, asked.camera)?;
-        for (path, value) in asked.values {
-            match (path.as_str(), &value) {
-                ("style", Value::Text(style)) => document.set_style(style, "style")?,
-                _ => {
-                    let origin = Origin::Option(path.as_str().into());
-                    document.set_node(&path, Node::new(value).said(&origin))?;
-                }
-            }
-        }
-        let opened = Opened::of(document, &mut self.assets, purpose, self.opened.take())?;
-        Ok(self.opened.insert(opened))
-    }
-
-    /// The document as a file of some name, and what is to lie beside it: meshes that were arrays, by their names in that file.
-    fn saved(&mut self, path: &Path) -> Result<(String, Vec<NamedBytes>)> {
-        let mut document = self.document.clone();
-        document.guess_up(&mut self.assets)?;
-        let mut document = document.moved_to(path)?;
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let parts = document.root().get("part").map_or(&[] as &[_], Node::items);
-        let mesh = |node: &Node| node.get("mesh").and_then(Node::text).map(PathBuf::from);
-        let meshes: Vec<Option<PathBuf>> = parts.iter().map(mesh).collect();
-        // Names of files that the scene has of an earlier time stay theirs.
-        let files = document.files(&*self.store);
-        let names = files.iter().filter_map(|file| file.file_name());
-        let mut taken: HashSet<OsString> = names.map(Into::into).collect();
-        let mut beside = Vec::new();
-        for (number, mesh) in meshes.into_iter().enumerate() {
-            let Some(bytes) = mesh.and_then(|mesh| self.store.held(&mesh)) else {
-                continue;
-            };
-            let mut names = (number + 1..).map(|n| format!("{stem}.{n}.ply"));
-            let Some(name) = names.find(|name| taken.insert(name.into())) else {
-                continue;
-            };
-            document.set(&format!("part.{number}.mesh"), name.as_str())?;
-            beside.push((name, bytes));
-        }
-        Ok((document.to_string(), beside))
-    }
-}
-
-fn has_parts(document: &Document) -> bool {
-    let parts = document.root().get("part");
-    parts.is_some_and(|parts| !parts.items().is_empty())
-}
-
-fn must_have_parts(document: &Document) -> Result<()> {
-    if has_parts(document) {
-        return Ok(());
-    }
-    let help = "add a part: scene.add(\"tube\", vertices, faces), or scene.add(\"bracket.stl\")";
-    Err(cutaway::Error::input("scene", "it has no parts", help))
 }
 
 impl Scene {
-    fn of(document: Document) -> Self {
-        Self {
-            state: Mutex::new(State::new(document)),
-        }
-    }
-
-    /// The state. To be asked for without the lock of the interpreter, which who holds the state may wait for.
-    pub(crate) fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(|poisoned| {
-            // Documents are never half changed; what was drawn may be.
-            let mut state = PoisonError::into_inner(poisoned);
-            state.opened = None;
-            self.state.clear_poison();
-            state
-        })
+    /// What it holds, to be taken along to a thread.
+    pub(crate) fn shared(&self) -> Arc<Shared> {
+        self.0.clone()
     }
 
     fn add_draft(
         &self,
         py: Python<'_>,
-        draft: impl FnOnce(&State) -> PartDraft + Send,
+        draft: impl FnOnce(&State) -> PartDraft + Send + 'static,
         fields: Vec<(String, Value)>,
     ) -> PyResult<()> {
-        detached(py, || {
-            let mut state = self.state();
+        let scene = self.shared();
+        detached(py, move || {
+            let mut state = scene.state();
             let draft = draft(&state);
             let draft = fields
                 .into_iter()
@@ -187,16 +54,47 @@ impl Scene {
 impl Scene {
     #[new]
     fn new() -> Self {
-        Self::of(Document::new())
+        State::new(Document::new()).into()
     }
 
     /// A scene file.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        detached(py, || {
-            let scene = Self::of(Document::read(&path)?);
-            scene.state().amend(|_| Ok(()))?;
-            Ok(scene)
+        detached(py, move || {
+            let mut state = State::new(Document::read(&path)?);
+            state.amend(|_| Ok(()))?;
+            Ok(state.into())
+        })
+    }
+
+    /// Another scene that holds the same. What was read is shared.
+    fn copied(&self, py: Python<'_>) -> PyResult<Self> {
+        let scene = self.shared();
+        detached(py, move || Ok(scene.state().copied().into()))
+    }
+
+    /// What another process makes the same scene of: see [`Scene::unpickled`].
+    #[allow(clippy::type_complexity, reason = "the arguments of `unpickled`")]
+    fn pickled(&self, py: Python<'_>) -> PyResult<(String, PathBuf, Vec<(String, Vec<u8>)>)> {
+        let scene = self.shared();
+        detached(py, move || {
+            let (text, path, arrays) = scene.state().pickled()?;
+            let arrays = arrays.into_iter();
+            let arrays = arrays.map(|(name, bytes)| (name, bytes.to_vec()));
+            Ok((text, path, arrays.collect()))
+        })
+    }
+
+    /// A scene of its text, as a file in the root folder has it, its path, and arrays by their names.
+    #[staticmethod]
+    fn unpickled(
+        py: Python<'_>,
+        text: String,
+        path: PathBuf,
+        arrays: Vec<(String, Vec<u8>)>,
+    ) -> PyResult<Self> {
+        detached(py, move || {
+            Ok(State::unpickled(&text, &path, arrays)?.into())
         })
     }
 
@@ -272,37 +170,43 @@ impl Scene {
                     d.with(&key, value)
                 })
         };
-        detached(py, || {
-            self.state().amend(|document| document.add_cut(draft()))
+        let scene = self.shared();
+        detached(py, move || {
+            scene.state().amend(|document| document.add_cut(draft()))
         })
     }
 
     /// Sets a value.
     fn set(&self, py: Python<'_>, path: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
-        let value = values::value(value)?;
-        detached(py, || {
-            self.state().amend(|document| match (path, &value) {
+        let (scene, path, value) = (self.shared(), path.to_owned(), values::value(value)?);
+        detached(py, move || {
+            scene.state().amend(|document| match (&*path, &value) {
                 ("style", Value::Text(style)) => document.set_style(style, "style"),
-                _ => document.set(path, value),
+                _ => document.set(&path, value),
             })
         })
     }
 
     /// The value at a path.
     fn get<'py>(&self, py: Python<'py>, path: &str) -> PyResult<Bound<'py, PyAny>> {
-        let node = detached(py, || Ok(self.state().document.get(path)?.clone()))?;
+        let (scene, path) = (self.shared(), path.to_owned());
+        let node = detached(py, move || Ok(scene.state().document.get(&path)?.clone()))?;
         values::object(py, &node.value)
     }
 
     /// Takes a value away.
     fn remove(&self, py: Python<'_>, path: &str) -> PyResult<()> {
-        detached(py, || self.state().amend(|document| document.remove(path)))
+        let (scene, path) = (self.shared(), path.to_owned());
+        detached(py, move || {
+            scene.state().amend(|document| document.remove(&path))
+        })
     }
 
     /// Names of the parts as they are drawn, and what the user should know of what was read.
     fn parts(&self, py: Python<'_>) -> PyResult<(Vec<String>, Vec<String>)> {
-        detached(py, || {
-            let mut state = self.state();
+        let scene = self.shared();
+        detached(py, move || {
+            let mut state = scene.state();
             if !has_parts(&state.document) {
                 return Ok(Default::default());
             }
@@ -318,8 +222,9 @@ impl Scene {
 
     /// Names of the cuts.
     fn cuts(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        detached(py, || {
-            let state = self.state();
+        let scene = self.shared();
+        detached(py, move || {
+            let state = scene.state();
             let cuts = state
                 .document
                 .root()
@@ -333,8 +238,9 @@ impl Scene {
     /// The text of the scene as a file of this name, and the bytes of the files beside it.
     #[allow(clippy::type_complexity, reason = "a text and files by their names")]
     fn saved(&self, py: Python<'_>, path: PathBuf) -> PyResult<(String, Vec<(String, Vec<u8>)>)> {
-        detached(py, || {
-            let (text, beside) = self.state().saved(&path)?;
+        let scene = self.shared();
+        detached(py, move || {
+            let (text, beside) = scene.state().saved(&path)?;
             let beside = beside
                 .into_iter()
                 .map(|(name, bytes)| (name, bytes.to_vec()));
@@ -344,7 +250,8 @@ impl Scene {
 
     /// The text of the scene.
     fn text(&self, py: Python<'_>) -> PyResult<String> {
-        detached(py, || Ok(self.state().document.to_string()))
+        let scene = self.shared();
+        detached(py, move || Ok(scene.state().document.to_string()))
     }
 
     /// Draws it: see `crate::render`.
@@ -395,6 +302,6 @@ impl Scene {
         command: String,
     ) -> PyResult<String> {
         let asked = Asked::of(set, camera)?;
-        crate::compare::compare(self, py, &strategies, rounds, asked, command)
+        crate::compare::compare(self, py, strategies, rounds, asked, command)
     }
 }

@@ -14,7 +14,8 @@ use pyo3::types::{PyDict, PyList};
 use crate::arrays::points;
 use crate::door::{Result, detached};
 use crate::opened::Purpose;
-use crate::scene::{Asked, Scene};
+use crate::scene::Scene;
+use crate::state::{Asked, Shared};
 
 /// A ring of points.
 type Ring = Vec<[f64; 2]>;
@@ -69,7 +70,8 @@ pub(crate) fn section<'py>(
     spec: &str,
     asked: Asked,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let sliced = detached(py, || sliced(scene, spec, asked))?;
+    let (scene, spec) = (scene.shared(), spec.to_owned());
+    let sliced = detached(py, move || sliced(&scene, &spec, asked))?;
     let result = PyDict::new(py);
     let polygons = PyList::empty(py);
     let names = PyList::empty(py);
@@ -96,7 +98,7 @@ pub(crate) fn section<'py>(
     Ok(result)
 }
 
-fn sliced(scene: &Scene, spec: &str, asked: Asked) -> Result<Sliced> {
+fn sliced(scene: &Shared, spec: &str, asked: Asked) -> Result<Sliced> {
     let mut state = scene.state();
     let shown = state.open(asked, Purpose::Measurement)?.scene.clone();
     let surface = section_draft(spec).on_from(&shown.bounds(), &mut state.assets)?;

@@ -12,6 +12,9 @@ use cutaway::load::{Disk, Files};
 /// The folder that arrays are named in. No file system has one of this name by accident.
 const FOLDER: &str = "<arrays>";
 
+/// The name of a file, and what it holds.
+pub(crate) type NamedBytes = (String, Arc<[u8]>);
+
 /// The files of the disk, and those of arrays.
 #[derive(Debug, Default)]
 pub(crate) struct Store(RwLock<BTreeMap<String, Arc<[u8]>>>);
@@ -23,6 +26,21 @@ impl Store {
         let name = format!("{}.ply", held.len() + 1);
         held.insert(name.clone(), bytes.into());
         format!("{FOLDER}/{name}")
+    }
+
+    /// All arrays by name.
+    pub(crate) fn all(&self) -> Vec<NamedBytes> {
+        let held = self.0.read().unwrap_or_else(PoisonError::into_inner);
+        let all = held
+            .iter()
+            .map(|(name, bytes)| (name.clone(), bytes.clone()));
+        all.collect()
+    }
+
+    /// Keeps arrays under the names that they had in another store.
+    pub(crate) fn hold(&self, arrays: Vec<(String, Vec<u8>)>) {
+        let mut held = self.0.write().unwrap_or_else(PoisonError::into_inner);
+        held.extend(arrays.into_iter().map(|(name, bytes)| (name, bytes.into())));
     }
 
     /// The bytes of arrays, if the name is that of some.

@@ -1,5 +1,6 @@
 """Pictures and layers: what the arrays hold, and that drawing neither stops Python nor is stopped by it."""
 
+import _thread
 import io
 import multiprocessing
 import os
@@ -231,3 +232,28 @@ def test_a_picture_after_the_first_is_there_within_a_second():
         times.append(time.perf_counter() - begun)
     print(f"cell: {min(times):.3f} s")
     assert min(times) < 1
+
+
+def test_an_interrupt_is_raised_within_a_second(scene):
+    began = time.monotonic()
+    threading.Timer(0.5, _thread.interrupt_main).start()
+    with pytest.raises(KeyboardInterrupt):
+        scene.render(size=(3000, 2000), strategy="exact", supersample=1)
+    assert time.monotonic() - began < 1.5
+    # It waits for what the other call still does.
+    assert scene.render(size=(8, 8)).rgba.shape == (8, 8, 4)
+    assert time.monotonic() - began > 1.5, "the control: the picture takes longer than that"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="what a process has is read where Linux says it")
+def test_memory_does_not_grow_with_the_number_of_pictures(scene):
+    def pages():
+        with open("/proc/self/statm") as statm:
+            return int(statm.read().split()[1])
+
+    held = []
+    for number in range(90):
+        scene.render(size=(96, 72))
+        if number in (29, 89):
+            held.append(pages() * os.sysconf("SC_PAGE_SIZE") / 60)
+    assert held[1] - held[0] < 200_000, "bytes a picture"

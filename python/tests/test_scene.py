@@ -1,5 +1,6 @@
 """Scenes are documents: they are read, changed and saved, and a change that makes no sense leaves them as they were."""
 
+import copy
 import os
 import pickle
 import threading
@@ -231,9 +232,40 @@ def test_scenes_are_used_from_several_threads(scene):
     assert not failures, failures
 
 
-def test_what_cannot_be_pickled_says_so(scene):
-    with pytest.raises(TypeError):
-        pickle.dumps(scene)
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy])
+def test_a_copy_goes_its_own_way(scene, copied):
+    picture = scene.render(size=(32, 24)).rgba
+    other = copied(scene)
+    assert np.array_equal(other.render(size=(32, 24)).rgba, picture)
+    other.set("cut.front.surfaces.0.section", "x=20%")
+    other.add("second", *box(at=(2, 0, 0)))
+    assert scene.get("cut.front.surfaces.0.section") == "x=50%" and scene.parts == ["cube"]
+    scene.add("third", *box(at=(0, 2, 0)))
+    assert other.parts == ["cube", "second"]
+    assert np.any(other.render(size=(32, 24)).rgba != picture)
+
+
+def test_a_pickled_scene_is_the_same_wherever_it_is_unpickled(scene, tmp_path, monkeypatch):
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir(), there.mkdir()
+    (here / "a.obj").write_text("v 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+    monkeypatch.chdir(here)
+    scene.add("a.obj")
+    picture = scene.render(size=(32, 24)).rgba
+    scene.save("kept.toml")
+    saved = cutaway.Scene.open("kept.toml")
+    data = [pickle.dumps(s) for s in (scene, saved)]
+    monkeypatch.chdir(there)
+    for pickled in data:
+        again = pickle.loads(pickled)
+        assert again.parts == ["cube", "a"] and again.cuts == ["front"]
+        assert np.array_equal(again.render(size=(32, 24)).rgba, picture)
+        again.add("more", *box(at=(5, 0, 0)))
+        assert again.parts[-1] == "more"
+    assert pickle.loads(pickle.dumps(cutaway.Scene())).parts == []
+    (here / "a.obj").unlink()
+    with pytest.raises(FileNotFoundError, match="a.obj"):
+        pickle.loads(data[0])
 
 
 def test_an_empty_scene_says_what_is_missing():

@@ -26,7 +26,11 @@ class Scene:
     the file. It always makes sense: a change that does not is refused, and leaves it as it was.
 
     Files are read once; a file that changed is read again by a new scene. Scenes may be used from several threads; what draws is one
-    device, and frames take turns on it.
+    device, and frames take turns on it. Ctrl-C is raised within a second; what was under way goes on to its end beside,
+    and the next call that needs the same scene or the device waits for it.
+
+    ``copy.copy`` and ``copy.deepcopy`` make an independent scene. A pickled scene holds its arrays, and names files by their whole paths:
+    they are read again where it is unpickled.
     """
 
     def __init__(self, *models: Any) -> None:
@@ -34,6 +38,25 @@ class Scene:
         self._scene = _native.Scene()
         for model in models:
             self.add(model)
+
+    def __copy__(self) -> Scene:
+        return self._with(self._scene.copied())
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        return self._with(self._scene.copied())
+
+    def _with(self, scene: _native.Scene) -> Scene:
+        other = type(self).__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        other._scene = scene
+        return other
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_scene": self._scene.pickled()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._scene = _native.Scene.unpickled(*state["_scene"])
 
     @classmethod
     def open(cls, path: str | os.PathLike[str]) -> Scene:

@@ -1,0 +1,200 @@
+//! What a scene of Python holds: a document that always opens, the files it was read from, and what it was last drawn as.
+//!
+//! A change is made on a copy of the document, which takes the place of the other only if it still opens. So an error is raised by the call
+//! that is at fault, and leaves the scene as it was.
+
+use std::collections::HashSet;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf, absolute};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use cutaway::Error;
+use cutaway::document::{Document, Node, Origin, Value};
+use cutaway::load::Assets;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::door::Result;
+use crate::opened::{Opened, Purpose};
+use crate::store::{NamedBytes, Store};
+use crate::{camera, values};
+
+/// The state of a scene, which threads of its calls use in turn.
+pub(crate) struct Shared(Mutex<State>);
+
+impl From<State> for Shared {
+    fn from(state: State) -> Self {
+        Self(Mutex::new(state))
+    }
+}
+
+impl Shared {
+    /// The state. To be taken without the lock of the interpreter, which who holds the state may wait for.
+    pub(crate) fn state(&self) -> MutexGuard<'_, State> {
+        self.0.lock().unwrap_or_else(|poisoned| {
+            // Documents are never half changed; what was drawn may be.
+            let mut state = PoisonError::into_inner(poisoned);
+            state.opened = None;
+            self.0.clear_poison();
+            state
+        })
+    }
+}
+
+/// The document of a pickled scene, as a file in the root folder.
+const IN_ROOT: &str = "/scene.toml";
+
+/// What a scene holds.
+pub(crate) struct State {
+    pub(crate) document: Document,
+    pub(crate) assets: Assets,
+    pub(crate) store: Arc<Store>,
+    opened: Option<Opened>,
+}
+
+/// What a call asks for beside the scene, for itself alone: paths and their values, and keys of the camera.
+#[derive(Clone, Default)]
+pub(crate) struct Asked {
+    /// Values by their paths, the style among them by its name or file.
+    values: Vec<(String, Value)>,
+    camera: Vec<(String, Value)>,
+}
+
+impl Asked {
+    /// What two tables of Python ask for.
+    pub(crate) fn of(set: &Bound<'_, PyDict>, camera: &Bound<'_, PyDict>) -> PyResult<Self> {
+        Ok(Self {
+            values: entries(set)?,
+            camera: entries(camera)?,
+        })
+    }
+}
+
+/// The entries of a table, in its order.
+pub(crate) fn entries(table: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Value)>> {
+    let entry = |(key, held): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        Ok((key.extract()?, values::value(&held)?))
+    };
+    table.iter().map(entry).collect()
+}
+
+impl State {
+    pub(crate) fn new(document: Document) -> Self {
+        let store = Arc::new(Store::default());
+        Self {
+            document,
+            assets: Assets::from_files(store.clone()),
+            store,
+            opened: None,
+        }
+    }
+
+    /// Another that holds the same and goes its own way.
+    pub(crate) fn copied(&self) -> Self {
+        Self {
+            document: self.document.clone(),
+            assets: self.assets.clone(),
+            store: self.store.clone(),
+            opened: None,
+        }
+    }
+
+    /// The text of the document as a file of the root folder has it, so that it names files by their whole paths; the path of the document,
+    /// empty if it was read from no file; and its arrays.
+    pub(crate) fn pickled(&self) -> Result<(String, PathBuf, Vec<NamedBytes>)> {
+        let path = match self.document.path() {
+            path if path == Path::new("") => PathBuf::new(),
+            path => absolute(path).map_err(|e| {
+                let help = "go to a folder that is there before the scene is pickled";
+                Error::input("scene", format!("its folder is not known: {e}"), help)
+            })?,
+        };
+        let text = self.document.moved_to(Path::new(IN_ROOT))?.to_string();
+        Ok((text, path, self.store.all()))
+    }
+
+    /// A scene that was [pickled](State::pickled). What it names is read again.
+    pub(crate) fn unpickled(
+        text: &str,
+        path: &Path,
+        arrays: Vec<(String, Vec<u8>)>,
+    ) -> Result<Self> {
+        let mut state = Self::new(Document::parse(IN_ROOT, text)?.moved_to(path)?);
+        state.store.hold(arrays);
+        state.amend(|_| Ok(()))?;
+        Ok(state)
+    }
+
+    /// Changes the document, if what comes out opens.
+    pub(crate) fn amend(&mut self, change: impl FnOnce(&mut Document) -> Result<()>) -> Result<()> {
+        let mut document = self.document.clone();
+        change(&mut document)?;
+        if has_parts(&document) {
+            document.timeline(&mut self.assets)?;
+        } else {
+            document.check(&self.assets)?;
+        }
+        self.document = document;
+        Ok(())
+    }
+
+    /// Opens the document with what a call asks for.
+    pub(crate) fn open(&mut self, asked: Asked, purpose: Purpose) -> Result<&Opened> {
+        let mut document = self.document.clone();
+        must_have_parts(&document)?;
+        camera::aim(&mut document, asked.camera)?;
+        for (path, value) in asked.values {
+            match (path.as_str(), &value) {
+                ("style", Value::Text(style)) => document.set_style(style, "style")?,
+                _ => {
+                    let origin = Origin::Option(path.as_str().into());
+                    document.set_node(&path, Node::new(value).said(&origin))?;
+                }
+            }
+        }
+        let opened = Opened::of(document, &mut self.assets, purpose, self.opened.take())?;
+        Ok(self.opened.insert(opened))
+    }
+
+    /// The document as a file of some name, and what is to lie beside it: meshes that were arrays, by their names in that file.
+    pub(crate) fn saved(&mut self, path: &Path) -> Result<(String, Vec<NamedBytes>)> {
+        let mut document = self.document.clone();
+        document.guess_up(&mut self.assets)?;
+        let mut document = document.moved_to(path)?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let parts = document.root().get("part").map_or(&[] as &[_], Node::items);
+        let mesh = |node: &Node| node.get("mesh").and_then(Node::text).map(PathBuf::from);
+        let meshes: Vec<Option<PathBuf>> = parts.iter().map(mesh).collect();
+        // Names of files that the scene has of an earlier time stay theirs.
+        let files = document.files(&*self.store);
+        let names = files.iter().filter_map(|file| file.file_name());
+        let mut taken: HashSet<OsString> = names.map(Into::into).collect();
+        let mut beside = Vec::new();
+        for (number, mesh) in meshes.into_iter().enumerate() {
+            let Some(bytes) = mesh.and_then(|mesh| self.store.held(&mesh)) else {
+                continue;
+            };
+            let mut names = (number + 1..).map(|n| format!("{stem}.{n}.ply"));
+            let Some(name) = names.find(|name| taken.insert(name.into())) else {
+                continue;
+            };
+            document.set(&format!("part.{number}.mesh"), name.as_str())?;
+            beside.push((name, bytes));
+        }
+        Ok((document.to_string(), beside))
+    }
+}
+
+/// Whether there is anything to be drawn.
+pub(crate) fn has_parts(document: &Document) -> bool {
+    let parts = document.root().get("part");
+    parts.is_some_and(|parts| !parts.items().is_empty())
+}
+
+fn must_have_parts(document: &Document) -> Result<()> {
+    if has_parts(document) {
+        return Ok(());
+    }
+    let help = "add a part: scene.add(\"tube\", vertices, faces), or scene.add(\"bracket.stl\")";
+    Err(Error::input("scene", "it has no parts", help))
+}
