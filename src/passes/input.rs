@@ -93,9 +93,14 @@ impl<'a> Input<'a> {
 
     /// A part that needs an inside test whose box the near plane meets, which goes on beyond the picture.
     pub(crate) fn cut_part_in_near_plane(&self) -> Option<&PreparedPart> {
-        let parts = &self.model.prepared.parts;
-        let mut cut = self.relevance.cut_parts().iter().map(|r| &parts[*r]);
-        cut.find(|p| self.view.near_plane_meets(&p.bounds))
+        let meets = |rank: usize| {
+            let part = &self.model.prepared.parts[rank];
+            // The box of a posed part is generous: what it is without that takes its vertices.
+            let is_met = self.view.near_plane_meets(&part.bounds)
+                && (self.view).near_plane_meets(&self.model.sliced(rank).bounds(part));
+            is_met.then_some(part)
+        };
+        self.relevance.cut_parts().iter().find_map(|r| meets(*r))
     }
 
     /// Whether anything asks where solids overlap, and two are there that could.

@@ -55,6 +55,8 @@ struct Known {
 pub(super) struct Sliced {
     /// Of a part that the device poses.
     posed: Option<(Part, SceneSpace)>,
+    /// The box of the posed vertices, once it is needed.
+    bounds: OnceLock<Bounds>,
     slicer: OnceLock<Slicer>,
     /// The latest last.
     known: Mutex<Vec<Known>>,
@@ -159,6 +161,16 @@ impl Sliced {
     /// Whether the slicer is made.
     pub(super) fn has_slicer(&self) -> bool {
         self.slicer.get().is_some()
+    }
+
+    /// The smallest box around the part in scene space. That of a part which the device poses is larger, for it is found without its
+    /// vertices; here they are posed, once for each pose.
+    pub(super) fn bounds(&self, part: &PreparedPart) -> Bounds {
+        match &self.posed {
+            None => part.bounds,
+            Some((of, space)) => *(self.bounds)
+                .get_or_init(|| Bounds::from_points(positions_of(of, space).iter().copied())),
+        }
     }
 
     /// Makes the slicer, if there is none.

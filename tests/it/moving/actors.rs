@@ -63,6 +63,21 @@ pub(super) fn bend(part: &mut Part, degrees: f64) {
     ];
 }
 
+/// The bar half as long and half as thick, for two joints pull each of its vertices to and fro: each joint takes it far out of that.
+pub(super) fn torn_bar() -> Part {
+    let mesh = bar();
+    let mut part = Part::new("bar", mesh);
+    let positions = part.mesh.positions.len() as u32;
+    let pull = |joint| Pull { joint, weight: 0.5 };
+    part.motion = Some(Arc::new(Motion {
+        first_pull: (0..=positions).map(|p| 2 * p).collect(),
+        pulls: (0..positions).flat_map(|_| [pull(0), pull(1)]).collect(),
+        ..Motion::default()
+    }));
+    part.pose.joints = [60.0, -60.0].map(|d| turn(DVec3::ZERO, DVec3::X, d)).into();
+    part
+}
+
 /// A ball with two targets: one makes it an egg, one makes waves.
 pub(super) fn morphing_ball(weights: [f64; 2]) -> Part {
     let mesh = shape("sphere?radius=0.6&subdivisions=3");

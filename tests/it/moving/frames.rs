@@ -9,7 +9,7 @@ use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use cutaway::{Comparison, compare};
 use glam::{DAffine3, DVec2, DVec3};
 
-use super::actors::{both, deformed_bar, deformers, morphing_ball, still};
+use super::actors::{both, deformed_bar, deformers, morphing_ball, still, torn_bar};
 use super::common::meshes::lumpy;
 use super::common::{Judged, Question, class_of, scenes, session};
 
@@ -46,6 +46,34 @@ fn cut(name: &str, part: Part) -> Scene {
         cutaway::Cut::new("waves", vec![waves]),
     ];
     scene
+}
+
+/// Regression: the box of a skinned part is found without its vertices, and may reach before the near plane when the part does not.
+#[test]
+fn a_posed_part_behind_the_near_plane_is_not_met_by_it() {
+    let plane = ClipSurface::plane(DVec3::Z * 0.02, DVec3::new(0.1, 0.15, -1.0));
+    let mut scene = scenes::of_parts("torn", vec![torn_bar()], vec![plane]);
+    scene.camera = scenes::orbit(20.0, 15.0, false);
+    let fault = |scene: &Scene, strategy| {
+        let judged = Question::new(scene, SIZE_PX).answer(strategy);
+        judged.fault_of_exact()
+    };
+    let model = Model::new(&scene);
+    let view = model.prepared.view(SIZE_PX);
+    assert!(
+        view.near_plane_meets(&model.prepared.parts[0].bounds),
+        "the box that is found without vertices is in the way"
+    );
+    for strategy in [Strategy::STENCIL, Strategy::PLANAR] {
+        assert_eq!(fault(&scene, strategy), None, "{strategy}");
+    }
+    // The control: one that it does meet.
+    let mut near = scene.clone();
+    near.camera.near = Some((view.near + 0.3) / model.prepared.scale);
+    for strategy in [Strategy::STENCIL, Strategy::PLANAR] {
+        let reason = fault(&near, strategy).unwrap_or_default();
+        assert!(reason.contains("near plane meets `bar`"), "{reason}");
+    }
 }
 
 #[test]
