@@ -1,10 +1,12 @@
 //! The list: every hard case by its number, what is expected in words, and the tests that hold what is more than its pictures.
 
+mod beyond;
 mod frames;
 mod solids;
 mod surfaces;
 mod users;
 
+use beyond::BEYOND;
 use frames::FRAMES;
 use solids::SOLIDS;
 use surfaces::SURFACES;
@@ -36,7 +38,9 @@ impl Listed {
 
 /// All of them, in order.
 pub fn list() -> impl Iterator<Item = &'static Listed> {
-    [SOLIDS, SURFACES, FRAMES, USERS].into_iter().flatten()
+    [SOLIDS, SURFACES, FRAMES, BEYOND, USERS]
+        .into_iter()
+        .flatten()
 }
 
 const fn listed(

@@ -1,6 +1,6 @@
 //! What *undecided* promises: no decided pixel changes when the scene moves by what a rasteriser may move it.
 
-use cutaway::exact::{Exact, evaluate};
+use cutaway::exact::{Exact, Truth, evaluate};
 use cutaway::layers::Kind;
 use cutaway::scene::{ClipSurface, Prepared, Scene, View};
 use glam::{DVec3, dvec3};
@@ -122,6 +122,52 @@ fn decided_pixels_survive_the_rounding_of_a_rasteriser() {
         "eight times as far decided pixels must change: else the jitter does nothing"
     );
     assert!(all > 20, "only {all} pixels changed: the test has no teeth");
+}
+
+#[test]
+fn decided_pixels_survive_the_rounding_of_a_coarse_rasteriser() {
+    for bits in [4, 6] {
+        let (mut decided, mut by_usual) = (0, 0);
+        for (name, scene) in scenes() {
+            let prepared = Prepared::new(&scene);
+            let usual = prepared.view([192, 192]);
+            let truth = Truth::new(&prepared, usual);
+            let exact = truth.at(bits);
+            assert_eq!(exact.layers, truth.layers, "{name}: bits change no layer");
+            assert!(exact.undecided_px() > truth.undecided_px(), "{name}");
+            for seed in 0..4 {
+                let half_step = 0.5 / f64::from(1_u32 << bits);
+                let moved = evaluate(&jittered(&prepared, &usual, half_step, seed), &usual);
+                decided += changed(&exact, &moved).0;
+                by_usual += changed(&truth, &moved).0;
+            }
+        }
+        assert_eq!(decided, 0, "{bits} bits");
+        assert!(by_usual > 0, "{bits} bits: the usual band is too narrow");
+    }
+}
+
+#[test]
+fn more_bits_than_usual_leave_as_much_undecided() {
+    let (_, scene) = scenes().remove(0);
+    let prepared = Prepared::new(&scene);
+    let view = prepared.view([64, 64]);
+    let truth = Truth::new(&prepared, view);
+    assert_eq!(truth.at(12).undecided, truth.undecided);
+    assert_eq!(truth.at(8).undecided, truth.undecided);
+    // The band is that of 8 bits up to 2048 px, and grows with the side of the picture.
+    let doubt_px = |size_px, sub_pixel_bits| {
+        View {
+            size_px,
+            sub_pixel_bits,
+            ..view
+        }
+        .doubt_px()
+    };
+    assert_eq!(doubt_px([200, 150], 8), 1.0 / 256.0);
+    assert_eq!(doubt_px([2048, 100], 8), 1.0 / 256.0);
+    assert_eq!(doubt_px([4096, 3000], 8), 1.0 / 128.0);
+    assert_eq!(doubt_px([200, 150], 4), 1.0 / 16.0);
 }
 
 #[test]
