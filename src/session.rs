@@ -13,7 +13,7 @@ use crate::gpu::{ClockSet, Gpu, RunTimes};
 use crate::layers::Layers;
 use crate::passes::{GroundShadow, Model};
 use crate::plan::{Capacities, Clock, Plan};
-use crate::scene::{Style, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Precision, Style, View};
 use crate::strategies::{self, Method, Obstacle, Rasteriser, Refusal, Strategy};
 use crate::{Error, Result};
 
@@ -234,12 +234,17 @@ impl Session {
         Ok(self.first_band(method)?.program.plan())
     }
 
-    /// To which fraction of a pixel, 2^-bits, vertices were snapped in the last frame by a method: by the adapter where its rasteriser drew
-    /// them.
-    pub fn sub_pixel_bits(&self, method: impl Into<Method>) -> Result<u32> {
-        let of_adapter = self.gpu.report().sub_pixel_bits;
-        let snaps = self.plan(method)?.draws_triangles();
-        Ok(of_adapter.filter(|_| snaps).unwrap_or(USUAL_SUB_PIXEL_BITS))
+    /// How exactly triangles were placed in the last frame by a method: by the adapter where its rasteriser drew them.
+    pub fn precision(&self, method: impl Into<Method>) -> Result<Precision> {
+        let slopes_in_f32 = self.plan(method)?.draws_triangles();
+        let of_adapter = match slopes_in_f32 {
+            true => self.gpu.report().sub_pixel_bits,
+            false => None,
+        };
+        Ok(Precision {
+            sub_pixel_bits: of_adapter.unwrap_or(Precision::USUAL.sub_pixel_bits),
+            slopes_in_f32,
+        })
     }
 
     /// In how many bands the last frame by a method was drawn.

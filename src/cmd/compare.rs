@@ -160,8 +160,8 @@ fn verdict(report: &Measurement, most: Option<usize>, console: &Console) -> Verd
         let own = (strategy.undecided_px).filter(|px| report.exact.is_doubtful_with(*px));
         if let Some(undecided_px) = own {
             console.failed(format!(
-                "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: {} snaps vertices \
-                 to coarse steps\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
+                "{}: {undecided_px} undecided pixels, at most {MOST_UNDECIDED} of those that show something are allowed: the rasteriser of {} \
+                 leaves them to rounding\n  help: compare what the compute rasteriser draws, such as raycast+mask@compute",
                 strategy.name, report.adapter.name
             ));
             verdict = Verdict::Failed;

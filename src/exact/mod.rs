@@ -19,6 +19,7 @@ mod ambiguity;
 mod blocks;
 mod clip;
 mod cutter;
+mod facet;
 mod follow;
 mod outline;
 mod quadratic;

@@ -12,7 +12,8 @@
 use glam::DVec2;
 use rayon::prelude::*;
 
-use super::raster::{Facet, Projected, centres, lateral};
+use super::facet::{Facet, lateral};
+use super::raster::{Projected, centres};
 use super::screen::Corner;
 use crate::scene::View;
 

@@ -7,9 +7,10 @@
 //! Triangles behind the eye are crossed like all others, at negative depths: only so does a closed part have an even
 //! number of crossings in every pixel, wherever the camera is.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, Vec3};
 use rayon::prelude::*;
 
+use super::facet::Facet;
 use super::screen::{Corner, Line, facing};
 use crate::scene::{Fill, PreparedPart, PreparedVolume, ShadingMesh, View};
 
@@ -88,86 +89,6 @@ impl<'a> Projected<'a> {
         let depths = self.corners(triangle).map(|c| c.depth);
         Facet::of(points, depths)
     }
-}
-
-/// The plane of a triangle and the depths between which it lies.
-pub(super) struct Facet {
-    /// The corners in scene space, in order of their coordinates: faces that coincide have the same depths bit for bit, whichever
-    /// corner their lists begin at.
-    pub(super) points: [DVec3; 3],
-    /// Normal by the counter-clockwise rule, as long as twice the area.
-    pub(super) normal: DVec3,
-    depths: [f64; 2],
-}
-
-impl Facet {
-    fn of(points: [DVec3; 3], depths: [f64; 3]) -> Self {
-        let mut points = points;
-        // Each exchange of two corners turns the normal over.
-        let mut turn = 1.0;
-        for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-            if points[j].to_array() < points[i].to_array() {
-                points.swap(i, j);
-                turn = -turn;
-            }
-        }
-        let [a, b, c] = points;
-        Self {
-            points,
-            normal: (b - a).cross(c - a) * turn,
-            depths: [
-                depths[0].min(depths[1]).min(depths[2]),
-                depths[0].max(depths[1]).max(depths[2]),
-            ],
-        }
-    }
-
-    /// Depth at which a ray meets the plane, kept between the depths of the corners: an edge-on triangle has no other.
-    pub(super) fn depth(&self, origin: DVec3, direction: DVec3) -> f64 {
-        let [lo, hi] = self.depths;
-        let depth = (self.points[0] - origin).dot(self.normal) / self.normal.dot(direction);
-        if depth.is_nan() {
-            0.5 * (lo + hi)
-        } else {
-            depth.clamp(lo, hi)
-        }
-    }
-
-    /// How far apart the depths of the corners are.
-    pub(super) fn extent(&self) -> f64 {
-        self.depths[1] - self.depths[0]
-    }
-
-    /// How much the depth may change within the triangle when a sample moves by a share of a pixel.
-    pub(super) fn depth_change(
-        &self,
-        view: &View,
-        direction: DVec3,
-        depth: f64,
-        share_px: f64,
-    ) -> f64 {
-        // Of an edge-on triangle the first is infinite, or no number.
-        self.plane_change(view, direction, depth, share_px)
-            .min(self.extent())
-    }
-
-    /// The same of the plane, wherever that leads.
-    pub(super) fn plane_change(
-        &self,
-        view: &View,
-        direction: DVec3,
-        depth: f64,
-        share_px: f64,
-    ) -> f64 {
-        let along = self.normal.dot(direction).abs();
-        let across = lateral(view, self.normal) * view.pixel_size(depth) * share_px;
-        across / along
-    }
-}
-
-/// Length of the part of a vector that lies in the picture.
-pub(super) fn lateral(view: &View, v: DVec3) -> f64 {
-    v.dot(view.right).hypot(v.dot(view.up))
 }
 
 /// One crossing of a sample with a triangle.

@@ -1,22 +1,26 @@
 //! The exact images of a view, by what snaps vertices: a picture is judged by the band of doubt of the rasteriser that drew it.
 //!
-//! Nearly all are judged by the usual one, which is evaluated at once. That of an adapter with fewer sub-pixel bits is evaluated when the
-//! first of its pictures is judged, and costs as much again. Both have the same layers; they differ in what is undecided.
+//! Nearly all are judged by the usual one, which is evaluated at once. That of a coarser rasteriser is evaluated when the first of its
+//! pictures is judged, and costs as much again: one of fewer sub-pixel bits, or one that interpolates depths in f32 where triangles are
+//! so long and narrow that it shows. Both have the same layers; they differ in what is undecided.
 
 use std::borrow::Borrow;
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
+use super::facet::slopes_matter;
 use super::{Exact, evaluate};
-use crate::scene::{Prepared, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Precision, Prepared, View};
 
 /// The exact images of one view of a scene; as a reference it is the usual one.
 pub struct Truth<P> {
     prepared: P,
     view: View,
     usual: Arc<Exact>,
-    /// With fewer sub-pixel bits: adapters have one number of them.
-    coarse: OnceLock<(u32, Arc<Exact>)>,
+    /// Whether slopes in f32 are coarser than the usual precision.
+    slopes_matter: OnceLock<bool>,
+    /// Of less precision: adapters have one.
+    coarse: OnceLock<(Precision, Arc<Exact>)>,
 }
 
 impl<P: Borrow<Prepared>> Truth<P> {
@@ -26,23 +30,32 @@ impl<P: Borrow<Prepared>> Truth<P> {
             usual: Arc::new(evaluate(prepared.borrow(), &view)),
             prepared,
             view,
+            slopes_matter: OnceLock::new(),
             coarse: OnceLock::new(),
         }
     }
 
-    /// The one for pictures whose vertices were snapped to 2^-bits px. More bits than usual are judged as the usual ones: what f32 leaves
-    /// open stays open.
-    pub fn at(&self, sub_pixel_bits: u32) -> Arc<Exact> {
-        if sub_pixel_bits >= USUAL_SUB_PIXEL_BITS {
+    /// The one for pictures that were drawn so exactly. More bits than usual are judged as the usual ones: what f32 leaves open stays open.
+    pub fn at(&self, precision: Precision) -> Arc<Exact> {
+        let usual = Precision::USUAL;
+        let mut precision = Precision {
+            sub_pixel_bits: precision.sub_pixel_bits.min(usual.sub_pixel_bits),
+            ..precision
+        };
+        if precision.slopes_in_f32 {
+            let matter = || slopes_matter(self.prepared.borrow(), &self.view);
+            precision.slopes_in_f32 = *self.slopes_matter.get_or_init(matter);
+        }
+        if precision == usual {
             return self.usual.clone();
         }
         let view = View {
-            sub_pixel_bits,
+            precision,
             ..self.view
         };
         let evaluated = || Arc::new(evaluate(self.prepared.borrow(), &view));
-        let (bits, exact) = self.coarse.get_or_init(|| (sub_pixel_bits, evaluated()));
-        match *bits == sub_pixel_bits {
+        let (known, exact) = self.coarse.get_or_init(|| (precision, evaluated()));
+        match *known == precision {
             true => exact.clone(),
             false => evaluated(),
         }

@@ -22,7 +22,7 @@ use crate::gpu::{ClockSet, PassTime as TimeOfPass, RunTimes};
 use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::Clock;
-use crate::scene::{Prepared, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Precision, Prepared, View};
 use crate::session::{Outcome, Session};
 use crate::strategies::{Means, Rasteriser};
 use crate::{Error, Result};
@@ -132,7 +132,7 @@ pub fn errors(
         frames.push(frame);
         found.push(strategy);
     }
-    let exact = truth.at(USUAL_SUB_PIXEL_BITS);
+    let exact = truth.at(Precision::USUAL);
     let gpu = session.gpu();
     let measurement = Measurement {
         scene: question.name.clone(),
@@ -234,14 +234,15 @@ fn draw_by(
             (Outcome::Complete, Some(evaluated.layers), bytes)
         }
     };
-    let bits = match (&layers, renderer.or(question.means)) {
-        (Some(_), Renderer::Method(method)) => session.sub_pixel_bits(method)?,
-        _ => USUAL_SUB_PIXEL_BITS,
+    let precision = match (&layers, renderer.or(question.means)) {
+        (Some(_), Renderer::Method(method)) => session.precision(method)?,
+        _ => Precision::USUAL,
     };
-    let exact = truth.at(bits);
+    let exact = truth.at(precision);
     let comparison: Option<Comparison> =
         (layers.as_ref()).map(|l| compare(&exact, l, view, model.prepared.scale));
-    let own_doubt = bits < USUAL_SUB_PIXEL_BITS && comparison.is_some();
+    let is_usual = Arc::ptr_eq(&exact, &truth.at(Precision::USUAL));
+    let own_doubt = comparison.is_some() && !is_usual;
     let found = StrategyMeasurement {
         name: renderer.to_string(),
         outcome: Ending::from_outcome(&outcome),

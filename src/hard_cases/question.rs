@@ -10,7 +10,7 @@ use crate::compare::{Comparison, compare};
 use crate::exact::{Exact, Truth};
 use crate::layers::{Kind, Layer, Layers};
 use crate::passes::Model;
-use crate::scene::{Camera, Prepared, Scene, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Camera, Precision, Prepared, Scene, View};
 use crate::session::{Outcome, Session};
 use crate::strategies::Method;
 
@@ -62,7 +62,7 @@ impl Question {
         match outcome {
             Outcome::Refused(_) => Ok(Judged {
                 comparison: Comparison::default(),
-                exact: self.exact.at(USUAL_SUB_PIXEL_BITS),
+                exact: self.exact.at(Precision::USUAL),
                 layers: Layers::background(self.view.size_px),
                 outcome,
             }),
@@ -73,7 +73,7 @@ impl Question {
     /// Judges the last frame by a method, which ended so.
     pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
         let layers = session.layers(method)?;
-        let exact = self.exact.at(session.sub_pixel_bits(method)?);
+        let exact = self.exact.at(session.precision(method)?);
         let scale = self.model.prepared.scale;
         Ok(Judged {
             comparison: compare(&exact, &layers, &self.view, scale),

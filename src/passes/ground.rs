@@ -15,7 +15,7 @@ use crate::layers::{Kind, Layer, Layers};
 use crate::plan::Contents;
 use crate::plan::pack;
 use crate::scene::style::Shadow;
-use crate::scene::{Prepared, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Precision, Prepared, View};
 
 /// Pixels along each side of the map.
 const SIDE_PX: u32 = 320;
@@ -77,7 +77,7 @@ impl GroundShadow {
             band: [0, SIDE_PX],
             halo_rows: [0; 2],
             fineness: 1,
-            sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
+            precision: Precision::USUAL,
         }
     }
 

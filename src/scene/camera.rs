@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use super::fitting::{fit_parallel, fit_perspective};
-use super::{Bounds, Outline, USUAL_SUB_PIXEL_BITS, View};
+use super::{Bounds, Outline, Precision, View};
 
 /// How depth narrows the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -271,7 +271,7 @@ impl Camera {
             band: [0, size_px[1]],
             halo_rows: [0; 2],
             fineness: 1,
-            sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
+            precision: Precision::USUAL,
         }
     }
 }

@@ -7,7 +7,7 @@
 
 use glam::{DMat4, DVec2, DVec3};
 
-use super::{Prepared, USUAL_SUB_PIXEL_BITS, View};
+use super::{Precision, Prepared, View};
 use crate::{Error, Result};
 
 /// By how much pixels may be off square, and axes off unit length.
@@ -138,7 +138,7 @@ impl Prepared {
             band: [0, size_px[1]],
             halo_rows: [0; 2],
             fineness: 1,
-            sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
+            precision: Precision::USUAL,
         };
         let view = self.seen_to_the_end(view);
         match view.defect() {

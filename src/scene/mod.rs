@@ -112,7 +112,7 @@ pub use style::Style;
 pub use texture::{MOST_TEXELS_ALONG, Texture, TextureKind};
 pub(crate) use topology::Edges;
 pub use topology::{DepthComplexity, Extent, Topology};
-pub use view::{USUAL_SUB_PIXEL_BITS, View};
+pub use view::{Precision, USUAL_SUB_PIXEL_BITS, View};
 
 /// Everything a frame shows, in world space.
 #[derive(Clone, Debug, Default)]

@@ -39,9 +39,26 @@ pub struct View {
     pub halo_rows: [u32; 2],
     /// How many such views along each side make one picture, by [`View::sampled_at`]: effects that filter see so much less of a pixel.
     pub fineness: u32,
-    /// To which fraction of a pixel, 2^-bits, vertices are snapped on their way to the picture that is judged: [`USUAL_SUB_PIXEL_BITS`],
-    /// or what the adapter's rasteriser keeps.
+    /// How exactly triangles are placed in the picture that is judged.
+    pub precision: Precision,
+}
+
+/// How exactly a rasteriser places triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Precision {
+    /// To which fraction of a pixel, 2^-bits, it snaps vertices.
     pub sub_pixel_bits: u32,
+    /// Whether depths are interpolated by their slopes in the picture, in f32, as fixed functions may; the compute rasteriser finds the
+    /// depth of each sample by the triangle's plane.
+    pub slopes_in_f32: bool,
+}
+
+impl Precision {
+    /// That of the compute rasteriser.
+    pub const USUAL: Self = Self {
+        sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
+        slopes_in_f32: false,
+    };
 }
 
 /// What graphics cards keep, and the compute rasteriser. Vulkan promises 4.
@@ -153,7 +170,8 @@ impl View {
     /// what f32 moves it by is less than that again up to 2048 px, and grows with the picture.
     pub fn doubt_px(&self) -> f64 {
         let size_px = self.size_px[0].max(self.band[1]);
-        f64::from(size_px.max(FINE_SIZE_PX)) / f64::from(FINE_SIZE_PX << self.sub_pixel_bits)
+        f64::from(size_px.max(FINE_SIZE_PX))
+            / f64::from(FINE_SIZE_PX << self.precision.sub_pixel_bits)
     }
 
     /// Edge length of a pixel at a depth, in scene units.

@@ -23,7 +23,7 @@ use crate::plan::{
     Binding, Bounded, Clock, Contents, DepthCompare, DepthTarget, Format, Knob, Pass, Plan,
     Resource, ResourceId, Role, Work,
 };
-use crate::scene::{Bounds, USUAL_SUB_PIXEL_BITS, View};
+use crate::scene::{Bounds, Precision, View};
 use crate::strategies::row::{Abilities, Answers, Facts, InsideTestRow, Parameter};
 
 /// The row of the table.
@@ -213,6 +213,6 @@ pub(super) fn view(bounds: &Bounds, resolution: u32) -> View {
         band: [0, resolution],
         halo_rows: [0; 2],
         fineness: 1,
-        sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
+        precision: Precision::USUAL,
     }
 }

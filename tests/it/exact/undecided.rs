@@ -2,7 +2,7 @@
 
 use cutaway::exact::{Exact, Truth, evaluate};
 use cutaway::layers::Kind;
-use cutaway::scene::{ClipSurface, Prepared, Scene, View};
+use cutaway::scene::{ClipSurface, Precision, Prepared, Scene, View};
 use glam::{DVec3, dvec3};
 
 use crate::exact::solids::{
@@ -124,6 +124,13 @@ fn decided_pixels_survive_the_rounding_of_a_rasteriser() {
     assert!(all > 20, "only {all} pixels changed: the test has no teeth");
 }
 
+fn precision(sub_pixel_bits: u32) -> Precision {
+    Precision {
+        sub_pixel_bits,
+        ..Precision::USUAL
+    }
+}
+
 #[test]
 fn decided_pixels_survive_the_rounding_of_a_coarse_rasteriser() {
     for bits in [4, 6] {
@@ -132,7 +139,7 @@ fn decided_pixels_survive_the_rounding_of_a_coarse_rasteriser() {
             let prepared = Prepared::new(&scene);
             let usual = prepared.view([192, 192]);
             let truth = Truth::new(&prepared, usual);
-            let exact = truth.at(bits);
+            let exact = truth.at(precision(bits));
             assert_eq!(exact.layers, truth.layers, "{name}: bits change no layer");
             assert!(exact.undecided_px() > truth.undecided_px(), "{name}");
             for seed in 0..4 {
@@ -153,13 +160,13 @@ fn more_bits_than_usual_leave_as_much_undecided() {
     let prepared = Prepared::new(&scene);
     let view = prepared.view([64, 64]);
     let truth = Truth::new(&prepared, view);
-    assert_eq!(truth.at(12).undecided, truth.undecided);
-    assert_eq!(truth.at(8).undecided, truth.undecided);
+    assert_eq!(truth.at(precision(12)).undecided, truth.undecided);
+    assert_eq!(truth.at(precision(8)).undecided, truth.undecided);
     // The band is that of 8 bits up to 2048 px, and grows with the side of the picture.
-    let doubt_px = |size_px, sub_pixel_bits| {
+    let doubt_px = |size_px, bits| {
         View {
             size_px,
-            sub_pixel_bits,
+            precision: precision(bits),
             ..view
         }
         .doubt_px()

@@ -4,12 +4,15 @@
 //! Every part is closed, so any odd total is a sample that was lost.
 
 use cutaway::Model;
+use cutaway::document::section;
+use cutaway::hard_cases::Question;
 use cutaway::plan::Plan;
-use cutaway::scene::{Camera, ClipSurface, Mesh, Scene};
+use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Precision, Scene};
+use cutaway::strategies::Method;
 use glam::{DQuat, DVec2, DVec3};
 
 use super::ways::{as_recorded, frame};
-use crate::common::scenes;
+use crate::common::{scenes, session};
 
 /// Closed prisms along x, of so many sides, side by side in a square.
 fn prisms(count: usize, sides: u32) -> Mesh {
@@ -82,4 +85,37 @@ fn every_sample_of_long_triangles_is_there_at_every_size() {
             assert!(lost.odd_words() > 0, "a lost piece is not noticed");
         }
     }
+}
+
+/// Regression: llvmpipe interpolates depths by slopes in f32, and so moved the edges of caps by more than the band of doubt of its
+/// sub-pixel bits, along walls that are a thousand times as long as they are wide.
+#[test]
+fn where_slopes_of_depth_are_rounded_nothing_is_decided() {
+    let mut scene = cut(prisms(900, 24), 0);
+    let plane = section("z=52%").on(&scene.bounds()).expect("a section");
+    scene.cuts = vec![Cut::new("along the tubes", vec![plane])];
+    let model = Model::new(&scene);
+    let camera = scenes::orbit(215.0, 25.0, false);
+    let view = model.prepared.view_of(&camera, [2400, 1800]);
+    let question = Question::of_model(model, &scene, view);
+    let answer = |name: &str| {
+        let method: Method = name.parse().expect("a strategy");
+        question.answer(&mut session(), &method).expect("a frame")
+    };
+    let (drawn, computed) = (
+        answer("raycast+mask@hardware"),
+        answer("raycast+mask@compute"),
+    );
+    assert_eq!(drawn.comparison.decided_wrong_px, 0);
+    assert!(
+        question.compare(&drawn.layers).decided_wrong_px > 0,
+        "the usual band is wide enough: nothing was tried"
+    );
+    assert_eq!(computed.fault_of_exact(), None);
+    let usual = question.exact.at(Precision::USUAL);
+    assert_eq!(usual.undecided, computed.exact.undecided);
+    assert!(
+        usual.layers == drawn.exact.layers,
+        "rounding changes no layer"
+    );
 }

@@ -5,7 +5,7 @@ use cutaway::plan::pack::{self, CutTable, NO_RELIEF, Quad, SheetPool};
 use cutaway::plan::{
     Binding, Clock, Contents, Pass, Piece, Plan, Resource, Role, Work, groups_over,
 };
-use cutaway::scene::{Bounds, View};
+use cutaway::scene::{Bounds, Precision, View};
 use cutaway::shader::Shader;
 use glam::{DVec2, DVec3};
 
@@ -77,7 +77,7 @@ fn view(pixels: u32) -> View {
         band: [0, 1],
         halo_rows: [0; 2],
         fineness: 1,
-        sub_pixel_bits: 8,
+        precision: Precision::USUAL,
     }
 }
 
