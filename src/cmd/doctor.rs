@@ -82,8 +82,6 @@ pub(super) fn run(args: &DoctorArgs) -> Result<Verdict> {
     let json = json.transpose()?;
     let adapters = Gpu::adapters();
     let mut session = args.adapter.session(false)?;
-    let console = Console::new(args.console, list().count());
-    let (examined, took_s) = examine(&mut session, &console)?;
     let gpu = session.gpu();
     let can = [
         ("timestamps", gpu.has_timestamps()),
@@ -91,8 +89,15 @@ pub(super) fn run(args: &DoctorArgs) -> Result<Verdict> {
         ("32-bit depth with a stencil", gpu.limits().depth32_stencil8),
         ("f32 heights through a sampler", gpu.limits().filters_f32),
     ];
-    let claims_hold = examined.iter().all(|e| e.faults.is_empty());
+    let is_text = json != Some(Output::Stdout);
+    if is_text {
+        // Before the self-test, which a driver may not survive.
+        write_stdout(about(&adapters, gpu, &can).as_bytes())?;
+    }
+    let console = Console::new(args.console, list().count());
+    let (examined, took_s) = examine(&mut session, &console)?;
     if let Some(output) = &json {
+        let gpu = session.gpu();
         let report = json!({
             "version": env!("CARGO_PKG_VERSION"),
             "adapters": adapters,
@@ -104,34 +109,38 @@ pub(super) fn run(args: &DoctorArgs) -> Result<Verdict> {
         });
         output.write(format!("{report:#}\n").as_bytes())?;
     }
-    if json != Some(Output::Stdout) {
-        let report = gpu.report();
-        let bits = (report.sub_pixel_bits).map_or("unknown".to_owned(), |bits| bits.to_string());
-        let mut text = format!("cutaway {}\n\nadapters:\n", env!("CARGO_PKG_VERSION"));
-        for name in &adapters {
-            let mark = if *name == report.in_words() { '*' } else { ' ' };
-            text.push_str(&format!("{mark} {name}\n"));
-        }
-        text.push_str(&format!("\nsub-pixel bits: {bits}\n"));
-        for (what, has) in can {
-            text.push_str(&format!("{what}: {}\n", if has { "yes" } else { "no" }));
-        }
-        for (name, limit) in gpu.limits().by_name() {
-            text.push_str(&format!("{name}: {limit}\n"));
-        }
-        text.push_str(&format!("\nself-test, {:.0} s:\n", took_s));
-        text.push_str(&table_of(&examined).to_text());
-        write_stdout(text.as_bytes())?;
+    if is_text {
+        let table = table_of(&examined).to_text();
+        write_stdout(format!("\nself-test, {took_s:.0} s:\n{table}").as_bytes())?;
     }
+    let mut verdict = Verdict::Done;
     for examined in &examined {
         for fault in &examined.faults {
             console.failed(format!("{}: {fault}", examined.strategy));
+            verdict = Verdict::Failed;
         }
     }
-    Ok(match claims_hold {
-        true => Verdict::Done,
-        false => Verdict::Failed,
-    })
+    Ok(verdict)
+}
+
+/// The adapters, which one was chosen, and what it can do.
+fn about(adapters: &[String], gpu: &Gpu, can: &[(&str, bool)]) -> String {
+    let report = gpu.report();
+    let chosen = report.in_words();
+    let bits = (report.sub_pixel_bits).map_or("unknown".to_owned(), |bits| bits.to_string());
+    let mut text = format!("cutaway {}\n\nadapters:\n", env!("CARGO_PKG_VERSION"));
+    for name in adapters {
+        let mark = if *name == chosen { '*' } else { ' ' };
+        text.push_str(&format!("{mark} {name}\n"));
+    }
+    text.push_str(&format!("\nsub-pixel bits: {bits}\n"));
+    for (what, has) in can {
+        text.push_str(&format!("{what}: {}\n", if *has { "yes" } else { "no" }));
+    }
+    for (name, limit) in gpu.limits().by_name() {
+        text.push_str(&format!("{name}: {limit}\n"));
+    }
+    text
 }
 
 fn table_of(examined: &[Examined]) -> Table {

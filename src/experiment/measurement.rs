@@ -88,7 +88,7 @@ impl Reference {
         self.is_doubtful_with(self.undecided_px)
     }
 
-    /// Whether so many would be too many, as those of a rasteriser that snaps to coarser steps.
+    /// Whether so many would be too many, as those of a rasteriser that is less exact than usual.
     pub fn is_doubtful_with(&self, undecided_px: usize) -> bool {
         undecided_px > FEW_UNDECIDED_PX && self.share(undecided_px) > MOST_UNDECIDED
     }
@@ -198,7 +198,7 @@ pub struct StrategyMeasurement {
     )]
     pub comparison: Option<Comparison>,
     /// Undecided pixels of exact for this strategy, where they are not those of [`Measurement::exact`]: the adapter's rasteriser drew it,
-    /// and snaps vertices to coarser steps than usual.
+    /// and places triangles less exactly than usual ([`Precision`](crate::scene::Precision)).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub undecided_px: Option<usize>,
     /// Bytes of what each clock produces.

@@ -17,13 +17,20 @@ pub fn text(report: &Measurement) -> String {
     );
     let exact = &report.exact;
     text.push_str(&format!(
-        "exact: {} cap px, {} surface px, {} undecided px{}, {} ms on the CPU\n\n",
+        "exact: {} cap px, {} surface px, {} undecided px{}, {} ms on the CPU\n",
         exact.cap_px,
         exact.surface_px,
         exact.undecided_px,
         (exact.judged_px).map_or_else(String::new, |px| format!(", {px} judged px")),
         milliseconds(exact.time_ms)
     ));
+    // One number for all of them: an adapter has one rasteriser.
+    if let Some(px) = report.strategies.iter().find_map(|s| s.undecided_px) {
+        text.push_str(&format!(
+            "undecided in what the hardware rasteriser draws: {px} px\n"
+        ));
+    }
+    text.push('\n');
     text.push_str(&errors(report).to_text());
     text.push('\n');
     text.push_str(&times(report).to_text());
