@@ -130,7 +130,6 @@ impl Case<'_> {
                     self.view,
                     self.ray.direction,
                     event.depth,
-                    self.view.doubt_px(),
                 )
             }
             Cause::Clip { .. } => {

@@ -59,21 +59,22 @@ impl Facet {
         self.depths[1] - self.depths[0]
     }
 
-    /// How much the depth may change within the triangle when a sample moves by a share of a pixel, and by how the view's rasteriser
+    /// How much the depth may change within the triangle when a sample moves by [`View::doubt_px`], and by how the view's rasteriser
     /// interpolates.
-    pub(super) fn depth_change(
-        &self,
-        view: &View,
-        direction: DVec3,
-        depth: f64,
-        share_px: f64,
-    ) -> f64 {
-        // Of an edge-on triangle the first is infinite, or no number.
+    pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         let slopes = match view.precision.slopes_in_f32 {
             true => self.slope_rounding(view) / self.normal.dot(direction).abs(),
             false => 0.0,
         };
-        (self.plane_change(view, direction, depth, share_px) + slopes).min(self.extent())
+        // Of an edge-on triangle the first is infinite, or no number.
+        (self.plane_change(view, direction, depth) + slopes).min(self.extent())
+    }
+
+    /// How much the depth on the plane changes, wherever that leads, when a sample moves by [`View::doubt_px`].
+    pub(super) fn plane_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
+        let along = self.normal.dot(direction).abs();
+        let across = lateral(view, self.normal) * view.pixel_size(depth) * view.doubt_px();
+        across / along
     }
 
     /// How far off a depth may be that is interpolated in f32, times the area that the ray sees of the triangle, twice. Slopes of depth in
@@ -87,19 +88,6 @@ impl Facet {
             .into_iter()
             .fold(0.0, f64::max);
         f64::from(f32::EPSILON) * longest.powi(2) * self.extent()
-    }
-
-    /// The same of the plane, wherever that leads.
-    pub(super) fn plane_change(
-        &self,
-        view: &View,
-        direction: DVec3,
-        depth: f64,
-        share_px: f64,
-    ) -> f64 {
-        let along = self.normal.dot(direction).abs();
-        let across = lateral(view, self.normal) * view.pixel_size(depth) * share_px;
-        across / along
     }
 }
 

@@ -162,7 +162,7 @@ fn plane_change(view: &View, facet: &Facet) -> f64 {
     } else {
         (centre - view.eye) / depth
     };
-    facet.plane_change(view, direction, depth, view.doubt_px())
+    facet.plane_change(view, direction, depth)
 }
 
 /// The piece of an edge beyond a depth.

@@ -175,9 +175,8 @@ impl Prepared {
     }
 
     /// As [`Prepared::new`], with parts that are placed by somebody else: from the part's index, the part, scene space and the
-    /// cuts that apply; and cutters likewise, from the cutter, scene space and the number of the clip-surface; and the planes that parts share, from all parts by
-    /// rank. `world` is what
-    /// [`Scene::bounds`] says, which may have to look at every vertex.
+    /// cuts that apply; cutters likewise, from the cutter, scene space and the number of the clip-surface; and the planes that parts
+    /// share, from all parts by rank. `world` is what [`Scene::bounds`] says, which may have to look at every vertex.
     pub(crate) fn with_parts(
         scene: &Scene,
         world: &Bounds,

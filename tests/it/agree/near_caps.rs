@@ -1,6 +1,5 @@
 //! Near planes in solids: with a cap there, and without one, where what the ray enters next is seen.
 
-use cutaway::Model;
 use cutaway::hard_cases::{Judged, Question};
 use cutaway::layers::{Kind, NEAR_PLANE};
 use cutaway::scene::{Camera, Scene};
@@ -61,9 +60,7 @@ fn scenes_of(near_cap: bool) -> Vec<(String, Scene)> {
 }
 
 fn question(scene: &Scene) -> Question {
-    let model = Model::new(scene);
-    let view = model.prepared.view([96, 80]);
-    Question::of_model(model, scene, view)
+    Question::new(scene, [96, 80])
 }
 
 fn answer(question: &Question, name: &str) -> Judged {
