@@ -8,12 +8,30 @@
 
 #import cutaway::crossing_words::{normal_of, surface_of_word}
 #import cutaway::crossings::{head_of, listed, surface_at, word_at, z_at}
+#import cutaway::frame::{buffer_from_depth, centre_of, depth_from_buffer, frame, ray_through}
 #import cutaway::settled::{beside, of_doubled, settled, settled_at}
 
-// How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value.
+// How far a crossing with a face that a fragment lies in may be found from it, as a share of its depth-buffer value,
 const NEAR_FACE: f32 = 0.000244140625;
+// or by how much the face changes within so much of a pixel, for fixed functions move the vertices of both by up to half of 1/16 px along
+// each axis,
+const NEAR_FACE_PX: f32 = 0.125;
+// as long as that is no more than such a share.
+const STEEPEST_FACE: f32 = 0.015625;
 // Least cosine between the normals of two faces in one plane: those of a list have 13 bits along each axis.
 const SAME_PLANE: f32 = 0.9999;
+
+// How far from a fragment of a plane another one may be found.
+fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
+    let depth = depth_from_buffer(z);
+    var change = 0.0;
+    for (var axis = 1u; axis < 3u; axis++) {
+        change += abs(dot(normal, frame.ray_origin[axis].xyz + depth * frame.ray_direction[axis].xyz));
+    }
+    let along = abs(dot(normal, ray_through(centre_of(at)).direction));
+    let moved = buffer_from_depth(depth + NEAR_FACE_PX * change / max(along, 1e-6));
+    return NEAR_FACE * z + min(z - moved, STEEPEST_FACE * z);
+}
 
 // A fragment that lies in faces of some cutters: behind the crossing with the face where the ray enters the solid by it, before it where it
 // leaves. The crossing is the nearest one with such a cutter and in the same plane: a cutter's face ends where the next one begins.
@@ -22,7 +40,7 @@ fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let normal = settled.groups[group].normal.xyz;
     let count = listed(head_of(at).x);
     var crossing = 0.0;
-    var nearest = NEAR_FACE * z;
+    var nearest = reach_of_face(z, at, normal);
     for (var i = 0u; i < count; i++) {
         let word = word_at(i, at);
         let is_of_it = ((cutters >> surface_of_word(word)) & 1u) != 0u;

@@ -129,7 +129,13 @@ pub(super) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()>
 #[derive(Args, Clone)]
 pub(super) struct AdapterArgs {
     /// Part of the adapter's name [default: the fastest]
-    #[arg(long, value_name = "NAME", help_heading = "Device")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        env = "CUTAWAY_ADAPTER",
+        hide_env_values = true,
+        help_heading = "Device"
+    )]
     pub(super) adapter: Option<String>,
 }
 

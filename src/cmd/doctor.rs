@@ -16,7 +16,7 @@ use super::console::{Console, ConsoleArgs};
 use super::output::{Output, write_stdout};
 use crate::experiment::Stopwatch;
 use crate::gpu::Gpu;
-use crate::hard_cases::{Asked, Question, found, list, random};
+use crate::hard_cases::{Asked, found, list, random};
 use crate::report::Table;
 use crate::session::{Outcome, Session};
 use crate::strategies::Method;
@@ -202,7 +202,7 @@ fn examine(session: &mut Session, console: &Console) -> Result<(Vec<Examined>, f
             break;
         }
         let recipe = random::recipe(SEED, scene);
-        let question = Question::new(&recipe.scene(), random::PICTURE_PX);
+        let question = recipe.question();
         for (method, examined) in methods.iter().zip(&mut all) {
             if !is_before(SELF_TEST_S) {
                 break;

@@ -288,11 +288,12 @@ impl Case<'_> {
         let step = rounding(self.view, depth);
         scratch.events.clear();
         scratch.events.extend_from_slice(self.events);
-        scratch.events[event].depth = if depth > self.view.near {
+        let across = if depth > self.view.near {
             self.view.near
         } else {
             self.view.near + step
         };
+        self.put(scratch, event, across);
         self.change(scratch, margin + step)
     }
 
@@ -300,21 +301,30 @@ impl Case<'_> {
         let [near, far] = [i, j].map(|k| self.events[k].depth);
         scratch.events.clear();
         scratch.events.extend_from_slice(self.events);
-        scratch.events[i].depth = far;
-        scratch.events[j].depth = near;
-        if near == far {
-            // At one depth the tie rule decides; the other order is a hair apart.
-            scratch.events[j].depth -= rounding(self.view, near);
-        }
+        // At one depth the tie rule decides; the other order is a hair apart.
+        let before = match near == far {
+            true => near - rounding(self.view, near),
+            false => near,
+        };
+        self.put(scratch, i, far);
+        self.put(scratch, j, before);
         self.change(scratch, margin)
+    }
+
+    /// Puts an event at another depth, and with it all crossings with triangles that coincide with its own: who moves one moves all.
+    fn put(&self, scratch: &mut Scratch, event: usize, depth: f64) {
+        let moved = &self.events[event];
+        for (other, copy) in self.events.iter().zip(&mut scratch.events) {
+            let is_mesh = |e: &Event| matches!(e.cause, Cause::Mesh { .. });
+            if is_mesh(moved) && is_mesh(other) && self.share_triangle(moved, other) {
+                copy.depth = depth;
+            }
+        }
+        scratch.events[event].depth = depth;
     }
 
     /// Whether swapping two events can change anything at all, and is not settled by exact coincidence.
     fn order_matters(&self, a: &Event, b: &Event) -> bool {
-        let meets = |rank: u16, surface: u16| {
-            let cut = self.prepared.surfaces[surface as usize].cut;
-            self.prepared.parts[rank as usize].cuts.contains(&cut)
-        };
         let is_settled = |mesh: &Event, surface: u16| {
             (self.settled.iter()).any(|(source, by, _)| (*source, *by) == (mesh.source, surface))
         };
@@ -326,12 +336,9 @@ impl Case<'_> {
                     && !share_plane(self.shared, [a, b])
                     && !self.is_between(a, b)
             }
-            (Cause::Mesh { rank: p, .. }, Cause::Clip { surface, .. }) => {
-                meets(p, surface) && !is_settled(a, surface)
-            }
-            (Cause::Clip { surface, .. }, Cause::Mesh { rank: p, .. }) => {
-                meets(p, surface) && !is_settled(b, surface)
-            }
+            // A part that the surface does not cut may be in front of the cap of another, or behind it.
+            (Cause::Mesh { .. }, Cause::Clip { surface, .. }) => !is_settled(a, surface),
+            (Cause::Clip { surface, .. }, Cause::Mesh { .. }) => !is_settled(b, surface),
             (Cause::Clip { surface: s, .. }, Cause::Clip { surface: t, .. }) => {
                 // Two surfaces that are one plane happen at once, whatever the rounding.
                 let [g, h] = [a, b].map(|e| self.roots[e.source as usize].gradient);

@@ -1,11 +1,11 @@
 //! The plane of a triangle: at which depth a ray meets it, and how far off that may be in a picture.
 //!
 //! A rasteriser moves corners by parts of a pixel, and may interpolate depths by their slopes in f32; both matter where the plane is
-//! steep. Costs some products a crossing, and no projection: areas and lengths in the picture have the same unit, which cancels.
+//! steep. The first costs some products a crossing, the second the projection of what lies beyond the near plane.
 //!
 //! Cannot: bound the rounding of every rasteriser. What it allows for slopes is twice the most that was seen of llvmpipe.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::{Prepared, View};
@@ -63,10 +63,10 @@ impl Facet {
     /// interpolates.
     pub(super) fn depth_change(&self, view: &View, direction: DVec3, depth: f64) -> f64 {
         let slopes = match view.precision.slopes_in_f32 {
-            true => self.slope_rounding(view) / self.normal.dot(direction).abs(),
+            true => self.slope_rounding(view, depth),
             false => 0.0,
         };
-        // Of an edge-on triangle the first is infinite, or no number.
+        // Of an edge-on triangle both are infinite, or no number.
         (self.plane_change(view, direction, depth) + slopes).min(self.extent())
     }
 
@@ -77,17 +77,53 @@ impl Facet {
         across / along
     }
 
-    /// How far off a depth may be that is interpolated in f32, times the area that the ray sees of the triangle, twice. Slopes of depth in
-    /// the picture are found by products of edges, each rounded to an ulp of the square of the triangle's length, and divided by its area
-    /// (both have the same unit here). What that does to a depth is the ratio of the two, times the range of the depths: with llvmpipe
-    /// up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide.
-    fn slope_rounding(&self, view: &View) -> f64 {
-        let [a, b, c] = self.points;
-        let longest = [b - a, c - b, a - c]
-            .map(|edge| lateral(view, edge))
-            .into_iter()
-            .fold(0.0, f64::max);
-        f64::from(f32::EPSILON) * longest.powi(2) * self.extent()
+    /// How far off a depth may be that is interpolated in f32. What is interpolated is the value of the depth buffer, over the piece of the
+    /// triangle beyond the near plane, as triangles that share a corner. Its slopes in the picture are found by products of edges, each
+    /// rounded to an ulp of the square of the length, and divided by the area. What that does to a value is the ratio of the two, times the
+    /// range of values: with llvmpipe up to 0.02 px at the walls of a tube that are 1200 px long and 2 px wide; of a wall that passes the
+    /// eye, which is thousands of pixels long where it meets the near plane, as much as the wall is wide.
+    fn slope_rounding(&self, view: &View, depth: f64) -> f64 {
+        let corners = self.points.map(|p| view.project(p));
+        let mut piece = [(DVec2::ZERO, 0.0); 4];
+        let mut count = 0;
+        let mut add = |corner: (DVec2, f64)| {
+            piece[count] = corner;
+            count += 1;
+        };
+        for (i, corner) in corners.iter().enumerate() {
+            let (next, depths) = ((i + 1) % 3, [corner.1, corners[(i + 1) % 3].1]);
+            let is_beyond = depths.map(|d| d > view.near);
+            if is_beyond[0] {
+                add(*corner);
+            }
+            if is_beyond[0] != is_beyond[1] {
+                let share = (view.near - depths[0]) / (depths[1] - depths[0]);
+                let point = self.points[i].lerp(self.points[next], share);
+                add((view.project(point).0, view.near));
+            }
+        }
+        let Some((first, rest)) = piece[..count].split_first() else {
+            return 0.0;
+        };
+        let worst = rest.array_windows().map(|[b, c]| {
+            let corners = [*first, *b, *c];
+            let values = corners.map(|(_, depth)| view.buffer_from_depth(depth));
+            let range = values.into_iter().fold(f64::NEG_INFINITY, f64::max)
+                - values.into_iter().fold(f64::INFINITY, f64::min);
+            let [a, b, c] = corners.map(|(at, _)| at);
+            let longest = [b - a, c - b, a - c]
+                .map(DVec2::length_squared)
+                .into_iter()
+                .fold(0.0, f64::max);
+            longest * range / (b - a).perp_dot(c - a).abs()
+        });
+        let value = f64::from(f32::EPSILON) * worst.fold(0.0, f64::max);
+        // How much depth changes with the value of the buffer.
+        let per_value = match view.orthographic {
+            true => view.far - view.near,
+            false => depth * depth / view.near,
+        };
+        value * per_value
     }
 }
 
@@ -100,9 +136,17 @@ pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
             let points = corners.map(|i| part.positions[i as usize].as_dvec3());
             let depths = points.map(|p| depth(&p));
             let facet = Facet::of(points, depths);
-            let across =
-                lateral(view, facet.normal) * view.pixel_size(facet.depths[0].max(view.near));
-            facet.slope_rounding(view) > SPARE * across * view.doubt_px()
+            // Farther off the first is more of the second: it is asked about where the triangle is farthest.
+            let mut by_depth = points.map(|p| (depth(&p), p));
+            by_depth.sort_by(|a, b| b.0.total_cmp(&a.0));
+            let (depth, far) = by_depth[0];
+            let direction = match view.orthographic {
+                true => view.forward,
+                false => (far - view.eye) / depth,
+            };
+            depth > view.near
+                && facet.slope_rounding(view, depth)
+                    > SPARE * facet.plane_change(view, direction, depth)
         })
     })
 }

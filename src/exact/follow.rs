@@ -39,13 +39,7 @@ impl<'a> Lines<'a> {
         let (prepared, view) = (self.prepared, self.view);
         let (found, of_cutters) = found.split_at(self.cutters.split(found, |c| c.rank));
         // From a little before the near plane, so that an event just before it is known to be close.
-        let slack = self.pad(view.near);
-        let before_near = view.near
-            - if view.orthographic {
-                slack
-            } else {
-                slack.min(0.5 * view.near)
-            };
+        let before_near = view.before_near(self.pad(view.near));
         let odd = bench.sort_crossings(found, brushes, before_near);
         bench.end_open_parts(found);
         let depths = (bench.crossings.iter().map(|c| c.depth))

@@ -6,18 +6,23 @@
 //!
 //! A needle narrower than the sub-pixel grid lies on no side of its edges: they are outlines too (see [`sliver_reach`]).
 //!
+//! An adapter with fewer sub-pixel bits than usual (SwiftShader) may turn a needle over and show its back, however little its depth
+//! changes; and it clips each triangle at the near plane for itself, so that two which share an edge part there by a step: all edges
+//! through the near plane are outlines then, beyond which the part may be open. Neither was seen with 8 bits.
+//!
 //! Rasterisers snap vertices to a fraction of a pixel, 1/256 as a rule, and transforms in f32 move them too: a sample farther than
 //! [`View::doubt_px`] from every outline is hit alike by all of them.
 
 use glam::DVec2;
 use rayon::prelude::*;
 
+use super::ambiguity::rounding;
 use super::facet::{Facet, lateral};
 use super::raster::{Projected, centres};
 use super::screen::Corner;
 use crate::scene::View;
 
-/// An edge that is an outline, from the near plane on.
+/// An edge that is an outline, from a little before the near plane on.
 pub(super) struct Outline {
     ends: [Corner; 2],
     rank: u16,
@@ -78,16 +83,20 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
         .collect();
     uses.par_sort_unstable_by_key(|u| (u.key, u.triangle));
     let fill = projected.fill;
+    let is_coarse = view.precision.coarseness() > 1.0;
+    let is_clipped = |(from, to): (u32, u32)| {
+        let is_beyond = |i: u32| projected.corners[i as usize].depth > view.near;
+        is_coarse && is_beyond(from) != is_beyond(to)
+    };
     let sum = |faces: &[Use]| -> i32 { faces.iter().map(|f| i32::from(f.direction)).sum() };
     uses.chunk_by(|a, b| a.key == b.key)
         .filter(|faces| {
             let across = faces.len() == 2 && faces[0].side != 0 && faces[0].side == -faces[1].side;
-            !across || fill.holds(sum(faces))
+            !across || fill.holds(sum(faces)) || is_clipped(faces[0].key)
         })
         .filter_map(|faces| {
             let (from, to) = faces[0].key;
             let [a, b] = [from, to].map(|i| projected.corners[i as usize]);
-            let ends = beyond(view.near, a, b)?;
             let margin = faces
                 .iter()
                 .map(|f| {
@@ -96,10 +105,13 @@ pub(super) fn outlines(view: &View, rank: u16, projected: &Projected<'_>) -> Vec
                     sliver_reach(view, projected, f.triangle).unwrap_or_else(within)
                 })
                 .fold(0.0, f64::max);
+            // Faces at an edge just before the near plane may reach beyond it beside the edge, or by rounding.
+            let before = view.before_near(margin + rounding(view, view.near));
+            let ends = beyond(before, a, b)?;
             Some(Outline {
                 ends,
                 rank,
-                odd: fill.holds(sum(faces)),
+                odd: fill.holds(sum(faces)) || is_clipped((from, to)),
                 margin,
             })
         })
@@ -149,8 +161,11 @@ fn sliver_reach(view: &View, projected: &Projected<'_>, triangle: u32) -> Option
     }
     let facet = projected.facet(triangle);
     let candidates = [facet.extent(), plane_change(view, &facet)];
-    let pixel = view.pixel_size(corners[0].depth);
-    candidates.into_iter().find(|reach| *reach > pixel)
+    let least = match view.precision.coarseness() > 1.0 {
+        true => 0.0,
+        false => view.pixel_size(corners[0].depth),
+    };
+    candidates.into_iter().find(|reach| *reach > least)
 }
 
 /// How much depth changes on the plane of a face within [`View::doubt_px`].
@@ -228,7 +243,7 @@ impl Outline {
                     rank: self.rank,
                     odd: self.odd,
                     depth,
-                    margin: self.margin + super::ambiguity::rounding(view, depth),
+                    margin: self.margin + rounding(view, depth),
                 });
             }
         }

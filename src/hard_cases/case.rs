@@ -74,7 +74,8 @@ impl Keeps {
         if normal > self.normal_deg {
             return Some(format!("normals of caps are {normal} degrees off"));
         }
-        (depth > self.depth_px).then(|| format!("depths are {depth} px off"))
+        (depth > self.depth_px * judged.precision.coarseness())
+            .then(|| format!("depths are {depth} px off"))
     }
 }
 

@@ -1,5 +1,8 @@
 //! What a strategy is expected to make of a case, and whether it did.
 //!
+//! Bounds were found with 8 sub-pixel bits. Of an adapter with fewer exact is sure of fewer pixels along outlines, where tessellations and
+//! images are wrong: it may miss a bound from below.
+//!
 //! An expectation is of all pictures of a case: each picture is judged by itself, and some must be wrong where a failure is declared, or
 //! refused where a refusal is. What was declared to fail and passes is a fault too: then the table is wrong, and misleads its reader.
 
@@ -195,6 +198,8 @@ pub struct Tally {
     /// Sides of the pictures that its strategy is usually asked about and was not: as long as there are some, nothing wrong may be luck,
     /// and tells nothing of whether a bound is needed.
     pub unasked_px: Vec<u32>,
+    /// Whether some were drawn with fewer sub-pixel bits than bounds are of.
+    pub is_coarse: bool,
     /// What was not as expected, picture by picture.
     pub faults: Vec<String>,
 }
@@ -212,6 +217,7 @@ impl Tally {
             self.undecided_px += judged.exact.undecided_px();
         }
         self.overflowed += usize::from(matches!(judged.outcome, Outcome::Overflowed(_)));
+        self.is_coarse |= judged.precision.coarseness() > 1.0;
         self.faults.extend(fault.map(|f| format!("{name}: {f}")));
     }
 
@@ -225,6 +231,7 @@ impl Tally {
         self.unasked_px.retain(|px| other.unasked_px.contains(px));
         self.refused += other.refused;
         self.overflowed += other.overflowed;
+        self.is_coarse |= other.is_coarse;
         self.faults.extend(other.faults);
     }
 
@@ -234,7 +241,7 @@ impl Tally {
         let share = wrong as f64 / covered.max(1) as f64;
         let than = match share {
             s if s > most => "worse",
-            s if s < least && wrong > 0 => "better",
+            s if s < least && wrong > 0 && !self.is_coarse => "better",
             _ => return None,
         };
         Some(format!(
@@ -254,11 +261,13 @@ impl Tally {
             faults.extend(self.fault_of_failure(*least, *most));
         }
         let stale = match expected {
-            Expected::Fails(_) | Expected::FailsWithin(..) if self.wrong_px == 0 => {
+            Expected::Fails(_) | Expected::FailsWithin(..)
+                if !self.is_coarse && self.wrong_px == 0 =>
+            {
                 "is declared to fail and passes"
             }
             Expected::Share(_) | Expected::Within(..) | Expected::Listed(_)
-                if self.unasked_px.is_empty() && self.wrong_px == 0 =>
+                if !self.is_coarse && self.unasked_px.is_empty() && self.wrong_px == 0 =>
             {
                 "is declared to be wrong, and is not"
             }

@@ -2,10 +2,11 @@
 //! are written in the source: one that makes no sense panics.
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 
 use crate::generate::shapes;
 use crate::scene::{Mesh, Part};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 /// The only part of a shape, as a mesh.
 pub fn shape(spec: &str) -> Mesh {
@@ -98,6 +99,38 @@ pub fn cells(full: &[[i32; 3]], size: f64) -> Mesh {
             }
         }
     }
+    mesh
+}
+
+/// Closed prisms of so many sides, side by side in a square of 2 and 4 long: long and narrow triangles, along no axis.
+pub fn prisms(count: usize, sides: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let per_row = (count as f64).sqrt().ceil() as usize;
+    let pitch = 2.0 / per_row as f64;
+    for prism in 0..count {
+        let first = mesh.positions.len() as u32;
+        let middle = DVec2::new((prism % per_row) as f64, (prism / per_row) as f64) * pitch - 1.0;
+        for x in [-2.0, 2.0] {
+            let corner = |i: u32| {
+                let turn = TAU * f64::from(i) / f64::from(sides);
+                let at = middle + 0.4 * pitch * DVec2::from_angle(turn);
+                DVec3::new(x, at.x, at.y)
+            };
+            mesh.positions.extend((0..sides).map(corner));
+        }
+        for i in 0..sides {
+            let [a, b] = [i, (i + 1) % sides].map(|corner| first + corner);
+            mesh.triangles.push([a, b, b + sides]);
+            mesh.triangles.push([a, b + sides, a + sides]);
+        }
+        for i in 1..sides - 1 {
+            mesh.triangles.push([first, first + i + 1, first + i]);
+            mesh.triangles
+                .push([sides, sides + i, sides + i + 1].map(|corner| first + corner));
+        }
+    }
+    let turn = DQuat::from_rotation_z(0.21) * DQuat::from_rotation_y(0.13);
+    mesh.positions.iter_mut().for_each(|p| *p = turn * *p);
     mesh
 }
 

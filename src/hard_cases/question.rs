@@ -35,6 +35,8 @@ pub struct Judged {
     pub layers: Layers,
     /// How the frame ended.
     pub outcome: Outcome,
+    /// How exactly triangles were placed.
+    pub precision: Precision,
 }
 
 impl Question {
@@ -65,6 +67,7 @@ impl Question {
                 exact: self.exact.at(Precision::USUAL),
                 layers: Layers::background(self.view.size_px),
                 outcome,
+                precision: Precision::USUAL,
             }),
             _ => self.judge(session, *method, outcome),
         }
@@ -73,13 +76,15 @@ impl Question {
     /// Judges the last frame by a method, which ended so.
     pub fn judge(&self, session: &Session, method: Method, outcome: Outcome) -> Result<Judged> {
         let layers = session.layers(method)?;
-        let exact = self.exact.at(session.precision(method)?);
+        let precision = session.precision(method)?;
+        let exact = self.exact.at(precision);
         let scale = self.model.prepared.scale;
         Ok(Judged {
             comparison: compare(&exact, &layers, &self.view, scale),
             exact,
             layers,
             outcome,
+            precision,
         })
     }
 

@@ -16,7 +16,7 @@ pub use dress::{
     COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
     Texture,
 };
-use frame::BOX_MARGIN;
+pub(crate) use frame::MOST_BOX_MARGIN;
 pub use frame::{Frame, frame};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};
@@ -305,7 +305,7 @@ pub const MOST_CELLS: u32 = 32_768;
 /// Most cells of a relief that a ray may pass on a way of length `reach`: more are not walked, which the frame reports.
 pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     let [x, y] = texels_per_unit(surface);
-    let cells = (x.abs() + y.abs()) * (reach + 4.0 * BOX_MARGIN);
+    let cells = (x.abs() + y.abs()) * (reach + 4.0 * MOST_BOX_MARGIN);
     (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 

@@ -59,6 +59,11 @@ impl Precision {
         sub_pixel_bits: USUAL_SUB_PIXEL_BITS,
         slopes_in_f32: false,
     };
+
+    /// How many times as far as by the usual sub-pixel bits vertices are moved: 16 times by 4 bits.
+    pub fn coarseness(&self) -> f64 {
+        f64::from(1_u32 << USUAL_SUB_PIXEL_BITS.saturating_sub(self.sub_pixel_bits))
+    }
 }
 
 /// What graphics cards keep, and the compute rasteriser. Vulkan promises 4.
@@ -177,6 +182,16 @@ impl View {
     /// Edge length of a pixel at a depth, in scene units.
     pub fn pixel_size(&self, depth: f64) -> f64 {
         self.plane_per_px() * if self.orthographic { 1.0 } else { depth }
+    }
+
+    /// A depth by so much before the near plane, and never behind the eye.
+    pub(crate) fn before_near(&self, slack: f64) -> f64 {
+        let most = if self.orthographic {
+            f64::INFINITY
+        } else {
+            0.5 * self.near
+        };
+        self.near - slack.min(most)
     }
 
     /// Value of the reversed depth buffer at a depth.

@@ -15,6 +15,8 @@ use crate::common::data::data;
 const DRACO: &str = "RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8AAAAAAAAAAAAAAAAAAAAAAIA/CA==";
 const TRIANGLES: &str = "4f4OEgPwBAB2h1ZneKmGZYlomAFpAAA=";
 const POSITIONS: &str = "oAAAATwAAAD//wE8AAAAfn0AAAEPAAAA//8BDwAAAH59AAABAwAAAP8BAwAAAH4AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA==";
+/// The same positions by the second version of the codec.
+const POSITIONS_1: &str = "ofr66gAA/wAAf34AAAAA/wAAf34AAAB/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAQEB";
 
 /// The buffer that packed views are said to be in.
 const STAND_IN: &str = r#",{"byteLength":72}"#;
@@ -134,8 +136,13 @@ fn facts(loaded: &Loaded) -> Topology {
 #[test]
 fn packed_and_quantized_tetrahedra_are_whole() {
     let folder = Scratch::new("packed");
+    let successor = meshopt(&decoded(POSITIONS_1), &decoded(TRIANGLES));
     for (name, text) in [
         ("meshopt", meshopt(&decoded(POSITIONS), &decoded(TRIANGLES))),
+        (
+            "meshopt by its successor",
+            successor.replace("EXT_meshopt", "KHR_meshopt"),
+        ),
         ("draco", draco(&decoded(DRACO))),
         ("whole numbers", quantized(false)),
         ("shares", quantized(true)),

@@ -14,6 +14,7 @@ use glam::{DAffine3, DVec3};
 
 mod bands;
 mod clocks;
+mod cut_box;
 mod due;
 mod golden;
 mod minimum;

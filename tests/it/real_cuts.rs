@@ -9,7 +9,6 @@ use crate::common;
 use common::real::{cut, files, is_closed};
 use common::{Question, session, strategy};
 use cutaway::compare::Comparison;
-use cutaway::gpu::Gpu;
 use cutaway::scene::Topology;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
@@ -41,7 +40,7 @@ fn the_exact_strategy_is_exact_on_every_closed_mesh_cut_by_a_relief() {
 /// Whether the strategies that are meant to be exact are, on closed meshes of every sort.
 fn are_exact_on_every_closed_mesh(relief: Option<&str>) {
     // A session of its own: beside this test others make the shared one forget.
-    let gpu = Gpu::open(&common::software()).expect("a graphics adapter");
+    let gpu = common::gpu();
     let mut session = Session::new(gpu);
     let mut faults = Vec::new();
     let exact_strategies = ["raycast+mask", "raycast+abuffer", "raycast+kbuffer:32"].map(strategy);

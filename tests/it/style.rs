@@ -18,7 +18,6 @@ use crate::common;
 use common::{meshes, scenes, session};
 use cutaway::Model;
 use cutaway::document::{named_style, style_names};
-use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::style::{Ghost, GhostKind, Occlusion, OcclusionKind, Paper};
@@ -149,16 +148,12 @@ fn bands_make_the_picture_of_one_piece() {
 }
 
 fn bands_make_one(name: &str, style: Style) {
-    let options = GpuOptions {
-        adapter: None,
-        prefer_software: true,
-    };
     let method = Method::from(Strategy::RAYCAST_MASK);
     let scene = scene_in(style);
     let model = Model::new(&scene);
     let view = model.prepared.view([160, 400]);
     let held = |storage_binding_bytes| {
-        let gpu = Gpu::open(&options).expect("a graphics adapter");
+        let gpu = common::gpu();
         let limits = Limits {
             storage_binding_bytes,
             ..Limits::CORE

@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use cutaway::gpu::{Gpu, GpuOptions, POISON, run_words, run_words_with};
+use cutaway::gpu::{Gpu, POISON, run_words, run_words_with};
 
 mod depths;
 mod fixed_point;
@@ -23,13 +23,7 @@ mod winding;
 /// Half a unit in the last place of an f32 near 1: the relative error of one correctly rounded operation.
 const U: f64 = 1.0 / (1 << 24) as f64;
 
-static GPU: LazyLock<Gpu> = LazyLock::new(|| {
-    let options = GpuOptions {
-        adapter: None,
-        prefer_software: true,
-    };
-    Gpu::open(&options).unwrap_or_else(|e| panic!("{e}"))
-});
+static GPU: LazyLock<Gpu> = LazyLock::new(crate::common::gpu);
 
 /// Runs a shader whose invocation `i` writes the words `per_case * i ..` of `words`; every one of them must be written.
 fn answers(

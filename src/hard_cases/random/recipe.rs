@@ -1,13 +1,26 @@
 //! Random scenes as recipes: plain numbers that make a scene, are made simpler one step at a time, and can be pasted into a
 //! numbered regression as they print.
 
+use crate::passes::Model;
 use crate::scene::{
     Camera, ClipSurface, Cut, Part, Projection, Role, Scene, Style, Viewpoint, Wrap,
 };
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DQuat, DVec3, EulerRot};
 
 use crate::hard_cases::numbers::Numbers;
-use crate::hard_cases::{meshes, scenes};
+use crate::hard_cases::{Question, meshes, scenes};
+
+/// Pixels of most pictures.
+const SMALL_PX: [u32; 2] = [64, 48];
+
+/// Pixels of a picture of which some rows are drawn.
+const LARGE_PX: [u32; 2] = [2400, 1800];
+
+/// So many rows.
+const ROWS: u32 = 8;
+
+/// What prisms, which are 4 long, are scaled by.
+const PRISM: f64 = 0.25;
 
 /// A solid.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +35,13 @@ pub enum Solid {
         lumps: f64,
         /// Which lumps.
         phase: f64,
+    },
+    /// Prisms side by side, whose walls are long and narrow triangles.
+    Prisms {
+        /// How many.
+        count: usize,
+        /// Sides of each.
+        sides: u32,
     },
 }
 
@@ -70,6 +90,10 @@ pub struct Recipe {
     pub fov_deg: Option<f64>,
     /// Distance of the near plane; `None` picks one.
     pub near: Option<f64>,
+    /// Angles by which parts and clip-surfaces are turned together, about x, then y, then z.
+    pub turned: [f64; 3],
+    /// The first of some rows of a large picture; `None` draws a small one.
+    pub first_row: Option<u32>,
 }
 
 impl Recipe {
@@ -87,7 +111,7 @@ impl Recipe {
         if DVec3::from_array(from).length() < 0.3 {
             from[2] += 0.5;
         }
-        Self {
+        let mut recipe = Self {
             solids,
             spared: n.once_in(6),
             preferred: n.once_in(3),
@@ -96,11 +120,45 @@ impl Recipe {
             to: point(n, 0.2),
             fov_deg: (!n.once_in(4)).then(|| n.between(20.0, 80.0)),
             near: n.once_in(4).then(|| n.between(0.01, 1.0) * reach),
+            turned: [0.0; 3],
+            first_row: None,
+        };
+        // What came later is drawn from later numbers: the scenes of before are what they were.
+        if n.once_in(4) {
+            // Parts touch, are flush or share faces.
+            for (_, at) in &mut recipe.solids {
+                *at = at.map(|c| (c * 8.0).round() * 0.125);
+            }
         }
+        if n.once_in(6) {
+            let count = 1 + n.below(40) as usize;
+            let sides = 3 + n.below(22) as u32;
+            recipe.solids[0].0 = Solid::Prisms { count, sides };
+        }
+        if n.once_in(3) {
+            recipe.turned = point(n, std::f64::consts::PI);
+        }
+        if n.once_in(12) {
+            recipe.first_row = Some(n.below(u64::from(LARGE_PX[1] - ROWS)) as u32);
+        }
+        recipe
+    }
+
+    /// The scene in its view, and the truth about it.
+    pub fn question(&self) -> Question {
+        let scene = self.scene();
+        let Some(first) = self.first_row else {
+            return Question::new(&scene, SMALL_PX);
+        };
+        let model = Model::new(&scene);
+        let view = model.prepared.view(LARGE_PX).rows(first, ROWS);
+        Question::of_model(model, &scene, view)
     }
 
     /// The scene.
     pub fn scene(&self) -> Scene {
+        let [x, y, z] = self.turned;
+        let turn = DQuat::from_euler(EulerRot::ZYX, z, y, x);
         let parts = self.solids.iter().enumerate().map(|(i, (solid, at))| {
             let mesh = match solid {
                 Solid::Cells(cells) => meshes::cells(cells, 0.25),
@@ -109,6 +167,10 @@ impl Recipe {
                     lumps,
                     phase,
                 } => meshes::lumpy(*subdivisions, *lumps, *phase),
+                Solid::Prisms { count, sides } => meshes::moved(
+                    &meshes::prisms(*count, *sides),
+                    DAffine3::from_scale(DVec3::splat(PRISM)),
+                ),
             };
             let mut part = Part::new(format!("solid {i}"), mesh);
             if self.spared && i == 0 && self.solids.len() > 1 {
@@ -117,13 +179,14 @@ impl Recipe {
             if self.preferred && i + 1 == self.solids.len() {
                 part.priority = Some(1);
             }
-            part.world_from_part = DAffine3::from_translation(DVec3::from_array(*at));
+            let at = turn * DVec3::from_array(*at);
+            part.world_from_part = DAffine3::from_rotation_translation(turn, at);
             part
         });
         let cuts = self.cuts.iter().enumerate().map(|(i, surfaces)| {
             Cut::new(
                 format!("cut {i}"),
-                surfaces.iter().map(Surface::made).collect(),
+                surfaces.iter().map(|s| s.made(turn)).collect(),
             )
         });
         Scene {
@@ -182,6 +245,12 @@ impl Recipe {
                         *subdivisions -= 1;
                     }
                 }),
+                Solid::Prisms { count, sides } => {
+                    let (count, sides) = (*count, *sides);
+                    for (count, sides) in [(count.div_ceil(2), sides), (count, sides.max(4) - 1)] {
+                        with(&|r| r.solids[i].0 = Solid::Prisms { count, sides });
+                    }
+                }
                 _ => {}
             }
         }
@@ -210,6 +279,8 @@ impl Recipe {
         }
         with(&|r| r.to = [0.0; 3]);
         with(&|r| r.near = None);
+        with(&|r| r.turned = [0.0; 3]);
+        with(&|r| r.first_row = None);
         with(&|r| r.spared = false);
         with(&|r| r.preferred = false);
         all
@@ -217,8 +288,8 @@ impl Recipe {
 }
 
 impl Surface {
-    fn made(&self) -> ClipSurface {
-        let (at, normal) = (DVec3::from_array(self.at), DVec3::from_array(self.normal));
+    fn made(&self, turn: DQuat) -> ClipSurface {
+        let [at, normal] = [self.at, self.normal].map(|v| turn * DVec3::from_array(v));
         let Some(bumps) = &self.bumps else {
             return ClipSurface::plane(at, normal);
         };

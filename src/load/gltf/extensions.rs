@@ -21,8 +21,9 @@ pub(super) const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 pub(super) const VISIBILITY: &str = "KHR_node_visibility";
 
 /// Extensions that are read.
-const READ: [&str; 6] = [
-    MESHOPT,
+const READ: [&str; 7] = [
+    MESHOPT[0],
+    MESHOPT[1],
     DRACO,
     INSTANCES,
     VISIBILITY,

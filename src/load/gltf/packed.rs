@@ -1,5 +1,5 @@
-//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression`, primitives by
-//! `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that no reader knows of it.
+//! What extensions pack, unpacked before anything is read: buffer views by `EXT_meshopt_compression` and its
+//! successor `KHR_meshopt_compression`, primitives by `KHR_draco_mesh_compression`. Views and accessors then lie in buffers of their own, so that no reader knows of it.
 //!
 //! What comes out is limited as what archives unpack to is: by a multiple of what is packed.
 
@@ -13,7 +13,7 @@ use super::draco;
 use super::meshopt::{Filter, Mode, Packing};
 use crate::load::input_file::most_unpacked;
 
-pub(super) const MESHOPT: &str = "EXT_meshopt_compression";
+pub(super) const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// The buffers of a document that hold nothing of their own: what refers to them is packed elsewhere.
@@ -29,7 +29,7 @@ pub(super) fn is_stand_in(root: &Root) -> Vec<bool> {
         mark(&mut is_named, view.buffer.value());
         match meshopt_of(view) {
             None => mark(&mut is_needed, view.buffer.value()),
-            Some(packed) => {
+            Some((_, packed)) => {
                 let source = packed.get("buffer").and_then(Value::as_u64);
                 mark(&mut is_needed, source.map_or(0, |b| b as usize));
             }
@@ -44,10 +44,10 @@ pub(super) fn unpack(root: &mut Root, buffers: &mut Vec<Vec<u8>>) -> Result<(), 
     let packed = buffers.iter().map(|b| b.len() as u64).sum();
     let mut room = Room(most_unpacked(packed));
     for number in 0..root.buffer_views.len() {
-        let Some(packed) = meshopt_of(&root.buffer_views[number]) else {
+        let Some((name, packed)) = meshopt_of(&root.buffer_views[number]) else {
             continue;
         };
-        let at = |what: String| format!("buffer view {number} ({MESHOPT}): {what}");
+        let at = |what: String| format!("buffer view {number} ({name}): {what}");
         let packed: PackedView = said(packed).map_err(at)?;
         let view = &root.buffer_views[number];
         let bytes = packed.unpack(view, buffers, &mut room).map_err(at)?;
@@ -128,9 +128,12 @@ pub(super) fn range(
         .ok_or_else(|| format!("its {length} bytes are not in buffer {buffer}"))
 }
 
-fn meshopt_of(view: &View) -> Option<&Value> {
+/// The extension that packs a view, and what it says of it.
+fn meshopt_of(view: &View) -> Option<(&'static str, &Value)> {
     let others: &Map<String, Value> = &view.extensions.as_ref()?.others;
-    others.get(MESHOPT)
+    MESHOPT
+        .iter()
+        .find_map(|name| Some((*name, others.get(*name)?)))
 }
 
 /// What an extension says.

@@ -38,8 +38,22 @@ shared! {
     }
 }
 
-/// How much larger than the cut solids the box around them is, so that no solid lies in a face of it.
-pub(super) const BOX_MARGIN: f64 = 1e-4;
+/// How much larger than the cut solids the box around them is at least, so that no solid lies in a face of it.
+const BOX_MARGIN: f64 = 1e-4;
+
+/// And at most, however small the picture is: what walks over reliefs have room for, and what tessellations reach beyond the solids.
+pub(crate) const MOST_BOX_MARGIN: f64 = 1.0 / 128.0;
+
+/// How much of a pixel it is larger where it is farthest: fixed functions may cover samples beside a solid, as vertices are moved by half
+/// of 1/16 px along each axis where an adapter has the fewest sub-pixel bits that there are. Which crossings a fragment there lies behind
+/// is not known if its ray misses the box.
+const BOX_MARGIN_PX: f64 = 1.0 / 16.0;
+
+fn box_margin(view: &View, cut_box: &Bounds) -> f64 {
+    let depths = cut_box.corners().map(|c| (c - view.eye).dot(view.forward));
+    let farthest = depths.into_iter().fold(view.near, f64::max);
+    (BOX_MARGIN_PX * view.pixel_size(farthest)).clamp(BOX_MARGIN, MOST_BOX_MARGIN)
+}
 
 /// The frame of a view; `cut_box` is the box around the solids that are cut.
 pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
@@ -52,7 +66,7 @@ pub fn frame(view: &View, cut_box: &Bounds) -> Frame {
     } else {
         [dx - d0, dy - d0]
     };
-    let margin = DVec3::splat(BOX_MARGIN);
+    let margin = DVec3::splat(box_margin(view, cut_box));
     Frame {
         clip_from_scene: matrix(view.clip_from_scene()),
         ray_origin: [row(o0), row(ox - o0), row(oy - o0)],

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cutaway::gpu::{ClockSet, Gpu, Program};
+use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::{Kind, Layers};
 use cutaway::passes::{Model, NEED_OF_TRIANGLES};
 use cutaway::plan::{Capacities, Clock, Limits, Plan};
@@ -11,7 +11,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies;
 use glam::DVec3;
 
-use super::common::{Question, class_of, meshes, scenes, session, software, strategy};
+use super::common::{Question, class_of, gpu, meshes, scenes, session, strategy};
 use super::refined::drawn;
 use super::{cut_ball, noise};
 
@@ -319,7 +319,7 @@ fn too_many_triangles_are_told_and_then_have_room() {
     let view = model.prepared.view([160, 120]);
     let strategy = strategy("adaptive:0.02+mask");
     // The first try, by itself.
-    let gpu = Gpu::open(&software()).expect("an adapter");
+    let gpu = gpu();
     let plan = strategies::plan(&model, &view, strategy, &Capacities::UNKNOWN)
         .unwrap_or_else(|e| panic!("{e}"));
     let at = plan

@@ -2,8 +2,8 @@
 //!
 //! A scene that comes out wrong is made simpler as long as it stays wrong, and printed to become a regression.
 
-use cutaway::hard_cases::random::{PICTURE_PX, Searched, fault, recipe, search, shrunk};
-use cutaway::hard_cases::{Question, usual_methods};
+use cutaway::hard_cases::random::{Searched, fault, recipe, search, shrunk};
+use cutaway::hard_cases::usual_methods;
 use cutaway::session::Outcome;
 use cutaway::strategies::Method;
 
@@ -62,7 +62,7 @@ fn random_scenes_have_no_decided_wrong_pixel() {
 #[test]
 fn every_strategy_draws_random_scenes_as_it_must() {
     let scenes = asked(SCENES_OF_OTHERS);
-    let mut methods = usual_methods(PICTURE_PX[0]);
+    let mut methods = usual_methods(64);
     methods.retain(|e| e.to_string() != "raycast+mask");
     let searched = searched(scenes, &methods);
     for (method, drawn) in methods.iter().zip(&searched.drawn) {
@@ -83,7 +83,7 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
     let coarse = "grid:8+vds:32".parse::<Method>().expect("a name");
     let fault = |recipe: &_| {
         let recipe: &cutaway::hard_cases::random::Recipe = recipe;
-        let judged = Question::new(&recipe.scene(), PICTURE_PX).answer(&mut session(), &coarse)?;
+        let judged = recipe.question().answer(&mut session(), &coarse)?;
         Ok(judged
             .first_decided_wrong()
             .map(|pixel| judged.describe(pixel)))
@@ -111,9 +111,8 @@ fn shrinking_ends_in_a_simple_scene_that_is_still_wrong() {
 #[test]
 fn what_is_wrong_is_found_whoever_drew_it() {
     // One pixel of a right answer, away from every outline, shows something else.
-    let scene = (0..SCENES).map(|scene| recipe(SEED, scene).scene());
-    let question = scene
-        .map(|s| Question::new(&s, PICTURE_PX))
+    let question = (0..SCENES)
+        .map(|scene| recipe(SEED, scene).question())
         .find(|q| q.exact.layers.count(cutaway::layers::Kind::Cap) > 300)
         .expect("a scene with a cap");
     for name in [

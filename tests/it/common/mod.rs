@@ -23,7 +23,7 @@ use cutaway::exact::Truth;
 use cutaway::gpu::{Gpu, GpuOptions};
 use cutaway::hard_cases::{self};
 use cutaway::layers::Layers;
-use cutaway::scene::{Camera, Prepared, Scene, View};
+use cutaway::scene::{Camera, Precision, Prepared, Scene, View};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Method, Strategy};
 
@@ -32,28 +32,40 @@ pub(crate) use cutaway::hard_cases::{Judged, class_of, is_wrong};
 /// How many tests draw at a time: what they do beside that keeps the cores busy that a frame leaves idle.
 const SESSIONS: usize = 2;
 
-/// The session of this test, which others use in turn; on the software adapter, the same everywhere.
+/// The session of this test, which others use in turn, on the device of [`gpu`].
 pub(crate) fn session() -> MutexGuard<'static, Session> {
     static ALL: [OnceLock<Mutex<Session>>; SESSIONS] = [const { OnceLock::new() }; SESSIONS];
     static TESTS: AtomicUsize = AtomicUsize::new(0);
     // Each test has a thread of its own.
     thread_local!(static MINE: usize = TESTS.fetch_add(1, Ordering::Relaxed) % SESSIONS);
     ALL[MINE.with(|mine| *mine)]
-        .get_or_init(|| {
-            let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
-            Mutex::new(Session::new(gpu))
-        })
+        .get_or_init(|| Mutex::new(Session::new(gpu())))
         .lock()
         // A test that failed while it drew must not take the others down with it.
         .unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The adapter that tests ask for.
-pub(crate) fn software() -> GpuOptions {
-    GpuOptions {
+/// A device of this test alone: of the adapter that has `$CUTAWAY_ADAPTER` in its name, or of a software one, the same everywhere.
+pub(crate) fn gpu() -> Gpu {
+    let options = GpuOptions {
+        adapter: std::env::var("CUTAWAY_ADAPTER").ok(),
         prefer_software: true,
-        ..GpuOptions::default()
-    }
+    };
+    Gpu::open(&options).unwrap_or_else(|e| panic!("tests that draw need a graphics adapter: {e}"))
+}
+
+/// How many times as far as with 8 sub-pixel bits the adapter moves vertices: 1, or 16 with 4.
+pub(crate) fn coarseness() -> f64 {
+    static FOUND: OnceLock<f64> = OnceLock::new();
+    *FOUND.get_or_init(|| {
+        let sub_pixel_bits = gpu().report().sub_pixel_bits.expect("bits are measured");
+        let slopes_in_f32 = true;
+        Precision {
+            sub_pixel_bits,
+            slopes_in_f32,
+        }
+        .coarseness()
+    })
 }
 
 /// A strategy by its name.

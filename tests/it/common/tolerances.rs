@@ -1,4 +1,7 @@
 //! Every number that a test forgives by, with its reason. Raising one asks for a look at its negative control.
+//!
+//! What an adapter may do worse that has fewer sub-pixel bits than 8 is here too, and nowhere else: what hangs on how far vertices are
+//! moved grows with [`coarseness`](super::coarseness), and [`holds_lower_bounds`] says where an error must be seen.
 
 /// Undecided pixels per covered pixel that are always allowed: the share that a reference may not exceed at the sizes that
 /// pictures have.
@@ -29,3 +32,26 @@ pub(crate) const SPRITE_HALVING: f64 = 0.15;
 
 /// Depths of one cap found in two ways, in scene units: roots are to be right to this, and f32 is to 1e-7.
 pub(crate) const SAME_DEPTH: f64 = 1e-5;
+
+/// Depth of a cap that is drawn as triangles, beside its plane, in scene units at 64 px: vertices move by up to 1/512 px along each axis,
+/// of which a pixel is 0.04 units long, along a slope of less than 2.
+pub(crate) const FLAT_CAP_DEPTH: f64 = 1.5e-4;
+
+/// Smooth normals beside those of exact, at 160 px, where triangles are some 7 px wide and normals 16 degrees apart at their corners:
+/// 1/512 px along each axis.
+pub(crate) const CORNER_NORMAL: f64 = 1.5e-3;
+
+/// Depth of a cutter's walls, in edge lengths of a pixel, whatever their slope.
+pub(crate) const CUTTER_DEPTH_PX: f64 = 0.03;
+
+/// Pixels of 4,096 in which a million triangles differ by rasteriser.
+pub(crate) const MILLION_TRIANGLES_PX: f64 = 2.0;
+
+/// Pixels that leak through slivers that vertices leave which round off an edge.
+pub(crate) const ROUNDED_SLIVERS_PX: f64 = 2.0;
+
+/// Whether errors of tessellations and images, and depths of needles, are held to bounds from below, or from view to view. With fewer bits
+/// exact is sure of fewer pixels along outlines, which is where these errors are, and a needle is narrower than a step.
+pub(crate) fn holds_lower_bounds() -> bool {
+    super::coarseness() <= 1.0
+}

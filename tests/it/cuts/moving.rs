@@ -1,6 +1,5 @@
 //! Cuts over time: switches, boxes, wedges, offsets and heights that change from frame to frame.
 
-use cutaway::Gpu;
 use cutaway::Model;
 use cutaway::layers::Kind;
 use cutaway::plan::Clock;
@@ -9,7 +8,7 @@ use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Strategy;
 use glam::DVec3;
 
-use super::common::{Question, software, strategy};
+use super::common::{Question, gpu, strategy};
 use super::{Scratch, at, of_shape, seen};
 
 fn key(target: &str, values: &str) -> String {
@@ -145,7 +144,7 @@ fn two_reliefs(folder: &Scratch, keys: &str) -> cutaway::document::Timeline {
 #[test]
 fn only_the_map_that_changed_is_uploaded() {
     let folder = Scratch::new("uploaded");
-    let gpu = || Session::new(Gpu::open(&software()).expect("an adapter"));
+    let gpu = || Session::new(gpu());
     for (keys, what) in [
         (
             key("relief.stack.at", "[0.25, 0.75, 1.25]"),

@@ -6,7 +6,7 @@ use cutaway::session::Outcome;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::common::meshes::{self, block, moved, shape};
-use super::common::{Judged, Question, class_of, scenes as cameras, strategy};
+use super::common::{Judged, Question, class_of, coarseness, scenes as cameras, strategy};
 use super::scenes::{bitten, cutter, judged_by_compute, shaped, solid};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -37,7 +37,8 @@ fn turned_px(question: &Question, layers: &Layers) -> usize {
 
 fn fault(question: &Question, judged: &Judged) -> Option<String> {
     let turned = turned_px(question, &judged.layers);
-    let few = NEXT_TRIANGLE_SHARE * question.exact.layers.count(Kind::Cap) as f64 + 3.0;
+    let few =
+        NEXT_TRIANGLE_SHARE * coarseness() * question.exact.layers.count(Kind::Cap) as f64 + 3.0;
     (judged.fault_of_exact())
         .or_else(|| (turned as f64 > few).then(|| format!("{turned} normals are not the truth")))
 }
@@ -358,7 +359,9 @@ fn the_other_half_of_a_flipped_cutter_is_caught() {
     }
     // And normals turned to the other side.
     let mut layers = question.answer(strategy("raycast+mask")).layers;
-    assert!(turned_px(&question, &layers) < 20, "normals as they are");
+    let (as_they_are, few) = (turned_px(&question, &layers), 20.0 * coarseness());
+    assert!((as_they_are as f64) < few, "normals as they are");
     (layers.pixels.iter_mut()).for_each(|p| p.normal = -p.normal);
-    assert!(turned_px(&question, &layers) > 50, "normals turned round");
+    let turned = turned_px(&question, &layers);
+    assert!(turned > as_they_are + 50, "normals turned round");
 }

@@ -1,6 +1,5 @@
 //! Cutters over time, from a scene file to the frame.
 
-use cutaway::Gpu;
 use cutaway::Model;
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Clock;
@@ -8,7 +7,7 @@ use cutaway::scene::Scene;
 use cutaway::session::Session;
 
 use super::command::Scratch;
-use super::common::{Question, software, strategy};
+use super::common::{Question, gpu, strategy};
 
 const BITTEN: &str = r#"
 resolution = [128, 96]
@@ -82,7 +81,7 @@ fn a_moving_cutter_is_exact_at_every_time() {
 
 #[test]
 fn the_clock_of_solids_stands_still() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut session = Session::new(gpu());
     let strategy = strategy("raycast+mask");
     let mut model: Option<Model> = None;
     for (number, scene) in scenes_over_time().iter().enumerate() {

@@ -2,19 +2,18 @@
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use cutaway::Gpu;
 use cutaway::scene::{Cut, Cutter, Mesh, Part, Scene};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser};
 use glam::{DAffine3, DVec3};
 
-use super::common::{Judged, Question, meshes, scenes, software, strategy};
+use super::common::{Judged, Question, gpu, meshes, scenes, strategy};
 
 /// The answer of a strategy that draws the mesh by the compute rasteriser, in a session of its own.
 pub(crate) fn judged_by_compute(question: &Question, name: &str) -> Judged {
     static SESSION: OnceLock<Mutex<Session>> = OnceLock::new();
     let session = SESSION.get_or_init(|| {
-        let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
+        let gpu = gpu();
         Mutex::new(Session::new(gpu))
     });
     let mut session = session.lock().unwrap_or_else(PoisonError::into_inner);

@@ -4,10 +4,11 @@
 
 use cutaway::passes::{Model, Relevance};
 use cutaway::plan::Capacities;
+use cutaway::plan::pack::frame;
 use cutaway::scene::{Camera, Scene, View, Wrap};
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{self, Strategy};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::common::{Question, meshes, scenes, session, strategy};
 use crate::hard_cases::refined::{Sheet, cracks, row_of};
@@ -68,9 +69,9 @@ fn wrong_rays(
         );
         from.dot(surface.frame.normal) + map.sample(surface.wrap, at).0 * surface.height_scale
     };
-    let cut_box = Relevance::new(&model.prepared, view)
-        .expect("a plain scene")
-        .cut_box;
+    let relevance = Relevance::new(&model.prepared, view).expect("a plain scene");
+    let packed = frame(view, &relevance.cut_box);
+    let [min, max] = [packed.box_min, packed.box_max].map(|v| Vec4::from(v).truncate().as_dvec3());
     let (mut wrong, mut asked) = (0, 0);
     for pixel in 0..(view.size_px[0] * view.size_px[1]) as usize {
         let (x, y) = (
@@ -78,10 +79,7 @@ fn wrong_rays(
             pixel as u32 / view.size_px[0],
         );
         let (origin, ray) = view.ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
-        let (low, high) = (
-            (cut_box.min - 1e-4 - origin) / ray,
-            (cut_box.max + 1e-4 - origin) / ray,
-        );
+        let (low, high) = ((min - origin) / ray, (max - origin) / ray);
         let enter = low.min(high).max_element().max(view.near);
         let leave = low.max(high).min_element();
         if enter >= leave {

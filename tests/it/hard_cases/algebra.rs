@@ -8,7 +8,7 @@ use cutaway::plan::Capacities;
 use cutaway::strategies::{Strategy, record};
 
 use crate::common::numbers::Numbers;
-use crate::common::{Question, class_of, scenes, session, software, strategy, tolerances};
+use crate::common::{Question, class_of, gpu, scenes, session, strategy, tolerances};
 use cutaway::hard_cases::bumps;
 use cutaway::hard_cases::solids;
 
@@ -75,7 +75,7 @@ fn case_41_fifty_repeats_are_bit_identical() {
     let scene = &bumps::crossing(128)[0];
     let model = Model::new(scene);
     let view = model.prepared.view([128; 2]);
-    let gpu = Gpu::open(&software()).expect("tests that draw need a graphics adapter");
+    let gpu = gpu();
     for (name, names) in [
         ("raycast+mask", &["mask", "layers"][..]),
         ("raycast+abuffer", &["mask", "layers"]),

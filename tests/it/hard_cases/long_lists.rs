@@ -10,7 +10,7 @@ use cutaway::strategies::{self, Means, Method, Rasteriser, Strategy};
 use glam::DVec3;
 
 use crate::common::numbers::Numbers;
-use crate::common::{Judged, Question, is_wrong, meshes, scenes, session, strategy};
+use crate::common::{Judged, Question, coarseness, is_wrong, meshes, scenes, session, strategy};
 
 const SIZE: [u32; 2] = [128; 2];
 
@@ -122,8 +122,11 @@ fn case_27_beyond_31_crossings_lanes_are_several_words() {
     ] {
         let (judged, mask, _) = answer(&question, &strategy(name), rasteriser);
         assert_eq!(judged.fault_of_exact(), None, "{name} by {rasteriser}");
-        let differ = written.iter().zip(&mask).filter(|(a, b)| a != b).count();
-        assert_eq!(differ, 0, "words of the mask, {name} by {rasteriser}");
+        // Rasterisers that move vertices alike count alike to the bit.
+        if coarseness() <= 1.0 || rasteriser == Rasteriser::Hardware {
+            let differ = written.iter().zip(&mask).filter(|(a, b)| a != b).count();
+            assert_eq!(differ, 0, "words of the mask, {name} by {rasteriser}");
+        }
     }
     // An image of the volume errs at its rims alone, however long the list.
     let (judged, ..) = answer(

@@ -1,10 +1,11 @@
 //! Case 44, the stencil against the mask, bit for bit; and the classic stencil from either side, in either projection.
 
+use cutaway::compare::compare;
 use cutaway::gpu::{ClockSet, Program};
 use cutaway::layers::Kind;
 use cutaway::plan::StencilStep;
 use cutaway::plan::{Capacities, DepthCompare, Plan, Work};
-use cutaway::scene::{ClipSurface, Cut, Fill, Part, Scene};
+use cutaway::scene::{ClipSurface, Cut, Fill, Part, Precision, Scene};
 use cutaway::session::Outcome;
 use cutaway::strategies::{self, Strategy};
 use glam::{DAffine3, DVec3};
@@ -83,7 +84,13 @@ fn wrong(question: &Question, plan: Plan) -> usize {
         .expect("a plan that loads");
     program.run(session.gpu(), ClockSet::ALL).expect("a frame");
     let layers = (program.layers(session.gpu(), question.view.size_px)).expect("layers");
-    question.compare(&layers).decided_wrong_px
+    let precision = Precision {
+        sub_pixel_bits: session.gpu().report().sub_pixel_bits.expect("bits"),
+        slopes_in_f32: true,
+    };
+    let exact = question.exact.at(precision);
+    let scale = question.model.prepared.scale;
+    compare(&exact, &layers, &question.view, scale).decided_wrong_px
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! Which passes run when something moved.
 
-use cutaway::Gpu;
 use cutaway::Model;
 use cutaway::gpu::ClockSet;
 use cutaway::layers::Layers;
@@ -12,7 +11,7 @@ use glam::DVec3;
 
 use super::actors::{bend, bent_bar, still};
 use super::common::meshes::lumpy;
-use super::common::{scenes, software, strategy};
+use super::common::{gpu, scenes, strategy};
 
 /// A bar that bends, and a torus; both are cut.
 fn scene() -> Scene {
@@ -34,7 +33,7 @@ struct Stage {
 
 impl Stage {
     fn new(strategy: Strategy) -> Self {
-        let gpu = Gpu::open(&software()).expect("an adapter");
+        let gpu = gpu();
         Self {
             session: Session::new(gpu).timed(),
             strategy,

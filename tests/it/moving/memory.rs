@@ -1,6 +1,5 @@
 //! What a plan says that it takes is what is taken.
 
-use cutaway::Gpu;
 use cutaway::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::ClipSurface;
@@ -9,7 +8,7 @@ use cutaway::strategies::Strategy;
 use glam::DVec3;
 
 use super::actors::{both, still};
-use super::common::{scenes, software, strategy};
+use super::common::{gpu, scenes, strategy};
 
 #[test]
 fn a_plan_takes_the_bytes_that_it_says() {
@@ -18,7 +17,7 @@ fn a_plan_takes_the_bytes_that_it_says() {
     let scene = scenes::of_parts("memory", parts, vec![plane]);
     let model = Model::new(&scene);
     let view = model.prepared.view([50, 40]);
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut session = Session::new(gpu());
     let mut all = Strategy::all();
     all.push(strategy("grid:8+vds:64"));
     let mut met = [0; 3];

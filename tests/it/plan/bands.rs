@@ -2,7 +2,7 @@
 
 use cutaway::document::named_style;
 use cutaway::experiment::{Question, Renderer, SceneAtTime, errors, times};
-use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
+use cutaway::gpu::ClockSet;
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
 use cutaway::scene::{Camera, Viewpoint};
@@ -27,11 +27,7 @@ fn cut_scene() -> Scene {
 
 /// A session on a device that binds so many bytes at most.
 fn session(storage_binding_bytes: u64) -> Session {
-    let options = GpuOptions {
-        adapter: None,
-        prefer_software: true,
-    };
-    let gpu = Gpu::open(&options).unwrap_or_else(|e| panic!("{e}"));
+    let gpu = crate::common::gpu();
     let limits = Limits {
         storage_binding_bytes,
         ..Limits::CORE

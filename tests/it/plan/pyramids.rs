@@ -178,11 +178,7 @@ fn a_map_too_long_for_a_dispatch_is_walked() {
 #[test]
 fn a_camera_that_orbits_builds_pyramids_once() {
     let strategy = Strategy::RAYCAST_MASK;
-    let gpu = cutaway::Gpu::open(&cutaway::gpu::GpuOptions {
-        adapter: None,
-        prefer_software: true,
-    });
-    let mut session = cutaway::session::Session::new(gpu.expect("an adapter"));
+    let mut session = cutaway::session::Session::new(crate::common::gpu());
     let model = Model::new(&cube(256, 5.0));
     let (mut built, mut walked) = (Vec::new(), 0);
     // There and back, twice: what is chosen by each view alone changes four times.

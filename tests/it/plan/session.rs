@@ -1,20 +1,13 @@
 //! The one part of this file that draws: a session runs the clocks that a plan changed on, no others, and what it then shows
 //! is what a fresh session shows.
 
-use cutaway::gpu::{ClockSet, Gpu, GpuOptions};
+use cutaway::gpu::ClockSet;
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::{Camera, Mesh, Viewpoint};
 use cutaway::session::{Outcome, Session};
 
 use super::*;
-
-fn gpu() -> Gpu {
-    let options = GpuOptions {
-        adapter: None,
-        prefer_software: true,
-    };
-    Gpu::open(&options).unwrap_or_else(|e| panic!("{e}"))
-}
+use crate::common::gpu;
 
 /// Draws a scene; the clocks that ran, and what is seen.
 fn draw(session: &mut Session, scene: &Scene, strategy: &Strategy) -> (ClockSet, Layers) {

@@ -1,6 +1,5 @@
 //! What is sliced, and when: a new plane, a part that moved or another mesh; never for a camera.
 
-use cutaway::Gpu;
 use cutaway::Model;
 use cutaway::gpu::ClockSet;
 use cutaway::plan::Clock;
@@ -9,7 +8,7 @@ use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 use glam::{DAffine3, DVec3};
 
-use super::common::{Question, meshes, scenes, software};
+use super::common::{Question, gpu, meshes, scenes};
 
 fn scene() -> Scene {
     let plane = ClipSurface::plane(DVec3::Z * 0.02, DVec3::new(0.1, 0.15, -1.0));
@@ -42,7 +41,7 @@ fn drawn(session: &mut Session, model: &Model, size: [u32; 2]) -> (ClockSet, boo
 
 #[test]
 fn only_what_is_new_is_sliced() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
+    let mut session = Session::new(gpu()).timed();
     let mut scene = scene();
     let mut model = Model::new(&scene);
     let size = [64, 48];
@@ -78,7 +77,7 @@ fn only_what_is_new_is_sliced() {
 
 #[test]
 fn rounds_that_are_repeated_time_slicers_as_well() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
+    let mut session = Session::new(gpu()).timed();
     let mut scene = scene();
     let model = Model::new(&scene);
     let ran = |times: &cutaway::gpu::RunTimes| -> Vec<(String, Clock)> {
@@ -130,7 +129,7 @@ fn what_moves_is_sliced_where_it_stands() {
         assert!(of_cube > 200, "turned by {turn}");
     }
     // It stood still in the last two: nothing is sliced anew for a program that is.
-    let mut fresh = Session::new(Gpu::open(&software()).expect("an adapter")).timed();
+    let mut fresh = Session::new(gpu()).timed();
     let (_, sliced) = drawn(&mut fresh, &model, [160, 120]);
     assert!(!sliced, "known from before");
     let mut again = model.updated(&scene);

@@ -1,18 +1,17 @@
 //! Meshes that others made: every closed one, cut by an oblique plane at the size that pictures have. They are not part of the
 //! repository (see `real_meshes.rs`); where they are not, there is nothing to check.
 
-use cutaway::Gpu;
 use cutaway::session::Session;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use super::common::real::{cut, files, is_closed};
-use super::common::{Question, software};
+use super::common::{Question, gpu};
 
 const SIZE_PX: [u32; 2] = [1024, 768];
 
 #[test]
 fn every_closed_mesh_by_an_oblique_plane() {
-    let mut session = Session::new(Gpu::open(&software()).expect("an adapter"));
+    let mut session = Session::new(gpu());
     let (mut faults, mut judged_count) = (Vec::new(), 0);
     for file in files(&["cad", "organic", "assembly", "dense", "large"]) {
         let name = file.file_name().unwrap_or_default().to_string_lossy();

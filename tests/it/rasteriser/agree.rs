@@ -7,7 +7,7 @@ use cutaway::session::Outcome;
 use cutaway::strategies::{Means, Method, Rasteriser, Strategy};
 
 use crate::common::meshes;
-use crate::common::{Judged, Question, class_of, scenes, session};
+use crate::common::{Judged, Question, class_of, coarseness, scenes, session};
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -106,7 +106,7 @@ fn depth_bound(question: &Question, layer: &Layer) -> f64 {
     // Shading normals of coarse round shapes lean from those of their faces.
     let facing = layer.normal.as_dvec3().dot(question.view.forward).abs();
     let facing = (facing - 0.15).max(0.01);
-    question.view.pixel_size(layer.depth) / 128.0 / facing + 1e-5 * layer.depth
+    question.view.pixel_size(layer.depth) * coarseness() / 128.0 / facing + 1e-5 * layer.depth
 }
 
 /// Every shape with every cut, through cameras of both kinds.
@@ -146,9 +146,10 @@ fn frames_are_exact_and_those_of_the_hardware() {
             "{label}: lanes"
         );
         let pixels = compute.layers.pixels.len();
+        let undecided = &hardware.exact.undecided;
         for (i, (a, b)) in (hardware_mask.words.iter().zip(&compute_mask.words)).enumerate() {
             compared += usize::from(*a != 0);
-            let decided = !question.exact.undecided[i % pixels];
+            let decided = !undecided[i % pixels];
             open_bits += usize::from(a != b && decided);
             if decided && (a ^ b) & compute_mask.totals() != 0 {
                 faults.push(format!("{label}: totals of pixel {} differ", i % pixels));
@@ -161,7 +162,7 @@ fn frames_are_exact_and_those_of_the_hardware() {
             .zip(&compute.layers.pixels)
             .enumerate()
         {
-            if question.exact.undecided[i] {
+            if undecided[i] {
                 continue;
             }
             if class_of(a) != class_of(b) || a.back_face != b.back_face {

@@ -6,46 +6,14 @@
 use cutaway::Model;
 use cutaway::document::section;
 use cutaway::hard_cases::Question;
+use cutaway::hard_cases::meshes::prisms;
 use cutaway::plan::Plan;
 use cutaway::scene::{Camera, ClipSurface, Cut, Mesh, Precision, Scene};
 use cutaway::strategies::Method;
-use glam::{DQuat, DVec2, DVec3};
+use glam::DVec3;
 
 use super::ways::{as_recorded, frame};
 use crate::common::{scenes, session};
-
-/// Closed prisms along x, of so many sides, side by side in a square.
-fn prisms(count: usize, sides: u32) -> Mesh {
-    let mut mesh = Mesh::default();
-    let per_row = (count as f64).sqrt().ceil() as usize;
-    let pitch = 2.0 / per_row as f64;
-    for prism in 0..count {
-        let first = mesh.positions.len() as u32;
-        let middle = DVec2::new((prism % per_row) as f64, (prism / per_row) as f64) * pitch - 1.0;
-        for x in [-2.0, 2.0] {
-            let corner = |i: u32| {
-                let turn = std::f64::consts::TAU * f64::from(i) / f64::from(sides);
-                let at = middle + 0.4 * pitch * DVec2::from_angle(turn);
-                DVec3::new(x, at.x, at.y)
-            };
-            mesh.positions.extend((0..sides).map(corner));
-        }
-        for i in 0..sides {
-            let [a, b] = [i, (i + 1) % sides].map(|corner| first + corner);
-            mesh.triangles.push([a, b, b + sides]);
-            mesh.triangles.push([a, b + sides, a + sides]);
-        }
-        for i in 1..sides - 1 {
-            mesh.triangles.push([first, first + i + 1, first + i]);
-            mesh.triangles
-                .push([sides, sides + i, sides + i + 1].map(|corner| first + corner));
-        }
-    }
-    // Along no axis of the picture.
-    let turn = DQuat::from_rotation_z(0.21) * DQuat::from_rotation_y(0.13);
-    mesh.positions.iter_mut().for_each(|p| *p = turn * *p);
-    mesh
-}
 
 /// Cut by one plane, or by two, for which a pass before the sweeps finds the touched tiles.
 fn cut(mesh: Mesh, planes: usize) -> Scene {

@@ -1,7 +1,6 @@
 //! What a frame leaves beside the tiles that it touches is background, whatever was drawn before it by the same program.
 
 use cutaway::document::named_style;
-use cutaway::gpu::Gpu;
 use cutaway::layers::Kind;
 use cutaway::passes::Model;
 use cutaway::scene::{Camera, Scene, View};
@@ -9,7 +8,7 @@ use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
 use glam::DVec3;
 
-use crate::common::{scenes, software};
+use crate::common::{gpu, scenes};
 
 /// Words before the tiles of the list, each of four: `shaders/lib/touched_list.wgsl`.
 const HEAD_WORDS: usize = 10;
@@ -78,7 +77,7 @@ fn drawn(session: &mut Session, shot: &Shot, method: Method) -> (Vec<u32>, Vec<u
 
 #[test]
 fn frames_after_others_are_those_of_a_fresh_session() {
-    let open = || Session::new(Gpu::open(&software()).unwrap_or_else(|e| panic!("{e}")));
+    let open = || Session::new(gpu());
     for (name, relief) in [
         ("raycast+mask@compute", None),
         ("raycast+mask@compute,32-bit", None),
@@ -108,7 +107,7 @@ fn frames_after_others_are_those_of_a_fresh_session() {
 
 #[test]
 fn tiles_without_a_triangle_are_not_gone_over() {
-    let mut session = Session::new(Gpu::open(&software()).unwrap_or_else(|e| panic!("{e}")));
+    let mut session = Session::new(gpu());
     for (name, relief) in [
         ("raycast+mask@compute", None),
         ("raycast+mask@compute", Some("waves:size=32,amplitude=8%")),

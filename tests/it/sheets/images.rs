@@ -1,13 +1,12 @@
 //! By one list of crossings every inside test finds the same, whoever draws the mesh, and no back face is ever seen.
 
-use cutaway::gpu::Gpu;
 use cutaway::layers::{Kind, Layers};
 use cutaway::scene::Scene;
 use cutaway::session::{Outcome, Session};
 use cutaway::strategies::{Means, Method, Rasteriser};
 
 use super::{SIZE, ring, roomy, row, run};
-use crate::common::{Question, scenes, software, strategy};
+use crate::common::{Question, gpu, scenes, strategy};
 
 fn layers(session: &mut Session, question: &Question, name: &str, by: Rasteriser) -> Layers {
     let method = Method::new(strategy(name), Means::by(by));
@@ -42,7 +41,7 @@ fn back_faces(layers: &Layers) -> usize {
 
 #[test]
 fn all_inside_tests_see_the_same() {
-    let mut session = Session::new(Gpu::open(&software()).expect("a graphics adapter"));
+    let mut session = Session::new(gpu());
     for (name, scene) in corpus() {
         let question = Question::new(&scene, SIZE);
         for cells in [5, 40] {

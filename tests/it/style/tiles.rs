@@ -87,8 +87,7 @@ fn pictures_after_others_are_those_of_a_fresh_session() {
     for by in [Rasteriser::Compute, Rasteriser::Hardware] {
         let method = Method::new(Strategy::RAYCAST_MASK, Means::by(by));
         // Of its own: who takes two of those that tests share may wait for ever.
-        let open =
-            || Session::new(Gpu::open(&common::software()).unwrap_or_else(|e| panic!("{e}")));
+        let open = || Session::new(common::gpu());
         let (mut session, mut other) = (open(), open());
         let mut before = None;
         for shot in shots() {

@@ -1,48 +1,129 @@
-//! The attribute codec, mode 0, version 0: bytes of the same place in consecutive elements as differences.
+//! The attribute codec, mode 0, versions 0 and 1: bytes of the same place in consecutive elements as differences.
 //!
-//! The elements come in blocks, and each block byte place by byte place, in groups of 16 differences: all zero, in 2 or 4 bits each with
-//! longer ones after them, or whole. The first element differs from one that is the tail of the stream.
+//! The elements come in blocks, and each block byte place by byte place, in groups of 16 differences: all zero, in 1, 2 or 4 bits each with
+//! longer ones after them, or whole. Version 1 chooses for each place of a block which of these its groups have, or leaves the place out
+//! or whole, and for each word of an element whether bytes, halves or the bits of all of it differ. The first element differs from one that
+//! is in the tail of the stream.
 
 use super::{cut_off, parted, too_long};
 
-/// The first byte of a stream.
+/// The first byte of a stream of `EXT_meshopt_compression`.
 const VERSION_0: u8 = 0xa0;
 
-/// Least length of the tail.
-const TAIL_BYTES: usize = 32;
+/// The first byte of a stream that `KHR_meshopt_compression` may have too.
+const VERSION_1: u8 = 0xa1;
 
 /// Differences of a group.
 const GROUP: usize = 16;
+
+/// Bits of a difference by the mode of its group.
+const BITS_0: [u8; 4] = [0, 2, 4, 8];
+
+/// The same in version 1, by the packing of the place.
+const BITS_1: [[u8; 4]; 2] = [[0, 1, 2, 4], [1, 2, 4, 8]];
+
+/// How a word of an element follows from the one before it.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    /// Each byte by a difference.
+    Bytes,
+    /// Each half by a difference.
+    Halves,
+    /// By bits that are flipped, which are turned to the left by so many.
+    Bits(u32),
+}
+
+impl Change {
+    fn of_channel(channel: u8) -> Result<Self, String> {
+        match channel & 3 {
+            0 => Ok(Self::Bytes),
+            1 => Ok(Self::Halves),
+            2 => Ok(Self::Bits(u32::from(channel >> 4))),
+            _ => Err(format!("its stream has the channel {channel:#04x}")),
+        }
+    }
+
+    /// The word after one.
+    fn next(self, last: [u8; 4], packed: [u8; 4]) -> [u8; 4] {
+        match self {
+            Self::Bytes => std::array::from_fn(|i| last[i].wrapping_add(unfolded(packed[i]))),
+            Self::Halves => {
+                let half = |of: [u8; 4], i: usize| u16::from_le_bytes([of[2 * i], of[2 * i + 1]]);
+                let next = [0, 1].map(|i| {
+                    let folded = half(packed, i);
+                    let difference = (folded >> 1) ^ (folded & 1).wrapping_neg();
+                    half(last, i).wrapping_add(difference).to_le_bytes()
+                });
+                [next[0][0], next[0][1], next[1][0], next[1][1]]
+            }
+            Self::Bits(turned) => {
+                let flipped = u32::from_le_bytes(packed).rotate_right(turned);
+                (u32::from_le_bytes(last) ^ flipped).to_le_bytes()
+            }
+        }
+    }
+}
 
 /// How many elements a block has at most.
 fn block_elements(stride: usize) -> usize {
     ((8192 / stride) & !(GROUP - 1)).min(256)
 }
 
-/// Unpacks elements of `stride` bytes, 4 to 256.
+/// Unpacks elements of `stride` bytes, 4 to 256, a multiple of 4.
 pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u8>, String> {
-    let (mut body, tail) = parted(stream, VERSION_0, TAIL_BYTES.max(stride))?;
-    // Two bits for every group: no stream is shorter.
-    let least = count.div_ceil(4 * GROUP).saturating_mul(stride);
+    let is_second = stream.first() == Some(&VERSION_1);
+    let words = stride / 4;
+    let of_block = block_elements(stride);
+    // No stream is shorter than two bits for every group, or than a byte for every word of a block.
+    let (header, tail_bytes, least_tail, least) = match is_second {
+        false => (
+            VERSION_0,
+            stride,
+            32,
+            count.div_ceil(4 * GROUP).saturating_mul(stride),
+        ),
+        true => (
+            VERSION_1,
+            stride + words,
+            24,
+            count.div_ceil(of_block).saturating_mul(words),
+        ),
+    };
+    let (mut body, tail) = parted(stream, header, tail_bytes.max(least_tail))?;
     if body.len() < least {
         return Err(cut_off());
     }
-    let mut element = tail[tail.len() - stride..].to_vec();
+    let (first, channels) = tail[tail.len() - tail_bytes..].split_at(stride);
+    let mut element = first.to_vec();
+    let changes = match is_second {
+        false => vec![Change::Bytes; words],
+        true => (channels.iter().map(|c| Change::of_channel(*c))).collect::<Result<_, _>>()?,
+    };
     let mut bytes = vec![0; count * stride];
-    for block in bytes.chunks_mut(block_elements(stride) * stride) {
-        let groups = (block.len() / stride).div_ceil(GROUP);
-        for (place, last) in element.iter_mut().enumerate() {
-            let modes = take(&mut body, groups.div_ceil(4))?;
-            for group in 0..groups {
-                let mode = modes[group / 4] >> (2 * (group % 4)) & 3;
-                let differences = differences(&mut body, mode)?;
-                let from = group * GROUP * stride + place;
-                let places = block.iter_mut().skip(from).step_by(stride);
-                for (byte, difference) in places.zip(differences) {
-                    *last = last.wrapping_add(unfolded(difference));
-                    *byte = *last;
-                }
+    let mut packed = vec![0; of_block * stride];
+    for block in bytes.chunks_mut(of_block * stride) {
+        let elements = block.len() / stride;
+        let controls = match is_second {
+            false => None,
+            true => Some(take(&mut body, words)?),
+        };
+        for (place, packed) in packed.chunks_mut(of_block).enumerate() {
+            let packed = &mut packed[..elements];
+            let control = controls.map(|all| all[place / 4] >> (2 * (place % 4)) & 3);
+            match control {
+                None => grouped(&mut body, BITS_0, packed)?,
+                Some(2) => packed.fill(0),
+                Some(3) => packed.copy_from_slice(take(&mut body, elements)?),
+                Some(wider) => grouped(&mut body, BITS_1[usize::from(wider)], packed)?,
             }
+        }
+        for (number, into) in block.chunks_mut(stride).enumerate() {
+            let pairs = element.as_chunks_mut::<4>().0.iter_mut().zip(&changes);
+            for (word, (last, change)) in pairs.enumerate() {
+                let packed = std::array::from_fn(|i| packed[(4 * word + i) * of_block + number]);
+                *last = change.next(*last, packed);
+            }
+            into.copy_from_slice(&element);
         }
     }
     match body.len() {
@@ -51,24 +132,36 @@ pub(super) fn unpack(stream: &[u8], count: usize, stride: usize) -> Result<Vec<u
     }
 }
 
-/// The differences of a group.
-fn differences(body: &mut &[u8], mode: u8) -> Result<[u8; GROUP], String> {
+/// What a place has in a block, by groups whose modes choose among so many bits.
+fn grouped(body: &mut &[u8], bits: [u8; 4], into: &mut [u8]) -> Result<(), String> {
+    let modes = take(body, into.len().div_ceil(4 * GROUP))?;
+    for (group, into) in into.chunks_mut(GROUP).enumerate() {
+        let mode = modes[group / 4] >> (2 * (group % 4)) & 3;
+        let differences = differences(body, bits[usize::from(mode)])?;
+        into.copy_from_slice(&differences[..into.len()]);
+    }
+    Ok(())
+}
+
+/// The differences of a group, of so many bits each.
+fn differences(body: &mut &[u8], bits: u8) -> Result<[u8; GROUP], String> {
     let mut all = [0; GROUP];
-    let bits = match mode {
-        0 => return Ok(all),
-        1 => 2,
-        2 => 4,
-        _ => {
-            all.copy_from_slice(take(body, GROUP)?);
-            return Ok(all);
-        }
-    };
-    let packed = take(body, GROUP * bits / 8)?;
-    let per_byte = 8 / bits;
+    if bits == 0 {
+        return Ok(all);
+    }
+    if bits == 8 {
+        all.copy_from_slice(take(body, GROUP)?);
+        return Ok(all);
+    }
+    let packed = take(body, GROUP * usize::from(bits) / 8)?;
+    let per_byte = usize::from(8 / bits);
     let most = (1 << bits) - 1;
     for (i, difference) in all.iter_mut().enumerate() {
-        // The first is in the highest bits.
-        let shift = 8 - bits * (i % per_byte + 1);
+        // The first is in the highest bits, but in the lowest where each has one.
+        let shift = match bits {
+            1 => i % per_byte,
+            _ => 8 - usize::from(bits) * (i % per_byte + 1),
+        };
         let short = packed[i / per_byte] >> shift & most;
         *difference = match short == most {
             true => take(body, 1)?[0],
@@ -99,7 +192,7 @@ mod tests {
     #[test]
     fn the_example_of_the_specification() {
         let mut body: &[u8] = &[0x17, 0x5f, 0xf0, 0xbc, 0x77, 0xa9, 0x21, 0x00, 0x34, 0xb5];
-        let found = differences(&mut body, 2).unwrap();
+        let found = differences(&mut body, 4).unwrap();
         let found = found.map(|d| i16::from(unfolded(d) as i8));
         let expected = [-1, -4, -3, 26, -91, 0, -6, 6, -4, -4, 5, -5, 1, -1, 0, 0];
         assert_eq!((found, body.len()), (expected, 0));

@@ -1,5 +1,5 @@
-//! The filters: unit vectors by octahedra, unit quaternions by their three lesser components, and floating-point numbers with exponents
-//! that are chosen by hand.
+//! The filters: unit vectors by octahedra, unit quaternions by their three lesser components, floating-point numbers with exponents that
+//! are chosen by hand, and colours by luma and two differences from it.
 //!
 //! Arithmetic is in f64, results are within half a unit of what the specification allows one for.
 
@@ -56,6 +56,44 @@ pub(super) fn exponential(bytes: &mut [u8]) {
         let number = 2_f64.powi(exponent) * f64::from(mantissa);
         *word = (number as f32).to_le_bytes();
     }
+}
+
+/// Colours with alpha in four components of one or two bytes: luma, what red has more than blue and green more than both, and alpha, below
+/// a bit that marks how many bits all of them have.
+pub(super) fn colour(bytes: &mut [u8], stride: usize) {
+    if stride == 4 {
+        for element in bytes.as_chunks_mut::<4>().0 {
+            let [luma, orange, green, alpha] = *element;
+            let differences = [orange, green].map(|c| i32::from(c as i8));
+            *element = red_green_blue(luma.into(), differences, alpha.into(), u8::MAX.into())
+                .map(|c| c as u8);
+        }
+    } else {
+        for element in bytes.chunks_exact_mut(8) {
+            let [luma, orange, green, alpha] = words(element);
+            let differences = [orange, green].map(i32::from);
+            let [luma, alpha] = [luma, alpha].map(|c| i32::from(c as u16));
+            let colour = red_green_blue(luma, differences, alpha, u16::MAX.into());
+            for (word, c) in element.chunks_exact_mut(2).zip(colour) {
+                word.copy_from_slice(&(c as u16).to_le_bytes());
+            }
+        }
+    }
+}
+
+fn red_green_blue(luma: i32, [orange, green]: [i32; 2], alpha: i32, most: i32) -> [i32; 4] {
+    let below_mark = alpha.checked_ilog2().map_or(0, |bit| (1 << bit) - 1);
+    let one = 2 * below_mark + 1;
+    let short = alpha & below_mark;
+    // Alpha has a bit less than the others.
+    let alpha = short << 1 | short & 1;
+    let colour = [
+        luma + orange - green,
+        luma + green,
+        luma - orange - green,
+        alpha,
+    ];
+    colour.map(|c| (f64::from(c) * f64::from(most) / f64::from(one)).round() as i32)
 }
 
 fn words(element: &[u8]) -> [i16; 4] {
