@@ -128,12 +128,12 @@ pub(super) fn fill_by(document: &mut Document, rule: Option<Fill>) -> Result<()>
 /// Which device draws.
 #[derive(Args, Clone)]
 pub(super) struct AdapterArgs {
-    /// Part of the adapter's name [default: the fastest]
+    /// Part of the adapter's name [default: that in $CUTAWAY_ADAPTER, or the fastest]
     #[arg(
         long,
         value_name = "NAME",
         env = "CUTAWAY_ADAPTER",
-        hide_env_values = true,
+        hide_env = true,
         help_heading = "Device"
     )]
     pub(super) adapter: Option<String>,

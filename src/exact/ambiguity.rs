@@ -302,12 +302,9 @@ impl Case<'_> {
         scratch.events.clear();
         scratch.events.extend_from_slice(self.events);
         // At one depth the tie rule decides; the other order is a hair apart.
-        let before = match near == far {
-            true => near - rounding(self.view, near),
-            false => near,
-        };
+        let hair = f64::from(u8::from(near == far)) * rounding(self.view, near);
         self.put(scratch, i, far);
-        self.put(scratch, j, before);
+        self.put(scratch, j, near - hair);
         self.change(scratch, margin)
     }
 

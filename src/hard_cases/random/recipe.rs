@@ -11,10 +11,10 @@ use crate::hard_cases::numbers::Numbers;
 use crate::hard_cases::{Question, meshes, scenes};
 
 /// Pixels of most pictures.
-const SMALL_PX: [u32; 2] = [64, 48];
+const WHOLE_PX: [u32; 2] = [64, 48];
 
 /// Pixels of a picture of which some rows are drawn.
-const LARGE_PX: [u32; 2] = [2400, 1800];
+const PRINT_PX: [u32; 2] = [2400, 1800];
 
 /// So many rows.
 const ROWS: u32 = 8;
@@ -139,7 +139,7 @@ impl Recipe {
             recipe.turned = point(n, std::f64::consts::PI);
         }
         if n.once_in(12) {
-            recipe.first_row = Some(n.below(u64::from(LARGE_PX[1] - ROWS)) as u32);
+            recipe.first_row = Some(n.below(u64::from(PRINT_PX[1] - ROWS)) as u32);
         }
         recipe
     }
@@ -148,10 +148,10 @@ impl Recipe {
     pub fn question(&self) -> Question {
         let scene = self.scene();
         let Some(first) = self.first_row else {
-            return Question::new(&scene, SMALL_PX);
+            return Question::new(&scene, WHOLE_PX);
         };
         let model = Model::new(&scene);
-        let view = model.prepared.view(LARGE_PX).rows(first, ROWS);
+        let view = model.prepared.view(PRINT_PX).rows(first, ROWS);
         Question::of_model(model, &scene, view)
     }
 
