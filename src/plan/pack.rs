@@ -16,7 +16,7 @@ pub use dress::{
     COAT_WORDS, CapMaterial, CoatRow, DressPlanes, FILLED_STACK, MOST_CAP_PLANES, NO_TEXTURE,
     Texture,
 };
-pub(crate) use frame::MOST_BOX_MARGIN;
+use frame::MOST_BOX_MARGIN;
 pub use frame::{Frame, frame};
 pub use ghost::Ghost;
 pub use hatch::{CapPlane, HatchLine, HatchPlanes, MOST_HATCH_PLANES, PartHatch};

@@ -41,8 +41,8 @@ shared! {
 /// How much larger than the cut solids the box around them is at least, so that no solid lies in a face of it.
 const BOX_MARGIN: f64 = 1e-4;
 
-/// And at most, however small the picture is: what walks over reliefs have room for, and what tessellations reach beyond the solids.
-pub(crate) const MOST_BOX_MARGIN: f64 = 1.0 / 128.0;
+/// And at most, however small the picture is: what walks over reliefs have room for, and less than tessellations reach beyond the solids.
+pub(super) const MOST_BOX_MARGIN: f64 = 9e-4;
 
 /// How much of a pixel it is larger where it is farthest: fixed functions may cover samples beside a solid, as vertices are moved by half
 /// of 1/16 px along each axis where an adapter has the fewest sub-pixel bits that there are. Which crossings a fragment there lies behind

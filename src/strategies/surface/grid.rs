@@ -9,7 +9,7 @@
 use crate::strategies::row::{Abilities, Answers, CapSurfaceRow, Caps, Facts, Parameter};
 use glam::DVec3;
 
-use super::tessellation::{BEYOND_BOX, Facets, Tessellation, rounding};
+use super::tessellation::{Facets, Tessellation, rounding};
 use crate::passes::{Input, SceneBuffers};
 use crate::plan::pack::Quad;
 use crate::plan::{Binding, Clock, Contents, Plan, Resource, Role};
@@ -95,7 +95,7 @@ fn quad(surface: &PreparedSurface, cut_box: &Bounds, cells: u32) -> Quad {
         let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
         let low = at.iter().copied().fold(f64::INFINITY, f64::min);
         let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let margin = BEYOND_BOX.max(1e-3 * (high - low));
+        let margin = 1e-3 * (high - low);
         (low - margin, (high - low + 2.0 * margin) / f64::from(cells))
     };
     let (u_hat, v_hat) = (surface.frame.u_hat, surface.frame.v_hat);

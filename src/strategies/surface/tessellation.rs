@@ -9,24 +9,20 @@ use std::ops::Range;
 
 use super::{cutter, raycast};
 use crate::passes::{Crossings, Input, Refusal, SceneBuffers, SheetDraw, Sheets, Store};
-use crate::plan::pack::MOST_BOX_MARGIN;
 use crate::plan::{Arguments, Binding, Draw, Plan, ResourceId, Vertices};
 use crate::shader::Shader;
 
 /// Clip-surfaces per part in the number of an instance: `surface_of` and `place_of` in `shaders/lib/facets.wgsl`.
 const SURFACES_PER_PLACE: u32 = 32;
 
-/// How much farther than the box of the cut solids a tessellation reaches, in scene units: rays are followed a little beyond it.
-pub(super) const BEYOND_BOX: f64 = 1.25 * MOST_BOX_MARGIN;
-
-/// Places along a pixel that every rasteriser tells apart.
-const SUBPIXELS: f64 = 16.0;
+/// Places along a pixel that rasterisers tell apart.
+const SUBPIXELS: f64 = 256.0;
 /// The slope along which a triangle that is beside itself counts.
 const STEEP: f64 = 4.0;
 /// What triangles may be beside themselves at least, in scene units.
 const LEAST_ROUNDING: f64 = 2e-4;
 
-/// By how much rasterised triangles may be beside themselves, in scene units: a 16th of a pixel along a steep slope, at the far end
+/// By how much rasterised triangles may be beside themselves, in scene units: a 256th of a pixel along a steep slope, at the far end
 /// of the box of the cut solids. In powers of two, for a shader is compiled for each.
 pub(super) fn rounding(input: &Input<'_>) -> f64 {
     let view = input.view;

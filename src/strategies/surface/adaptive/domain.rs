@@ -8,7 +8,6 @@
 use crate::passes::Refusal;
 use glam::DVec3;
 
-use super::super::tessellation::BEYOND_BOX;
 use crate::passes::Input;
 use crate::plan::pack::Domain;
 use crate::scene::{Bounds, PreparedSurface};
@@ -27,6 +26,8 @@ const MOST_AREA: u64 = (1 << 31) - 1;
 const MOST_MEASURED: u64 = (128 << 20) / 8;
 /// The length of a texel in scene units beyond which f32 has no room between its corners.
 const LONGEST_TEXEL: f64 = 64.0;
+/// How much the domain is larger than the box on either side, in scene units.
+const MARGIN: f64 = 1e-3;
 
 /// The domains of all clip-surfaces that matter, in table order; the reason where one is too large.
 pub(super) fn rows(input: &Input<'_>) -> Result<Vec<Domain>, Refusal> {
@@ -66,7 +67,7 @@ fn span(surface: &PreparedSurface, cut_box: &Bounds, axis: DVec3) -> [f64; 2] {
     let at = cut_box.corners().map(|c| (c - surface.origin).dot(axis));
     let low = at.iter().copied().fold(f64::INFINITY, f64::min);
     let high = at.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    [low - BEYOND_BOX, high + BEYOND_BOX]
+    [low - MARGIN, high + MARGIN]
 }
 
 /// A plane is one patch of one step along each side.
